@@ -1,0 +1,1 @@
+//! Which rigid motion or similarity carries one pose onto another?

@@ -1,0 +1,44 @@
+//! A map: coordinates per item, with how well they keep the distances.
+
+/// How distances become a map.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum MapMethod {
+    /// Classical scaling: the leading eigenvectors of the doubly centred squared distances.
+    ClassicalMds,
+    /// Stress majorisation, started from classical scaling.
+    #[default]
+    Smacof,
+}
+
+/// Coordinates of items, `dimensions` numbers each.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Embedding {
+    /// Numbers per item.
+    pub dimensions: usize,
+    /// Item after item.
+    pub coordinates: Vec<f64>,
+    /// Kruskal's stress 1, √(Σ(d − δ)² / Σδ²) over pairs, δ the given distances.
+    pub stress: Option<f64>,
+    /// All eigenvalues of classical scaling, descending; negative ones show that the distances
+    /// are not Euclidean.
+    pub eigenvalues: Option<Vec<f64>>,
+    /// Majorisation steps done.
+    pub iterations: Option<usize>,
+}
+
+impl Embedding {
+    /// Coordinates of one item.
+    pub fn point(&self, item: usize) -> &[f64] {
+        &self.coordinates[item * self.dimensions..][..self.dimensions]
+    }
+
+    /// Number of items.
+    pub fn len(&self) -> usize {
+        self.coordinates.len() / self.dimensions.max(1)
+    }
+
+    /// Whether the map is empty.
+    pub fn is_empty(&self) -> bool {
+        self.coordinates.is_empty()
+    }
+}

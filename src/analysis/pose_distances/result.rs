@@ -1,0 +1,79 @@
+//! A symmetric matrix of distances and the poses its rows stand for.
+
+/// One pose: a subject of the study at a frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct PoseId {
+    /// Index into the study's subjects.
+    pub subject: usize,
+    /// Frame of its sequence.
+    pub frame: usize,
+}
+
+/// A subject that takes no part, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Index into the study's subjects.
+    pub subject: usize,
+    /// A sentence for the person who wonders.
+    pub reason: String,
+}
+
+/// Symmetric distances, zero on the diagonal; the upper triangle is stored row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DistanceMatrix {
+    size: usize,
+    upper: Vec<f64>,
+}
+
+impl DistanceMatrix {
+    /// From d₀₁, d₀₂, …, d₁₂, …: n(n−1)/2 values. `None` if the count is another.
+    pub fn from_upper(size: usize, upper: Vec<f64>) -> Option<Self> {
+        (upper.len() == size * size.saturating_sub(1) / 2).then_some(Self { size, upper })
+    }
+
+    /// Number of rows.
+    pub fn size(&self) -> usize {
+        self.size
+    }
+
+    /// d₀₁, d₀₂, …, d₁₂, …
+    pub fn upper(&self) -> &[f64] {
+        &self.upper
+    }
+
+    /// Distance of items `i` and `j`, both below `size`.
+    pub fn get(&self, i: usize, j: usize) -> f64 {
+        let (low, high) = (i.min(j), i.max(j));
+        if low == high {
+            return 0.0;
+        }
+        // Rows before `low` hold (size−1) + (size−2) + … entries.
+        self.upper[low * self.size - low * (low + 1) / 2 + high - low - 1]
+    }
+}
+
+/// Distances of all poses of all subjects in correspondence.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseDistances {
+    /// What each row stands for: by subject, then by frame.
+    pub poses: Vec<PoseId>,
+    /// The distances; without unit where the metric is scale-free.
+    pub distances: DistanceMatrix,
+    /// Subjects that do not correspond with the largest group.
+    pub left_out: Vec<LeftOut>,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn entries_come_back_from_both_sides_of_the_diagonal() {
+        let matrix = DistanceMatrix::from_upper(4, vec![1.0, 2.0, 3.0, 4.0, 5.0, 6.0]).unwrap();
+        assert_eq!(matrix.get(0, 3), 3.0);
+        assert_eq!(matrix.get(2, 1), 4.0);
+        assert_eq!(matrix.get(3, 2), 6.0);
+        assert_eq!(matrix.get(2, 2), 0.0);
+        assert!(DistanceMatrix::from_upper(4, vec![0.0; 5]).is_none());
+    }
+}

@@ -1,0 +1,1 @@
+//! The window's door: state, commands, undo, and the glue between engine, panels and renderer.

@@ -1,0 +1,16 @@
+//! Cardiomorph reads how a left ventricle moves. Rooms below, lowest floor first.
+#![doc = include_str!("ARCHITECTURE.md")]
+
+pub mod progress;
+pub mod units;
+
+pub mod analysis;
+pub mod app;
+pub mod cli;
+pub mod engine;
+pub mod io;
+pub mod mesh;
+pub mod picture;
+pub mod render;
+pub mod study;
+pub mod ui;

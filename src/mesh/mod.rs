@@ -1,0 +1,15 @@
+//! One triangle mesh at one instant: connectivity, positions, and what can be measured on them.
+
+mod faces;
+mod normals;
+pub mod phantom;
+mod tri_mesh;
+
+pub use faces::{Edge, Faces, MeshError};
+pub use normals::{face_normals, vertex_normals};
+pub use tri_mesh::TriMesh;
+
+/// A point in the coordinates of the files, in their length unit.
+pub type Point3 = nalgebra::Point3<f64>;
+/// A displacement or direction in the coordinates of the files.
+pub type Vector3 = nalgebra::Vector3<f64>;

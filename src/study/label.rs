@@ -1,0 +1,65 @@
+//! What a subject's label counts as.
+
+/// The part a label plays in rules, and its shape and colour in every view.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum LabelRole {
+    /// A healthy heart: a circle.
+    Normal,
+    /// An ill heart: a cross.
+    Abnormal,
+    /// No label, or one that takes no part: a square.
+    #[default]
+    Unknown,
+}
+
+/// Which labels of a study count as normal and which as abnormal.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LabelRoles {
+    /// Labels of healthy hearts.
+    pub normal: Vec<String>,
+    /// Labels of ill hearts.
+    pub abnormal: Vec<String>,
+}
+
+impl Default for LabelRoles {
+    fn default() -> Self {
+        Self {
+            normal: vec!["normal".to_owned()],
+            abnormal: vec!["abnormal".to_owned()],
+        }
+    }
+}
+
+impl LabelRoles {
+    /// The role of a label; letter case does not matter.
+    pub fn role(&self, label: Option<&str>) -> LabelRole {
+        let Some(label) = label else {
+            return LabelRole::Unknown;
+        };
+        let named = |list: &[String]| list.iter().any(|name| name.eq_ignore_ascii_case(label));
+        if named(&self.normal) {
+            LabelRole::Normal
+        } else if named(&self.abnormal) {
+            LabelRole::Abnormal
+        } else {
+            LabelRole::Unknown
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn labels_that_no_rule_names_take_no_part() {
+        let roles = LabelRoles {
+            normal: vec!["NOR".to_owned()],
+            abnormal: vec!["MINF".to_owned()],
+        };
+        assert_eq!(roles.role(Some("nor")), LabelRole::Normal);
+        assert_eq!(roles.role(Some("MINF")), LabelRole::Abnormal);
+        assert_eq!(roles.role(Some("RV")), LabelRole::Unknown);
+        assert_eq!(roles.role(None), LabelRole::Unknown);
+    }
+}

@@ -1,0 +1,24 @@
+//! What the user opened: subjects, their beating surfaces, the cardiac cycle and the anatomy.
+
+mod anatomy;
+mod cardiac_cycle;
+pub mod checks;
+mod label;
+mod mesh_sequence;
+mod notice;
+#[expect(
+    clippy::module_inception,
+    reason = "the room's main type carries the room's name"
+)]
+mod study;
+mod subject;
+
+pub use anatomy::Anatomy;
+pub use cardiac_cycle::CycleTiming;
+pub use label::{LabelRole, LabelRoles};
+pub use mesh_sequence::{
+    CorrespondenceKey, MeshSequence, SequenceError, SurfaceKind, SurfaceSequence,
+};
+pub use notice::{Notice, Severity};
+pub use study::{Revision, Study};
+pub use subject::Subject;

@@ -1,0 +1,50 @@
+//! The cohort as one immutable value; an edit makes another with the next revision.
+
+use std::sync::Arc;
+
+use super::{LabelRole, LabelRoles, Subject};
+
+/// Names one state of one study in this run of the program; results are keyed by it.
+///
+/// Whoever opens or edits a study gives it a number that was not used before.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Revision(pub u64);
+
+/// Subjects and the roles of their labels. Shared as `Arc<Study>`, never changed.
+#[derive(Clone, Debug, Default)]
+pub struct Study {
+    /// What the window's title bar says.
+    pub name: String,
+    /// The hearts, in the order of the input.
+    pub subjects: Vec<Arc<Subject>>,
+    /// What labels count as.
+    pub label_roles: LabelRoles,
+    /// Which edit this is.
+    pub revision: Revision,
+}
+
+impl Study {
+    /// The role of a subject's label.
+    pub fn role(&self, subject: &Subject) -> LabelRole {
+        self.label_roles.role(subject.label.as_deref())
+    }
+
+    /// Index of the subject with this id.
+    pub fn index_of(&self, id: &str) -> Option<usize> {
+        self.subjects.iter().position(|subject| subject.id == id)
+    }
+
+    /// The same study with one subject changed, as another revision.
+    pub fn with_subject(&self, index: usize, subject: Subject, revision: Revision) -> Self {
+        let mut subjects = self.subjects.clone();
+        if let Some(place) = subjects.get_mut(index) {
+            *place = Arc::new(subject);
+        }
+        Self {
+            name: self.name.clone(),
+            subjects,
+            label_roles: self.label_roles.clone(),
+            revision,
+        }
+    }
+}

@@ -1,0 +1,191 @@
+//! Everything the user can ask for; panels push these, `app::apply` carries them out.
+
+use std::path::PathBuf;
+
+use crate::engine::PoseMapParams;
+use crate::picture::Quantity;
+use crate::render::{Camera, Shading};
+
+/// What the 3D view shows at once.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ViewMode {
+    /// One heart.
+    #[default]
+    Single,
+    /// Two hearts with linked cameras and phase.
+    SideBySide,
+    /// Every pose of one heart.
+    AllPhases,
+}
+
+/// The six directions to look from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum AnatomicalView {
+    /// From the front.
+    Anterior,
+    /// From behind, onto the inferior wall.
+    Inferior,
+    /// Onto the septum.
+    Septal,
+    /// Onto the free wall.
+    Lateral,
+    /// From the apex.
+    Apex,
+    /// From the base.
+    Base,
+}
+
+/// A tile of the window.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Pane {
+    /// The list of subjects.
+    Cohort,
+    /// Finished and running work.
+    Activity,
+    /// The 3D view.
+    Viewport,
+    /// The map of poses.
+    PoseMap,
+    /// Volumes over the beat.
+    Curves,
+    /// Clinical measures of the selected subject.
+    Measures,
+}
+
+/// Light or dark.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum ThemeChoice {
+    /// As the system says.
+    #[default]
+    System,
+    /// Dark.
+    Dark,
+    /// Light.
+    Light,
+}
+
+/// A kind of background work, for Cancel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum JobKind {
+    /// Reading files.
+    Open,
+    /// Clinical measures.
+    Measures,
+    /// Distances and the map of poses.
+    PoseMap,
+    /// Writing tables or a figure.
+    Export,
+}
+
+/// One request of the user.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// Ask for files to open.
+    ChooseFiles,
+    /// Ask for a folder to open.
+    ChooseFolder,
+    /// Open these.
+    Open(Vec<PathBuf>),
+    /// Open the cohort that ships inside.
+    OpenBuiltIn,
+    /// Show a subject at a frame and, from a map, play its beat.
+    SelectPose {
+        /// Index into the study's subjects.
+        subject: usize,
+        /// Frame of its sequence.
+        frame: usize,
+        /// Whether to play on from there.
+        play: bool,
+    },
+    /// Show a subject, keeping the phase.
+    SelectSubject(usize),
+    /// The next subject of the table, or the one before for −1.
+    StepSubject(i32),
+    /// The second heart of the side-by-side view.
+    CompareWith(Option<usize>),
+    /// Move to a position in the beat, counted in frames; fractions lie between poses.
+    SetPosition(f64),
+    /// Whole frames forward or back.
+    StepFrame(i32),
+    /// Jump to end-diastole.
+    GoToEndDiastole,
+    /// Jump to end-systole.
+    GoToEndSystole,
+    /// Say that the selected subject's end-diastole is this frame; `None` finds it again.
+    StateEndDiastole(Option<usize>),
+    /// Say that the selected subject's end-systole is this frame; `None` finds it again.
+    StateEndSystole(Option<usize>),
+    /// Play or pause.
+    TogglePlay,
+    /// Beats per recorded beat: 1 is real time.
+    SetSpeed(f32),
+    /// Whether playing starts over.
+    ToggleLoop,
+    /// One heart, two, or all phases.
+    SetViewMode(ViewMode),
+    /// Move the camera; `drag` groups the steps of one drag for undo.
+    SetCamera {
+        /// The new camera.
+        camera: Camera,
+        /// Whether a drag goes on.
+        drag: bool,
+    },
+    /// Look from an anatomical direction.
+    ViewFrom(AnatomicalView),
+    /// Fit everything into view.
+    FrameAll,
+    /// Turntable, or free rotation.
+    ToggleFreeCamera,
+    /// Show or hide the inner surface.
+    ToggleEndocardium,
+    /// Show or hide the outer surface or wall.
+    ToggleEpicardium,
+    /// Show or hide edges.
+    ToggleWireframe,
+    /// Show or hide vertices as discs.
+    ToggleVertices,
+    /// Smooth or flat.
+    SetShading(Shading),
+    /// What colours stand for.
+    SetQuantity(Quantity),
+    /// Typed limits of the colours; `None` goes back to the fixed range.
+    SetColourLimits(Option<[f64; 2]>),
+    /// How poses are compared and mapped.
+    SetPoseMap(PoseMapParams),
+    /// Compute what was cancelled or failed again.
+    Retry(JobKind),
+    /// Stop background work.
+    Cancel(JobKind),
+    /// Close an error card.
+    DismissError(usize),
+    /// Filter the cohort table.
+    SetSearch(String),
+    /// Sort the cohort table by a column; again turns the order.
+    SortCohort(usize),
+    /// Light or dark.
+    SetTheme(ThemeChoice),
+    /// Show or hide a tile.
+    TogglePane(Pane),
+    /// All tiles where they were.
+    ResetLayout,
+    /// Show or hide the command palette.
+    TogglePalette,
+    /// Show or hide the sheet of shortcuts.
+    ToggleShortcuts,
+    /// Show or hide the load report.
+    ToggleLoadReport,
+    /// Show or hide About.
+    ToggleAbout,
+    /// Write a picture of the 3D view; `None` asks where.
+    ExportFigure(Option<PathBuf>),
+    /// Write all tables; `None` asks where.
+    ExportTables(Option<PathBuf>),
+    /// Undo the last change of state.
+    Undo,
+    /// Take the last undo back.
+    Redo,
+    /// Full screen or window.
+    ToggleFullScreen,
+    /// Leave the program.
+    Quit,
+}

@@ -1,0 +1,5 @@
+//! Panels, plots and widgets: they draw prepared views and push commands.
+
+mod command;
+
+pub use command::{AnatomicalView, Command, JobKind, Pane, ThemeChoice, ViewMode};

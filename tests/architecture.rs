@@ -1,0 +1,206 @@
+//! The plan of the house, kept true by test: who may use whom, and which doors stay shut.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Each room with the rooms it may use. A room missing here fails the test.
+
+/// Words from outside with the only rooms that may say them.
+
+/// Each room with the rooms it may use. A room missing here fails the test.
+/// `src/ARCHITECTURE.md` draws the same plan and says why.
+const MAY_USE: &[(&str, &[&str])] = &[
+    ("lib", &[]),
+    ("units", &[]),
+    ("progress", &[]),
+    ("numeric", &["progress"]),
+    ("mesh", &["units", "numeric"]),
+    ("study", &["units", "mesh"]),
+    (
+        "analysis",
+        &["units", "progress", "numeric", "mesh", "study"],
+    ),
+    ("io", &["units", "progress", "mesh", "study", "analysis"]),
+    (
+        "engine",
+        &[
+            "units", "progress", "numeric", "mesh", "study", "analysis", "io",
+        ],
+    ),
+    ("render", &["units", "mesh"]),
+    (
+        "picture",
+        &["units", "mesh", "study", "analysis", "engine", "render"],
+    ),
+    (
+        "ui",
+        &["units", "study", "analysis", "engine", "picture", "render"],
+    ),
+    (
+        "app",
+        &[
+            "units", "progress", "mesh", "study", "analysis", "io", "engine", "render", "picture",
+            "ui",
+        ],
+    ),
+    (
+        "cli",
+        &[
+            "units", "progress", "mesh", "study", "analysis", "io", "engine", "render", "picture",
+        ],
+    ),
+    ("main", &[]),
+];
+
+/// Folders of `analysis` with the other folders each may use.
+const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
+    ("mod.rs", &[]),
+    ("alignment", &[]),
+    ("measures", &[]),
+    ("metrics", &[]),
+    ("pose_distances", &["alignment", "metrics"]),
+    ("embedding", &["pose_distances", "alignment"]),
+];
+
+/// Words from outside with the only rooms that may say them.
+const FENCED: &[(&str, &[&str])] = &[
+    ("egui::", &["ui", "app"]),
+    ("eframe::", &["app"]),
+    ("wgpu::", &["render", "app"]),
+    ("std::fs", &["io", "engine", "cli"]),
+    ("std::thread", &["engine"]),
+    ("Instant::now", &["engine", "app"]),
+    ("println!", &["cli"]),
+    ("super::super", &[]), // would leave the room unseen
+];
+
+const MOST_LINES: usize = 400;
+
+struct SourceFile {
+    place: PathBuf,
+    room: String,
+    text: String,
+}
+
+fn source_files() -> Vec<SourceFile> {
+    let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
+    let mut paths = Vec::new();
+    collect_rust_files(&src, &mut paths);
+    paths.sort();
+    paths
+        .into_iter()
+        .map(|path| {
+            let place = path.strip_prefix(&src).unwrap().to_owned();
+            let room = place.iter().next().unwrap().to_str().unwrap();
+            let room = room.trim_end_matches(".rs").to_owned();
+            SourceFile {
+                text: fs::read_to_string(&path).unwrap(),
+                place,
+                room,
+            }
+        })
+        .collect()
+}
+
+fn collect_rust_files(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            collect_rust_files(&path, found);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            found.push(path);
+        }
+    }
+}
+
+fn code_lines(text: &str) -> impl Iterator<Item = &str> {
+    text.lines()
+        .filter(|line| !line.trim_start().starts_with("//"))
+}
+
+fn rooms_named(line: &str) -> impl Iterator<Item = &str> {
+    line.split("crate::").skip(1).map(first_word)
+}
+
+fn first_word(text: &str) -> &str {
+    text.split(|c: char| !(c.is_alphanumeric() || c == '_'))
+        .next()
+        .unwrap_or_default()
+}
+
+#[test]
+fn rooms_use_only_the_rooms_they_may() {
+    let mut wrong = Vec::new();
+    for file in source_files() {
+        let Some((_, allowed)) = MAY_USE.iter().find(|(room, _)| *room == file.room) else {
+            wrong.push(format!(
+                "{}: room {:?} is not on the plan",
+                file.place.display(),
+                file.room
+            ));
+            continue;
+        };
+        for used in code_lines(&file.text).flat_map(rooms_named) {
+            if used != file.room && !allowed.contains(&used) {
+                wrong.push(format!("{} uses crate::{used}", file.place.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn folders_of_the_analysis_use_only_what_they_may() {
+    let mut wrong = Vec::new();
+    for file in source_files().iter().filter(|file| file.room == "analysis") {
+        let folder = file.place.iter().nth(1).unwrap().to_str().unwrap();
+        let Some((_, allowed)) = ANALYSIS_MAY_USE.iter().find(|(name, _)| *name == folder) else {
+            wrong.push(format!("analysis/{folder} is not on the plan"));
+            continue;
+        };
+        for line in code_lines(&file.text) {
+            for rest in line.split("crate::analysis::").skip(1) {
+                let used = first_word(rest);
+                if used != folder && !allowed.contains(&used) {
+                    wrong.push(format!("{} uses analysis::{used}", file.place.display()));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn outside_words_stay_in_their_rooms() {
+    let mut wrong = Vec::new();
+    for file in source_files() {
+        for (word, rooms) in FENCED {
+            if !rooms.contains(&file.room.as_str())
+                && code_lines(&file.text).any(|l| l.contains(word))
+            {
+                wrong.push(format!("{} says {word}", file.place.display()));
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn files_stay_at_human_size() {
+    let wrong: Vec<_> = source_files()
+        .into_iter()
+        .filter(|file| file.text.lines().count() > MOST_LINES)
+        .map(|file| file.place)
+        .collect();
+    assert!(wrong.is_empty(), "over {MOST_LINES} lines: {wrong:#?}");
+}
+
+#[test]
+fn every_file_opens_with_a_sentence() {
+    let wrong: Vec<_> = source_files()
+        .into_iter()
+        .filter(|file| !file.text.starts_with("//!"))
+        .map(|file| file.place)
+        .collect();
+    assert!(wrong.is_empty(), "no module doc comment: {wrong:#?}");
+}

@@ -1,0 +1,1 @@
+//! The doors of the program, tried from outside: one binary, one module per door.
