@@ -2,12 +2,15 @@
 
 use glam::{Quat, Vec3};
 
+use crate::picture::{self, HeartAxes, PreparedSubject};
 use crate::render::Camera;
 use crate::ui::AnatomicalView;
 
 /// Which way the camera looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Direction {
+    /// The first look: base up, a little from above and from the side.
+    Home,
     /// From one of the six anatomical sides.
     From(AnatomicalView),
     /// Turned by hand: rotation from camera axes to the heart's axes.
@@ -30,7 +33,7 @@ pub struct Look {
 impl Default for Look {
     fn default() -> Self {
         Self {
-            direction: Direction::From(AnatomicalView::Anterior),
+            direction: Direction::Home,
             offset: Vec3::ZERO,
             half_height: None,
         }
@@ -46,7 +49,61 @@ pub struct HeartFrame {
     pub world_from_heart: Quat,
 }
 
+impl Look {
+    /// Rotation from camera axes to the world, for a heart that lies like `axes`.
+    pub fn rotation(&self, axes: &HeartAxes) -> Quat {
+        match self.direction {
+            Direction::Home => axes.home(),
+            Direction::From(side) => axes.view(picture_view(side)),
+            Direction::Turned(heart_from_camera) => {
+                (world_from_heart(axes) * heart_from_camera).normalize()
+            }
+        }
+    }
+
+    /// The camera in the world, given one that fits the heart in this look's direction.
+    pub fn camera(&self, frame: &HeartFrame, fitted: Camera) -> Camera {
+        match self.half_height {
+            None => fitted,
+            Some(half_height) => Camera {
+                target: frame.middle + frame.world_from_heart * self.offset,
+                half_height,
+                ..fitted
+            },
+        }
+    }
+}
+
+fn world_from_heart(axes: &HeartAxes) -> Quat {
+    axes.view(picture::AnatomicalView::Anterior)
+}
+
+fn picture_view(side: AnatomicalView) -> picture::AnatomicalView {
+    match side {
+        AnatomicalView::Anterior => picture::AnatomicalView::Anterior,
+        AnatomicalView::Inferior => picture::AnatomicalView::Inferior,
+        AnatomicalView::Septal => picture::AnatomicalView::Septal,
+        AnatomicalView::Lateral => picture::AnatomicalView::Lateral,
+        AnatomicalView::Apex => picture::AnatomicalView::Apex,
+        AnatomicalView::Base => picture::AnatomicalView::Base,
+    }
+}
+
 impl HeartFrame {
+    /// Where a prepared heart lies: the middle of the box around all its poses.
+    pub fn of(prepared: &PreparedSubject) -> Self {
+        let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        for point in prepared.all_positions() {
+            low = low.min(Vec3::from(*point));
+            high = high.max(Vec3::from(*point));
+        }
+        let middle = 0.5 * (low + high);
+        Self {
+            middle: if middle.is_finite() { middle } else { Vec3::ZERO },
+            world_from_heart: world_from_heart(&prepared.axes),
+        }
+    }
+
     /// A camera in the world told in the heart's axes.
     pub fn heart_camera(&self, camera: Camera) -> Camera {
         let heart_from_world = self.world_from_heart.inverse();

@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::engine::PoseMap;
-use crate::study::{Revision, Study, Subject};
+use crate::study::built_in::BuiltInParams;
+use crate::study::{Notice, Revision, Study, Subject};
 use crate::ui::ThemeChoice;
 
 use super::document::{Document, StudyRef};
@@ -67,7 +68,8 @@ pub struct State {
     pub errors: Vec<ErrorCard>,
     /// The latest results.
     pub results: Results,
-    last_revision: u64,
+    /// How finely the built-in cohort is made.
+    pub built_in: BuiltInParams,
     last_opening: u64,
 }
 
@@ -88,25 +90,13 @@ impl Default for State {
             recent: Vec::new(),
             errors: Vec::new(),
             results: Results::default(),
-            last_revision: 0,
+            built_in: BuiltInParams::default(),
             last_opening: 0,
         }
     }
 }
 
 impl State {
-    /// A revision that was not used before.
-    pub fn next_revision(&mut self) -> Revision {
-        self.last_revision += 1;
-        Revision(self.last_revision)
-    }
-
-    /// A number for a newly opened study.
-    pub fn next_opening(&mut self) -> u64 {
-        self.last_opening += 1;
-        self.last_opening
-    }
-
     /// Measures of the study on screen, possibly of its state before the last edit.
     pub fn measures(&self) -> Option<&Arc<Vec<SubjectMeasures>>> {
         self.of_this_study(self.results.measures.as_ref())
@@ -142,15 +132,12 @@ impl State {
     }
 
     /// Shows a newly read study; the old one can be had back by undo.
-    pub fn show_study(&mut self, study: Study, notices: &[crate::study::Notice]) {
-        let opening = self.next_opening();
-        let study = Study {
-            revision: self.next_revision(),
-            ..study
-        };
+    pub fn show_study(&mut self, study: Arc<Study>, notices: &[Notice]) {
+        self.last_opening += 1;
+        let opening = self.last_opening;
         let before = self.document.clone();
         let mut document = Document::new(StudyRef {
-            study: Arc::new(study),
+            study,
             opening,
             notices: Arc::from(notices),
         });

@@ -7,6 +7,7 @@ use crate::study::{MeshSequence, Revision, Study, Subject, SurfaceKind, SurfaceS
 use crate::units::LengthUnit;
 
 use super::document::StudyRef;
+use super::state::State;
 
 /// A heart of one small sphere that contracts over `frames` frames.
 pub fn subject_with_frames(id: &str, frames: usize) -> Subject {
@@ -35,4 +36,11 @@ pub fn study_ref(study: Arc<Study>) -> StudyRef {
         opening: 1,
         notices: Arc::from([]),
     }
+}
+
+/// A window's state with these subjects on screen.
+pub fn state_of(subjects: Vec<Subject>) -> State {
+    let mut state = State::default();
+    state.show_study(study_of(subjects), &[]);
+    state
 }
