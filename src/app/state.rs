@@ -34,7 +34,9 @@ pub struct Fresh<T> {
     pub revision: Revision,
     /// Which opening that study came from; subjects' indices mean the same within one.
     pub opening: u64,
-    /// The result.
+    /// The result as the engine gave it.
+    pub source: Arc<T>,
+    /// The result as it is shown.
     pub value: Arc<T>,
 }
 
@@ -68,6 +70,8 @@ pub struct State {
     pub errors: Vec<ErrorCard>,
     /// The latest results.
     pub results: Results,
+    /// What was done last, for the status bar.
+    pub message: String,
     /// How finely the built-in cohort is made.
     pub built_in: BuiltInParams,
     last_opening: u64,
@@ -90,6 +94,7 @@ impl Default for State {
             recent: Vec::new(),
             errors: Vec::new(),
             results: Results::default(),
+            message: String::new(),
             built_in: BuiltInParams::default(),
             last_opening: 0,
         }
