@@ -1,9 +1,15 @@
 //! Bytes to study and results to files, one file per format, both ways.
 
+mod detect;
 mod limits;
+mod mesh_draft;
 mod mesh_file;
+mod obj;
 mod opened;
+mod text_lines;
 
+pub use detect::{mesh_file_endings, read_mesh, read_mesh_with_siblings};
 pub use limits::Limits;
 pub use mesh_file::{MeshFile, ReadMeshError};
+pub use obj::write_obj;
 pub use opened::{OpenError, Opened};
