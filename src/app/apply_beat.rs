@@ -3,11 +3,11 @@
 use crate::ui::Command;
 
 use super::apply::{Moment, change};
-use super::cohort_order::visible_subjects;
 use super::document::position_at_phase;
 use super::play::SPEEDS;
 use super::state::State;
 use super::undo::Gesture;
+use super::views::visible_subjects;
 
 /// Carries out a command about subjects or time.
 pub fn apply(state: &mut State, command: Command, moment: &Moment) {

@@ -160,7 +160,7 @@ fn opening_another_study_can_be_taken_back() {
     let mut other = crate::study::Study::clone(&first);
     other.subjects.truncate(1);
     other.revision = Revision(2);
-    state.show_study(std::sync::Arc::new(other), &[]);
+    state.show_study(std::sync::Arc::new(other), Default::default());
     assert_eq!(state.document.study().subjects.len(), 1);
     give(&mut state, Command::Undo);
     assert_eq!(state.document.study().subjects.len(), 2);

@@ -48,7 +48,7 @@ pub fn apply(state: &mut State, command: Command) -> Vec<Effect> {
     vec![effect]
 }
 
-/// Sheets lie over the window one at a time; error cards go by their number.
+/// Sheets lie over the window one at a time; error cards go by their place.
 fn change_sheets(state: &mut State, command: &Command) {
     let before = state.sheets;
     state.sheets = Default::default();
@@ -57,9 +57,11 @@ fn change_sheets(state: &mut State, command: &Command) {
         Command::ToggleShortcuts => state.sheets.shortcuts = !before.shortcuts,
         Command::ToggleLoadReport => state.sheets.load_report = !before.load_report,
         Command::ToggleAbout => state.sheets.about = !before.about,
-        Command::DismissError(number) => {
+        Command::DismissError(index) => {
             state.sheets = before;
-            state.errors.retain(|card| card.number != *number);
+            if *index < state.errors.len() {
+                state.errors.remove(*index);
+            }
         }
         _ => state.sheets = before,
     }

@@ -9,6 +9,7 @@ use crate::study::Study;
 use crate::ui::JobKind;
 
 use super::dialogs::Dialogs;
+use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
 use super::map_orientation::oriented_like;
 use super::pictures::Pictures;
@@ -191,12 +192,15 @@ fn take_opened(state: &mut State, opened: &Opened) {
         }
         return;
     }
-    let notices: Vec<_> = opened.notices.clone();
     state.message = match study.subjects.len() {
         1 => format!("Opened {}", study.subjects[0].id),
         count => format!("Opened {count} subjects"),
     };
-    state.show_study(Arc::new(Study::clone(study)), &notices);
+    let report = OpeningReport {
+        notices: opened.notices.clone(),
+        errors: opened.errors.clone(),
+    };
+    state.show_study(Arc::new(Study::clone(study)), report);
 }
 
 /// The frame of each subject that motion is counted from.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::engine::PoseMapParams;
+use crate::io::OpenError;
 use crate::picture::Quantity;
 use crate::render::Shading;
 use crate::study::{Notice, Revision, Study, Subject};
@@ -84,8 +85,17 @@ pub struct StudyRef {
     pub study: Arc<Study>,
     /// Counts what was opened in this run; edits of one study share the number.
     pub opening: u64,
-    /// What was assumed about the study as a whole when it was read.
-    pub notices: Arc<[Notice]>,
+    /// What came of reading it.
+    pub report: Arc<OpeningReport>,
+}
+
+/// What reading a study brought beside its subjects.
+#[derive(Clone, Debug, Default)]
+pub struct OpeningReport {
+    /// What was assumed about the study as a whole.
+    pub notices: Vec<Notice>,
+    /// What could not be read.
+    pub errors: Vec<OpenError>,
 }
 
 impl PartialEq for StudyRef {

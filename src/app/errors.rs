@@ -1,62 +1,64 @@
-//! Cards that say what went wrong, one for each thing, until they are dismissed.
+//! Cards that say what went wrong, until they are dismissed.
 
 use crate::io::OpenError;
+use crate::ui::{ErrorCard, JobKind};
 
-/// One thing that went wrong; the rest goes on.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct ErrorCard {
-    /// Stays the same while the card is shown.
-    pub number: usize,
-    /// What could not be done.
-    pub title: String,
-    /// Line or byte, reason, and what to do.
-    pub detail: String,
-    /// The work that failed, if it can be tried again.
-    pub retry: Option<crate::ui::JobKind>,
-}
+/// Files that could not be opened have a card each up to this many; more are summed up in one:
+/// a folder of a thousand bad files is one mistake.
+const MOST_CARDS: usize = 3;
 
-/// Cards beyond this many are summed up in one: a folder of a thousand bad files is one mistake.
-const MOST_CARDS: usize = 20;
-
-/// Adds a card.
+/// Adds a card, unless the same one is still shown.
 pub fn push_card(
     cards: &mut Vec<ErrorCard>,
     title: impl Into<String>,
-    detail: impl Into<String>,
-    retry: Option<crate::ui::JobKind>,
+    message: impl Into<String>,
+    retry: Option<JobKind>,
 ) {
-    let number = cards.last().map_or(0, |card| card.number + 1);
-    cards.push(ErrorCard {
-        number,
+    let card = ErrorCard {
         title: title.into(),
-        detail: detail.into(),
+        message: message.into(),
+        details: String::new(),
         retry,
+    };
+    if !cards.contains(&card) {
+        cards.push(card);
+    }
+}
+
+/// Adds cards for the paths that could not be opened.
+pub fn push_open_errors(cards: &mut Vec<ErrorCard>, errors: &[OpenError]) {
+    if errors.len() <= MOST_CARDS {
+        for error in errors {
+            let title = match &error.subject {
+                Some(subject) => format!("{subject}: {} could not be opened", file_name(error)),
+                None => format!("{} could not be opened", file_name(error)),
+            };
+            let card = ErrorCard {
+                title,
+                message: error.reason.clone(),
+                details: error.path.display().to_string(),
+                retry: None,
+            };
+            if !cards.contains(&card) {
+                cards.push(card);
+            }
+        }
+        return;
+    }
+    let lines: Vec<String> = errors.iter().map(ToString::to_string).collect();
+    cards.push(ErrorCard {
+        title: format!("{} files could not be opened", errors.len()),
+        message: format!("{}: {}", file_name(&errors[0]), errors[0].reason),
+        details: lines.join("\n"),
+        retry: None,
     });
 }
 
-/// Adds a card for each path that could not be opened.
-pub fn push_open_errors(cards: &mut Vec<ErrorCard>, errors: &[OpenError]) {
-    let shown = errors.len().min(MOST_CARDS);
-    for error in &errors[..shown] {
-        let file = error.path.file_name().map_or_else(
-            || error.path.display().to_string(),
-            |name| name.to_string_lossy().into_owned(),
-        );
-        let title = match &error.subject {
-            Some(subject) => format!("{subject}: {file} could not be opened"),
-            None => format!("{file} could not be opened"),
-        };
-        push_card(cards, title, error.reason.clone(), None);
-    }
-    if errors.len() > shown {
-        let rest = errors.len() - shown;
-        push_card(
-            cards,
-            format!("{rest} more files could not be opened"),
-            "The load report lists them",
-            None,
-        );
-    }
+fn file_name(error: &OpenError) -> String {
+    error.path.file_name().map_or_else(
+        || error.path.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    )
 }
 
 #[cfg(test)]
@@ -77,17 +79,18 @@ mod tests {
         let mut cards = Vec::new();
         push_open_errors(&mut cards, &[open_error("a.obj")]);
         assert_eq!(cards[0].title, "a.obj could not be opened");
-        assert!(cards[0].detail.starts_with("line 12"));
+        assert!(cards[0].message.starts_with("line 12"));
+        push_open_errors(&mut cards, &[open_error("a.obj")]);
+        assert_eq!(cards.len(), 1, "the same card is shown once");
     }
 
     #[test]
-    fn many_errors_end_in_a_sum() {
+    fn many_errors_are_one_card_that_lists_them() {
         let errors: Vec<_> = (0..1000).map(|i| open_error(&format!("{i}.obj"))).collect();
         let mut cards = Vec::new();
         push_open_errors(&mut cards, &errors);
-        assert_eq!(cards.len(), MOST_CARDS + 1);
-        assert!(cards[MOST_CARDS].title.starts_with("980 more"));
-        let numbers: Vec<_> = cards.iter().map(|card| card.number).collect();
-        assert!(numbers.windows(2).all(|pair| pair[0] < pair[1]));
+        assert_eq!(cards.len(), 1);
+        assert!(cards[0].title.starts_with("1000 files"));
+        assert_eq!(cards[0].details.lines().count(), 1000);
     }
 }

@@ -6,11 +6,10 @@ use std::sync::Arc;
 use crate::analysis::measures::SubjectMeasures;
 use crate::engine::PoseMap;
 use crate::study::built_in::BuiltInParams;
-use crate::study::{Notice, Revision, Study, Subject};
-use crate::ui::ThemeChoice;
+use crate::study::{Revision, Study, Subject};
+use crate::ui::{ErrorCard, ThemeChoice};
 
-use super::document::{Document, StudyRef};
-use super::errors::ErrorCard;
+use super::document::{Document, OpeningReport, StudyRef};
 use super::play::PlayClock;
 use super::undo::History;
 
@@ -82,7 +81,7 @@ impl Default for State {
         let nothing = StudyRef {
             study: Arc::default(),
             opening: 0,
-            notices: Arc::from([]),
+            report: Arc::default(),
         };
         Self {
             document: Document::new(nothing),
@@ -137,14 +136,14 @@ impl State {
     }
 
     /// Shows a newly read study; the old one can be had back by undo.
-    pub fn show_study(&mut self, study: Arc<Study>, notices: &[Notice]) {
+    pub fn show_study(&mut self, study: Arc<Study>, report: OpeningReport) {
         self.last_opening += 1;
         let opening = self.last_opening;
         let before = self.document.clone();
         let mut document = Document::new(StudyRef {
             study,
             opening,
-            notices: Arc::from(notices),
+            report: Arc::new(report),
         });
         document.map = before.map;
         document.visibility = before.visibility;

@@ -6,7 +6,7 @@ use crate::mesh::phantom;
 use crate::study::{MeshSequence, Revision, Study, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
-use super::document::StudyRef;
+use super::document::{OpeningReport, StudyRef};
 use super::state::State;
 
 /// A heart of one small sphere that contracts over `frames` frames.
@@ -34,13 +34,13 @@ pub fn study_ref(study: Arc<Study>) -> StudyRef {
     StudyRef {
         study,
         opening: 1,
-        notices: Arc::from([]),
+        report: Arc::default(),
     }
 }
 
 /// A window's state with these subjects on screen.
 pub fn state_of(subjects: Vec<Subject>) -> State {
     let mut state = State::default();
-    state.show_study(study_of(subjects), &[]);
+    state.show_study(study_of(subjects), OpeningReport::default());
     state
 }
