@@ -117,7 +117,7 @@ const DILATED: Ranges = Ranges {
 const HYPERTROPHIC: Ranges = Ranges {
     edv_ml: [88.0, 112.0],
     ejection_fraction: [0.68, 0.75],
-    wall_mm: [13.0, 15.0],
+    wall_mm: [14.5, 17.0],
     septal_thickening: [0.18, 0.40],
     lengthening: [0.95, 1.03],
     shortening: [0.11, 0.15],

@@ -50,7 +50,7 @@ impl WallGrid {
             eccentric_share: 0.0,
             around_rad: 0.0,
         }];
-        for ring in 1..=rings {
+        for (ring, &eccentric_share) in shares.iter().enumerate().skip(1) {
             let count = 6 * ring.min(cap);
             let stagger = if ring > cap && (ring - cap) % 2 == 1 {
                 0.5
@@ -58,7 +58,7 @@ impl WallGrid {
                 0.0
             };
             points.extend((0..count).map(|step| GridPoint {
-                eccentric_share: shares[ring],
+                eccentric_share,
                 around_rad: TAU * (step as f64 + stagger) / count as f64,
             }));
         }

@@ -13,6 +13,8 @@ mod params;
 mod patch;
 mod segments;
 mod shape;
+#[cfg(test)]
+mod tests;
 mod timing;
 mod truth;
 
