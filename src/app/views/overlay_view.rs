@@ -1,5 +1,6 @@
 //! What lies over a heart in the 3D view: its name, colour bar, scale bar and orientation cube.
 
+use crate::app::document::nearest_frame;
 use crate::app::play::is_between;
 use crate::app::stage::Cell;
 use crate::app::state::State;
@@ -21,28 +22,27 @@ pub struct OverlayData {
 }
 
 impl OverlayData {
-    /// Names the heart of a cell. In the grid of all phases only the first cell carries the
-    /// subject, the others their frame.
+    /// Names the heart of a cell; in the grid of all phases, its frame.
     pub fn of(state: &State, cell: &Cell) -> Self {
         let Some(subject) = state.subject(cell.subject) else {
             return Self::default();
         };
         let count = subject.sequence.frame_count();
-        let frame = crate::app::document::nearest_frame(cell.position, count);
+        let frame = nearest_frame(cell.position, count);
         let phase = phase_name(state.phases_of(cell.subject), frame);
-        let mut parts = Vec::new();
-        let grid = state.document.view_mode == ViewMode::AllPhases;
-        if !grid || cell.position == 0.0 {
-            parts.extend(subject.label.clone());
+        if state.document.view_mode == ViewMode::AllPhases {
+            return Self {
+                title: format!("Frame {frame}"),
+                subtitle: phase.unwrap_or_default().to_owned(),
+                role: state.document.study().role(subject),
+                between: false,
+            };
         }
+        let mut parts: Vec<String> = subject.label.iter().cloned().collect();
         parts.push(format!("frame {frame} of {count}"));
         parts.extend(phase.map(str::to_owned));
         Self {
-            title: if grid && cell.position > 0.0 {
-                String::new()
-            } else {
-                subject.id.clone()
-            },
+            title: subject.id.clone(),
             subtitle: parts.join(" · "),
             role: state.document.study().role(subject),
             between: is_between(cell.position),
