@@ -5,11 +5,15 @@ mod limits;
 mod mesh_draft;
 mod mesh_file;
 mod obj;
+mod open;
 mod opened;
 mod text_lines;
+mod write_study;
 
 pub use detect::{mesh_file_endings, read_mesh, read_mesh_with_siblings};
 pub use limits::Limits;
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
+pub use open::{looks_openable, open_paths};
 pub use opened::{OpenError, Opened};
+pub use write_study::{MeshFormat, WriteStudyError, write_study};
