@@ -21,7 +21,11 @@ impl Boundary {
         let faces = surface.faces();
         let mut loop_sizes: Vec<usize> = faces.boundary_loops().iter().map(Vec::len).collect();
         loop_sizes.sort_unstable_by(|a, b| b.cmp(a));
-        let boundary_edges = faces.edge_valences().iter().filter(|(_, n)| *n == 1).count();
+        let boundary_edges = faces
+            .edge_valences()
+            .iter()
+            .filter(|(_, n)| *n == 1)
+            .count();
         let on_loops: usize = loop_sizes.iter().sum();
         Self {
             loop_sizes,

@@ -64,6 +64,11 @@ const SEQUENCE_CHECKS: &[SequenceCheck] = &[
     |sequence| CentredFrames::of(sequence).notice(),
 ];
 
+/// How often [`check_subject`] asks whether to go on, for a heart of so many surfaces.
+pub fn check_count(surfaces: usize) -> usize {
+    surfaces * SURFACE_CHECKS.len() + SEQUENCE_CHECKS.len()
+}
+
 /// Everything that is odd about a subject, warnings first.
 ///
 /// `keep_going` is asked between checks; its error ends the run and is passed on.
