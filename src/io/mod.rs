@@ -3,6 +3,7 @@
 mod binary_cursor;
 mod csv_mesh;
 mod detect;
+mod gltf_file;
 mod limits;
 mod mesh_draft;
 mod mesh_file;
