@@ -1,0 +1,343 @@
+//! Pictures without a window, at any size up to 8192 × 8192.
+
+use std::future::Future;
+use std::pin::pin;
+use std::task::{Context, Poll, Waker};
+
+use super::renderer::{Renderer, ViewId};
+use super::targets::COLOUR;
+use super::uniforms::Tile;
+use super::uploads::Gpu;
+use super::{Camera, Rgba, Scene};
+
+/// Greatest width and height of a picture, in pixels.
+pub const LARGEST_PICTURE: u32 = 8192;
+/// Greatest side of a piece drawn at once: its textures take up to 400 MB with four samples and translucent layers.
+const LARGEST_TILE: u32 = 2560;
+/// Occlusion looks this share of the picture's height around each pixel (occlusion.wgsl bounds it), so
+/// tiles overlap by it, and by a few pixels of blur.
+const OCCLUSION_MARGIN: f32 = 0.06;
+const BLUR_MARGIN: u32 = 16;
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum RenderError {
+    /// No driver at all.
+    #[error(
+        "no graphics adapter found ({0}); without a graphics card install Mesa's software Vulkan driver: \
+         `apt install mesa-vulkan-drivers libvulkan1`, `dnf install mesa-vulkan-drivers vulkan-loader` or \
+         `pacman -S vulkan-swrast vulkan-icd-loader`"
+    )]
+    NoAdapter(String),
+    /// A driver that gives no device.
+    #[error("graphics adapter {adapter} gives no device: {reason}")]
+    NoDevice {
+        /// Name of the adapter.
+        adapter: String,
+        /// What the driver said.
+        reason: String,
+    },
+    /// A size that is not supported.
+    #[error("a picture of {width} × {height} pixels: both sides must be 1 to {LARGEST_PICTURE}")]
+    Size {
+        /// Pixels across.
+        width: u32,
+        /// Pixels down.
+        height: u32,
+    },
+    /// The picture could not be fetched from the card.
+    #[error("the picture could not be read back from the graphics adapter: {0}")]
+    ReadBack(String),
+}
+
+/// A finished picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// Four bytes a pixel, row by row from the top: sRGB and straight (not premultiplied) opacity.
+    pub rgba: Vec<u8>,
+}
+
+impl Picture {
+    /// Colour and opacity of a pixel; transparent black outside.
+    pub fn pixel(&self, x: u32, y: u32) -> [u8; 4] {
+        if x >= self.width || y >= self.height {
+            return [0; 4];
+        }
+        let place = (y as usize * self.width as usize + x as usize) * 4;
+        std::array::from_fn(|i| self.rgba[place + i])
+    }
+}
+
+/// A renderer with a device of its own.
+pub struct Headless {
+    device: wgpu::Device,
+    queue: wgpu::Queue,
+    renderer: Renderer,
+    adapter_name: String,
+    largest_tile: u32,
+}
+
+impl Headless {
+    /// Takes the first adapter that can draw, a software one if there is no other.
+    ///
+    /// # Errors
+    /// If there is no adapter (the text says what to install), or it gives no device.
+    pub fn new() -> Result<Self, RenderError> {
+        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let adapter = finished(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
+            .map_err(|reason| RenderError::NoAdapter(reason.to_string()))?;
+        let info = adapter.get_info();
+        let adapter_name = format!("{} ({})", info.name, info.backend);
+        let limits = if info.backend == wgpu::Backend::Gl {
+            wgpu::Limits::downlevel_webgl2_defaults()
+        } else {
+            wgpu::Limits::default()
+        };
+        let descriptor = wgpu::DeviceDescriptor {
+            required_limits: limits.using_resolution(adapter.limits()),
+            ..wgpu::DeviceDescriptor::default()
+        };
+        let (device, queue) = finished(adapter.request_device(&descriptor)).map_err(|reason| {
+            RenderError::NoDevice {
+                adapter: adapter_name.clone(),
+                reason: reason.to_string(),
+            }
+        })?;
+        let renderer = Renderer::new(&device, COLOUR);
+        let largest_tile = LARGEST_TILE.min(device.limits().max_texture_dimension_2d);
+        Ok(Self {
+            device,
+            queue,
+            renderer,
+            adapter_name,
+            largest_tile,
+        })
+    }
+
+    /// Name and interface of the adapter, for the status line and reports.
+    pub fn adapter_name(&self) -> &str {
+        &self.adapter_name
+    }
+
+    /// The renderer, for its counters.
+    pub fn renderer(&self) -> &Renderer {
+        &self.renderer
+    }
+
+    /// Draws larger pictures in pieces of at most this side (at least 64 pixels); pieces do not show.
+    #[must_use]
+    pub fn with_largest_tile(mut self, pixels: u32) -> Self {
+        self.largest_tile = pixels.clamp(64, self.device.limits().max_texture_dimension_2d);
+        self
+    }
+
+    /// Draws a scene; widths in it are multiplied by `pixels_per_point`.
+    ///
+    /// # Errors
+    /// If the size is 0 or beyond [`LARGEST_PICTURE`], or the driver fails.
+    pub fn picture(
+        &mut self,
+        scene: &Scene,
+        camera: &Camera,
+        width: u32,
+        height: u32,
+        pixels_per_point: f32,
+    ) -> Result<Picture, RenderError> {
+        let allowed = 1..=LARGEST_PICTURE;
+        if !allowed.contains(&width) || !allowed.contains(&height) {
+            return Err(RenderError::Size { width, height });
+        }
+        let mut picture = Picture {
+            width,
+            height,
+            rgba: vec![0; width as usize * height as usize * 4],
+        };
+        for (tile, kept) in tiles([width, height], self.largest_tile) {
+            let rows = self.draw(scene, camera, tile, pixels_per_point)?;
+            keep(&mut picture, &rows, tile, kept, scene.background);
+        }
+        Ok(picture)
+    }
+
+    /// Draws one tile and reads it back: premultiplied rows without gaps.
+    fn draw(
+        &mut self,
+        scene: &Scene,
+        camera: &Camera,
+        tile: Tile,
+        pixels_per_point: f32,
+    ) -> Result<Vec<u8>, RenderError> {
+        let mut encoder = self
+            .device
+            .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let gpu = Gpu {
+            device: &self.device,
+            queue: &self.queue,
+        };
+        let view = ViewId::default();
+        self.renderer.draw_tile(
+            gpu,
+            &mut encoder,
+            view,
+            scene,
+            camera,
+            tile,
+            pixels_per_point,
+        );
+        let Some(texture) = self.renderer.picture(view) else {
+            return Err(RenderError::ReadBack("nothing was drawn".into()));
+        };
+        let [width, height] = tile.size;
+        let row = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size: u64::from(row) * u64::from(height),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        });
+        encoder.copy_texture_to_buffer(
+            texture.as_image_copy(),
+            wgpu::TexelCopyBufferInfo {
+                buffer: &buffer,
+                layout: wgpu::TexelCopyBufferLayout {
+                    offset: 0,
+                    bytes_per_row: Some(row),
+                    rows_per_image: None,
+                },
+            },
+            texture.size(),
+        );
+        self.queue.submit([encoder.finish()]);
+        read_rows(&self.device, &buffer, row as usize, width as usize * 4)
+    }
+}
+
+fn read_rows(
+    device: &wgpu::Device,
+    buffer: &wgpu::Buffer,
+    padded_row: usize,
+    row: usize,
+) -> Result<Vec<u8>, RenderError> {
+    let failed = |reason: &dyn std::fmt::Display| RenderError::ReadBack(reason.to_string());
+    let (sender, receiver) = std::sync::mpsc::channel();
+    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+        // A receiver that is gone has already given up.
+        let _ = sender.send(result);
+    });
+    device
+        .poll(wgpu::PollType::wait_indefinitely())
+        .map_err(|error| failed(&error))?;
+    receiver
+        .recv()
+        .map_err(|error| failed(&error))?
+        .map_err(|error| failed(&error))?;
+    let mapped = buffer
+        .get_mapped_range(..)
+        .map_err(|error| failed(&error))?;
+    Ok(mapped
+        .chunks(padded_row)
+        .flat_map(|padded| &padded[..row])
+        .copied()
+        .collect())
+}
+
+/// Tiles that cover a picture, each with the part of the whole picture (first and last + 1) that is kept of it.
+///
+/// They start at even pixels, so that two-by-two blocks (half-size occlusion, derivatives) fall alike.
+fn tiles(whole: [u32; 2], largest: u32) -> Vec<(Tile, [[u32; 2]; 2])> {
+    if whole.iter().all(|&side| side <= largest) {
+        return vec![(Tile::all(whole), [[0, 0], whole])];
+    }
+    let reach = (OCCLUSION_MARGIN * whole[1] as f32).ceil() as u32 + BLUR_MARGIN;
+    // At least half of a tile is new, or small tiles would be all margin.
+    let margin = reach.min(largest / 4).next_multiple_of(2);
+    let step = (largest - 2 * margin) & !1;
+    let mut tiles = Vec::new();
+    for y in (0..whole[1]).step_by(step as usize) {
+        for x in (0..whole[0]).step_by(step as usize) {
+            let kept = [[x, y], [(x + step).min(whole[0]), (y + step).min(whole[1])]];
+            let first = kept[0].map(|n| n.saturating_sub(margin));
+            let end = [0, 1].map(|axis: usize| (kept[1][axis] + margin).min(whole[axis]));
+            let size = [end[0] - first[0], end[1] - first[1]];
+            tiles.push((Tile { whole, first, size }, kept));
+        }
+    }
+    tiles
+}
+
+/// Copies what is kept of a tile into the picture, over the background.
+fn keep(picture: &mut Picture, rows: &[u8], tile: Tile, kept: [[u32; 2]; 2], background: Rgba) {
+    let [[x0, y0], [x1, y1]] = kept;
+    for y in y0..y1 {
+        let from = ((y - tile.first[1]) * tile.size[0] + (x0 - tile.first[0])) as usize * 4;
+        let to = (y as usize * picture.width as usize + x0 as usize) * 4;
+        let length = (x1 - x0) as usize * 4;
+        let source = rows[from..from + length].as_chunks::<4>().0;
+        let target = picture.rgba[to..to + length].as_chunks_mut::<4>().0;
+        for (target, source) in target.iter_mut().zip(source) {
+            *target = over_background(*source, background);
+        }
+    }
+}
+
+/// A premultiplied pixel over a background, with straight opacity.
+fn over_background(front: [u8; 4], background: Rgba) -> [u8; 4] {
+    let front = front.map(|n| f32::from(n) / 255.0);
+    let behind = (1.0 - front[3]) * background[3].clamp(0.0, 1.0);
+    let opacity = front[3] + behind;
+    if opacity <= 0.0 {
+        return [0; 4];
+    }
+    let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
+    let part = |i: usize| byte((front[i] + behind * background[i]) / opacity);
+    [part(0), part(1), part(2), byte(opacity)]
+}
+
+/// The answer of a future that native drivers answer at once.
+fn finished<T>(future: impl Future<Output = T>) -> T {
+    let mut future = pin!(future);
+    let mut context = Context::from_waker(Waker::noop());
+    loop {
+        if let Poll::Ready(answer) = future.as_mut().poll(&mut context) {
+            return answer;
+        }
+        std::hint::spin_loop();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_cover_every_pixel_once_and_are_no_larger_than_allowed() {
+        for (whole, largest) in [([301, 77], 64), ([64, 64], 64), ([1000, 1000], 300)] {
+            let mut covered = vec![0; (whole[0] * whole[1]) as usize];
+            for (tile, [[x0, y0], [x1, y1]]) in tiles(whole, largest) {
+                assert!(tile.size.iter().all(|&side| side <= largest));
+                assert!(tile.first.iter().all(|first| first % 2 == 0));
+                for (y, x) in (y0..y1).flat_map(|y| (x0..x1).map(move |x| (y, x))) {
+                    covered[(y * whole[0] + x) as usize] += 1;
+                }
+            }
+            assert!(covered.iter().all(|&times| times == 1));
+        }
+    }
+
+    #[test]
+    fn a_translucent_pixel_over_a_transparent_background_keeps_its_own_colour() {
+        assert_eq!(
+            over_background([64, 32, 0, 128], [0.0; 4]),
+            [128, 64, 0, 128]
+        );
+        assert_eq!(
+            over_background([0; 4], [1.0, 0.0, 0.0, 1.0]),
+            [255, 0, 0, 255]
+        );
+        assert_eq!(over_background([0; 4], [1.0, 0.0, 0.0, 0.0]), [0; 4]);
+    }
+}
