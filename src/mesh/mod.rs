@@ -1,10 +1,12 @@
 //! One triangle mesh at one instant: connectivity, positions, and what can be measured on them.
 
+mod curvature;
 mod faces;
 mod normals;
 pub mod phantom;
 mod tri_mesh;
 
+pub use curvature::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
 pub use faces::{Edge, Faces, MeshError};
 pub use normals::{face_normals, vertex_normals};
 pub use tri_mesh::TriMesh;
