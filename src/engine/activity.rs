@@ -164,7 +164,12 @@ mod tests {
             while job.watch().ending().is_none() {
                 std::thread::yield_now();
             }
-            log.record(WorkKind::Measures, format!("work {i}"), "", Arc::clone(job.watch()));
+            log.record(
+                WorkKind::Measures,
+                format!("work {i}"),
+                "",
+                Arc::clone(job.watch()),
+            );
             jobs.push(job);
         }
         let list = log.list();

@@ -28,7 +28,10 @@ pub fn write_files(files: &[ExportFile]) -> Result<Vec<PathBuf>, String> {
 }
 
 fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+    if let Some(folder) = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty())
+    {
         fs::create_dir_all(folder)?;
     }
     let mut passing = path.as_os_str().to_owned();

@@ -300,9 +300,6 @@ mod tests {
         );
         assert_eq!(time_left(Duration::from_secs(2), 0.01), None);
         assert_eq!(time_left(Duration::from_millis(100), 0.5), None);
-        assert_eq!(
-            time_left(Duration::from_secs(2), 1.0),
-            Some(Duration::ZERO)
-        );
+        assert_eq!(time_left(Duration::from_secs(2), 1.0), Some(Duration::ZERO));
     }
 }

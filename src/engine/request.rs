@@ -112,9 +112,7 @@ impl AnalysisOutcome {
             Self::PoseDistances(distances) => matrix(distances),
             // Its distances are usually kept under their own key too; counting them twice
             // only makes the bound stricter.
-            Self::PoseMap(map) => {
-                matrix(&map.distances) + size_of_val(&*map.embedding.coordinates)
-            }
+            Self::PoseMap(map) => matrix(&map.distances) + size_of_val(&*map.embedding.coordinates),
         }
     }
 

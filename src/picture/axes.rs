@@ -96,8 +96,7 @@ impl HeartAxes {
     /// Camera rotation of the first picture: base up, a little from above and from the side.
     pub fn home(&self) -> glam::Quat {
         let level = self.front * HOME_AZIMUTH_RAD.cos() - self.side * HOME_AZIMUTH_RAD.sin();
-        let towards_viewer =
-            level * HOME_ELEVATION_RAD.cos() + self.up * HOME_ELEVATION_RAD.sin();
+        let towards_viewer = level * HOME_ELEVATION_RAD.cos() + self.up * HOME_ELEVATION_RAD.sin();
         camera_rotation(towards_viewer, self.up)
     }
 
@@ -127,7 +126,10 @@ fn camera_rotation(towards_viewer: Vector3, up: Vector3) -> glam::Quat {
     let z = glam::DVec3::new(towards_viewer.x, towards_viewer.y, towards_viewer.z)
         .normalize_or(glam::DVec3::Z);
     let up = glam::DVec3::new(up.x, up.y, up.z);
-    let x = up.cross(z).try_normalize().unwrap_or_else(|| z.any_orthonormal_vector());
+    let x = up
+        .cross(z)
+        .try_normalize()
+        .unwrap_or_else(|| z.any_orthonormal_vector());
     let y = z.cross(x);
     glam::DQuat::from_mat3(&glam::DMat3::from_cols(x, y, z)).as_quat()
 }
@@ -211,7 +213,11 @@ mod tests {
             let nearest = axes
                 .cube()
                 .into_iter()
-                .max_by(|a, b| a.normal.dot(towards_viewer).total_cmp(&b.normal.dot(towards_viewer)))
+                .max_by(|a, b| {
+                    a.normal
+                        .dot(towards_viewer)
+                        .total_cmp(&b.normal.dot(towards_viewer))
+                })
                 .unwrap();
             assert_eq!(nearest.label, label);
         }

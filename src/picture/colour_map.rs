@@ -96,9 +96,10 @@ mod tests {
         for map in [ColourMap::viridis(), ColourMap::cividis()] {
             assert_eq!(map.colours.len(), 256);
             // One step of 8-bit rounding may undo an increase.
-            let falls = map.colours.windows(2).filter(|pair| {
-                luminance(pair[1]) < luminance(pair[0]) - 1.0
-            });
+            let falls = map
+                .colours
+                .windows(2)
+                .filter(|pair| luminance(pair[1]) < luminance(pair[0]) - 1.0);
             assert_eq!(falls.count(), 0);
         }
         assert_eq!(ColourMap::viridis().colours[0], [68, 1, 84]);
@@ -107,7 +108,8 @@ mod tests {
     #[test]
     fn the_ratio_map_is_palest_at_one() {
         let colours = ColourMap::ratio().colours;
-        let palest = (0..256).max_by(|&a, &b| luminance(colours[a]).total_cmp(&luminance(colours[b])));
+        let palest =
+            (0..256).max_by(|&a, &b| luminance(colours[a]).total_cmp(&luminance(colours[b])));
         assert!((127..=128).contains(&palest.unwrap()));
         assert_eq!(colours[0], RATIO_STOPS[0]);
         assert_eq!(colours[255], RATIO_STOPS[4]);

@@ -95,11 +95,20 @@ fn ticks(limits: ColourLimits) -> Vec<Tick> {
     if limits.logarithmic {
         return logarithmic_ticks(low, high, 5)
             .into_iter()
-            .map(|value| tick(value, (value / low).ln() / (high / low).ln(), ratio_text(value)))
+            .map(|value| {
+                tick(
+                    value,
+                    (value / low).ln() / (high / low).ln(),
+                    ratio_text(value),
+                )
+            })
             .collect();
     }
     let values = nice_ticks(low, high, 5);
-    let step = values.windows(2).next().map_or(0.0, |pair| pair[1] - pair[0]);
+    let step = values
+        .windows(2)
+        .next()
+        .map_or(0.0, |pair| pair[1] - pair[0]);
     values
         .into_iter()
         .map(|value| tick(value, (value - low) / (high - low), tick_text(value, step)))

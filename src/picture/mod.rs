@@ -2,7 +2,7 @@
 
 mod axes;
 mod colour_map;
-//TMP pub mod figure;
+pub mod figure;
 mod fit;
 mod legend;
 mod limits;

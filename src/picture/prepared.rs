@@ -130,9 +130,12 @@ fn prepared_surface(
     let (mut displacement, mut area_ratio) = (Vec::new(), Vec::new());
     for frame in surface.frames() {
         let points = frame.vertices();
-        geometry
-            .positions
-            .push(points.iter().map(|p| p.coords.cast::<f32>().into()).collect());
+        geometry.positions.push(
+            points
+                .iter()
+                .map(|p| p.coords.cast::<f32>().into())
+                .collect(),
+        );
         let normals = vertex_normals(points, triangles);
         geometry
             .normals
@@ -142,7 +145,11 @@ fn prepared_surface(
         let areas = vertex_areas(points, triangles);
         let ratios = areas.iter().zip(&start_areas).map(|(now, then)| {
             // A vertex of no face, or of faces without area, has no ratio: grey.
-            if *then > 0.0 { (now / then) as f32 } else { f32::NAN }
+            if *then > 0.0 {
+                (now / then) as f32
+            } else {
+                f32::NAN
+            }
         });
         area_ratio.push(ratios.collect());
     }
@@ -178,7 +185,11 @@ fn prepared_rim(
         triangles: rim.triangles.clone(),
         ..Geometry::default()
     };
-    let frames = inner.geometry.positions.iter().zip(&outer.geometry.positions);
+    let frames = inner
+        .geometry
+        .positions
+        .iter()
+        .zip(&outer.geometry.positions);
     for (inner_points, outer_points) in frames {
         let points = gathered(rim, inner_points, outer_points);
         let exact: Vec<Point3> = points

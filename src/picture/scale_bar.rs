@@ -46,7 +46,9 @@ impl ScaleBar {
 
 fn is_round(length: f64) -> bool {
     let mantissa = length / 10_f64.powf((length.log10() + 1e-9).floor());
-    [1.0, 2.0, 5.0].iter().any(|nice| (mantissa - nice).abs() < 1e-6)
+    [1.0, 2.0, 5.0]
+        .iter()
+        .any(|nice| (mantissa - nice).abs() < 1e-6)
 }
 
 fn trimmed(length: f64) -> String {

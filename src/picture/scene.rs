@@ -103,7 +103,9 @@ pub fn subject_scene(
     };
     let [red, green, blue] = settings.theme.background;
     let opacity = if settings.transparent { 0.0 } else { 1.0 };
-    let coloured = shown.iter().filter(|surface| is_coloured(surface, settings));
+    let coloured = shown
+        .iter()
+        .filter(|surface| is_coloured(surface, settings));
     let extremes = coloured
         .filter_map(|surface| surface.scalars(settings.quantity))
         .flat_map(|scalars| scalars.values.iter().flatten())
@@ -213,11 +215,7 @@ fn tissue(role: SurfaceRole) -> [f32; 3] {
     }
 }
 
-fn vertex_discs(
-    surface: &PreparedSurface,
-    settings: &SceneSettings,
-    pose: GeometryPose,
-) -> Points {
+fn vertex_discs(surface: &PreparedSurface, settings: &SceneSettings, pose: GeometryPose) -> Points {
     let positions = &surface.geometry.positions;
     let [red, green, blue] = settings.theme.text;
     Points {

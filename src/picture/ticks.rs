@@ -11,7 +11,9 @@ pub fn nice_ceiling(value: f64) -> f64 {
     }
     let decade = 10_f64.powf(value.log10().floor());
     // A millionth of slack, so that 0.2 computed as 0.2000000001 stays 0.2.
-    let nice = NICE.iter().find(|&&step| step * decade >= value * (1.0 - 1e-6));
+    let nice = NICE
+        .iter()
+        .find(|&&step| step * decade >= value * (1.0 - 1e-6));
     nice.copied().unwrap_or(10.0) * decade
 }
 
@@ -40,7 +42,9 @@ pub fn logarithmic_ticks(low: f64, high: f64, wanted: usize) -> Vec<f64> {
     }
     let first = (low.log2() / octaves - 1e-6).ceil() as i64;
     let last = (high.log2() / octaves + 1e-6).floor() as i64;
-    (first..=last).map(|i| (i as f64 * octaves).exp2()).collect()
+    (first..=last)
+        .map(|i| (i as f64 * octaves).exp2())
+        .collect()
 }
 
 /// A number with as many decimals as the step between ticks needs.
@@ -51,7 +55,11 @@ pub(crate) fn tick_text(value: f64, step: f64) -> String {
         0
     };
     let text = format!("{value:.decimals$}");
-    if text.trim_start_matches('-').chars().all(|c| "0.".contains(c)) {
+    if text
+        .trim_start_matches('-')
+        .chars()
+        .all(|c| "0.".contains(c))
+    {
         text.trim_start_matches('-').to_owned()
     } else {
         text.replace('-', "−")
@@ -72,7 +80,13 @@ mod tests {
 
     #[test]
     fn ceilings_are_one_two_or_five_times_a_power_of_ten() {
-        for (value, expected) in [(0.13, 0.2), (2.0, 2.0), (2.01, 5.0), (7.0, 10.0), (61.0, 100.0)] {
+        for (value, expected) in [
+            (0.13, 0.2),
+            (2.0, 2.0),
+            (2.01, 5.0),
+            (7.0, 10.0),
+            (61.0, 100.0),
+        ] {
             assert!((nice_ceiling(value) - expected).abs() < 1e-12, "{value}");
         }
         assert_eq!(nice_ceiling(0.0), 1.0);
@@ -88,7 +102,10 @@ mod tests {
 
     #[test]
     fn ratios_are_divided_by_factors() {
-        let texts: Vec<_> = logarithmic_ticks(0.5, 2.0, 5).into_iter().map(ratio_text).collect();
+        let texts: Vec<_> = logarithmic_ticks(0.5, 2.0, 5)
+            .into_iter()
+            .map(ratio_text)
+            .collect();
         assert_eq!(texts, ["0.5", "0.71", "1", "1.41", "2"]);
         assert_eq!(logarithmic_ticks(0.125, 8.0, 5), [0.25, 1.0, 4.0]);
     }

@@ -123,7 +123,11 @@ mod tests {
     fn rims_that_run_against_each_other_are_joined_without_twist() {
         let inner = bowl(20.0, 16);
         let outer = phantom::bowl(30.0, 3, 16);
-        let flipped: Vec<[u32; 3]> = outer.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
+        let flipped: Vec<[u32; 3]> = outer
+            .triangles()
+            .iter()
+            .map(|&[a, b, c]| [a, c, b])
+            .collect();
         let faces = Faces::new(outer.vertices().len(), flipped).unwrap();
         let outer = TriMesh::new(outer.shared_vertices(), faces).unwrap();
         let outer = SurfaceSequence::new(SurfaceKind::Epicardium, vec![outer]).unwrap();
