@@ -6,10 +6,10 @@ use egui::{
 };
 
 use crate::ui::action_state::ActionState;
+use crate::ui::actions::ACTIONS;
 use crate::ui::cohort_rows::CohortRow;
 use crate::ui::command::Command;
 use crate::ui::fuzzy::fuzzy_score;
-use crate::ui::shortcuts::ACTIONS;
 use crate::ui::style::note;
 use crate::ui::theme::{colours, radius, space};
 
@@ -45,7 +45,7 @@ const MOST: usize = 50;
 /// Draws the palette. It pushes the chosen command after [`Command::TogglePalette`], which closes it.
 pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
-    let id = Id::new("command palette");
+    let id = Id::unique("command palette");
     let mut typed: Typed = ctx.data(|data| data.get_temp(id)).unwrap_or_default();
     let width = 520f32.min(ctx.content_rect().width() - 2.0 * space::LARGE);
     let (up, down, enter, escape) = ctx.input_mut(|input| {

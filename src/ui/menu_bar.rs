@@ -5,8 +5,9 @@ use std::path::{Path, PathBuf};
 use egui::{Align, Button, Layout, RichText, Ui};
 
 use crate::ui::action_state::ActionState;
+use crate::ui::actions::{ACTIONS, Menu};
 use crate::ui::command::Command;
-use crate::ui::shortcuts::{ACTIONS, Menu, shortcut_text};
+use crate::ui::shortcuts::shortcut_text;
 use crate::ui::style::{note, title_text_font};
 use crate::ui::theme::{colours, space};
 

@@ -2,6 +2,7 @@
 
 mod about;
 mod action_state;
+mod actions;
 mod activity;
 mod beat_axis;
 mod cohort_rows;
@@ -31,6 +32,7 @@ mod viewport_overlay;
 
 pub use about::about_ui;
 pub use action_state::ActionState;
+pub use actions::{ACTIONS, Action, Menu};
 pub use activity::{WorkItem, WorkState, activity_ui};
 pub use beat_axis::BeatAxis;
 pub use cohort_rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
@@ -49,7 +51,7 @@ pub use pose_map::{
     MapPoint, MapState, MapSubject, PoseMapView, PosePhase, pose_map_header_ui, pose_map_ui,
 };
 pub use shortcut_sheet::shortcut_sheet_ui;
-pub use shortcuts::{ACTIONS, Action, Menu, claim_tab, pressed_commands};
+pub use shortcuts::{claim_tab, pressed_commands, shortcut_text};
 pub use status_bar::{StatusBarView, StatusJob, status_bar_ui};
 pub use style::{apply, choose, install};
 pub use time_bar::{TimeBarView, time_bar_ui};

@@ -2,8 +2,8 @@
 
 use egui::{Grid, Key, ScrollArea, TextEdit, Ui, Window};
 
+use crate::ui::actions::{ACTIONS, Menu};
 use crate::ui::command::Command;
-use crate::ui::shortcuts::{ACTIONS, Menu};
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 

@@ -318,7 +318,7 @@ mod tests {
     fn buttons_push_what_they_say() {
         let mut harness = harness();
         harness.run();
-        harness.get_by_label("100 ms · 13 % R-R · interpolated (linear)");
+        harness.get_by_label("100 ms · 12 % R-R · interpolated (linear)");
         for name in ["Play", "Next frame", "Previous frame", "Loop"] {
             harness.get_by_label(name).click();
             harness.run();

@@ -58,13 +58,13 @@ fn harness(state: MapState, with_points: bool) -> Harness<'static, Vec<Command>>
 }
 
 /// Where a point of the fitted map lies on screen.
-fn place(harness: &Harness<'_, Vec<Command>>, index: usize) -> egui::Pos2 {
+fn place(harness: &Harness<'_, Vec<Command>>, index: usize) -> Pos2 {
     let rect = harness.get_by_label("Pose map").rect();
     let plot = rect.shrink2(vec2(34.0, 26.0));
     Lens::fit(&points(), plot.width(), plot.height()).on_screen(rect, points()[index].at)
 }
 
-fn click(harness: &mut Harness<'_, Vec<Command>>, at: egui::Pos2) {
+fn click(harness: &mut Harness<'_, Vec<Command>>, at: Pos2) {
     harness.hover_at(at);
     harness.step();
     harness.drag_at(at);

@@ -187,6 +187,7 @@ fn contains(corners: &[Pos2; 4], point: Pos2) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use egui::pos2;
 
     fn looking_at_the_front() -> CubeView {
         CubeView {
