@@ -15,83 +15,69 @@ const BEST_ASPECT: f32 = 0.95;
 
 /// One heart on the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Cell {
+pub struct OnStage {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Place in its beat, counted in frames.
     pub position: f64,
-    /// Where on the view.
-    pub rect: Rect,
 }
 
-/// The hearts on a view of this size, first the selected one.
-pub fn cells(state: &State, area: Rect) -> Vec<Cell> {
+/// The hearts on the view, first the selected one.
+pub fn on_stage(state: &State) -> Vec<OnStage> {
     let document = &state.document;
     let Some(selected) = document.selected() else {
         return Vec::new();
     };
-    let one = Cell {
+    let one = OnStage {
         subject: document.subject,
         position: document.position,
-        rect: area,
     };
     match document.view_mode {
         ViewMode::Single => vec![one],
         ViewMode::SideBySide => {
-            let Some((index, other)) = document
+            let other = document
                 .compared()
-                .and_then(|index| Some((index, state.subject(index)?)))
-            else {
-                return vec![one];
-            };
+                .and_then(|index| Some((index, state.subject(index)?)));
             // Linked by phase: hearts with other frame counts beat in step.
-            let position = position_at_phase(other, phase_of(selected, document.position));
-            let halves = grid(area, 2, 1);
-            vec![
-                Cell {
-                    rect: halves[0],
-                    ..one
-                },
-                Cell {
-                    subject: index,
-                    position,
-                    rect: halves[1],
-                },
-            ]
+            let other = other.map(|(subject, heart)| OnStage {
+                subject,
+                position: position_at_phase(heart, phase_of(selected, document.position)),
+            });
+            [Some(one), other].into_iter().flatten().collect()
         }
-        ViewMode::AllPhases => {
-            let count = selected.sequence.frame_count();
-            grid(area, columns(area, count), count.max(1))
-                .into_iter()
-                .take(count)
-                .enumerate()
-                .map(|(frame, rect)| Cell {
-                    subject: document.subject,
-                    position: frame as f64,
-                    rect,
-                })
-                .collect()
-        }
+        ViewMode::AllPhases => (0..selected.sequence.frame_count())
+            .map(|frame| OnStage {
+                subject: document.subject,
+                position: frame as f64,
+            })
+            .collect(),
+    }
+}
+
+/// Places of `count` hearts on a view: beside each other, or in rows.
+pub fn places(mode: ViewMode, area: Rect, count: usize) -> Vec<Rect> {
+    match mode {
+        _ if count <= 1 => vec![area; count],
+        ViewMode::AllPhases => grid(area, columns(area, count), count),
+        _ => grid(area, count, count),
     }
 }
 
 /// The number of columns whose cells come nearest to the best aspect.
 fn columns(area: Rect, count: usize) -> usize {
-    let misfit = |columns: usize| {
+    let heart_size = |columns: usize| {
         let rows = count.div_ceil(columns);
         let width = area.width() / columns as f32;
         let height = area.height() / rows as f32;
-        // Size of a heart in such a cell: the greater, the better.
-        -(width / BEST_ASPECT).min(height)
+        (width / BEST_ASPECT).min(height)
     };
     (1..=count.max(1))
-        .min_by(|a, b| misfit(*a).total_cmp(&misfit(*b)))
+        .max_by(|a, b| heart_size(*a).total_cmp(&heart_size(*b)))
         .unwrap_or(1)
 }
 
-/// Equal cells row by row: with `count` 1, as many as there are columns.
+/// Equal cells row by row.
 fn grid(area: Rect, columns: usize, count: usize) -> Vec<Rect> {
-    let count = count.max(columns);
     let rows = count.div_ceil(columns);
     let size = vec2(
         (area.width() - GAP * (columns - 1) as f32) / columns as f32,
@@ -127,24 +113,25 @@ mod tests {
         ]);
         state.document.view_mode = ViewMode::SideBySide;
         state.document.position = 6.0;
-        let cells = cells(&state, area());
-        assert_eq!(cells.len(), 2);
-        assert_eq!((cells[1].subject, cells[1].position), (1, 3.0));
-        assert!(cells[0].rect.right() < cells[1].rect.left());
-        assert_eq!(cells[1].rect.right(), area().right());
+        let hearts = on_stage(&state);
+        assert_eq!(hearts.len(), 2);
+        assert_eq!((hearts[1].subject, hearts[1].position), (1, 3.0));
+        let rects = places(ViewMode::SideBySide, area(), 2);
+        assert!(rects[0].right() < rects[1].left());
+        assert_eq!(rects[1].right(), area().right());
     }
 
     #[test]
     fn all_phases_fill_the_view_without_overlap() {
         let mut state = state_of(vec![subject_with_frames("a", 25)]);
         state.document.view_mode = ViewMode::AllPhases;
-        let cells = cells(&state, area());
-        assert_eq!(cells.len(), 25);
-        for (i, a) in cells.iter().enumerate() {
-            assert!(area().expand(0.01).contains_rect(a.rect));
-            assert_eq!(a.position, i as f64);
-            for b in &cells[i + 1..] {
-                assert!(!a.rect.shrink(0.01).intersects(b.rect.shrink(0.01)));
+        assert_eq!(on_stage(&state).len(), 25);
+        let rects = places(ViewMode::AllPhases, area(), 25);
+        assert_eq!(rects.len(), 25);
+        for (i, a) in rects.iter().enumerate() {
+            assert!(area().expand(0.01).contains_rect(*a));
+            for b in &rects[i + 1..] {
+                assert!(!a.shrink(0.01).intersects(b.shrink(0.01)));
             }
         }
     }
@@ -153,7 +140,8 @@ mod tests {
     fn a_lone_heart_has_nobody_beside_it() {
         let mut state = state_of(vec![subject_with_frames("a", 3)]);
         state.document.view_mode = ViewMode::SideBySide;
-        assert_eq!(cells(&state, area()).len(), 1);
-        assert!(super::cells(&State::default(), area()).is_empty());
+        assert_eq!(on_stage(&state).len(), 1);
+        assert!(on_stage(&State::default()).is_empty());
+        assert!(places(ViewMode::Single, area(), 0).is_empty());
     }
 }

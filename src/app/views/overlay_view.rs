@@ -2,7 +2,7 @@
 
 use crate::app::document::nearest_frame;
 use crate::app::play::is_between;
-use crate::app::stage::Cell;
+use crate::app::stage::OnStage;
 use crate::app::state::State;
 use crate::picture::{ColourLegend, HeartAxes, PreparedSubject};
 use crate::render::Camera;
@@ -22,8 +22,8 @@ pub struct OverlayData {
 }
 
 impl OverlayData {
-    /// Names the heart of a cell; in the grid of all phases, its frame.
-    pub fn of(state: &State, cell: &Cell) -> Self {
+    /// Names a heart; in the grid of all phases, its frame.
+    pub fn of(state: &State, cell: &OnStage) -> Self {
         let Some(subject) = state.subject(cell.subject) else {
             return Self::default();
         };
