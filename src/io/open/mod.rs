@@ -109,9 +109,13 @@ fn make_ids_unique(plans: &mut [SubjectPlan]) {
         *counts.entry(plan.id.clone()).or_default() += 1;
     }
     for plan in plans.iter_mut() {
+        let own_folder = plan
+            .place
+            .ancestors()
+            .find(|place| name_of(place) == plan.id);
         if counts.get(&plan.id).is_some_and(|&count| count > 1)
-            && let Some(around) = plan.place.parent().map(name_of).filter(|n| !n.is_empty())
-            && name_of(&plan.place) == plan.id
+            && let Some(around) = own_folder.and_then(Path::parent).map(folder_name)
+            && !around.is_empty()
         {
             plan.id = format!("{around}/{}", plan.id);
         }

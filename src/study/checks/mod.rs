@@ -118,12 +118,15 @@ mod tests {
 
     #[test]
     fn a_sound_cavity_brings_one_remark_and_no_warning() {
-        let subject = heart(
-            SurfaceKind::Cavity,
-            vec![phantom::sphere(2, 30.0), phantom::sphere(2, 25.0)],
-        );
+        let cavity = |radius| phantom::bowl(radius, 8, 16);
+        let subject = heart(SurfaceKind::Endocardium, vec![cavity(30.0), cavity(25.0)]);
         let notices = check_subject(&subject, || Ok::<(), ()>(())).unwrap();
-        assert_eq!(notices, [Notice::info("cavity: closed")]);
+        assert_eq!(
+            notices,
+            [Notice::info(
+                "endocardium: open at the base, one boundary loop of 16 vertices"
+            )]
+        );
     }
 
     #[test]
