@@ -1,6 +1,12 @@
 //! Which format a file is, told by its content and its ending.
 
+use super::csv_mesh::read_csv_mesh;
+use super::gltf_file::read_gltf;
 use super::obj::read_obj;
+use super::ply::read_ply;
+use super::stl::read_stl;
+use super::vtk_legacy::read_vtk_legacy;
+use super::vtp::read_vtp;
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
@@ -73,10 +79,12 @@ pub fn read_mesh_with_siblings(
     let format = content.or(ending).ok_or(ReadMeshError::UnknownFormat)?;
     let mut file = match format {
         Format::Obj => read_obj(bytes, limits),
-        _ => {
-            let _ = sibling;
-            Err(ReadMeshError::UnknownFormat)
-        }
+        Format::Ply => read_ply(bytes, limits),
+        Format::Stl => read_stl(bytes, limits),
+        Format::VtkLegacy => read_vtk_legacy(bytes, limits),
+        Format::Vtp => read_vtp(bytes, limits),
+        Format::Csv => read_csv_mesh(bytes, limits),
+        Format::Gltf => read_gltf(bytes, limits, sibling),
     }?;
     if ending.is_some_and(|ending| ending != format) {
         file.notices.push(Notice::info(format!(

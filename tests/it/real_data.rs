@@ -10,6 +10,7 @@ fn open(folder: &str) -> Option<Opened> {
     let path = PathBuf::from("/work/shared/data").join(folder);
     let start = Instant::now();
     let opened = open_paths(&[path], &Limits::default(), &Progress::default()).unwrap();
+    println!("{:?}", cardiomorph::study::checks::AlignedCohort::of(&opened.study.subjects));
     println!("== {folder}: {:?}", start.elapsed());
     Some(opened)
 }
@@ -63,7 +64,7 @@ fn print_all() {
                 s.sequence.frame_count()
             ));
         }
-        for (k, v) in seen.iter().take(12) {
+        for (k, v) in seen.iter().take(2) {
             println!("  {} subjects, e.g. {}: {k}", v.len(), v[0]);
         }
         println!("  ({} kinds of reports)", seen.len());

@@ -4,6 +4,7 @@
 //! as all frames share it; what depends on positions is asked at every frame and told in one
 //! sentence for all frames that have it.
 
+mod aligned_cohort;
 mod boundary;
 mod centred_frames;
 mod components;
@@ -21,6 +22,7 @@ mod unused_vertices;
 mod wall_order;
 mod words;
 
+pub use aligned_cohort::AlignedCohort;
 pub use boundary::Boundary;
 pub use centred_frames::CentredFrames;
 pub use components::Components;
