@@ -1,6 +1,7 @@
 //! Which format a file is, told by its content and its ending.
 
 use super::csv_mesh::read_csv_mesh;
+use super::gltf_file::read_gltf;
 use super::obj::read_obj;
 use super::ply::read_ply;
 use super::stl::read_stl;
@@ -83,10 +84,7 @@ pub fn read_mesh_with_siblings(
         Format::VtkLegacy => read_vtk_legacy(bytes, limits),
         Format::Vtp => read_vtp(bytes, limits),
         Format::Csv => read_csv_mesh(bytes, limits),
-        Format::Gltf => {
-            let _ = sibling;
-            Err(ReadMeshError::UnknownFormat)
-        }
+        Format::Gltf => read_gltf(bytes, limits, sibling),
     }?;
     if ending.is_some_and(|ending| ending != format) {
         file.notices.push(Notice::info(format!(

@@ -64,11 +64,6 @@ impl MeshDraft {
         self.points.len()
     }
 
-    /// Number of triangles so far.
-    pub(super) fn triangle_count(&self) -> usize {
-        self.triangles.len()
-    }
-
     /// Refuses a count of further points that a header gives, if it is over the limit, and
     /// reserves room for as many as `bytes_present` can hold.
     pub(super) fn expect_points(

@@ -76,6 +76,9 @@ pub(super) fn decode(
     if bytes > most_bytes {
         return Err(too_long(bytes));
     }
+    if blocks > bytes {
+        return Err(place.error(format!("{blocks} blocks for {bytes} bytes")));
+    }
     let mut packed_sizes = Vec::new();
     for _ in 0..blocks {
         packed_sizes.push(stream.size(encoding, place)?);

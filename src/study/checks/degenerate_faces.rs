@@ -25,7 +25,9 @@ impl DegenerateFaces {
     pub fn of(surface: &SurfaceSequence) -> Self {
         let counts: Vec<usize> = surface.frames().iter().map(flat_triangles).collect();
         Self {
-            frames: (0..counts.len()).filter(|&frame| counts[frame] > 0).collect(),
+            frames: (0..counts.len())
+                .filter(|&frame| counts[frame] > 0)
+                .collect(),
             most: counts.into_iter().max().unwrap_or(0),
         }
     }
@@ -84,7 +86,15 @@ mod tests {
     #[test]
     fn thin_triangles_far_from_the_origin_still_have_area() {
         let corner = |x: f64, y: f64| Point3::new(1e4 + x, 1e4 + y, 1e4);
-        assert!(!is_flat([corner(0.0, 0.0), corner(1.0, 0.0), corner(0.5, 1e-6)]));
-        assert!(is_flat([corner(0.0, 0.0), corner(1.0, 0.0), corner(0.5, 0.0)]));
+        assert!(!is_flat([
+            corner(0.0, 0.0),
+            corner(1.0, 0.0),
+            corner(0.5, 1e-6)
+        ]));
+        assert!(is_flat([
+            corner(0.0, 0.0),
+            corner(1.0, 0.0),
+            corner(0.5, 0.0)
+        ]));
     }
 }

@@ -23,7 +23,9 @@ impl DuplicateVertices {
     pub fn of(surface: &SurfaceSequence) -> Self {
         let counts: Vec<usize> = surface.frames().iter().map(coinciding).collect();
         Self {
-            frames: (0..counts.len()).filter(|&frame| counts[frame] > 0).collect(),
+            frames: (0..counts.len())
+                .filter(|&frame| counts[frame] > 0)
+                .collect(),
             most: counts.into_iter().max().unwrap_or(0),
         }
     }

@@ -48,7 +48,11 @@ mod tests {
     #[test]
     fn turning_the_faces_round_turns_the_sign() {
         let ball = phantom::sphere(2, 1.0);
-        let turned: Vec<[u32; 3]> = ball.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
+        let turned: Vec<[u32; 3]> = ball
+            .triangles()
+            .iter()
+            .map(|&[a, b, c]| [a, c, b])
+            .collect();
         let faces = Faces::new(ball.vertices().len(), turned).unwrap();
         let out = enclosed_volume(ball.vertices(), ball.triangles(), &[]);
         let inwards = enclosed_volume(ball.vertices(), faces.triangles(), &[]);

@@ -34,9 +34,9 @@ impl RepeatedFrames {
         let (name, count) = (surface.kind().name(), surface.frames().len());
         match self.pairs.as_slice() {
             [] => None,
-            pairs if pairs.len() + 1 == count => {
-                Some(Notice::warning(format!("{name}: all {count} frames are identical: it does not move")))
-            }
+            pairs if pairs.len() + 1 == count => Some(Notice::warning(format!(
+                "{name}: all {count} frames are identical: it does not move"
+            ))),
             [(later, 0)] if later + 1 == count => Some(Notice::info(format!(
                 "{name}: the last frame repeats the first"
             ))),

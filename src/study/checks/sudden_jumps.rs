@@ -95,9 +95,11 @@ mod tests {
         let found = SuddenJumps::of(&surface);
         assert_eq!(found.frames, [2, 3]);
         assert!(
-            found.notice(&surface).unwrap().text.ends_with(
-                "% of its extent into frames 2, 3; they may not correspond"
-            )
+            found
+                .notice(&surface)
+                .unwrap()
+                .text
+                .ends_with("% of its extent into frames 2, 3; they may not correspond")
         );
     }
 

@@ -46,7 +46,9 @@ mod tests {
 
     #[test]
     fn vertices_of_no_face_are_counted() {
-        let points: Vec<Point3> = (0..5).map(|i| Point3::new(f64::from(i * i), f64::from(i), 0.0)).collect();
+        let points: Vec<Point3> = (0..5)
+            .map(|i| Point3::new(f64::from(i * i), f64::from(i), 0.0))
+            .collect();
         let mesh = TriMesh::new(points, Faces::new(5, vec![[0, 1, 3]]).unwrap()).unwrap();
         let surface = SurfaceSequence::new(SurfaceKind::Wall, vec![mesh]).unwrap();
         assert_eq!(

@@ -62,9 +62,8 @@ mod tests {
     use crate::mesh::phantom;
 
     fn heart(endo_radius: f64, epi_radius: f64) -> MeshSequence {
-        let sheet = |kind, radius| {
-            SurfaceSequence::new(kind, vec![phantom::bowl(radius, 6, 12)]).unwrap()
-        };
+        let sheet =
+            |kind, radius| SurfaceSequence::new(kind, vec![phantom::bowl(radius, 6, 12)]).unwrap();
         MeshSequence::new(vec![
             sheet(SurfaceKind::Endocardium, endo_radius),
             sheet(SurfaceKind::Epicardium, epi_radius),
