@@ -107,28 +107,56 @@ impl Engine {
     /// Asks for the measures of every subject.
     pub fn request_measures(&mut self, study: &Arc<Study>) {
         let request = AnalysisRequest::Measures;
-        let start = starter(&self.jobs, &self.wake, &self.cache, &mut self.log, study, request);
+        let start = starter(
+            &self.jobs,
+            &self.wake,
+            &self.cache,
+            &mut self.log,
+            study,
+            request,
+        );
         self.measures.request((study.revision, request), start);
     }
 
     /// Asks for the map of all poses.
     pub fn request_pose_map(&mut self, study: &Arc<Study>, params: PoseMapParams) {
         let request = AnalysisRequest::PoseMap(params);
-        let start = starter(&self.jobs, &self.wake, &self.cache, &mut self.log, study, request);
+        let start = starter(
+            &self.jobs,
+            &self.wake,
+            &self.cache,
+            &mut self.log,
+            study,
+            request,
+        );
         self.pose_map.request((study.revision, request), start);
     }
 
     /// Computes again what was stopped or failed; free if nothing was.
     pub fn retry_measures(&mut self, study: &Arc<Study>) {
         let request = AnalysisRequest::Measures;
-        let start = starter(&self.jobs, &self.wake, &self.cache, &mut self.log, study, request);
+        let start = starter(
+            &self.jobs,
+            &self.wake,
+            &self.cache,
+            &mut self.log,
+            study,
+            request,
+        );
         self.measures.retry((study.revision, request), start);
     }
 
     /// Computes again what was stopped or failed; free if nothing was.
     pub fn retry_pose_map(&mut self, study: &Arc<Study>, params: PoseMapParams) {
         let request = AnalysisRequest::PoseMap(params);
-        let start = starter(&self.jobs, &self.wake, &self.cache, &mut self.log, study, request);
+        let start = starter(
+            &self.jobs,
+            &self.wake,
+            &self.cache,
+            &mut self.log,
+            study,
+            request,
+        );
         self.pose_map.retry((study.revision, request), start);
     }
 
@@ -151,12 +179,16 @@ impl Engine {
 
     /// The newest measures at hand, of whichever revision.
     pub fn latest_measures(&self) -> Option<&Arc<Vec<SubjectMeasures>>> {
-        self.measures.latest().and_then(|outcome| outcome.measures())
+        self.measures
+            .latest()
+            .and_then(|outcome| outcome.measures())
     }
 
     /// The newest map at hand, of whichever revision and settings.
     pub fn latest_pose_map(&self) -> Option<&Arc<PoseMap>> {
-        self.pose_map.latest().and_then(|outcome| outcome.pose_map())
+        self.pose_map
+            .latest()
+            .and_then(|outcome| outcome.pose_map())
     }
 
     /// Makes files with `make` and writes them: all of them, or, if it fails or is stopped while

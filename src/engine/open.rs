@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::io::{Limits, Opened, open_paths};
+use crate::io::{Limits, OpenError, Opened, open_paths};
 use crate::progress::{Progress, Stopped};
 use crate::study::built_in::{self, BuiltInParams};
 
@@ -54,11 +54,7 @@ impl OpenSource {
 ///
 /// # Errors
 /// Only if it was asked to stop.
-pub fn open(
-    source: &OpenSource,
-    limits: &Limits,
-    progress: &Progress,
-) -> Result<Opened, Stopped> {
+pub fn open(source: &OpenSource, limits: &Limits, progress: &Progress) -> Result<Opened, Stopped> {
     match source {
         OpenSource::Paths(paths) => {
             progress.begin_phase("reading files", 0.0, 1.0);
@@ -66,9 +62,19 @@ pub fn open(
         }
         OpenSource::BuiltIn(params) => {
             progress.check()?;
-            Ok(Opened {
-                study: built_in::cohort(params).study,
-                ..Opened::default()
+            Ok(match built_in::cohort(params) {
+                Ok(cohort) => Opened {
+                    study: cohort.study,
+                    ..Opened::default()
+                },
+                Err(error) => Opened {
+                    errors: vec![OpenError {
+                        subject: None,
+                        path: PathBuf::from("built-in cohort"),
+                        reason: error.to_string(),
+                    }],
+                    ..Opened::default()
+                },
             })
         }
     }

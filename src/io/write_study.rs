@@ -4,7 +4,7 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use super::write_obj;
+use super::{write_obj, write_ply, write_pvd, write_vtp};
 use crate::mesh::TriMesh;
 use crate::progress::{Progress, Stopped};
 use crate::study::{Anatomy, MeshSequence, Study, Subject, SurfaceKind};
@@ -16,6 +16,10 @@ pub enum MeshFormat {
     /// Wavefront OBJ, text.
     #[default]
     Obj,
+    /// Stanford PLY, binary.
+    Ply,
+    /// VTK XML polygons, with a `.pvd` per surface that lists them by time.
+    Vtp,
 }
 
 impl MeshFormat {
@@ -23,12 +27,16 @@ impl MeshFormat {
     pub fn ending(self) -> &'static str {
         match self {
             Self::Obj => "obj",
+            Self::Ply => "ply",
+            Self::Vtp => "vtp",
         }
     }
 
     fn write(self, out: &mut impl Write, mesh: &TriMesh) -> io::Result<()> {
         match self {
             Self::Obj => write_obj(out, mesh),
+            Self::Ply => write_ply(out, mesh),
+            Self::Vtp => write_vtp(out, mesh, &[]),
         }
     }
 }
@@ -96,6 +104,11 @@ pub fn write_study(
                 write_whole(&path, |out| format.write(out, mesh))?;
                 progress.step()?;
             }
+            if format == MeshFormat::Vtp {
+                let path = place.join(format!("{}.pvd", key(surface.kind())));
+                let entries = series_entries(subject, surface.kind());
+                write_whole(&path, |out| write_pvd(out, &entries))?;
+            }
         }
     }
     fs::create_dir_all(folder).map_err(at(folder))?;
@@ -136,6 +149,18 @@ fn key(kind: SurfaceKind) -> &'static str {
 
 fn frame_file(kind: SurfaceKind, frame: usize, format: MeshFormat) -> String {
     format!("{}_{frame:03}.{}", key(kind), format.ending())
+}
+
+/// Each frame's file with its time in seconds, or with its number where times are not known.
+fn series_entries(subject: &Subject, kind: SurfaceKind) -> Vec<(f64, String)> {
+    let times = subject.timing.frame_times_s.as_deref();
+    (0..subject.sequence.frame_count())
+        .map(|frame| {
+            let time = times.and_then(|times| times.get(frame).copied());
+            let file = frame_file(kind, frame, MeshFormat::Vtp);
+            (time.unwrap_or(frame as f64), file)
+        })
+        .collect()
 }
 
 /// Frames that lie there and will not be written over would be read as part of the sequence.

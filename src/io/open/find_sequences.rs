@@ -129,7 +129,13 @@ impl<'a> Search<'a> {
             }
         };
         if let Some(manifest) = files.iter().find(|path| role(path) == FileRole::Manifest) {
-            return self.manifest(manifest);
+            let name_so_far = self.plan.name.clone();
+            self.manifest(manifest)?;
+            if depth > 0 {
+                // The name of one study among others does not name them all.
+                self.plan.name = name_so_far;
+            }
+            return Ok(());
         }
         let (sheets, folders): (Vec<PathBuf>, Vec<PathBuf>) = folders
             .into_iter()

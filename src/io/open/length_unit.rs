@@ -46,13 +46,14 @@ pub(super) fn length_unit(
         None if all_known(sequence) => (
             LengthUnit::FileUnit,
             Some(Notice::info(format!(
-                "unit of length not stated, and {side:.3} along the longest side is no left ventricle in mm: sizes are in file units, not in ml"
+                "unit of length not stated; a longest side of {side:.1} would be too {} for a left ventricle in mm, so sizes are in file units, not in ml",
+                if side < *PLAUSIBLE_MM.start() { "short" } else { "long" }
             ))),
         ),
         None => (
             LengthUnit::FileUnit,
             Some(Notice::info(format!(
-                "unit of length not stated (longest side {side:.3}): sizes are in file units"
+                "unit of length not stated (the longest side is {side:.2}): sizes are in file units"
             ))),
         ),
     }

@@ -27,7 +27,7 @@ pub use find_sequences::looks_openable;
 
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
-use crate::study::checks::counted;
+use crate::study::checks::{AlignedCohort, counted};
 use crate::study::{Notice, Study, Subject};
 use find_sequences::{Search, folder_name};
 use group_files::stem;
@@ -51,9 +51,10 @@ pub fn open_paths(
     search.paths(paths)?;
     let mut plan = search.plan;
     make_ids_unique(&mut plan.subjects);
+    let own_name = plan.name.filter(|_| paths.len() == 1);
     let mut opened = Opened {
         study: Study {
-            name: plan.name.unwrap_or_else(|| name_of_paths(paths)),
+            name: own_name.unwrap_or_else(|| name_of_paths(paths)),
             label_roles: plan.label_roles.unwrap_or_default(),
             ..Study::default()
         },
@@ -109,9 +110,13 @@ fn make_ids_unique(plans: &mut [SubjectPlan]) {
         *counts.entry(plan.id.clone()).or_default() += 1;
     }
     for plan in plans.iter_mut() {
+        let own_folder = plan
+            .place
+            .ancestors()
+            .find(|place| name_of(place) == plan.id);
         if counts.get(&plan.id).is_some_and(|&count| count > 1)
-            && let Some(around) = plan.place.parent().map(name_of).filter(|n| !n.is_empty())
-            && name_of(&plan.place) == plan.id
+            && let Some(around) = own_folder.and_then(Path::parent).map(folder_name)
+            && !around.is_empty()
         {
             plan.id = format!("{around}/{}", plan.id);
         }
@@ -163,6 +168,7 @@ fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
             )
         }));
     }
+    notices.extend(AlignedCohort::of(subjects).notice());
     let units: HashSet<_> = subjects.iter().map(|subject| subject.unit).collect();
     if units.len() > 1 {
         notices.push(Notice::warning(

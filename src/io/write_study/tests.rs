@@ -106,7 +106,7 @@ proptest! {
         name in "[a-z \"\\\\]{0,8}",
         normal in prop::collection::vec("[A-Z]{1,4}", 0..3),
         subjects in prop::collection::vec(subject(), 1..4),
-        format in prop_oneof![Just(MeshFormat::Obj)],
+        format in prop_oneof![Just(MeshFormat::Obj), Just(MeshFormat::Ply), Just(MeshFormat::Vtp)],
     ) {
         let mut subjects = subjects;
         for (index, subject) in subjects.iter_mut().enumerate() {
@@ -164,6 +164,23 @@ fn frames_of_another_study_are_never_mixed_in_or_deleted() {
             .frame_count(),
         3
     );
+}
+
+#[test]
+fn the_series_files_of_a_study_open_by_themselves() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut study = small_study(&[1.0, 0.9]);
+    let mut subject = (*study.subjects[0]).clone();
+    subject.timing.frame_times_s = Some(vec![0.0, 0.35]);
+    study.subjects = vec![Arc::new(subject)];
+    write_study(&study, folder.path(), MeshFormat::Vtp, &Progress::default()).unwrap();
+    for path in [folder.path().join("a/cavity.pvd"), folder.path().join("a")] {
+        let opened = read_back(&path);
+        assert!(opened.errors.is_empty(), "{:?}", opened.errors);
+        let read = &opened.study.subjects[0];
+        assert_eq!(read.sequence, study.subjects[0].sequence);
+        assert_eq!(read.timing.frame_times_s, Some(vec![0.0, 0.35]));
+    }
 }
 
 #[test]

@@ -4,6 +4,7 @@
 //! as all frames share it; what depends on positions is asked at every frame and told in one
 //! sentence for all frames that have it.
 
+mod aligned_cohort;
 mod boundary;
 mod centred_frames;
 mod components;
@@ -21,6 +22,7 @@ mod unused_vertices;
 mod wall_order;
 mod words;
 
+pub use aligned_cohort::AlignedCohort;
 pub use boundary::Boundary;
 pub use centred_frames::CentredFrames;
 pub use components::Components;
@@ -118,12 +120,15 @@ mod tests {
 
     #[test]
     fn a_sound_cavity_brings_one_remark_and_no_warning() {
-        let subject = heart(
-            SurfaceKind::Cavity,
-            vec![phantom::sphere(2, 30.0), phantom::sphere(2, 25.0)],
-        );
+        let cavity = |radius| phantom::bowl(radius, 8, 16);
+        let subject = heart(SurfaceKind::Endocardium, vec![cavity(30.0), cavity(25.0)]);
         let notices = check_subject(&subject, || Ok::<(), ()>(())).unwrap();
-        assert_eq!(notices, [Notice::info("cavity: closed")]);
+        assert_eq!(
+            notices,
+            [Notice::info(
+                "endocardium: open at the base, one boundary loop of 16 vertices"
+            )]
+        );
     }
 
     #[test]
