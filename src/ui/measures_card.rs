@@ -1,11 +1,12 @@
 //! The clinical measures of the selected heart, with units and, where one is defensible, the normal range.
 
-use egui::{Align, Layout, RichText, Ui};
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, RichText, Ui};
 
 use crate::ui::command::Command;
 use crate::ui::controls::{chooser_ui, empty_pane_ui};
 use crate::ui::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE};
-use crate::ui::style::{medium, note, title_font};
+use crate::ui::style::{medium, note, note_font, text_font, title_font};
 use crate::ui::theme::{colours, space};
 
 /// What the measures card shows.
@@ -77,21 +78,28 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
 
 fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     ui.label(note("Ejection fraction"));
-    let strong = colours(ui).strong;
-    let response = ui
-        .with_layout(Layout::left_to_right(Align::Max), |ui| {
-            ui.spacing_mut().item_spacing.x = space::SMALL;
-            let text = match view.ejection_fraction {
-                Some(ef) => format!("{:.0}", 100.0 * ef),
-                None if view.computing => "…".to_owned(),
-                None => "–".to_owned(),
-            };
-            ui.label(RichText::new(text).font(title_font()).color(strong));
-            ui.label(RichText::new("%").weak());
-            ui.add(egui::Label::new(note(EJECTION_FRACTION.short)).truncate());
-        })
-        .response;
-    response.on_hover_text(EJECTION_FRACTION.source);
+    let text = match view.ejection_fraction {
+        Some(ef) => format!("{:.0}", 100.0 * ef),
+        None if view.computing => "…".to_owned(),
+        None => "–".to_owned(),
+    };
+    let colours = colours(ui);
+    let format = |font_id, color| TextFormat {
+        font_id,
+        color,
+        valign: Align::BOTTOM,
+        ..TextFormat::default()
+    };
+    let mut line = LayoutJob::default();
+    line.append(&text, 0.0, format(title_font(), colours.strong));
+    line.append("%", space::SMALL, format(text_font(), colours.muted));
+    line.append(
+        EJECTION_FRACTION.short,
+        space::MEDIUM,
+        format(note_font(), colours.muted),
+    );
+    ui.add(egui::Label::new(line).truncate())
+        .on_hover_text(EJECTION_FRACTION.source);
 }
 
 fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, hover: &str) {
@@ -189,7 +197,7 @@ mod tests {
                 Vec::new(),
             );
         harness.run();
-        harness.get_by_label("36");
+        harness.get_by_label_contains("36");
         harness.get_by_label("104 · 66");
         harness.get_by_label_contains("ED 1 · ES 4").click();
         harness.run();
