@@ -104,7 +104,7 @@ impl Columns {
         Self {
             mark: inner.min + 6.0,
             subject: from,
-            label: from + ((to - 52.0 - from) * 0.56).max(48.0),
+            label: from + ((to - 52.0 - from) * 0.56).max(68.0),
             ejection_fraction: to,
         }
     }

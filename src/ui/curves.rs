@@ -108,7 +108,7 @@ struct Plot {
 impl Plot {
     fn new(rect: Rect, low: f64, high: f64) -> Self {
         let area = Rect::from_min_max(
-            rect.min + vec2(44.0, space::LARGE + 10.0),
+            rect.min + vec2(44.0, space::LARGE + 18.0),
             rect.max - vec2(space::LARGE + 4.0, 24.0),
         );
         Self { area, low, high }
@@ -138,7 +138,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
     let colours = colours(ui);
     let painter = ui.painter();
     let grid = Stroke::new(line::THIN, colours.grid);
-    let rows = ((plot.area.height() / 26.0) as usize).clamp(2, 6);
+    let rows = ((plot.area.height() / 30.0) as usize).clamp(2, 10);
     for tick in linear_ticks(plot.low, plot.high, rows) {
         let y = plot.y(tick);
         painter.hline(plot.area.x_range(), y, grid);
@@ -152,7 +152,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
             colours.muted,
         );
     }
-    let top = pos2(plot.area.left() - 38.0, plot.area.top() - 12.0);
+    let top = pos2(plot.area.left() - 32.0, plot.area.top() - 13.0);
     painter.text(
         top,
         Align2::LEFT_CENTER,
@@ -199,19 +199,9 @@ fn draw_phases(ui: &Ui, view: &CurvesView, plot: &Plot) {
         let stroke = Stroke::new(line::THIN, colours.muted);
         ui.painter()
             .extend(Shape::dashed_line(&ends, stroke, 3.0, 3.0));
-        let at = pos2(x + 4.0, plot.area.top() - 8.0);
-        let clear_of_title = if x < plot.area.left() + 70.0 {
-            vec2(0.0, 8.0)
-        } else {
-            vec2(0.0, 0.0)
-        };
-        ui.painter().text(
-            at + clear_of_title,
-            Align2::LEFT_TOP,
-            name,
-            note_font(),
-            colours.muted,
-        );
+        let at = pos2(x + 4.0, plot.area.top());
+        ui.painter()
+            .text(at, Align2::LEFT_TOP, name, note_font(), colours.muted);
     }
 }
 

@@ -52,7 +52,7 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
     egui::Frame::new()
         .inner_margin(egui::Margin::same(space::LARGE as i8))
         .show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 2.0;
+            ui.spacing_mut().item_spacing.y = 1.0;
             ejection_fraction_ui(ui, view);
             ui.add_space(space::MEDIUM);
             let pair = format!(
@@ -93,20 +93,24 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     let mut line = LayoutJob::default();
     line.append(&text, 0.0, format(title_font(), colours.strong));
     line.append("%", space::SMALL, format(text_font(), colours.muted));
-    line.append(
-        EJECTION_FRACTION.short,
-        space::MEDIUM,
-        format(note_font(), colours.muted),
-    );
-    ui.add(egui::Label::new(line).truncate())
-        .on_hover_text(EJECTION_FRACTION.source);
+    if ui.available_width() > 150.0 {
+        line.append(
+            EJECTION_FRACTION.short,
+            space::MEDIUM,
+            format(note_font(), colours.muted),
+        );
+        ui.label(line).on_hover_text(EJECTION_FRACTION.source);
+    } else {
+        ui.label(line).on_hover_text(EJECTION_FRACTION.source);
+        ui.add(egui::Label::new(note(EJECTION_FRACTION.short)).truncate());
+    }
 }
 
 fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, hover: &str) {
     ui.label(note(name));
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
-        ui.spacing_mut().interact_size.y = 18.0;
+        ui.spacing_mut().interact_size.y = 16.0;
         ui.label(medium(value));
         if value != "–" {
             ui.label(RichText::new(unit).weak());
@@ -114,6 +118,7 @@ fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, hover: &str) {
     })
     .response
     .on_hover_text(hover);
+    ui.add_space(6.0);
 }
 
 /// No more digits than a volume deserves: whole numbers, one place below ten.
@@ -128,13 +133,9 @@ fn number(value: Option<f64>) -> String {
 fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     let frame =
         |frame: Option<usize>| frame.map_or("–".to_owned(), |frame| (frame + 1).to_string());
-    let source = if view.phases_stated {
-        "stated"
-    } else {
-        "by volume"
-    };
+    let stated = if view.phases_stated { " · stated" } else { "" };
     let shown = format!(
-        "ED {} · ES {} · {source}",
+        "ED {} · ES {}{stated}",
         frame(view.end_diastole),
         frame(view.end_systole)
     );

@@ -44,19 +44,18 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     }
     title_ui(ui, inner, view);
     let tall = inner.height() > 180.0;
+    let mut free = inner.x_range();
     if let Some(bar) = &view.colour_bar {
-        colour_bar::colour_bar_ui(ui, inner, bar, commands);
-    }
-    if let Some(scale) = &view.scale_bar
-        && inner.width() > 240.0
-    {
-        scale_bar::scale_bar_ui(ui, inner, scale);
+        free.min = colour_bar::colour_bar_ui(ui, inner, bar, commands);
     }
     if let Some(cube) = &view.cube
         && tall
         && inner.width() > 200.0
     {
-        cube::cube_ui(ui, inner, cube, commands);
+        free.max = cube::cube_ui(ui, inner, cube, commands);
+    }
+    if let Some(scale) = &view.scale_bar {
+        scale_bar::scale_bar_ui(ui, inner, free, scale);
     }
 }
 
