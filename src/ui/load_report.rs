@@ -146,10 +146,17 @@ fn summary_text(subjects: &[ReportSubject]) -> String {
     let warnings: usize = subjects.iter().map(ReportSubject::warnings).sum();
     let notices: usize = subjects.iter().map(|subject| subject.notices.len()).sum();
     format!(
-        "{} read · {failed} not readable · {warnings} warnings · {} remarks",
+        "{} read · {failed} not readable · {} · {}",
         subjects.len() - failed,
-        notices - warnings
+        counted(warnings, "warning"),
+        counted(notices - warnings, "remark")
     )
+}
+
+/// "1 warning", "2 warnings".
+fn counted(count: usize, what: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{plural}")
 }
 
 #[cfg(test)]
@@ -179,7 +186,7 @@ mod tests {
                 Vec::new(),
             );
         harness.run();
-        harness.get_by_label("2 read · 0 not readable · 1 warnings · 1 remarks");
+        harness.get_by_label("2 read · 0 not readable · 1 warning · 1 remark");
         let odd = harness.get_by_label("odd").rect();
         assert!(odd.top() < harness.get_by_label("good").rect().top());
         harness.get_by_label("2 degenerate triangles");

@@ -49,35 +49,38 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
         );
         return;
     }
-    egui::Frame::new()
-        .inner_margin(egui::Margin::same(space::LARGE as i8))
+    let frame = egui::Frame::new().inner_margin(egui::Margin::same(space::LARGE as i8));
+    egui::ScrollArea::vertical()
+        .id_salt("measures")
         .show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 1.0;
-            ejection_fraction_ui(ui, view);
-            ui.add_space(space::MEDIUM);
-            let pair = format!(
-                "{} · {}",
-                number(view.end_diastolic_volume),
-                number(view.end_systolic_volume)
-            );
-            value_ui(ui, "EDV · ESV", &pair, view.volume_unit, NO_VOLUME_RANGE);
-            value_ui(
-                ui,
-                "Stroke volume",
-                &number(view.stroke_volume),
-                view.volume_unit,
-                NO_VOLUME_RANGE,
-            );
-            if view.volume_unit == "ml" {
-                value_ui(ui, "Mass", &number(view.mass_g), "g", NO_VOLUME_RANGE);
-            }
-            ui.add_space(space::SMALL);
-            phases_ui(ui, view, commands);
+            frame.show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                ejection_fraction_ui(ui, view);
+                ui.add_space(space::MEDIUM);
+                let pair = format!(
+                    "{} · {}",
+                    number(view.end_diastolic_volume),
+                    number(view.end_systolic_volume)
+                );
+                value_ui(ui, "EDV · ESV", &pair, view.volume_unit, NO_VOLUME_RANGE);
+                value_ui(
+                    ui,
+                    "Stroke volume",
+                    &number(view.stroke_volume),
+                    view.volume_unit,
+                    NO_VOLUME_RANGE,
+                );
+                if view.volume_unit == "ml" {
+                    value_ui(ui, "Mass", &number(view.mass_g), "g", NO_VOLUME_RANGE);
+                }
+                ui.add_space(space::SMALL);
+                phases_ui(ui, view, commands);
+            });
         });
 }
 
 fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
-    ui.label(note("Ejection fraction"));
+    ui.add(egui::Label::new(note("Ejection fraction")).truncate());
     let text = match view.ejection_fraction {
         Some(ef) => format!("{:.0}", 100.0 * ef),
         None if view.computing => "…".to_owned(),
@@ -107,7 +110,7 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
 }
 
 fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, hover: &str) {
-    ui.label(note(name));
+    ui.add(egui::Label::new(note(name)).truncate());
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
         ui.spacing_mut().interact_size.y = 16.0;

@@ -183,3 +183,50 @@ fn switch_ui(
         commands.push(command);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui_kittest::{Harness, kittest::Queryable as _};
+
+    fn clicked(width: f32, names: &[&str]) -> Vec<Command> {
+        let mut harness = Harness::builder()
+            .with_size([width, 400.0])
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                |ui, commands: &mut Vec<Command>| {
+                    let view = ViewportHeaderView {
+                        shows_endocardium: Some(true),
+                        ..Default::default()
+                    };
+                    viewport_header_ui(ui, &view, commands);
+                },
+                Vec::new(),
+            );
+        harness.run();
+        for name in names {
+            harness.get_by_label(name).click();
+            harness.run();
+        }
+        harness.into_state()
+    }
+
+    #[test]
+    fn tabs_become_a_menu_where_they_do_not_fit() {
+        let wanted = [Command::SetViewMode(ViewMode::SideBySide)];
+        assert_eq!(clicked(800.0, &["Side by side"]), wanted);
+        assert_eq!(clicked(360.0, &["View: 3D view", "Side by side"]), wanted);
+    }
+
+    #[test]
+    fn a_surface_that_is_not_there_cannot_be_shown() {
+        let commands = clicked(800.0, &["Wall", "Inner"]);
+        assert_eq!(commands, [Command::ToggleEndocardium]);
+    }
+
+    #[test]
+    fn the_quantity_is_chosen_from_a_menu() {
+        let commands = clicked(800.0, &["Colour: Tissue", "Area ratio"]);
+        assert_eq!(commands, [Command::SetQuantity(Quantity::AreaRatio)]);
+    }
+}

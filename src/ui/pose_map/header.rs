@@ -18,21 +18,30 @@ pub fn pose_map_header_ui(ui: &mut Ui, view: &PoseMapView, commands: &mut Vec<Co
         |ui| {
             ui.add(egui::Label::new(medium("Poses")).truncate());
         },
-        |ui| {
-            if let Some(stress) = view.stress
-                && wide
-            {
-                ui.label(note(format!("stress {stress:.2}"))).on_hover_text(
-                    "Kruskal's stress 1: how far distances on the map are from those between poses. \
-                     Below 0.1 is good, above 0.2 the map misleads.",
-                );
-            }
-            if wide {
-                method_ui(ui, view.params, commands);
-            }
-            metric_ui(ui, view.params, !wide, commands);
-        },
+        |ui| pose_map_choosers_ui(ui, view, wide, commands),
     );
+}
+
+/// Draws the choosers of metric and method, and the stress, from right to left: for a header that
+/// has its own title. A narrow strip keeps only one chooser.
+pub fn pose_map_choosers_ui(
+    ui: &mut Ui,
+    view: &PoseMapView,
+    wide: bool,
+    commands: &mut Vec<Command>,
+) {
+    if let Some(stress) = view.stress
+        && wide
+    {
+        ui.label(note(format!("stress {stress:.2}"))).on_hover_text(
+            "Kruskal's stress 1: how far distances on the map are from those between poses. \
+                     Below 0.1 is good, above 0.2 the map misleads.",
+        );
+    }
+    if wide {
+        method_ui(ui, view.params, commands);
+    }
+    metric_ui(ui, view.params, !wide, commands);
 }
 
 fn method_ui(ui: &mut Ui, params: PoseMapParams, commands: &mut Vec<Command>) {

@@ -69,7 +69,7 @@ pub fn colour_bar_ui(
         if view.typed {
             let accent = colours(ui).selection;
             ui.label(RichText::new("· typed limits").small().color(accent));
-        } else if !view.note.is_empty() {
+        } else if !view.note.is_empty() && text_width > 200.0 {
             ui.add(egui::Label::new(note(format!("· {}", view.note))).truncate());
         }
     });
