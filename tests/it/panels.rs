@@ -150,7 +150,8 @@ fn rect(left: f32, top: f32, right: f32, bottom: f32) -> Rect {
 
 /// The whole window as `look/window_dark.png` has it.
 fn window(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
-    let whole = ui.max_rect();
+    let whole = ui.ctx().content_rect();
+    ui.set_clip_rect(whole);
     ui.painter().rect_filled(whole, 0.0, colours(ui).window);
     let (w, h, gap) = (whole.width(), whole.height(), space::PANE_GAP);
     let (left, right) = (278.0f32.min(0.22 * w), w - 476.0f32.min(0.32 * w));
@@ -412,7 +413,10 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
                 details: "p12/endo_03.obj".to_owned(),
                 retry: Some(JobKind::Open),
             }];
-            error_cards_ui(ui, &cards, commands);
+            let whole = ui.ctx().content_rect();
+            let middle = rect(0.0, 0.0, whole.right(), whole.bottom() - 140.0);
+            let mut over = ui.new_child(UiBuilder::new().max_rect(middle));
+            error_cards_ui(&mut over, &cards, commands);
         }
         Over::About => about_ui(ui, "llvmpipe", commands),
     }
@@ -441,6 +445,7 @@ fn the_gallery_is_drawn_where_it_is_asked_for() {
             let mut harness = Harness::builder()
                 .with_size([width, height])
                 .with_pixels_per_point(scale)
+                .with_theme(egui::Theme::from_dark_mode(dark))
                 .with_context_setup(move |ctx| apply(ctx, dark))
                 .wgpu()
                 .build_ui_state(

@@ -7,7 +7,7 @@ mod lens;
 #[cfg(test)]
 mod tests;
 
-pub use header::pose_map_header_ui;
+pub use header::{pose_map_choosers_ui, pose_map_header_ui};
 
 use egui::{Key, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
