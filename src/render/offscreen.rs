@@ -163,6 +163,12 @@ impl Headless {
         Ok(picture)
     }
 
+    /// Gives the device and queue away.
+    #[cfg(test)]
+    pub(super) fn into_gpu(self) -> (wgpu::Device, wgpu::Queue) {
+        (self.device, self.queue)
+    }
+
     /// Draws one tile and reads it back: premultiplied rows without gaps.
     fn draw(
         &mut self,
@@ -191,29 +197,77 @@ impl Headless {
         let Some(texture) = self.renderer.picture(view) else {
             return Err(RenderError::ReadBack("nothing was drawn".into()));
         };
-        let [width, height] = tile.size;
-        let row = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("read back"),
-            size: u64::from(row) * u64::from(height),
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        encoder.copy_texture_to_buffer(
-            texture.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(row),
-                    rows_per_image: None,
-                },
-            },
-            texture.size(),
-        );
-        self.queue.submit([encoder.finish()]);
-        read_rows(&self.device, &buffer, row as usize, width as usize * 4)
+        let texture = texture.clone();
+        read_back(&self.device, &self.queue, encoder, &texture)
     }
+
+    /// What a window of this format shows of a picture, for tests of the way through `prepare` and `blit`.
+    #[cfg(test)]
+    pub(super) fn blitted(
+        &mut self,
+        scene: &Scene,
+        camera: &Camera,
+        width: u32,
+        height: u32,
+        format: wgpu::TextureFormat,
+    ) -> Result<Picture, RenderError> {
+        let (device, queue) = (&self.device, &self.queue);
+        let mut renderer = Renderer::new(device, format);
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let view = ViewId(3);
+        let size = [width, height];
+        renderer.prepare(device, queue, &mut encoder, view, scene, camera, size, 1.0);
+        let window = super::targets::window(device, size, format);
+        let target = window.create_view(&wgpu::TextureViewDescriptor::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations::default(),
+            })],
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        renderer.blit(&mut pass, view);
+        drop(pass);
+        let rgba = read_back(device, queue, encoder, &window)?;
+        Ok(Picture {
+            width,
+            height,
+            rgba,
+        })
+    }
+}
+
+/// Submits the work and fetches a texture of four bytes a pixel: rows without gaps.
+fn read_back(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    mut encoder: wgpu::CommandEncoder,
+    texture: &wgpu::Texture,
+) -> Result<Vec<u8>, RenderError> {
+    let (width, height) = (texture.width(), texture.height());
+    let row = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("read back"),
+        size: u64::from(row) * u64::from(height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(row),
+                rows_per_image: None,
+            },
+        },
+        texture.size(),
+    );
+    queue.submit([encoder.finish()]);
+    read_rows(device, &buffer, row as usize, width as usize * 4)
 }
 
 fn read_rows(

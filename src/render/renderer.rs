@@ -30,7 +30,7 @@ pub struct Counters {
 }
 
 /// Reach of ambient occlusion as a share of the radius of all opaque surfaces.
-const OCCLUSION_REACH: f32 = 0.16;
+const OCCLUSION_REACH: f32 = 0.30;
 /// Shared textures of a size that no view used for so many redraws are let go.
 const SCRATCH_KEPT_REDRAWS: u64 = 64;
 
@@ -162,7 +162,7 @@ impl Renderer {
         let (drawn, blocks, reach) =
             self.collect(gpu, scene, pixels_per_point, &view.draw_uniforms);
         gpu.queue.write_buffer(&view.draw_uniforms, 0, &blocks);
-        let uniform = ViewUniform::new(camera, tile, pixels_per_point, reach);
+        let uniform = ViewUniform::new(camera, tile, pixels_per_point, reach, scene.background);
         gpu.queue
             .write_buffer(&view.view_uniform, 0, bytemuck::bytes_of(&uniform));
         self.blit.set_background(gpu, &view.blit, scene.background);

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::uploads::{GeometryUpload, ScalarsUpload};
-use super::{Camera, Shading, Surface, SurfaceColour};
+use super::{Camera, Rgba, Shading, Surface, SurfaceColour};
 
 /// Draw uniforms lie this far apart: the largest alignment that WebGPU allows a device to ask for.
 pub(super) const UNIFORM_STRIDE: u64 = 256;
@@ -43,7 +43,13 @@ pub(super) struct ViewUniform {
 }
 
 impl ViewUniform {
-    pub fn new(camera: &Camera, tile: Tile, pixels_per_point: f32, occlusion_reach: f32) -> Self {
+    pub fn new(
+        camera: &Camera,
+        tile: Tile,
+        pixels_per_point: f32,
+        occlusion_reach: f32,
+        background: Rgba,
+    ) -> Self {
         let [width, height] = tile.whole.map(|n| n as f32);
         let (scale, depth) = camera.lens(width / height);
         let parallel = f32::from(u8::from(camera.is_parallel()));
@@ -65,10 +71,16 @@ impl ViewUniform {
                 pixels_per_point,
                 occlusion_reach,
                 f32::from(u8::from(occlusion_reach > 0.0)),
-                0.0,
+                f32::from(u8::from(is_dark(background))),
             ],
         }
     }
+}
+
+/// Whether light edges stand out better than dark ones; a transparent background counts as light, as paper is.
+fn is_dark([r, g, b, a]: Rgba) -> bool {
+    // Luma of Rec. 709 on encoded values, against mid grey.
+    a > 0.5 && 0.2126 * r + 0.7152 * g + 0.0722 * b < 0.5
 }
 
 /// `struct Surface` of surface.wgsl.
@@ -177,7 +189,7 @@ mod tests {
             first: [40, 20],
             size: [20, 30],
         };
-        let view = ViewUniform::new(&camera, tile, 1.0, 0.0);
+        let view = ViewUniform::new(&camera, tile, 1.0, 0.0, [1.0; 4]);
         // Pixel (45, 41) of the whole is pixel (5, 21) of the tile.
         let whole = [45.0 / 50.0 - 1.0, 1.0 - 41.0 / 30.0];
         let part = [5.0 / 10.0 - 1.0, 1.0 - 21.0 / 15.0];
