@@ -11,6 +11,8 @@ mod obj;
 mod opened;
 mod ply;
 mod stl;
+#[cfg(test)]
+mod tests;
 mod text_lines;
 mod vtk_legacy;
 mod vtp;

@@ -1,1 +1,3 @@
 //! The doors of the program, tried from outside: one binary, one module per door.
+
+mod robustness;

@@ -1,0 +1,6 @@
+//! Tests of the mesh formats together: files of other programs, round trips, damage.
+
+mod damage;
+mod other_programs;
+mod real_files;
+mod round_trips;
