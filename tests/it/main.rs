@@ -1,3 +1,4 @@
 //! The doors of the program, tried from outside: one binary, one module per door.
 
+mod real_mesh_files;
 mod robustness;

@@ -2,5 +2,4 @@
 
 mod damage;
 mod other_programs;
-mod real_files;
 mod round_trips;
