@@ -15,6 +15,7 @@ use rand::seq::IndexedRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
+/// The variable `CARDIOMORPH_MUTATIONS` asks for more.
 const MUTATIONS_OF_EACH_FILE: u64 = 1_000;
 const LONGEST_READ: Duration = Duration::from_secs(2);
 const MOST_MEMORY_KIB: u64 = 1 << 20;
@@ -87,7 +88,7 @@ fn samples() -> Vec<Sample> {
 fn mutated(sample: &[u8], other: &[u8], seed: u64) -> Vec<u8> {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut bytes = sample.to_vec();
-    for _ in 0..random.random_range(1..=4) {
+    for _ in 0..*[1, 1, 2, 4].choose(&mut random).unwrap() {
         if bytes.is_empty() {
             break;
         }
@@ -165,12 +166,16 @@ fn greatest_memory_kib() -> Option<u64> {
 /// Reads all mutations of all files; panics at the first that breaks a promise.
 fn read_all_mutations() {
     let samples = samples();
+    let mutations = env::var("CARDIOMORPH_MUTATIONS")
+        .ok()
+        .and_then(|count| count.parse().ok())
+        .unwrap_or(MUTATIONS_OF_EACH_FILE);
     let memory_before = greatest_memory_kib();
     let (mut read, mut refused) = (0_u64, 0_u64);
     let mut longest = (Duration::ZERO, String::new());
     for (index, sample) in samples.iter().enumerate() {
-        for mutation in 0..MUTATIONS_OF_EACH_FILE {
-            let seed = index as u64 * MUTATIONS_OF_EACH_FILE + mutation;
+        for mutation in 0..mutations {
+            let seed = mutation * samples.len() as u64 + index as u64;
             let other = &samples[(index + mutation as usize) % samples.len()];
             let bytes = mutated(&sample.bytes, &other.bytes, seed);
             let what = format!("{} with seed {seed}", sample.name);

@@ -263,6 +263,15 @@ fn gltf_errors_name_line_byte_or_item() {
     let mut header = glb.clone();
     header[8..12].copy_from_slice(&5_u32.to_le_bytes()); // the gltf crate panics here
     assert!(error("a.glb", header).starts_with("byte 8: the header says 5 bytes"));
+    // and here, in its validation
+    assert_eq!(
+        error("a.gltf", with(name, "\"POSITION\": 0", "\"POSITION\": 77")),
+        "meshes[0].primitives[0]: refers to accessors[77], but there are only 6"
+    );
+    assert_eq!(
+        error("a.gltf", with(name, "\"weights\"\n", "\"wights\"\n")),
+        "animations[0].channels[0]: moves neither a node nor weights"
+    );
     let two_parents = with(name, "\"scenes\"", "\"scenes\":[{\"nodes\":[0,0]}],\"x\"");
     assert!(error("a.gltf", two_parents).contains("nodes[0]"));
 }
