@@ -3,3 +3,5 @@
 mod oracles;
 mod panels;
 mod real_data;
+mod real_mesh_files;
+mod robustness;
