@@ -31,3 +31,6 @@ pub use params::{
 };
 pub use pose::PreparedPose;
 pub use rigid::{RigidField, rigid_part};
+
+#[cfg(test)]
+mod tests;

@@ -58,7 +58,7 @@ impl HeartDesign {
         MotionDesign {
             squeeze,
             shortening: self.shortening,
-            tip_lengthening: 0.9 * self.shortening,
+            tip_lengthening: 1.2 * self.shortening,
             apex_turn_rad: -self.twist_rad * self.apex_share_of_twist,
             base_turn_rad: self.twist_rad * (1.0 - self.apex_share_of_twist),
             bend_mm: self.bend_mm,
@@ -86,7 +86,7 @@ const NORMAL: Ranges = Ranges {
     wall_mm: [6.6, 8.4],
     septal_thickening: [0.05, 0.14],
     lengthening: [0.96, 1.05],
-    shortening: [0.155, 0.195],
+    shortening: [0.21, 0.25],
     twist_degrees: [13.0, 19.0],
     atrial_share: [0.20, 0.28],
 };
@@ -98,7 +98,7 @@ const ISCHAEMIC: Ranges = Ranges {
     wall_mm: [7.2, 8.8],
     septal_thickening: [0.05, 0.14],
     lengthening: [0.95, 1.03],
-    shortening: [0.14, 0.18],
+    shortening: [0.17, 0.21],
     twist_degrees: [9.0, 15.0],
     atrial_share: [0.24, 0.36],
 };
@@ -109,7 +109,7 @@ const DILATED: Ranges = Ranges {
     wall_mm: [7.0, 8.6],
     septal_thickening: [0.0, 0.08],
     lengthening: [0.88, 0.94],
-    shortening: [0.05, 0.08],
+    shortening: [0.06, 0.09],
     twist_degrees: [3.0, 6.0],
     atrial_share: [0.12, 0.30],
 };
@@ -120,7 +120,7 @@ const HYPERTROPHIC: Ranges = Ranges {
     wall_mm: [14.5, 17.0],
     septal_thickening: [0.18, 0.40],
     lengthening: [0.95, 1.03],
-    shortening: [0.11, 0.15],
+    shortening: [0.13, 0.17],
     twist_degrees: [15.0, 21.0],
     atrial_share: [0.30, 0.42],
 };
@@ -140,9 +140,9 @@ const PATIENTS: [(Abnormality, &[PatchSpec]); 14] = [
     // anteroseptal (8, 14)
     (Abnormality::MediumPatch, &[[35.0, 55.0, 33.0, 0.95]]),
     // anterior and apical (13, 14, 7, 17)
-    (Abnormality::LargePatch, &[[62.0, 36.0, 47.0, 1.0]]),
+    (Abnormality::LargePatch, &[[62.0, 38.0, 40.0, 1.0]]),
     // inferolateral (5, 11, 4, 10)
-    (Abnormality::LargePatch, &[[228.0, 76.0, 46.0, 1.0]]),
+    (Abnormality::LargePatch, &[[228.0, 74.0, 49.0, 1.0]]),
     // the anterior descending artery's whole territory
     (Abnormality::VeryLargePatch, &[[58.0, 40.0, 62.0, 1.0]]),
     // inferior and lateral walls
@@ -155,7 +155,7 @@ const PATIENTS: [(Abnormality, &[PatchSpec]); 14] = [
     // apex and basal inferoseptum
     (
         Abnormality::TwoPatches,
-        &[[120.0, 14.0, 30.0, 1.0], [325.0, 84.0, 27.0, 1.0]],
+        &[[120.0, 14.0, 27.0, 1.0], [325.0, 80.0, 27.0, 1.0]],
     ),
     (Abnormality::Dilated, &[]),
     (Abnormality::Dilated, &[]),
@@ -241,7 +241,7 @@ fn form(edv_ml: f64, ranges: &Ranges, patches: &[PatchSpec], draw: &mut Draw) ->
     let size = (edv_ml / 145.0).cbrt().min(1.1);
     Form {
         cavity_length_mm: length_mm,
-        widest_share: draw.within([0.68, 0.76]),
+        widest_share: draw.within([0.61, 0.70]),
         pointedness: draw.within([0.05, 0.28]),
         septal_flattening: draw.within([0.06, 0.11]),
         waves: [2.0, 3.0, 4.0].map(|order| Wave {
@@ -264,7 +264,8 @@ fn form(edv_ml: f64, ranges: &Ranges, patches: &[PatchSpec], draw: &mut Draw) ->
                 around_rad: (around + draw.around(6.0)).to_radians(),
                 polar_rad: polar.to_radians(),
                 radius_rad: (radius * draw.within([0.95, 1.05])).to_radians(),
-                half_border_rad: draw.within([7.0, 10.0]).to_radians(),
+                // Wide patches have wide borders; a small one keeps a core.
+                half_border_rad: (draw.within([0.46, 0.52]) * radius).clamp(11.0, 22.0).to_radians(),
                 severity,
             })
             .collect(),

@@ -11,7 +11,9 @@ use super::timing::ramp;
 
 /// Share of the cavity's length over which contraction fades out towards its tip, so that the
 /// outer surface over the tip stays free of creases.
-const TIP_FADE: f64 = 0.16;
+const TIP_FADE: f64 = 0.06;
+/// Share of the contraction that the ring of the mitral valve, which is stiffer, does without.
+const STIFF_BASE: f64 = 0.15;
 
 /// A gentle wave of the wall's radius around the axis: amplitude · cos(order · Θ − phase − spiral · h).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,6 +53,7 @@ pub(super) struct Form {
 #[derive(Clone, Debug)]
 pub(super) struct Shape {
     form: Form,
+    soft_patches: Vec<Patch>,
     half_width_mm: f64,
     tip_wall_mm: f64,
 }
@@ -61,8 +64,10 @@ impl Shape {
         let tip_illness = illness(&form.patches, ChartPoint::new(0.0, 0.0)).severity;
         let tip_wall_mm =
             form.wall_mm * form.tip_share * (1.0 - form.scar_thinning * tip_illness);
+        let soft_patches = form.patches.iter().map(Patch::softened).collect();
         let mut shape = Self {
             form,
+            soft_patches,
             half_width_mm: 1.0,
             tip_wall_mm,
         };
@@ -121,6 +126,18 @@ impl Shape {
         )
     }
 
+    /// How much of the shortening along the axis a place does without: illness with a wide
+    /// border, because the sheets of the wall are tied to one another.
+    pub fn tether(&self, z_mm: f64, around_rad: f64) -> Illness {
+        if self.soft_patches.is_empty() {
+            return Illness::default();
+        }
+        illness(
+            &self.soft_patches,
+            ChartPoint::new(self.height_share(z_mm), around_rad),
+        )
+    }
+
     /// What does not work.
     pub fn patches(&self) -> &[Patch] {
         &self.form.patches
@@ -131,9 +148,14 @@ impl Shape {
         1.0 - z_mm / self.cavity_tip_mm()
     }
 
-    /// How much of the contraction reaches a height: 0 at the cavity's tip, then 1.
+    /// How much of the contraction reaches a height: 0 at the cavity's tip, at most 1.
+    ///
+    /// h (1 + δ) / (h + δ): with it R² (1 − κ w) grows with h for every κ < 1, so that the
+    /// contracted cavity has no waist above its tip, as it would with a fade of finite length.
     pub fn contraction_share(height_share: f64) -> f64 {
-        ramp(height_share, 0.0, TIP_FADE)
+        let height = height_share.max(0.0);
+        height * (1.0 + TIP_FADE) / (height + TIP_FADE)
+            * (1.0 - STIFF_BASE * ramp(height, 0.55, 1.0))
     }
 
     /// Volume of the cavity in mm³, and the part of it that `weight` counts: midpoint sums of

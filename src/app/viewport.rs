@@ -1,0 +1,259 @@
+//! The 3D view: hearts drawn by our renderer, the camera under the pointer, and what lies over them.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
+
+use egui::{Rect, Response, Role, Sense, Ui, UiBuilder, WidgetInfo};
+
+use crate::picture::{CohortLimits, PictureTheme, SceneSettings, subject_scene};
+use crate::render::{Camera, ViewId};
+use crate::study::Subject;
+use crate::ui::{Command, ViewMode, viewport_overlay_ui};
+
+use super::camera_drag::camera_command;
+use super::paint::{HeartPaint, pixels};
+use super::pictures::{Heart, Pictures};
+use super::play::pose_at;
+use super::stage::{on_stage, places};
+use super::state::State;
+use super::views::OverlayData;
+
+/// A heart on screen: it stays until the next one is ready.
+#[derive(Clone)]
+pub struct ShownHeart {
+    /// Index into the study's subjects.
+    pub index: usize,
+    /// Whose heart it is.
+    pub subject: Arc<Subject>,
+    /// Place in its beat.
+    pub position: f64,
+    /// Its geometry.
+    pub heart: Arc<Heart>,
+    overlay: OverlayData,
+}
+
+/// A camera that fits a heart, kept while heart, direction and shape of the view stay.
+struct Fit {
+    heart: Arc<Heart>,
+    world_from_camera: glam::Quat,
+    aspect: f32,
+    camera: Camera,
+}
+
+/// The hearts on screen and what was worked out for them.
+#[derive(Default)]
+pub struct Viewport {
+    shown: Vec<ShownHeart>,
+    mode: ViewMode,
+    limits: CohortLimits,
+    fits: Vec<Fit>,
+    has_device: bool,
+}
+
+/// One heart of this frame's picture.
+pub struct Cell<'a> {
+    /// Which heart.
+    pub heart: &'a ShownHeart,
+    /// Where on the screen.
+    pub rect: Rect,
+    /// From where it is looked at.
+    pub camera: Camera,
+}
+
+impl Viewport {
+    /// A view that draws if there is a device to draw with.
+    pub fn new(has_device: bool) -> Self {
+        Self {
+            has_device,
+            ..Self::default()
+        }
+    }
+
+    /// Asks for the hearts of the state; shows them together once all are ready.
+    pub fn prepare(&mut self, state: &State, pictures: &mut Pictures, reference_frames: &[usize]) {
+        let study = state.document.study();
+        let mut ready = Vec::new();
+        let mut complete = true;
+        for place in on_stage(state) {
+            let Some(subject) = state.subject(place.subject) else {
+                continue;
+            };
+            let reference = reference_frames.get(place.subject).copied().unwrap_or(0);
+            match pictures.heart(subject, reference) {
+                Some(heart) => ready.push(ShownHeart {
+                    index: place.subject,
+                    subject: Arc::clone(subject),
+                    position: place.position,
+                    heart,
+                    overlay: OverlayData::of(state, &place),
+                }),
+                None => complete = false,
+            }
+        }
+        if complete {
+            self.shown = ready;
+            self.mode = state.document.view_mode;
+        }
+        if !study.subjects.is_empty() {
+            self.limits = pictures.cohort_limits(study, reference_frames);
+        }
+        let shown = &self.shown;
+        self.fits.retain(|fit| {
+            shown
+                .iter()
+                .any(|shown| Arc::ptr_eq(&shown.heart, &fit.heart))
+        });
+    }
+
+    /// Hearts on screen.
+    pub fn shown(&self) -> &[ShownHeart] {
+        &self.shown
+    }
+
+    /// How hearts are drawn now.
+    pub fn settings(&self, state: &State, dark: bool) -> SceneSettings {
+        let document = &state.document;
+        let visible = document.visibility;
+        SceneSettings {
+            quantity: document.quantity,
+            cohort_limits: self.limits,
+            typed_limits: document.limits(),
+            inner: visible.endocardium,
+            outer: visible.epicardium,
+            wireframe: visible.wireframe,
+            vertices: visible.vertices,
+            shading: visible.shading,
+            theme: if dark {
+                PictureTheme::DARK
+            } else {
+                PictureTheme::LIGHT
+            },
+            ..SceneSettings::default()
+        }
+    }
+
+    /// Draws the view into all room left; `meter` takes the time of the callback.
+    pub fn ui(
+        &mut self,
+        ui: &mut Ui,
+        state: &State,
+        meter: &Arc<AtomicU64>,
+        commands: &mut Vec<Command>,
+    ) {
+        let (area, response) =
+            ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D viewport"));
+        let cameras = self.cameras(state, area);
+        let cells: Vec<Cell> = self
+            .shown
+            .iter()
+            .zip(places(self.mode, area, self.shown.len()))
+            .zip(cameras)
+            .map(|((heart, rect), camera)| Cell {
+                heart,
+                rect,
+                camera,
+            })
+            .collect();
+        commands.extend(camera_command(ui, &response, state, &cells));
+        commands.extend(self.click_command(&response, &cells));
+        self.draw(ui, state, &cells, meter, commands);
+    }
+
+    /// A camera for every heart on screen. Hearts beside each other have one scale.
+    fn cameras(&mut self, state: &State, area: Rect) -> Vec<Camera> {
+        let look = state.document.look;
+        let rects = places(self.mode, area, self.shown.len());
+        let shown: Vec<Arc<Heart>> = self.shown.iter().map(|s| Arc::clone(&s.heart)).collect();
+        let mut fitted: Vec<Camera> = shown
+            .iter()
+            .zip(&rects)
+            .map(|(heart, rect)| {
+                let rotation = look.rotation(&heart.prepared.axes);
+                self.fitted(heart, rotation, rect.aspect_ratio())
+            })
+            .collect();
+        let greatest = fitted
+            .iter()
+            .map(|camera| camera.half_height)
+            .fold(0.0, f32::max);
+        for camera in &mut fitted {
+            camera.half_height = greatest;
+        }
+        shown
+            .iter()
+            .zip(fitted)
+            .map(|(heart, fitted)| look.camera(&heart.frame, fitted))
+            .collect()
+    }
+
+    fn fitted(&mut self, heart: &Arc<Heart>, rotation: glam::Quat, aspect: f32) -> Camera {
+        let found = self.fits.iter().find(|fit| {
+            Arc::ptr_eq(&fit.heart, heart)
+                && fit.world_from_camera == rotation
+                && (fit.aspect - aspect).abs() < 1e-4
+        });
+        if let Some(fit) = found {
+            return fit.camera;
+        }
+        let camera = heart.fitted(rotation, aspect);
+        self.fits.retain(|fit| !Arc::ptr_eq(&fit.heart, heart));
+        self.fits.push(Fit {
+            heart: Arc::clone(heart),
+            world_from_camera: rotation,
+            aspect,
+            camera,
+        });
+        camera
+    }
+
+    /// A double click fits the heart; a click on one of all phases goes there.
+    fn click_command(&self, response: &Response, cells: &[Cell]) -> Option<Command> {
+        if response.double_clicked() {
+            return Some(Command::FrameAll);
+        }
+        let at = response
+            .interact_pointer_pos()
+            .filter(|_| response.clicked())?;
+        let cell = cells.iter().find(|cell| cell.rect.contains(at))?;
+        (self.mode == ViewMode::AllPhases).then_some(Command::SetPosition(cell.heart.position))
+    }
+
+    fn draw(
+        &self,
+        ui: &mut Ui,
+        state: &State,
+        cells: &[Cell],
+        meter: &Arc<AtomicU64>,
+        commands: &mut Vec<Command>,
+    ) {
+        let settings = self.settings(state, ui.visuals().dark_mode);
+        for (place, cell) in cells.iter().enumerate() {
+            let prepared = &cell.heart.heart.prepared;
+            let pose = pose_at(cell.heart.position, prepared.frame_count);
+            let picture = subject_scene(prepared, &settings, pose);
+            let rect = cell.rect;
+            if self.has_device {
+                let paint = HeartPaint {
+                    view: ViewId(place as u32),
+                    views: cells.len() as u32,
+                    scene: picture.scene,
+                    camera: cell.camera,
+                    size: pixels(rect, ui.pixels_per_point()),
+                    meter: Arc::clone(meter),
+                };
+                ui.painter().add(paint.shape(rect));
+            }
+            let last = place + 1 == cells.len();
+            let legend = picture.legend.as_ref().filter(|_| place == 0);
+            let view = cell
+                .heart
+                .overlay
+                .view(legend, prepared, &cell.camera, rect.height(), last);
+            let builder = UiBuilder::new().max_rect(rect).id_salt(("heart", place));
+            let mut over = ui.new_child(builder);
+            over.set_clip_rect(rect.intersect(ui.clip_rect()));
+            viewport_overlay_ui(&mut over, &view, commands);
+        }
+    }
+}
