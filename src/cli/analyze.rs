@@ -15,7 +15,10 @@ use crate::cli::print::{print, print_json, say};
 use crate::cli::tables;
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
-use crate::engine::{AnalysisRequest, Cache, ExportFile, PoseMapParams, write_files};
+use crate::engine::{
+    AnalysisRequest, Cache, ExportFile, PoseMap, PoseMapParams, metric_words, write_files,
+};
+use crate::io::summary_json;
 use crate::picture::figure::encoded_png;
 use crate::picture::{PictureTheme, Quantity, SceneSettings};
 use crate::study::Study;
@@ -44,17 +47,18 @@ pub(super) fn analyzed(
     let study = opened_study(paths)?;
     let cache = Arc::new(Cache::default());
     let measures = measured(&study, &cache)?;
-    let params = PoseMapParams {
-        method: MapMethod::ClassicalMds,
-        ..PoseMapParams::default()
-    };
-    let outcome = answered(&study, AnalysisRequest::PoseMap(params), &cache)?;
-    let map = outcome
-        .pose_map()
-        .ok_or_else(|| CliError::Unusable("the map of poses is missing".to_owned()))?;
-    let mut files = tables::measure_files(&study, &measures, folder)?;
-    files.extend(tables::map_files(&study, map, folder)?);
-    let mut summary = tables::summary(&study, &measures, map, &params);
+    let mds = mapped(&study, MapMethod::ClassicalMds, &cache)?;
+    let smacof = mapped(&study, MapMethod::Smacof, &cache)?;
+    let mut files = tables::measure_files(&study, &measures, folder);
+    files.push(tables::measures_file(&study, &measures, folder));
+    files.extend(tables::map_files(&study, &mds, &smacof, folder));
+    let mut summary = summary_json(
+        &study,
+        &measures,
+        &mds.distances,
+        &metric_words(&PoseMapParams::default().distances.metric),
+        &[("mds", &mds.embedding), ("smacof", &smacof.embedding)],
+    );
     if with_figures {
         match figures(&study, &measures, folder) {
             Ok(figures) => files.extend(figures),
@@ -76,6 +80,21 @@ pub(super) fn analyzed(
     });
     write_files(&files).map_err(CliError::Unusable)?;
     Ok(summary)
+}
+
+/// The map of all poses; the second one finds the distances of the first in the cache.
+fn mapped(
+    study: &Arc<Study>,
+    method: MapMethod,
+    cache: &Arc<Cache>,
+) -> Result<Arc<PoseMap>, CliError> {
+    let params = PoseMapParams {
+        method,
+        ..PoseMapParams::default()
+    };
+    let outcome = answered(study, AnalysisRequest::PoseMap(params), cache)?;
+    let map = outcome.pose_map().cloned();
+    map.ok_or_else(|| CliError::Unusable("the map of poses is missing".to_owned()))
 }
 
 fn pretty(value: &Value) -> Result<Vec<u8>, CliError> {
@@ -104,7 +123,9 @@ fn figures(
         };
         let mut files = Vec::with_capacity(study.subjects.len());
         for (index, subject) in study.subjects.iter().enumerate() {
-            let measured = measures.get(index).and_then(|measures| measures.end_systole);
+            let measured = measures
+                .get(index)
+                .and_then(|measures| measures.end_systole);
             let last = subject.sequence.frame_count() - 1;
             let systole = measured.or(subject.end_systole).unwrap_or(last).min(last);
             let figure = studio.figure(index, systole, settings, None, FIGURE_SIZE)?;

@@ -127,10 +127,20 @@ pub struct MetricArgs {
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub area_weights: Switch,
     /// Weight of the curvature term in the additive form
-    #[arg(long, value_name = "M", default_value_t = 1.0, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "M",
+        default_value_t = 1.0,
+        allow_negative_numbers = true
+    )]
     pub mu: f64,
     /// Weight of the regulariser
-    #[arg(long, value_name = "L", default_value_t = 1e-4, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "L",
+        default_value_t = 1e-4,
+        allow_negative_numbers = true
+    )]
     pub lambda: f64,
     /// How the regulariser counts vertices
     #[arg(long, value_enum, default_value_t = RegulariserWord::Area)]
@@ -214,7 +224,10 @@ pub struct FigureArgs {
 
 fn size(text: &str) -> Result<[u32; 2], String> {
     use crate::picture::figure::{GREATEST_SIZE, LEAST_SIZE};
-    let sides: Option<Vec<u32>> = text.split(['x', '×']).map(|side| side.parse().ok()).collect();
+    let sides: Option<Vec<u32>> = text
+        .split(['x', '×'])
+        .map(|side| side.parse().ok())
+        .collect();
     match sides.as_deref() {
         Some(&[width, height])
             if (LEAST_SIZE[0]..=GREATEST_SIZE).contains(&width)

@@ -111,7 +111,10 @@ fn rows_of(path: &Path) -> Result<Vec<Vec<f64>>, CliError> {
         for cell in &record {
             let number = cell.parse::<f64>().ok().filter(|number| number.is_finite());
             row.push(number.ok_or_else(|| {
-                wrong(format!("line {}: {cell:?} is not a finite number", line + 1))
+                wrong(format!(
+                    "line {}: {cell:?} is not a finite number",
+                    line + 1
+                ))
             })?);
         }
         if let Some(first) = rows.first().filter(|first| first.len() != row.len()) {
@@ -136,9 +139,14 @@ fn checked_distances(rows: &[Vec<f64>]) -> Result<DistanceMatrix, String> {
     let size = rows.len();
     let width = rows[0].len();
     if width != size {
-        return Err(format!("{size} rows of {width} numbers are not a square matrix"));
+        return Err(format!(
+            "{size} rows of {width} numbers are not a square matrix"
+        ));
     }
-    let largest = rows.iter().flatten().fold(0.0_f64, |most, d| most.max(d.abs()));
+    let largest = rows
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |most, d| most.max(d.abs()));
     let slack = 1e-6 * largest;
     let mut upper = Vec::with_capacity(size * size.saturating_sub(1) / 2);
     for i in 0..size {

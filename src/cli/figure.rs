@@ -32,7 +32,12 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
             frames - 1
         )));
     }
-    let across = [ViewWord::Anterior, ViewWord::Inferior, ViewWord::Septal, ViewWord::Lateral];
+    let across = [
+        ViewWord::Anterior,
+        ViewWord::Inferior,
+        ViewWord::Septal,
+        ViewWord::Lateral,
+    ];
     if subject.anatomy.is_none() && args.view.is_some_and(|view| across.contains(&view)) {
         return Err(CliError::Unusable(format!(
             "the orientation of {} is not known: only the views apex and base can be told",
@@ -72,7 +77,11 @@ fn chosen_subject(study: &Study, id: Option<&str>) -> Result<usize, CliError> {
     };
     study.index_of(id).ok_or_else(|| {
         let some: Vec<&str> = study.subjects.iter().take(8).map(|s| &*s.id).collect();
-        let more = if study.subjects.len() > 8 { ", …" } else { "" };
+        let more = if study.subjects.len() > 8 {
+            ", …"
+        } else {
+            ""
+        };
         CliError::Usage(format!(
             "--subject {id}: there is no such subject; there are {}{more}",
             some.join(", ")

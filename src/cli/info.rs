@@ -52,11 +52,19 @@ fn as_json(opened: &Opened) -> serde_json::Value {
 fn as_text(opened: &Opened) -> String {
     let study = &opened.study;
     let mut lines = Vec::new();
-    let name = if study.name.is_empty() { "study" } else { &study.name };
+    let name = if study.name.is_empty() {
+        "study"
+    } else {
+        &study.name
+    };
     let count = study.subjects.len();
     let plural = if count == 1 { "subject" } else { "subjects" };
     lines.push(format!("{name}: {count} {plural}"));
-    lines.extend(notices(&opened.notices).iter().map(|notice| format!("  {notice}")));
+    lines.extend(
+        notices(&opened.notices)
+            .iter()
+            .map(|notice| format!("  {notice}")),
+    );
     let widest = study.subjects.iter().map(|s| s.id.chars().count()).max();
     let width = widest.unwrap_or(0);
     for subject in &study.subjects {
@@ -70,7 +78,11 @@ fn as_text(opened: &Opened) -> String {
             sequence.face_count(),
             surfaces(subject).join(" + "),
         ));
-        lines.extend(notices(&subject.notices).iter().map(|notice| format!("  {notice}")));
+        lines.extend(
+            notices(&subject.notices)
+                .iter()
+                .map(|notice| format!("  {notice}")),
+        );
     }
     lines.extend(opened.errors.iter().map(|error| format!("error: {error}")));
     lines.join("\n")
@@ -78,7 +90,10 @@ fn as_text(opened: &Opened) -> String {
 
 fn surfaces(subject: &Subject) -> Vec<&'static str> {
     let surfaces = subject.sequence.surfaces();
-    surfaces.iter().map(|surface| surface.kind().name()).collect()
+    surfaces
+        .iter()
+        .map(|surface| surface.kind().name())
+        .collect()
 }
 
 fn notices(notices: &[Notice]) -> Vec<String> {

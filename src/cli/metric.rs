@@ -90,7 +90,9 @@ fn aligned(a: &TriMesh, b: &TriMesh, align: AlignWord) -> Result<Vec<Point3>, Cl
 fn read(path: &Path) -> Result<TriMesh, CliError> {
     let wrong = |reason: String| CliError::Unusable(format!("{reason}: {}", path.display()));
     let limits = Limits::default();
-    let size = std::fs::metadata(path).map_err(|error| wrong(error.to_string()))?.len();
+    let size = std::fs::metadata(path)
+        .map_err(|error| wrong(error.to_string()))?
+        .len();
     if size > limits.file_bytes {
         let most = limits.file_bytes;
         return Err(wrong(format!("{size} bytes; at most {most} are read")));

@@ -16,8 +16,14 @@ const FOLDER: &str = "cardiomorph-report";
 /// for the given reason. Writes tables and figures into a folder and prints its path.
 pub fn run_unseen(reason: &str, paths: &[PathBuf]) -> ExitCode {
     hear_ctrl_c();
-    let what = if paths.is_empty() { "the built-in cohort" } else { "what was given" };
-    say(&format!("cardiomorph: {reason}; analysing {what} without a window"));
+    let what = if paths.is_empty() {
+        "the built-in cohort"
+    } else {
+        "what was given"
+    };
+    say(&format!(
+        "cardiomorph: {reason}; analysing {what} without a window"
+    ));
     exit_code(report(paths))
 }
 

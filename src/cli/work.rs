@@ -83,7 +83,9 @@ impl Meter {
             self.drawn = true;
             let line = bar(watch.phase(), watch.fraction(), watch.time_left());
             let mut out = std::io::stderr().lock();
-            write!(out, "\r\x1b[2K{line}").and_then(|()| out.flush()).ok();
+            write!(out, "\r\x1b[2K{line}")
+                .and_then(|()| out.flush())
+                .ok();
         } else if elapsed >= self.last_line + LINE_EVERY {
             self.last_line = elapsed;
             say(&format!(

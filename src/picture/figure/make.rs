@@ -105,7 +105,9 @@ fn settings(order: &FigureOrder<'_>, content: &FigureContent, camera: &Camera) -
         let unit = legend.unit;
         settings.push((
             "Colour limits",
-            format!("{} to {} {unit}", limits.low, limits.high).trim_end().to_owned(),
+            format!("{} to {} {unit}", limits.low, limits.high)
+                .trim_end()
+                .to_owned(),
         ));
         settings.push(("Colour limits are", legend.note.to_owned()));
     }
