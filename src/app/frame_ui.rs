@@ -156,7 +156,7 @@ fn files_hover_ui(ui: &Ui, state: &State) {
         return;
     }
     let colours = colours(ui);
-    let layer = egui::LayerId::new(egui::Order::Foreground, egui::Id::new("drop"));
+    let layer = egui::LayerId::new(egui::Order::Foreground, egui::Id::unique("drop"));
     let painter = ui.ctx().layer_painter(layer);
     let area = ui.ctx().content_rect();
     painter.rect_filled(area, 0.0, colours.window.gamma_multiply(0.75));

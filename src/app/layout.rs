@@ -77,7 +77,7 @@ impl Default for Layout {
 }
 
 fn tree_id() -> egui::Id {
-    egui::Id::new("tiles")
+    egui::Id::unique("tiles")
 }
 
 fn insert_linear(

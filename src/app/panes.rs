@@ -163,7 +163,7 @@ impl Behavior<PaneTile> for Panes<'_> {
             // The strip itself moves the tile; what stands on it takes its own clicks.
             let mut strip = whole;
             strip.set_height(space::PANE_HEADER);
-            let id = ui.id().with(("strip", tile_id));
+            let id = ui.scope_id().with(("strip", tile_id));
             let grip = ui.interact(strip, id, Sense::click_and_drag());
             if grip.drag_started() {
                 answer = UiResponse::DragStarted;

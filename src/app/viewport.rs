@@ -110,6 +110,20 @@ impl Viewport {
         &self.shown
     }
 
+    /// The camera of a heart on screen, as last drawn; fitted to a square where it never was.
+    pub fn camera(&self, state: &State, shown: &ShownHeart) -> Camera {
+        let look = state.document.look;
+        let fit = self.fits.iter().find(|fit| Arc::ptr_eq(&fit.heart, &shown.heart));
+        let fitted = fit.map_or_else(
+            || {
+                let rotation = look.rotation(&shown.heart.prepared.axes);
+                shown.heart.fitted(rotation, 1.0)
+            },
+            |fit| fit.camera,
+        );
+        look.camera(&shown.heart.frame, fitted)
+    }
+
     /// How hearts are drawn now.
     pub fn settings(&self, state: &State, dark: bool) -> SceneSettings {
         let document = &state.document;

@@ -39,7 +39,7 @@ impl OverlayData {
             };
         }
         let mut parts: Vec<String> = subject.label.iter().cloned().collect();
-        parts.push(format!("frame {frame} of {count}"));
+        parts.push(format!("frame {frame} of 0–{}", count - 1));
         parts.extend(phase.map(str::to_owned));
         Self {
             title: subject.id.clone(),
@@ -74,7 +74,7 @@ impl OverlayData {
 }
 
 /// ED and ES by their usual short names.
-pub fn phase_name(
+fn phase_name(
     (end_diastole, end_systole): (Option<usize>, Option<usize>),
     frame: usize,
 ) -> Option<&'static str> {
