@@ -26,6 +26,8 @@ pub(super) struct Frame<'a> {
     pub occlusion: &'a OcclusionPass,
     pub view: &'a wgpu::BindGroup,
     pub drawn: &'a [Drawn],
+    /// Occlusion of the whole picture found before, in the place of this tile's own.
+    pub kept_occlusion: Option<&'a wgpu::TextureView>,
 }
 
 /// Layers worth taking: a closed wall has four (outer and inner sides, front and back), each further surface may add two.
@@ -47,7 +49,7 @@ impl Frame<'_> {
         let mut draws = 0;
         let opaque_surface = |drawn: &Drawn| drawn.is_surface() && !drawn.translucent;
         draws += self.depth(encoder, &scratch.depth, Some(0.0), opaque_surface);
-        if draws > 0 {
+        if draws > 0 && self.kept_occlusion.is_none() {
             self.occlusion
                 .encode(self.device, encoder, self.view, scratch);
         }
@@ -175,7 +177,9 @@ impl Frame<'_> {
             layout: &self.layouts.occlusion,
             entries: &[wgpu::BindGroupEntry {
                 binding: 2,
-                resource: wgpu::BindingResource::TextureView(&scratch.occlusion[0]),
+                resource: wgpu::BindingResource::TextureView(
+                    self.kept_occlusion.unwrap_or(&scratch.occlusion[0]),
+                ),
             }],
         })
     }

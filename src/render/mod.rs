@@ -12,18 +12,22 @@ mod line_pass;
 mod occlusion_pass;
 mod offscreen;
 mod packing;
+mod pick;
 mod pipelines;
 mod point_pass;
 mod renderer;
 mod scene;
 mod surface_pass;
 mod targets;
+#[cfg(test)]
+mod tests;
 mod uniforms;
 mod uploads;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Projected, Ray};
 pub use offscreen::{Headless, LARGEST_PICTURE, Picture, RenderError};
+pub use pick::{Hit, pick, pick_along};
 pub use renderer::{Counters, Renderer, ViewId};
 pub use scene::{
     ColourLimits, Geometry, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface,

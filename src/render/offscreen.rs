@@ -6,19 +6,14 @@ use std::task::{Context, Poll, Waker};
 
 use super::renderer::{Renderer, ViewId};
 use super::targets::COLOUR;
-use super::uniforms::Tile;
+use super::uniforms::{Shot, Tile};
 use super::uploads::Gpu;
 use super::{Camera, Rgba, Scene};
 
 /// Greatest width and height of a picture, in pixels.
 pub const LARGEST_PICTURE: u32 = 8192;
-/// Greatest side of a piece drawn at once: its textures take up to 400 MB with four samples and translucent layers.
+/// Greatest side of a piece drawn at once: its textures take up to 420 MB with four samples and translucent layers.
 const LARGEST_TILE: u32 = 2560;
-/// Occlusion looks this share of the picture's height around each pixel (occlusion.wgsl bounds it), so
-/// tiles overlap by it, and by a few pixels of blur.
-const OCCLUSION_MARGIN: f32 = 0.06;
-const BLUR_MARGIN: u32 = 16;
-
 /// Why there is no picture.
 #[derive(Debug, thiserror::Error)]
 pub enum RenderError {
@@ -156,21 +151,36 @@ impl Headless {
             height,
             rgba: vec![0; width as usize * height as usize * 4],
         };
-        for (tile, kept) in tiles([width, height], self.largest_tile) {
-            let rows = self.draw(scene, camera, tile, pixels_per_point)?;
-            keep(&mut picture, &rows, tile, kept, scene.background);
+        let whole = [width, height];
+        let shot = |tile, occlusion_of| Shot {
+            tile,
+            pixels_per_point,
+            occlusion_of,
+        };
+        if whole.iter().all(|&side| side <= self.largest_tile) {
+            let rows = self.draw(scene, camera, shot(Tile::all(whole), None))?;
+            keep(&mut picture, &rows, Tile::all(whole), scene.background);
+            return Ok(picture);
+        }
+        // Occlusion looks far around each pixel: it is found once for the whole, on a smaller picture.
+        let small = smaller(whole, self.largest_tile);
+        self.draw(scene, camera, shot(Tile::all(small), None))?;
+        self.renderer.keep_occlusion(small);
+        for tile in tiles(whole, self.largest_tile) {
+            let rows = self.draw(scene, camera, shot(tile, Some(small)))?;
+            keep(&mut picture, &rows, tile, scene.background);
         }
         Ok(picture)
     }
 
+    /// Gives the device and queue away.
+    #[cfg(test)]
+    pub(super) fn into_gpu(self) -> (wgpu::Device, wgpu::Queue) {
+        (self.device, self.queue)
+    }
+
     /// Draws one tile and reads it back: premultiplied rows without gaps.
-    fn draw(
-        &mut self,
-        scene: &Scene,
-        camera: &Camera,
-        tile: Tile,
-        pixels_per_point: f32,
-    ) -> Result<Vec<u8>, RenderError> {
+    fn draw(&mut self, scene: &Scene, camera: &Camera, shot: Shot) -> Result<Vec<u8>, RenderError> {
         let mut encoder = self
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -179,41 +189,82 @@ impl Headless {
             queue: &self.queue,
         };
         let view = ViewId::default();
-        self.renderer.draw_tile(
-            gpu,
-            &mut encoder,
-            view,
-            scene,
-            camera,
-            tile,
-            pixels_per_point,
-        );
+        self.renderer
+            .draw(gpu, &mut encoder, view, (scene, camera), shot);
         let Some(texture) = self.renderer.picture(view) else {
             return Err(RenderError::ReadBack("nothing was drawn".into()));
         };
-        let [width, height] = tile.size;
-        let row = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
-        let buffer = self.device.create_buffer(&wgpu::BufferDescriptor {
-            label: Some("read back"),
-            size: u64::from(row) * u64::from(height),
-            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
-            mapped_at_creation: false,
-        });
-        encoder.copy_texture_to_buffer(
-            texture.as_image_copy(),
-            wgpu::TexelCopyBufferInfo {
-                buffer: &buffer,
-                layout: wgpu::TexelCopyBufferLayout {
-                    offset: 0,
-                    bytes_per_row: Some(row),
-                    rows_per_image: None,
-                },
-            },
-            texture.size(),
-        );
-        self.queue.submit([encoder.finish()]);
-        read_rows(&self.device, &buffer, row as usize, width as usize * 4)
+        let texture = texture.clone();
+        read_back(&self.device, &self.queue, encoder, &texture)
     }
+
+    /// What a window of this format shows of a picture, for tests of the way through `prepare` and `blit`.
+    #[cfg(test)]
+    pub(super) fn blitted(
+        &mut self,
+        scene: &Scene,
+        camera: &Camera,
+        width: u32,
+        height: u32,
+        format: wgpu::TextureFormat,
+    ) -> Result<Picture, RenderError> {
+        let (device, queue) = (&self.device, &self.queue);
+        let mut renderer = Renderer::new(device, format);
+        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        let view = ViewId(3);
+        let size = [width, height];
+        renderer.prepare(device, queue, &mut encoder, view, scene, camera, size, 1.0);
+        let window = super::targets::window(device, size, format);
+        let target = window.create_view(&wgpu::TextureViewDescriptor::default());
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &target,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations::default(),
+            })],
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        renderer.blit(&mut pass, view);
+        drop(pass);
+        let rgba = read_back(device, queue, encoder, &window)?;
+        Ok(Picture {
+            width,
+            height,
+            rgba,
+        })
+    }
+}
+
+/// Submits the work and fetches a texture of four bytes a pixel: rows without gaps.
+fn read_back(
+    device: &wgpu::Device,
+    queue: &wgpu::Queue,
+    mut encoder: wgpu::CommandEncoder,
+    texture: &wgpu::Texture,
+) -> Result<Vec<u8>, RenderError> {
+    let (width, height) = (texture.width(), texture.height());
+    let row = (width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("read back"),
+        size: u64::from(row) * u64::from(height),
+        usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+        mapped_at_creation: false,
+    });
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout {
+                offset: 0,
+                bytes_per_row: Some(row),
+                rows_per_image: None,
+            },
+        },
+        texture.size(),
+    );
+    queue.submit([encoder.finish()]);
+    read_rows(device, &buffer, row as usize, width as usize * 4)
 }
 
 fn read_rows(
@@ -245,40 +296,35 @@ fn read_rows(
         .collect())
 }
 
-/// Tiles that cover a picture, each with the part of the whole picture (first and last + 1) that is kept of it.
-///
-/// They start at even pixels, so that two-by-two blocks (half-size occlusion, derivatives) fall alike.
-fn tiles(whole: [u32; 2], largest: u32) -> Vec<(Tile, [[u32; 2]; 2])> {
-    if whole.iter().all(|&side| side <= largest) {
-        return vec![(Tile::all(whole), [[0, 0], whole])];
-    }
-    let reach = (OCCLUSION_MARGIN * whole[1] as f32).ceil() as u32 + BLUR_MARGIN;
-    // At least half of a tile is new, or small tiles would be all margin.
-    let margin = reach.min(largest / 4).next_multiple_of(2);
-    let step = (largest - 2 * margin) & !1;
+/// Tiles that cover a picture. They start at even pixels, so that the two-by-two blocks of derivatives fall alike.
+fn tiles(whole: [u32; 2], largest: u32) -> Vec<Tile> {
+    let step = (largest & !1).max(2);
+    let starts = |side: u32| (0..side).step_by(step as usize);
     let mut tiles = Vec::new();
-    for y in (0..whole[1]).step_by(step as usize) {
-        for x in (0..whole[0]).step_by(step as usize) {
-            let kept = [[x, y], [(x + step).min(whole[0]), (y + step).min(whole[1])]];
-            let first = kept[0].map(|n| n.saturating_sub(margin));
-            let end = [0, 1].map(|axis: usize| (kept[1][axis] + margin).min(whole[axis]));
-            let size = [end[0] - first[0], end[1] - first[1]];
-            tiles.push((Tile { whole, first, size }, kept));
+    for y in starts(whole[1]) {
+        for x in starts(whole[0]) {
+            let first = [x, y];
+            let size = [0, 1].map(|axis: usize| step.min(whole[axis] - first[axis]));
+            tiles.push(Tile { whole, first, size });
         }
     }
     tiles
 }
 
-/// Copies what is kept of a tile into the picture, over the background.
-fn keep(picture: &mut Picture, rows: &[u8], tile: Tile, kept: [[u32; 2]; 2], background: Rgba) {
-    let [[x0, y0], [x1, y1]] = kept;
-    for y in y0..y1 {
-        let from = ((y - tile.first[1]) * tile.size[0] + (x0 - tile.first[0])) as usize * 4;
-        let to = (y as usize * picture.width as usize + x0 as usize) * 4;
-        let length = (x1 - x0) as usize * 4;
-        let source = rows[from..from + length].as_chunks::<4>().0;
-        let target = picture.rgba[to..to + length].as_chunks_mut::<4>().0;
-        for (target, source) in target.iter_mut().zip(source) {
+/// A size of the same shape whose longer side is `largest`.
+fn smaller(whole: [u32; 2], largest: u32) -> [u32; 2] {
+    let longest = u64::from(whole[0].max(whole[1]));
+    whole.map(|side| (u64::from(side) * u64::from(largest) / longest).max(1) as u32)
+}
+
+/// Copies a tile into the picture, over the background.
+fn keep(picture: &mut Picture, rows: &[u8], tile: Tile, background: Rgba) {
+    let row = tile.size[0] as usize * 4;
+    for (y, source) in rows.chunks_exact(row).enumerate() {
+        let first = (tile.first[1] as usize + y) * picture.width as usize + tile.first[0] as usize;
+        let target = &mut picture.rgba[first * 4..first * 4 + row];
+        let pixels = target.as_chunks_mut::<4>().0.iter_mut();
+        for (target, source) in pixels.zip(source.as_chunks::<4>().0) {
             *target = over_background(*source, background);
         }
     }
@@ -317,9 +363,11 @@ mod tests {
     fn tiles_cover_every_pixel_once_and_are_no_larger_than_allowed() {
         for (whole, largest) in [([301, 77], 64), ([64, 64], 64), ([1000, 1000], 300)] {
             let mut covered = vec![0; (whole[0] * whole[1]) as usize];
-            for (tile, [[x0, y0], [x1, y1]]) in tiles(whole, largest) {
+            for tile in tiles(whole, largest) {
                 assert!(tile.size.iter().all(|&side| side <= largest));
                 assert!(tile.first.iter().all(|first| first % 2 == 0));
+                let [x0, y0] = tile.first;
+                let [x1, y1] = [x0 + tile.size[0], y0 + tile.size[1]];
                 for (y, x) in (y0..y1).flat_map(|y| (x0..x1).map(move |x| (y, x))) {
                     covered[(y * whole[0] + x) as usize] += 1;
                 }

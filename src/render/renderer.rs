@@ -10,7 +10,7 @@ use super::occlusion_pass::OcclusionPass;
 use super::pipelines::{Layouts, Pipelines, Stage};
 use super::surface_pass::Nothing;
 use super::targets::{Resolved, Scratch};
-use super::uniforms::{Tile, UNIFORM_STRIDE, ViewUniform};
+use super::uniforms::{Shot, Tile, UNIFORM_STRIDE, ViewUniform};
 use super::uploads::{Gpu, Uploads};
 use super::{Camera, Scene, line_pass, point_pass, surface_pass};
 
@@ -30,7 +30,7 @@ pub struct Counters {
 }
 
 /// Reach of ambient occlusion as a share of the radius of all opaque surfaces.
-const OCCLUSION_REACH: f32 = 0.16;
+const OCCLUSION_REACH: f32 = 0.30;
 /// Shared textures of a size that no view used for so many redraws are let go.
 const SCRATCH_KEPT_REDRAWS: u64 = 64;
 
@@ -38,8 +38,7 @@ const SCRATCH_KEPT_REDRAWS: u64 = 64;
 struct Shown {
     scene: Scene,
     camera: Camera,
-    tile: Tile,
-    pixels_per_point: f32,
+    shot: Shot,
 }
 
 struct View {
@@ -61,6 +60,7 @@ pub struct Renderer {
     uploads: Uploads,
     scratch: Vec<Scratch>,
     views: HashMap<ViewId, View>,
+    kept_occlusion: Option<wgpu::TextureView>,
     redraws: u64,
     draws: u64,
 }
@@ -77,6 +77,7 @@ impl Renderer {
             uploads: Uploads::default(),
             scratch: Vec::new(),
             views: HashMap::new(),
+            kept_occlusion: None,
             redraws: 0,
             draws: 0,
             layouts,
@@ -102,18 +103,19 @@ impl Renderer {
         pixels_per_point: f32,
     ) -> bool {
         let most = device.limits().max_texture_dimension_2d;
-        let tile = Tile::all(size.map(|n| n.clamp(1, most)));
+        let shot = Shot {
+            tile: Tile::all(size.map(|n| n.clamp(1, most))),
+            pixels_per_point,
+            occlusion_of: None,
+        };
         let unchanged = self.views.get(&view).and_then(|view| view.shown.as_ref());
         if unchanged.is_some_and(|shown| {
-            shown.camera == *camera
-                && shown.tile == tile
-                && shown.pixels_per_point == pixels_per_point
-                && same_scene(&shown.scene, scene)
+            shown.camera == *camera && shown.shot == shot && same_scene(&shown.scene, scene)
         }) {
             return false;
         }
         let gpu = Gpu { device, queue };
-        self.draw_tile(gpu, encoder, view, scene, camera, tile, pixels_per_point);
+        self.draw(gpu, encoder, view, (scene, camera), shot);
         true
     }
 
@@ -143,26 +145,32 @@ impl Renderer {
         self.views.get(&view).map(|view| &view.resolved.texture)
     }
 
-    #[expect(
-        clippy::too_many_arguments,
-        reason = "one more than `prepare`, with the tile in place of the size"
-    )]
-    pub(super) fn draw_tile(
+    /// Keeps the occlusion of the last picture of this size for shots that name it, until the next picture in pieces.
+    pub(super) fn keep_occlusion(&mut self, size: [u32; 2]) {
+        let scratch = self.scratch.iter().position(|scratch| scratch.size == size);
+        self.kept_occlusion = scratch.map(|place| {
+            let scratch = self.scratch.swap_remove(place);
+            let [found, _] = scratch.occlusion;
+            found
+        });
+    }
+
+    /// Draws whatever was drawn before.
+    pub(super) fn draw(
         &mut self,
         gpu: Gpu<'_>,
         encoder: &mut wgpu::CommandEncoder,
         id: ViewId,
-        scene: &Scene,
-        camera: &Camera,
-        tile: Tile,
-        pixels_per_point: f32,
+        (scene, camera): (&Scene, &Camera),
+        shot: Shot,
     ) {
+        let (tile, pixels_per_point) = (shot.tile, shot.pixels_per_point);
         let count = scene.surfaces.len() + scene.lines.len() + scene.points.len();
         let mut view = self.view(gpu.device, id, tile, count);
         let (drawn, blocks, reach) =
             self.collect(gpu, scene, pixels_per_point, &view.draw_uniforms);
         gpu.queue.write_buffer(&view.draw_uniforms, 0, &blocks);
-        let uniform = ViewUniform::new(camera, tile, pixels_per_point, reach);
+        let uniform = ViewUniform::new(camera, shot, reach, scene.background);
         gpu.queue
             .write_buffer(&view.view_uniform, 0, bytemuck::bytes_of(&uniform));
         self.blit.set_background(gpu, &view.blit, scene.background);
@@ -175,6 +183,10 @@ impl Renderer {
             occlusion: &self.occlusion,
             view: &view.view_group,
             drawn: &drawn,
+            kept_occlusion: self
+                .kept_occlusion
+                .as_ref()
+                .filter(|_| shot.occlusion_of.is_some()),
         };
         self.draws += frame.encode(encoder, &mut scratch, &view.resolved.view);
         self.redraws += 1;
@@ -186,8 +198,7 @@ impl Renderer {
         view.shown = Some(Shown {
             scene: scene.clone(),
             camera: *camera,
-            tile,
-            pixels_per_point,
+            shot,
         });
         self.views.insert(id, view);
     }

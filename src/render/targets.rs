@@ -65,6 +65,17 @@ impl Resolved {
     }
 }
 
+/// What stands for a window in tests.
+#[cfg(test)]
+pub(super) fn window(
+    device: &wgpu::Device,
+    size: [u32; 2],
+    format: wgpu::TextureFormat,
+) -> wgpu::Texture {
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
+    texture(device, size, format, 1, usage)
+}
+
 fn target(
     device: &wgpu::Device,
     size: [u32; 2],

@@ -3,7 +3,7 @@
 use bytemuck::{Pod, Zeroable};
 
 use super::uploads::{GeometryUpload, ScalarsUpload};
-use super::{Camera, Shading, Surface, SurfaceColour};
+use super::{Camera, Rgba, Shading, Surface, SurfaceColour};
 
 /// Draw uniforms lie this far apart: the largest alignment that WebGPU allows a device to ask for.
 pub(super) const UNIFORM_STRIDE: u64 = 256;
@@ -30,6 +30,34 @@ impl Tile {
     }
 }
 
+/// What is taken of a scene: which part, how dense, and where its occlusion comes from.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Shot {
+    pub tile: Tile,
+    /// Physical pixels per logical pixel.
+    pub pixels_per_point: f32,
+    /// Size of the smaller picture of the whole whose occlusion is used; `None` to find it anew for this tile.
+    pub occlusion_of: Option<[u32; 2]>,
+}
+
+impl Shot {
+    /// Occlusion texels per pixel, and the place of the first texel. A texel stands for the first of two pixels,
+    /// whose middle is at 0.5.
+    fn occlusion_place(&self) -> [f32; 4] {
+        match self.occlusion_of {
+            None => {
+                let [x, y] = self.tile.first.map(|n| n as f32 + 0.5);
+                [0.5, 0.5, x, y]
+            }
+            Some(small) => {
+                let scale = |axis: usize| small[axis] as f32 / self.tile.whole[axis] as f32;
+                let (x, y) = (scale(0), scale(1));
+                [0.5 * x, 0.5 * y, 0.5 / x, 0.5 / y]
+            }
+        }
+    }
+}
+
 /// `struct View` of common.wgsl.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
@@ -40,10 +68,12 @@ pub(super) struct ViewUniform {
     crop: [f32; 4],
     size: [f32; 4],
     options: [f32; 4],
+    occlusion: [f32; 4],
 }
 
 impl ViewUniform {
-    pub fn new(camera: &Camera, tile: Tile, pixels_per_point: f32, occlusion_reach: f32) -> Self {
+    pub fn new(camera: &Camera, shot: Shot, occlusion_reach: f32, background: Rgba) -> Self {
+        let tile = shot.tile;
         let [width, height] = tile.whole.map(|n| n as f32);
         let (scale, depth) = camera.lens(width / height);
         let parallel = f32::from(u8::from(camera.is_parallel()));
@@ -62,13 +92,20 @@ impl ViewUniform {
             crop: [scale_x, scale_y, shift_x, shift_y],
             size: [width, height, tile.first[0] as f32, tile.first[1] as f32],
             options: [
-                pixels_per_point,
+                shot.pixels_per_point,
                 occlusion_reach,
                 f32::from(u8::from(occlusion_reach > 0.0)),
-                0.0,
+                f32::from(u8::from(is_dark(background))),
             ],
+            occlusion: shot.occlusion_place(),
         }
     }
+}
+
+/// Whether light edges stand out better than dark ones; a transparent background counts as light, as paper is.
+fn is_dark([r, g, b, a]: Rgba) -> bool {
+    // Luma of Rec. 709 on encoded values, against mid grey.
+    a > 0.5 && 0.2126 * r + 0.7152 * g + 0.0722 * b < 0.5
 }
 
 /// `struct Surface` of surface.wgsl.
@@ -177,7 +214,12 @@ mod tests {
             first: [40, 20],
             size: [20, 30],
         };
-        let view = ViewUniform::new(&camera, tile, 1.0, 0.0);
+        let shot = Shot {
+            tile,
+            pixels_per_point: 1.0,
+            occlusion_of: None,
+        };
+        let view = ViewUniform::new(&camera, shot, 0.0, [1.0; 4]);
         // Pixel (45, 41) of the whole is pixel (5, 21) of the tile.
         let whole = [45.0 / 50.0 - 1.0, 1.0 - 41.0 / 30.0];
         let part = [5.0 / 10.0 - 1.0, 1.0 - 21.0 / 15.0];

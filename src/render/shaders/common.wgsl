@@ -11,8 +11,10 @@ struct View {
     crop: vec4<f32>,
     // x, y: size of the whole picture in pixels; z, w: this tile's first pixel in it.
     size: vec4<f32>,
-    // x: physical pixels per logical pixel; y: reach of occlusion in world lengths; z: 1 if occlusion is there.
+    // x: physical pixels per logical pixel; y: reach of occlusion in world lengths; z: 1 if occlusion is there; w: 1 over a dark background, 0 over a light one.
     options: vec4<f32>,
+    // x, y: occlusion texels per pixel of the whole picture; z, w: the pixel where its first texel lies.
+    occlusion: vec4<f32>,
 }
 
 @group(0) @binding(0) var<uniform> view: View;

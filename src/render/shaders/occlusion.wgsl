@@ -58,8 +58,8 @@ fn fs_gather(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
     let along_y = step_along(texel, here, distance, vec2<i32>(0, -1));
     let normal = normalize(cross(along_x, along_y));
     let reach = view.options.y;
-    // Half-size texels; at most 6 % of the picture's height, which bounds both cost and tile margins.
-    let reach_texels = min(0.5 * reach / pixel_length(distance), 0.03 * view.size.y);
+    // Half-size texels; at most 12 % of the picture's height, which keeps neighbours' reads close together.
+    let reach_texels = min(0.5 * reach / pixel_length(distance), 0.06 * view.size.y);
     // A pattern of 4 x 4 turns, removed by the 4 x 4 blur.
     let global = texel + vec2<i32>(view.size.zw * 0.5);
     let turn = f32(((global.x & 3) * 4 + ((global.y & 3) * 5 & 3) + ((global.x >> 1) & 1)) & 15) / 16.0;
@@ -79,7 +79,7 @@ fn fs_gather(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
         let fade = max(1.0 - apart / (reach * reach), 0.0);
         sum += fade * rise / sqrt(apart + 1e-4 * reach * reach);
     }
-    let open = clamp(1.0 - 1.9 * sum / f32(SAMPLES), 0.0, 1.0);
+    let open = clamp(1.0 - 2.6 * sum / f32(SAMPLES), 0.0, 1.0);
     return vec4<f32>(open, distance, 0.0, 0.0);
 }
 

@@ -1,4 +1,4 @@
-// Reads the half-size occlusion at a full-size pixel, from the four nearest texels of like depth.
+// Reads the smaller occlusion at a full-size pixel, from the four nearest texels of like depth.
 
 @group(2) @binding(2) var occlusion_map: texture_2d<f32>;
 
@@ -7,7 +7,7 @@ fn occlusion_at(pixel: vec2<f32>, distance: f32) -> f32 {
         return 1.0;
     }
     let size = vec2<i32>(textureDimensions(occlusion_map));
-    let place = pixel * 0.5 - 0.25;
+    let place = (pixel + view.size.zw - view.occlusion.zw) * view.occlusion.xy;
     let first = floor(place);
     let share = place - first;
     var sum = 0.0;

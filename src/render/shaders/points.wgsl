@@ -37,10 +37,8 @@ fn vs_disc(@builtin(vertex_index) i: u32, @location(0) centre: vec3<f32>, @locat
 }
 
 @fragment
-fn fs_peel(in: Varying, @builtin(sample_index) sample: u32) {
-    if taken_or_hidden(in.clip, sample) {
-        discard;
-    }
+fn fs_peel(in: Varying) -> @builtin(sample_mask) u32 {
+    return samples_left(in.clip);
 }
 
 @fragment

@@ -116,10 +116,8 @@ fn covered(d: f32, width: f32) -> f32 {
 }
 
 @fragment
-fn fs_peel(in: Varying, @builtin(sample_index) sample: u32) {
-    if taken_or_hidden(in.clip, sample) {
-        discard;
-    }
+fn fs_peel(in: Varying) -> @builtin(sample_mask) u32 {
+    return samples_left(in.clip);
 }
 
 @fragment
@@ -152,7 +150,7 @@ fn fs_colour(in: Varying) -> @location(0) vec4<f32> {
     }
     var light_base = linear_of(base);
     if from_inside && !by_numbers {
-        light_base *= vec3<f32>(0.80, 0.70, 0.70);
+        light_base *= vec3<f32>(0.74, 0.60, 0.60);
     }
     let translucent = surface.colour.a < 1.0;
     let open_to_light = select(occlusion_at(in.clip.xy, eye_distance(in.q)), 1.0, translucent);
@@ -161,13 +159,17 @@ fn fs_colour(in: Varying) -> @location(0) vec4<f32> {
     var colour = srgb_of(lit);
     var opacity = surface.colour.a;
     if translucent {
-        let edge = 1.0 - facing;
-        opacity = mix(opacity, 1.0, 0.72 * edge * edge * edge);
-        opacity = clamp(opacity * select(1.0, 0.8, from_inside), 0.0, 1.0);
+        // A thin film seen aslant is longer to pass: Beer and Lambert give 1 - (1 - a)^(1 / cos).
+        opacity = 1.0 - pow(1.0 - opacity, 1.0 / max(facing, 0.14));
     }
     let ppp = view.options.x;
     let rim_line = covered(rim_pixels, 2.6 * ppp) * surface.options.y;
-    colour = mix(colour, colour * 0.25, rim_line);
+    // Dark on opaque surfaces; on films the side away from the background, as the edge of glass shows.
+    let rim_colour = select(colour * 0.25, mix(colour * 0.45, mix(colour, vec3<f32>(1.0), 0.45), view.options.w), translucent);
+    colour = mix(colour, rim_colour, rim_line);
+    if translucent {
+        opacity = mix(opacity, 1.0, 0.5 * rim_line);
+    }
     if surface.options.x > 0.0 {
         let d = min(corner_pixels.x, min(corner_pixels.y, corner_pixels.z));
         let edge = covered(d, surface.options.x * ppp) * surface.wire.a;
