@@ -11,6 +11,8 @@ mod obj;
 mod open;
 mod opened;
 mod ply;
+mod report_csv;
+mod report_json;
 mod stl;
 #[cfg(test)]
 mod tests;
@@ -26,5 +28,7 @@ pub use obj::write_obj;
 pub use open::{looks_openable, open_paths};
 pub use opened::{OpenError, Opened};
 pub use ply::write_ply;
+pub use report_csv::{distances_csv, frames_csv, poses_csv, subjects_csv};
+pub use report_json::{subjects_json, summary_json};
 pub use vtp::{write_pvd, write_vtp};
 pub use write_study::{MeshFormat, WriteStudyError, write_study};

@@ -4,12 +4,14 @@ mod canvas;
 mod content;
 mod cube;
 mod layout;
+mod make;
 mod picture_file;
 mod text;
 
 pub use canvas::Canvas;
 pub use content::{FigureContent, FigureSubject};
 pub use layout::{FigureFrame, drawn_figure};
+pub use make::{Figure, FigureOrder, FigureView, rendered_figure};
 pub use picture_file::{FigureSettings, encoded_png};
 pub use text::{FigureFonts, FontError, Weight};
 
