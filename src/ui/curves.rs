@@ -138,7 +138,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
     let colours = colours(ui);
     let painter = ui.painter();
     let grid = Stroke::new(line::THIN, colours.grid);
-    let rows = ((plot.area.height() / 30.0) as usize).clamp(2, 10);
+    let rows = ((plot.area.height() / 34.0) as usize).clamp(2, 10);
     for tick in linear_ticks(plot.low, plot.high, rows) {
         let y = plot.y(tick);
         painter.hline(plot.area.x_range(), y, grid);
@@ -165,7 +165,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
         Some(beat) => (beat, "ms"),
         None => (100.0, "% R-R"),
     };
-    let columns = ((plot.area.width() / 70.0) as usize).clamp(2, 6);
+    let columns = ((plot.area.width() / 80.0) as usize).clamp(2, 6);
     for tick in linear_ticks(0.0, end, columns) {
         let x = plot.x(tick / end);
         if x < plot.area.right() - 46.0 {

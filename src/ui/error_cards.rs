@@ -23,12 +23,17 @@ pub struct ErrorCard {
     pub retry: Option<JobKind>,
 }
 
+/// Height of the bars at the foot of the window.
+const BARS: f32 = 116.0;
+
 /// Draws the cards over the lower right corner of `ui.max_rect()`, latest lowest.
 pub fn error_cards_ui(ui: &mut Ui, cards: &[ErrorCard], commands: &mut Vec<Command>) {
     if cards.is_empty() {
         return;
     }
-    let room = ui.max_rect().shrink(space::LARGE);
+    let mut room = ui.max_rect().shrink(space::LARGE);
+    // Over the whole window the cards stay clear of the time bar and the status bar.
+    room.max.y = room.max.y.min(ui.ctx().content_rect().bottom() - BARS);
     let width = 380f32.min(room.width());
     Area::new(ui.scope_id().with("error cards"))
         .order(Order::Foreground)

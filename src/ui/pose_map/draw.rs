@@ -241,6 +241,9 @@ pub fn legend_ui(ui: &mut Ui, view: &PoseMapView, height: f32) {
             }
         },
         |ui| {
+            if ui.available_width() < 80.0 {
+                return;
+            }
             let text = if view.left_out.is_empty() { "axes have no unit" } else { view.left_out };
             let what = "Only distances between points mean something: they stand for the distances \
                         between poses. Filled marks are end-diastole, open ones end-systole.";

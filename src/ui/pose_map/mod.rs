@@ -266,7 +266,7 @@ fn over_map_ui(ui: &mut Ui, view: &PoseMapView, rect: Rect, commands: &mut Vec<C
             } => {
                 progress_bar_ui(
                     ui,
-                    (width - 220.0).max(30.0),
+                    (width - 190.0).max(30.0),
                     *fraction,
                     "Computing the map",
                 );
