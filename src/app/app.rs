@@ -195,6 +195,7 @@ impl App {
         }
         if let_go && !pointer_held {
             self.state.history.end_drag();
+            give_keyboard_back(ctx);
         }
     }
 
@@ -216,7 +217,7 @@ impl App {
                 path,
             ),
             Effect::WriteTables(folder) => {
-                export::write_tables(&mut self.background.engine, &mut self.state, folder);
+                export::write_tables(&mut self.background.engine, &self.state, folder);
             }
             Effect::Stop(kind) => self.background.stop(kind),
             Effect::Retry(kind) => self.background.retry(&self.state, kind),
@@ -255,6 +256,16 @@ impl App {
         if state.play.playing {
             ctx.request_repaint();
         }
+    }
+}
+
+/// After a click the keys belong to the window again, unless the click went into a text: Space
+/// plays and arrows step frames whatever was clicked before.
+fn give_keyboard_back(ctx: &Context) {
+    if !ctx.text_edit_focused()
+        && let Some(focused) = ctx.memory(|memory| memory.focused())
+    {
+        ctx.memory_mut(|memory| memory.surrender_focus(focused));
     }
 }
 

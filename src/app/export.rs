@@ -1,9 +1,14 @@
 //! Writes what is on screen: a figure of the 3D view, all tables as files.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::engine::{Engine, ExportFile};
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::pose_distances::PoseDistanceParams;
+use crate::engine::{
+    AnalysisRequest, Cache, Engine, ExportFile, PoseMapParams, metric_words, run,
+};
+use crate::io::{distances_csv, frames_csv, poses_csv, subjects_csv, summary_json};
 use crate::picture::figure::{
     FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,
     encoded_png,
@@ -11,6 +16,7 @@ use crate::picture::figure::{
 use crate::picture::{PictureTheme, SceneSettings, subject_scene};
 use crate::progress::Progress;
 use crate::render::{Camera, Headless};
+use crate::study::Study;
 
 use super::pictures::Heart;
 use super::play::pose_at;
@@ -141,7 +147,66 @@ fn drawn(figure: &Figure, progress: &Progress) -> Result<Vec<u8>, String> {
     encoded_png(&canvas, &figure.words).map_err(|error| error.to_string())
 }
 
-/// Writes all tables into a folder, off the window's thread.
-pub fn write_tables(engine: &mut Engine, state: &mut State, folder: PathBuf) {
-    let _ = (engine, state, folder);
+/// Writes all tables into a folder, off the window's thread: what `analyze` writes, with the
+/// metric that the map on screen has.
+pub fn write_tables(engine: &mut Engine, state: &State, folder: PathBuf) {
+    let study = Arc::clone(state.document.study());
+    if study.subjects.is_empty() {
+        return;
+    }
+    let distances = state.document.map.distances;
+    let words = metric_words(&distances.metric);
+    engine.start_export("Tables", words, move |progress| {
+        tables(&study, distances, &folder, progress)
+    });
+}
+
+fn tables(
+    study: &Study,
+    distances: PoseDistanceParams,
+    folder: &Path,
+    progress: &Progress,
+) -> Result<Vec<ExportFile>, String> {
+    let cache = Cache::default();
+    let answer = |request: AnalysisRequest| {
+        run(study, &request, &cache, progress).map_err(|error| error.to_string())
+    };
+    let map = |method| {
+        let request = AnalysisRequest::PoseMap(PoseMapParams { distances, method });
+        let outcome = answer(request)?;
+        outcome
+            .pose_map()
+            .cloned()
+            .ok_or_else(|| "the map of poses is missing".to_owned())
+    };
+    let measures = answer(AnalysisRequest::Measures)?;
+    let measures = measures
+        .measures()
+        .ok_or_else(|| "the measures are missing".to_owned())?;
+    let mds = map(MapMethod::ClassicalMds)?;
+    let smacof = map(MapMethod::Smacof)?;
+    let poses = &mds.distances.poses;
+    let summary = summary_json(
+        study,
+        measures,
+        &mds.distances,
+        &metric_words(&distances.metric),
+        &[("mds", &mds.embedding), ("smacof", &smacof.embedding)],
+    );
+    let summary = serde_json::to_string_pretty(&summary).map_err(|error| error.to_string())?;
+    let tables = [
+        ("measures.csv", subjects_csv(study, measures)),
+        ("frames.csv", frames_csv(study, measures)),
+        ("distances.csv", distances_csv(study, &mds.distances)),
+        ("poses_mds.csv", poses_csv(study, poses, &mds.embedding)),
+        ("poses_smacof.csv", poses_csv(study, poses, &smacof.embedding)),
+        ("summary.json", summary + "\n"),
+    ];
+    Ok(tables
+        .into_iter()
+        .map(|(name, text)| ExportFile {
+            path: folder.join(name),
+            bytes: text.into_bytes(),
+        })
+        .collect())
 }

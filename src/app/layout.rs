@@ -19,7 +19,7 @@ pub const PANES: [(Pane, &str); 6] = [
 const COLUMN_SHARES: [f32; 3] = [0.175, 0.53, 0.295];
 
 /// Shares of the right column's height: map, measures, curves.
-const RIGHT_SHARES: [f32; 3] = [0.53, 0.20, 0.27];
+const RIGHT_SHARES: [f32; 3] = [0.46, 0.265, 0.275];
 
 /// A pane that can be written into a saved layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -19,6 +19,7 @@ mod look;
 mod map_orientation;
 mod paint;
 mod panes;
+mod pick_label;
 mod pictures;
 mod play;
 mod settings;

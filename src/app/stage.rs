@@ -10,8 +10,11 @@ use super::state::State;
 /// Room between cells, in points.
 const GAP: f32 = 1.0;
 
-/// The width by height that a heart fills best: cells of a grid come as near to it as they can.
-const BEST_ASPECT: f32 = 0.95;
+/// Width by height of a left ventricle in the first view, by which a grid chooses its columns.
+const BEST_ASPECT: f32 = 0.68;
+
+/// Room above a grid for the subject's name, and below for colour bar, scale and cube.
+const GRID_MARGINS: [f32; 2] = [58.0, 84.0];
 
 /// One heart on the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -58,7 +61,13 @@ pub fn on_stage(state: &State) -> Vec<OnStage> {
 pub fn places(mode: ViewMode, area: Rect, count: usize) -> Vec<Rect> {
     match mode {
         _ if count <= 1 => vec![area; count],
-        ViewMode::AllPhases => grid(area, columns(area, count), count),
+        ViewMode::AllPhases => {
+            let [above, below] = GRID_MARGINS.map(|margin| margin.min(0.2 * area.height()));
+            let mut inner = area;
+            inner.min.y += above;
+            inner.max.y -= below;
+            grid(inner, columns(inner, count), count)
+        }
         _ => grid(area, count, count),
     }
 }

@@ -3,20 +3,27 @@
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
-use egui::{Rect, Response, Role, Sense, Ui, UiBuilder, WidgetInfo};
+use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
-use crate::picture::{CohortLimits, PictureTheme, SceneSettings, subject_scene};
+use crate::picture::{CohortLimits, ColourLegend, PictureTheme, SceneSettings, subject_scene};
 use crate::render::{Camera, ViewId};
 use crate::study::Subject;
+use crate::ui::theme::{colours, line, radius, type_size};
 use crate::ui::{Command, ViewMode, viewport_overlay_ui};
 
 use super::camera_drag::camera_command;
 use super::paint::{HeartPaint, pixels};
+use super::pick_label::{Picked, picked, picked_ui};
 use super::pictures::{Heart, Pictures};
 use super::play::pose_at;
 use super::stage::{on_stage, places};
 use super::state::State;
-use super::views::OverlayData;
+use super::views::{OverlayData, phase_name};
+
+/// Room left and right, above and below a fitted heart, in points: name and scale stand there.
+const ROOM: [f32; 2] = [24.0, 46.0];
+/// The same in a grid, whose names stand above it.
+const GRID_ROOM: [f32; 2] = [8.0, 10.0];
 
 /// A heart on screen: it stays until the next one is ready.
 #[derive(Clone)]
@@ -47,6 +54,7 @@ pub struct Viewport {
     mode: ViewMode,
     limits: CohortLimits,
     fits: Vec<Fit>,
+    pinned: Option<Picked>,
     has_device: bool,
 }
 
@@ -171,7 +179,21 @@ impl Viewport {
             .collect();
         commands.extend(camera_command(ui, &response, state, &cells));
         commands.extend(self.click_command(&response, &cells));
-        self.draw(ui, state, &cells, meter, commands);
+        let settings = self.settings(state, ui.visuals().dark_mode);
+        let (hovered, clicked) = pointed(&response, state, &cells, &settings);
+        let legend = self.draw(ui, &settings, &cells, meter);
+        self.overlays_ui(ui, state, &cells, (area, legend.as_ref()), commands);
+        let quantity = state.document.quantity;
+        let pinned = match clicked {
+            Some(now) => now,
+            None => self.pinned.clone(),
+        };
+        for picked in hovered.iter().chain(&pinned) {
+            for cell in cells.iter().filter(|cell| picked.is_on(cell)) {
+                picked_ui(ui, cell, picked, quantity);
+            }
+        }
+        self.pinned = pinned;
     }
 
     /// A camera for every heart on screen. Hearts beside each other have one scale.
@@ -184,7 +206,7 @@ impl Viewport {
             .zip(&rects)
             .map(|(heart, rect)| {
                 let rotation = look.rotation(&heart.prepared.axes);
-                self.fitted(heart, rotation, rect.aspect_ratio())
+                self.fitted(heart, rotation, *rect)
             })
             .collect();
         let greatest = fitted
@@ -201,7 +223,22 @@ impl Viewport {
             .collect()
     }
 
-    fn fitted(&mut self, heart: &Arc<Heart>, rotation: glam::Quat, aspect: f32) -> Camera {
+    /// A camera that fits a heart into a cell, with room around it for name, scale and cube.
+    fn fitted(&mut self, heart: &Arc<Heart>, rotation: glam::Quat, rect: Rect) -> Camera {
+        let room = if self.mode == ViewMode::AllPhases {
+            GRID_ROOM
+        } else {
+            ROOM.map(|room| room.min(0.12 * rect.height()))
+        };
+        let inner = (rect.size() - egui::vec2(2.0 * room[0], 2.0 * room[1])).max(egui::Vec2::splat(1.0));
+        let camera = self.tightly_fitted(heart, rotation, inner.x / inner.y);
+        Camera {
+            half_height: camera.half_height * rect.height().max(1.0) / inner.y,
+            ..camera
+        }
+    }
+
+    fn tightly_fitted(&mut self, heart: &Arc<Heart>, rotation: glam::Quat, aspect: f32) -> Camera {
         let found = self.fits.iter().find(|fit| {
             Arc::ptr_eq(&fit.heart, heart)
                 && fit.world_from_camera == rotation
@@ -233,41 +270,114 @@ impl Viewport {
         (self.mode == ViewMode::AllPhases).then_some(Command::SetPosition(cell.heart.position))
     }
 
+    /// Hands the hearts to our renderer; returns what the colours mean.
     fn draw(
+        &self,
+        ui: &Ui,
+        settings: &SceneSettings,
+        cells: &[Cell],
+        meter: &Arc<AtomicU64>,
+    ) -> Option<ColourLegend> {
+        let mut legend = None;
+        for (place, cell) in cells.iter().enumerate() {
+            let prepared = &cell.heart.heart.prepared;
+            let pose = pose_at(cell.heart.position, prepared.frame_count);
+            let picture = subject_scene(prepared, settings, pose);
+            legend = legend.or(picture.legend);
+            if !self.has_device {
+                continue;
+            }
+            let paint = HeartPaint {
+                view: ViewId(place as u32),
+                views: cells.len() as u32,
+                scene: picture.scene,
+                camera: cell.camera,
+                size: pixels(cell.rect, ui.pixels_per_point()),
+                meter: Arc::clone(meter),
+            };
+            ui.painter().add(paint.shape(cell.rect));
+        }
+        legend
+    }
+
+    fn overlays_ui(
         &self,
         ui: &mut Ui,
         state: &State,
         cells: &[Cell],
-        meter: &Arc<AtomicU64>,
+        (area, legend): (Rect, Option<&ColourLegend>),
         commands: &mut Vec<Command>,
     ) {
-        let settings = self.settings(state, ui.visuals().dark_mode);
-        for (place, cell) in cells.iter().enumerate() {
-            let prepared = &cell.heart.heart.prepared;
-            let pose = pose_at(cell.heart.position, prepared.frame_count);
-            let picture = subject_scene(prepared, &settings, pose);
-            let rect = cell.rect;
-            if self.has_device {
-                let paint = HeartPaint {
-                    view: ViewId(place as u32),
-                    views: cells.len() as u32,
-                    scene: picture.scene,
-                    camera: cell.camera,
-                    size: pixels(rect, ui.pixels_per_point()),
-                    meter: Arc::clone(meter),
-                };
-                ui.painter().add(paint.shape(rect));
-            }
-            let last = place + 1 == cells.len();
-            let legend = picture.legend.as_ref().filter(|_| place == 0);
-            let view = cell
-                .heart
-                .overlay
-                .view(legend, prepared, &cell.camera, rect.height(), last);
+        let whole_beat = self.mode == ViewMode::AllPhases;
+        let shown = if whole_beat { &cells[..cells.len().min(1)] } else { cells };
+        for (place, cell) in shown.iter().enumerate() {
+            let rect = if whole_beat { area } else { cell.rect };
+            let last = place + 1 == shown.len();
+            let legend = legend.filter(|_| place == 0);
+            let view = cell.heart.overlay.view(
+                legend,
+                &cell.heart.heart.prepared,
+                &cell.camera,
+                cell.rect.height(),
+                last,
+            );
             let builder = UiBuilder::new().max_rect(rect).id_salt(("heart", place));
             let mut over = ui.new_child(builder);
             over.set_clip_rect(rect.intersect(ui.clip_rect()));
             viewport_overlay_ui(&mut over, &view, commands);
+            if place > 0 {
+                let line = Stroke::new(line::THIN, colours(ui).line);
+                ui.painter().vline(rect.left(), rect.y_range(), line);
+            }
         }
+        if whole_beat {
+            for cell in cells {
+                frame_label(ui, state, cell);
+            }
+        }
+    }
+}
+
+/// The vertex under a resting pointer, and the vertex that was clicked: `Some(None)` where a
+/// click met nothing. While the beat plays or the heart turns, nothing is looked for.
+fn pointed(
+    response: &Response,
+    state: &State,
+    cells: &[Cell],
+    settings: &SceneSettings,
+) -> (Option<Picked>, Option<Option<Picked>>) {
+    let at = |place: Option<egui::Pos2>| {
+        let place = place?;
+        let cell = cells.iter().find(|cell| cell.rect.contains(place))?;
+        picked(cell, settings, place)
+    };
+    let clicked = response
+        .clicked()
+        .then(|| at(response.interact_pointer_pos()));
+    let quiet = !state.play.playing && !response.dragged();
+    let hovered = quiet.then(|| at(response.hover_pos())).flatten();
+    (hovered, clicked)
+}
+
+/// The number of a frame over its heart in the grid of all phases; the one that the time bar
+/// stands on is marked.
+fn frame_label(ui: &Ui, state: &State, cell: &Cell) {
+    let frame = cell.heart.position as usize;
+    let phase = phase_name(state.phases_of(cell.heart.index), frame);
+    let text = match phase {
+        Some(phase) => format!("{frame} · {phase}"),
+        None => frame.to_string(),
+    };
+    let colours = colours(ui);
+    let here = state.document.subject == cell.heart.index && state.document.frame() == frame;
+    let colour = if here { colours.selection } else { colours.muted };
+    let at = cell.rect.left_top() + egui::vec2(10.0, 4.0);
+    let font = egui::FontId::proportional(type_size::NOTE);
+    ui.painter().text(at, egui::Align2::LEFT_TOP, text, font, colour);
+    if here {
+        let rect = cell.rect.shrink(2.0);
+        let stroke = Stroke::new(line::THIN, colours.selection);
+        let radius = f32::from(radius::CONTROL);
+        ui.painter().rect_stroke(rect, radius, stroke, egui::StrokeKind::Inside);
     }
 }

@@ -5,3 +5,4 @@ mod panels;
 mod real_data;
 mod real_mesh_files;
 mod robustness;
+mod window;

@@ -14,6 +14,6 @@ pub use cohort_view::{CohortData, visible_subjects};
 pub use header_view::viewport_header_view;
 pub use map_view::MapData;
 pub use menu_view::{action_state, menu_bar_view};
-pub use overlay_view::{OverlayData};
+pub use overlay_view::{OverlayData, phase_name};
 pub use report_view::report_entries;
 pub use status_view::{StatusData, activity_rows};

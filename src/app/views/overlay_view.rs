@@ -22,7 +22,7 @@ pub struct OverlayData {
 }
 
 impl OverlayData {
-    /// Names a heart; in the grid of all phases, its frame.
+    /// Names a heart; in the grid of all phases, the whole beat.
     pub fn of(state: &State, cell: &OnStage) -> Self {
         let Some(subject) = state.subject(cell.subject) else {
             return Self::default();
@@ -31,9 +31,10 @@ impl OverlayData {
         let frame = nearest_frame(cell.position, count);
         let phase = phase_name(state.phases_of(cell.subject), frame);
         if state.document.view_mode == ViewMode::AllPhases {
+            let label = subject.label.as_deref().unwrap_or("no label");
             return Self {
-                title: format!("Frame {frame}"),
-                subtitle: phase.unwrap_or_default().to_owned(),
+                title: subject.id.clone(),
+                subtitle: format!("{label} · all {count} frames"),
                 role: state.document.study().role(subject),
                 between: false,
             };
@@ -74,7 +75,7 @@ impl OverlayData {
 }
 
 /// ED and ES by their usual short names.
-fn phase_name(
+pub fn phase_name(
     (end_diastole, end_systole): (Option<usize>, Option<usize>),
     frame: usize,
 ) -> Option<&'static str> {
