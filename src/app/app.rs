@@ -307,11 +307,9 @@ impl eframe::App for App {
         if !self.queue.is_empty() {
             ui.ctx().request_repaint();
         }
-        if !self.viewport.shown().is_empty() {
-            self.times.picture_shown();
-        }
-        if self.state.map().is_some() {
-            self.times.map_shown();
+        let picture = !self.viewport.shown().is_empty();
+        if self.times.drawn(picture, self.state.map().is_some()) {
+            ui.ctx().request_repaint();
         }
         self.times.add(begin.elapsed());
     }

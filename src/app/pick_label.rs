@@ -55,12 +55,6 @@ impl Picked {
         Arc::ptr_eq(&self.heart, &cell.heart.heart)
     }
 
-    /// Whether both are the same vertex.
-    pub fn is(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.heart, &other.heart)
-            && (self.role, self.vertex) == (other.role, other.vertex)
-    }
-
     /// Surface, vertex and number with its unit: `endocardium · vertex 812 · 7.3 mm`.
     pub fn words(&self, quantity: Quantity, pose: GeometryPose) -> String {
         let prepared = &self.heart.prepared;

@@ -17,13 +17,42 @@ const LOOK_BACK: usize = 240;
 pub struct Times {
     started: Instant,
     print: bool,
-    first_picture: Option<Duration>,
-    finished_map: Option<Duration>,
+    first_picture: Moment,
+    finished_map: Moment,
     /// Added to by the paint callback, which runs after `ui`.
     prepare_ns: Arc<AtomicU64>,
     this_frame: Duration,
     playing_frames: VecDeque<Duration>,
     playing_count: usize,
+}
+
+/// Something that is on screen once, from the frame after the one that drew it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Moment {
+    #[default]
+    Ahead,
+    Drawn,
+    Seen,
+}
+
+impl Moment {
+    /// It was drawn; whether this was the first time.
+    fn draw(&mut self) -> bool {
+        let first = *self == Self::Ahead;
+        if first {
+            *self = Self::Drawn;
+        }
+        first
+    }
+
+    /// A frame begins, so the one before was handed to the screen; whether it is seen now first.
+    fn see(&mut self) -> bool {
+        let now = *self == Self::Drawn;
+        if now {
+            *self = Self::Seen;
+        }
+        now
+    }
 }
 
 /// Processor time per frame while playing.
@@ -43,8 +72,8 @@ impl Times {
         Self {
             started,
             print: std::env::var_os(SWITCH).is_some_and(|value| !value.is_empty() && value != "0"),
-            first_picture: None,
-            finished_map: None,
+            first_picture: Moment::Ahead,
+            finished_map: Moment::Ahead,
             prepare_ns: Arc::default(),
             this_frame: Duration::ZERO,
             playing_frames: VecDeque::with_capacity(LOOK_BACK),
@@ -59,6 +88,13 @@ impl Times {
 
     /// A frame begins: takes in the one before.
     pub fn begin_frame(&mut self, playing: bool) {
+        let elapsed_s = self.started.elapsed().as_secs_f64();
+        if self.first_picture.see() {
+            self.say(&format!("first picture after {elapsed_s:.3} s"));
+        }
+        if self.finished_map.see() {
+            self.say(&format!("finished map after {elapsed_s:.3} s"));
+        }
         let prepare = Duration::from_nanos(self.prepare_ns.swap(0, Ordering::Relaxed));
         let frame = std::mem::take(&mut self.this_frame) + prepare;
         if !playing || frame.is_zero() {
@@ -79,22 +115,11 @@ impl Times {
         self.this_frame += part;
     }
 
-    /// A heart is on screen.
-    pub fn picture_shown(&mut self) {
-        if self.first_picture.is_none() {
-            let elapsed = self.started.elapsed();
-            self.first_picture = Some(elapsed);
-            self.say(&format!("first picture after {:.3} s", elapsed.as_secs_f64()));
-        }
-    }
-
-    /// The map is on screen.
-    pub fn map_shown(&mut self) {
-        if self.finished_map.is_none() {
-            let elapsed = self.started.elapsed();
-            self.finished_map = Some(elapsed);
-            self.say(&format!("finished map after {:.3} s", elapsed.as_secs_f64()));
-        }
+    /// What this frame draws; whether another frame is needed to tell when it was seen.
+    pub fn drawn(&mut self, picture: bool, map: bool) -> bool {
+        let picture = picture && self.first_picture.draw();
+        let map = map && self.finished_map.draw();
+        (picture || map) && self.print
     }
 
     /// Processor time of the latest frames while playing; `None` before any.

@@ -1,0 +1,93 @@
+//! Pictures of the main window in both themes, compared with golden ones.
+//!
+//! The referee is Mesa's software Vulkan driver (llvmpipe), on which pictures are the same bit for
+//! bit. On any other adapter the comparison is wide: it sees a missing heart or pane, not a pixel.
+//! Record again with `UPDATE_SNAPSHOTS=1 cargo test --test it golden`, and look at the result.
+
+use std::io::Write;
+use std::time::{Duration, Instant};
+
+use cardiomorph::app::{App, AppOptions};
+use cardiomorph::render::Headless;
+use cardiomorph::study::built_in::BuiltInParams;
+use cardiomorph::ui::{Command, ThemeChoice, ViewMode};
+use egui_kittest::{Harness, SnapshotOptions};
+
+/// The adapter that pictures are drawn with; `None`, with a message, if there is none.
+fn adapter() -> Option<String> {
+    match Headless::new() {
+        Ok(headless) => Some(headless.adapter_name().to_owned()),
+        Err(error) => {
+            writeln!(std::io::stderr(), "golden pictures are skipped: {error}").ok();
+            None
+        }
+    }
+}
+
+fn tolerance(adapter: &str) -> SnapshotOptions {
+    if adapter.contains("llvmpipe") {
+        // Text is the same everywhere; edges of 3D surfaces may move by a rounding between
+        // versions of the driver.
+        SnapshotOptions::new().threshold(0.6).max_failed_pixels(60)
+    } else {
+        writeln!(
+            std::io::stderr(),
+            "golden pictures are compared loosely: {adapter} is not the referee"
+        )
+        .ok();
+        SnapshotOptions::new()
+            .threshold(6.0)
+            .max_failed_pixels(60_000)
+    }
+}
+
+fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
+    let Some(adapter) = adapter() else {
+        return;
+    };
+    let options = AppOptions::built_in(BuiltInParams {
+        vertices: 1_000,
+        ..BuiltInParams::default()
+    });
+    let mut harness: Harness<'_, App> = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .with_max_steps(64)
+        .with_options(tolerance(&adapter))
+        .wgpu()
+        .build_eframe(move |cc| App::new(cc, options).unwrap());
+    harness.state_mut().push(Command::SetTheme(theme));
+    harness.state_mut().push(Command::SetViewMode(mode));
+    let begin = Instant::now();
+    while harness.state().state().map().is_none()
+        || harness.state().hearts_on_screen().is_empty()
+        || harness.state().busy()
+    {
+        assert!(begin.elapsed() < Duration::from_secs(60), "no map");
+        harness.step();
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    harness.state_mut().push(Command::SelectPose {
+        subject: 11,
+        frame: 3,
+        play: false,
+    });
+    harness.remove_cursor();
+    harness.run();
+    while harness.state().hearts_on_screen()[0] != (11, 3.0) {
+        assert!(begin.elapsed() < Duration::from_secs(60), "no heart");
+        harness.step();
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    harness.run();
+    harness.snapshot(name);
+}
+
+#[test]
+fn the_dark_window_looks_as_it_did() {
+    compare("window_dark", ThemeChoice::Dark, ViewMode::Single);
+}
+
+#[test]
+fn the_light_window_looks_as_it_did() {
+    compare("window_light", ThemeChoice::Light, ViewMode::SideBySide);
+}
