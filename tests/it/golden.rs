@@ -56,7 +56,6 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
         .wgpu()
         .build_eframe(move |cc| App::new(cc, options).unwrap());
     harness.state_mut().push(Command::SetTheme(theme));
-    harness.state_mut().push(Command::SetViewMode(mode));
     let begin = Instant::now();
     while harness.state().state().map().is_none()
         || harness.state().hearts_on_screen().is_empty()
@@ -71,9 +70,10 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
         frame: 3,
         play: false,
     });
+    harness.state_mut().push(Command::SetViewMode(mode));
     harness.remove_cursor();
     harness.run();
-    while harness.state().hearts_on_screen()[0] != (11, 3.0) {
+    while harness.state().busy() || harness.state().hearts_on_screen()[0] != (11, 3.0) {
         assert!(begin.elapsed() < Duration::from_secs(60), "no heart");
         harness.step();
         std::thread::sleep(Duration::from_millis(5));
