@@ -1,6 +1,7 @@
 //! Cardiomorph reads how a left ventricle moves. Rooms below, lowest floor first.
 #![doc = include_str!("ARCHITECTURE.md")]
 
+pub mod numeric;
 pub mod progress;
 pub mod units;
 

@@ -1,1 +1,43 @@
 //! The window's door: state, commands, undo, and the glue between engine, panels and renderer.
+
+mod app;
+mod apply;
+mod apply_beat;
+#[cfg(test)]
+mod apply_tests;
+mod apply_view;
+mod apply_window;
+mod background;
+mod camera_drag;
+mod dialogs;
+mod document;
+mod errors;
+mod export;
+mod frame_ui;
+mod layout;
+mod look;
+mod map_orientation;
+mod paint;
+mod panes;
+mod pick_label;
+mod pictures;
+mod play;
+mod settings;
+mod stage;
+mod start;
+mod state;
+#[cfg(test)]
+mod testing;
+mod times;
+mod undo;
+mod viewport;
+mod views;
+
+pub use app::{App, AppOptions};
+pub use background::Background;
+pub use document::{Document, OpeningReport, StudyRef, Visibility};
+pub use look::{Direction, HeartFrame, Look};
+pub use play::PlayClock;
+pub use start::{StartError, run_window};
+pub use state::{Fresh, Results, Sheets, State};
+pub use undo::{Gesture, History};

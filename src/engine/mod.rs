@@ -1,11 +1,31 @@
 //! Runs requests on a study: jobs, slots, the cache of results. The only room that starts threads.
 
+mod activity;
+mod cache;
+#[expect(
+    clippy::module_inception,
+    reason = "the room's main type carries the room's name"
+)]
+mod engine;
+mod export;
+#[cfg(test)]
+mod facade_tests;
 mod job;
+mod open;
 mod request;
+mod run;
 mod slot;
 mod workers;
 
-pub use job::{Job, JobError, Wake};
-pub use request::{AnalysisError, AnalysisOutcome, AnalysisRequest, PoseMap, PoseMapParams};
+pub use activity::{Activity, ActivityLog, ActivityState, WorkKind};
+pub use cache::Cache;
+pub use engine::Engine;
+pub use export::{ExportFile, write_files};
+pub use job::{Ending, Job, JobError, JobWatch, Wake};
+pub use open::{OpenSource, open};
+pub use request::{
+    AnalysisError, AnalysisOutcome, AnalysisRequest, PoseMap, PoseMapParams, metric_words,
+};
+pub use run::run;
 pub use slot::{Showing, Slot};
-pub use workers::Workers;
+pub use workers::{Workers, configure_threads};

@@ -54,6 +54,14 @@ pub enum ReadMeshError {
         /// What is wrong there.
         reason: String,
     },
+    /// A part of a structured file is wrong, whose line cannot be told: `accessors[3]`…
+    #[error("{item}: {reason}")]
+    InItem {
+        /// Its path in the file.
+        item: String,
+        /// What is wrong there.
+        reason: String,
+    },
     /// What was read is not a mesh.
     #[error(transparent)]
     Mesh(#[from] MeshError),

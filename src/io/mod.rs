@@ -1,9 +1,34 @@
 //! Bytes to study and results to files, one file per format, both ways.
 
+mod binary_cursor;
+mod csv_mesh;
+mod detect;
+mod gltf_file;
 mod limits;
+mod mesh_draft;
 mod mesh_file;
+mod obj;
+mod open;
 mod opened;
+mod ply;
+mod report_csv;
+mod report_json;
+mod stl;
+#[cfg(test)]
+mod tests;
+mod text_lines;
+mod vtk_legacy;
+mod vtp;
+mod write_study;
 
+pub use detect::{mesh_file_endings, read_mesh, read_mesh_with_siblings};
 pub use limits::Limits;
 pub use mesh_file::{MeshFile, ReadMeshError};
+pub use obj::write_obj;
+pub use open::{looks_openable, open_paths};
 pub use opened::{OpenError, Opened};
+pub use ply::write_ply;
+pub use report_csv::{distances_csv, frames_csv, poses_csv, subjects_csv};
+pub use report_json::{subjects_json, summary_json};
+pub use vtp::{write_pvd, write_vtp};
+pub use write_study::{MeshFormat, WriteStudyError, write_study};

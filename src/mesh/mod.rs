@@ -1,11 +1,19 @@
 //! One triangle mesh at one instant: connectivity, positions, and what can be measured on them.
 
+mod capping;
+mod components;
+mod curvature;
 mod faces;
+mod measure;
 mod normals;
 pub mod phantom;
 mod tri_mesh;
 
+pub use capping::CappedSheet;
+pub use components::{Sheet, SheetError, sheets};
+pub use curvature::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
 pub use faces::{Edge, Faces, MeshError};
+pub use measure::{area, bounding_box, signed_volume, winding_number};
 pub use normals::{face_normals, vertex_normals};
 pub use tri_mesh::TriMesh;
 

@@ -1,9 +1,34 @@
 //! Turns a plain scene into pixels, in a window or in a picture file; knows nothing of hearts.
 
+mod blit_pass;
+mod bounds;
+mod cache;
 mod camera;
+mod camera_moves;
+mod drawn;
+mod frame;
+mod identity;
+mod line_pass;
+mod occlusion_pass;
+mod offscreen;
+mod packing;
+mod pick;
+mod pipelines;
+mod point_pass;
+mod renderer;
 mod scene;
+mod surface_pass;
+mod targets;
+#[cfg(test)]
+mod tests;
+mod uniforms;
+mod uploads;
 
-pub use camera::Camera;
+pub use bounds::Bounds;
+pub use camera::{Camera, Projected, Ray};
+pub use offscreen::{Headless, LARGEST_PICTURE, Picture, RenderError};
+pub use pick::{Hit, pick, pick_along};
+pub use renderer::{Counters, Renderer, ViewId};
 pub use scene::{
     ColourLimits, Geometry, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface,
     SurfaceColour, VertexScalars, Wireframe,

@@ -1,6 +1,7 @@
 //! What the user opened: subjects, their beating surfaces, the cardiac cycle and the anatomy.
 
 mod anatomy;
+pub mod built_in;
 mod cardiac_cycle;
 pub mod checks;
 mod label;

@@ -148,6 +148,8 @@ pub enum Command {
     SetShading(Shading),
     /// What colours stand for.
     SetQuantity(Quantity),
+    /// The next thing that colours can stand for.
+    NextQuantity,
     /// Typed limits of the colours; `None` goes back to the fixed range.
     SetColourLimits(Option<[f64; 2]>),
     /// How poses are compared and mapped.

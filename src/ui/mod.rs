@@ -1,5 +1,62 @@
 //! Panels, plots and widgets: they draw prepared views and push commands.
 
+mod about;
+mod action_state;
+mod actions;
+mod activity;
+mod beat_axis;
+mod cohort_rows;
+mod cohort_table;
 mod command;
+mod command_palette;
+mod controls;
+mod curves;
+mod empty_state;
+mod error_cards;
+mod fuzzy;
+mod load_report;
+mod marks;
+mod measures_card;
+mod menu_bar;
+mod nice_numbers;
+mod normal_ranges;
+mod pose_map;
+mod shortcut_sheet;
+mod shortcuts;
+mod status_bar;
+mod style;
+pub mod theme;
+mod time_bar;
+mod viewport_header;
+mod viewport_overlay;
 
+pub use about::about_ui;
+pub use action_state::ActionState;
+pub use actions::{ACTIONS, Action, Menu};
+pub use activity::{WorkItem, WorkState, activity_ui};
+pub use beat_axis::BeatAxis;
+pub use cohort_rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
+pub use cohort_table::{CohortView, cohort_table_ui};
 pub use command::{AnatomicalView, Command, JobKind, Pane, ThemeChoice, ViewMode};
+pub use command_palette::{CommandPaletteView, command_palette_ui};
+pub use controls::{empty_pane_ui, pane_header_ui, tab_ui};
+pub use curves::{Curve, CurveKind, CurvesView, curves_ui};
+pub use empty_state::{EmptyStateView, empty_state_ui};
+pub use error_cards::{ErrorCard, error_cards_ui};
+pub use load_report::{ReportSubject, load_report_ui};
+pub use marks::role_name;
+pub use measures_card::{MeasuresView, measures_card_ui};
+pub use menu_bar::{MenuBarView, menu_bar_ui};
+pub use pose_map::{
+    MapPoint, MapState, MapSubject, PoseMapView, PosePhase, pose_map_choosers_ui,
+    pose_map_header_ui, pose_map_ui,
+};
+pub use shortcut_sheet::shortcut_sheet_ui;
+pub use shortcuts::{claim_tab, pressed_commands, shortcut_text};
+pub use status_bar::{StatusBarView, StatusJob, status_bar_ui};
+pub use style::{apply, choose, install};
+pub use time_bar::{TimeBarView, time_bar_ui};
+pub use viewport_header::{ViewportHeaderView, quantity_name, viewport_header_ui};
+pub use viewport_overlay::{
+    ColourBarView, CubeView, ScaleBarView, ViewportOverlayView, viewport_overlay_ui,
+};

@@ -1,1 +1,8 @@
 //! The doors of the program, tried from outside: one binary, one module per door.
+
+mod oracles;
+mod panels;
+mod real_data;
+mod real_mesh_files;
+mod robustness;
+mod window;

@@ -1,5 +1,16 @@
 //! Where do items lie on a map that keeps their distances?
 
+mod classical;
+mod embed;
+mod orientation;
+mod pca;
 mod result;
+mod smacof;
+mod stress;
 
+pub use classical::classical_mds;
+pub use embed::{EmbeddingError, embed};
+pub use pca::pca;
 pub use result::{Embedding, MapMethod};
+pub use smacof::{CheckedSmacofParams, SmacofParamError, SmacofParams, smacof};
+pub use stress::{kruskal_stress, raw_stress};

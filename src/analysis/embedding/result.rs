@@ -19,8 +19,8 @@ pub struct Embedding {
     pub coordinates: Vec<f64>,
     /// Kruskal's stress 1, √(Σ(d − δ)² / Σδ²) over pairs, δ the given distances.
     pub stress: Option<f64>,
-    /// All eigenvalues of classical scaling, descending; negative ones show that the distances
-    /// are not Euclidean.
+    /// Eigenvalues of classical scaling, descending, all of them for up to 512 items; negative ones
+    /// show that the distances are not Euclidean. Of principal components: the variances.
     pub eigenvalues: Option<Vec<f64>>,
     /// Majorisation steps done.
     pub iterations: Option<usize>,

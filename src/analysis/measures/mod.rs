@@ -1,5 +1,15 @@
 //! How large is the ventricle, and how much of its blood does a beat expel?
+//!
+//! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.1.1.
 
+mod inner_side;
+mod measure;
 mod result;
+#[cfg(test)]
+mod tests;
+mod volumes;
 
+pub use inner_side::InnerSideError;
+pub use measure::{measure_study, measure_subject, untold_volumes};
 pub use result::{FrameMeasures, PhaseSource, SubjectMeasures};
+pub use volumes::UntoldVolume;

@@ -84,6 +84,42 @@ impl Default for MetricParams {
     }
 }
 
+/// Settings that have been checked; read them like the fields of [`MetricParams`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CheckedMetricParams(MetricParams);
+
+impl std::ops::Deref for CheckedMetricParams {
+    type Target = MetricParams;
+
+    fn deref(&self) -> &MetricParams {
+        &self.0
+    }
+}
+
+/// Rings past which an average spans any heart; each ring costs a pass over all edges.
+const MOST_RINGS: u32 = 100;
+
+impl MetricParams {
+    /// Makes settings usable.
+    ///
+    /// # Errors
+    /// If μ or λ is negative or not finite, or there are more than 100 rings.
+    pub fn check(self) -> Result<CheckedMetricParams, ParamError> {
+        for (name, value) in [("mu", self.mu), ("lambda", self.lambda)] {
+            if !(value.is_finite() && value >= 0.0) {
+                return Err(ParamError::Weight { name, value });
+            }
+        }
+        if self.curvature_rings > MOST_RINGS {
+            return Err(ParamError::Rings {
+                rings: self.curvature_rings,
+                most: MOST_RINGS,
+            });
+        }
+        Ok(CheckedMetricParams(self))
+    }
+}
+
 /// Why settings cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ParamError {
@@ -94,5 +130,13 @@ pub enum ParamError {
         name: &'static str,
         /// What it was.
         value: f64,
+    },
+    /// Averages over so many rings are not computed.
+    #[error("curvature is averaged over at most {most} rings, not {rings}")]
+    Rings {
+        /// What was asked for.
+        rings: u32,
+        /// The limit.
+        most: u32,
     },
 }

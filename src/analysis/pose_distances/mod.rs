@@ -1,7 +1,9 @@
 //! How far is every pose of every heart from every other?
 
+mod matrix;
 mod params;
 mod result;
 
-pub use params::PoseDistanceParams;
+pub use matrix::pose_distances;
+pub use params::{CheckedPoseDistanceParams, PoseDistanceParams};
 pub use result::{DistanceMatrix, LeftOut, PoseDistances, PoseId};

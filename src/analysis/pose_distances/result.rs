@@ -26,9 +26,25 @@ pub struct DistanceMatrix {
 }
 
 impl DistanceMatrix {
-    /// From d₀₁, d₀₂, …, d₁₂, …: n(n−1)/2 values. `None` if the count is another.
+    /// From d₀₁, d₀₂, …, d₁₂, …: n(n−1)/2 values. `None` if the count is another, or a distance
+    /// is negative or not finite.
     pub fn from_upper(size: usize, upper: Vec<f64>) -> Option<Self> {
-        (upper.len() == size * size.saturating_sub(1) / 2).then_some(Self { size, upper })
+        let fits = upper.len() == size * size.saturating_sub(1) / 2;
+        let distances = upper.iter().all(|d| d.is_finite() && *d >= 0.0);
+        (fits && distances).then_some(Self { size, upper })
+    }
+
+    /// No rows.
+    pub fn empty() -> Self {
+        Self {
+            size: 0,
+            upper: Vec::new(),
+        }
+    }
+
+    /// d(i, i+1), d(i, i+2), …: what row `i` holds to the right of the diagonal.
+    pub fn row_right_of_diagonal(&self, i: usize) -> &[f64] {
+        &self.upper[i * self.size - i * (i + 1) / 2..][..self.size - i - 1]
     }
 
     /// Number of rows.
@@ -74,6 +90,10 @@ mod tests {
         assert_eq!(matrix.get(2, 1), 4.0);
         assert_eq!(matrix.get(3, 2), 6.0);
         assert_eq!(matrix.get(2, 2), 0.0);
+        assert_eq!(matrix.row_right_of_diagonal(1), [4.0, 5.0]);
+        assert!(matrix.row_right_of_diagonal(3).is_empty());
         assert!(DistanceMatrix::from_upper(4, vec![0.0; 5]).is_none());
+        assert!(DistanceMatrix::from_upper(2, vec![f64::NAN]).is_none());
+        assert!(DistanceMatrix::from_upper(2, vec![-1.0]).is_none());
     }
 }

@@ -1,0 +1,205 @@
+//! Classical scaling: the coordinates whose inner products come nearest to those the distances imply.
+
+use rayon::prelude::*;
+
+use crate::analysis::pose_distances::DistanceMatrix;
+use crate::numeric::{Eigen, leading_eigen, symmetric_eigen};
+use crate::progress::{Progress, Stopped};
+
+use super::orientation::oriented;
+use super::{Embedding, EmbeddingError, kruskal_stress};
+
+/// Items up to which all eigenvalues are computed (some 40 ms); past it, only the leading ones.
+const MOST_FOR_ALL: usize = 512;
+/// Eigenvalues given at least where not all are.
+const LEAST_LEADING: usize = 10;
+
+/// Classical (Torgerson) scaling.
+///
+/// With B = −½ J D² J, J = 1 − 11ᵀ/n: coordinates are √λₖ vₖ for the largest eigenvalues λ of B;
+/// axes with λ ≤ 0 are zero. Exact where distances are Euclidean in `dimensions`; negative eigenvalues
+/// tell that they are not Euclidean at all. All eigenvalues are given for up to 512 items, at
+/// least the 10 leading ones otherwise.
+///
+/// Axis k has its entry of largest size positive, so that equal distances give the same map.
+///
+/// Source: Borg and Groenen, *Modern Multidimensional Scaling*, 2nd ed., section 12.1.
+///
+/// # Errors
+/// If stopped, or eigenvalues do not converge.
+pub fn classical_mds(
+    distances: &DistanceMatrix,
+    dimensions: usize,
+    progress: &Progress,
+) -> Result<Embedding, EmbeddingError> {
+    let items = distances.size();
+    progress.step()?;
+    // In units of the largest distance: squares of very large or small ones stay representable.
+    let unit = distances.upper().iter().fold(0.0_f64, |m, &d| m.max(d));
+    let eigen = if unit == 0.0 {
+        Eigen {
+            values: vec![0.0; items],
+            vectors: vec![vec![0.0; items]; dimensions.min(items)],
+        }
+    } else if items <= MOST_FOR_ALL {
+        symmetric_eigen(items, &doubly_centred(distances, unit))?
+    } else {
+        let centred = CentredSquares::new(distances, unit);
+        leading_eigen(items, dimensions.max(LEAST_LEADING), |x, out| {
+            centred.product(x, out, progress)
+        })?
+    };
+    let mut coordinates = vec![0.0; items * dimensions];
+    for (axis, (value, vector)) in eigen.values.iter().zip(&eigen.vectors).enumerate() {
+        if axis == dimensions {
+            break;
+        }
+        let length = unit * value.max(0.0).sqrt();
+        for (item, entry) in vector.iter().enumerate() {
+            coordinates[item * dimensions + axis] = length * entry;
+        }
+    }
+    let mut map = Embedding {
+        dimensions,
+        coordinates: oriented(coordinates, dimensions),
+        stress: None,
+        eigenvalues: Some(eigen.values.iter().map(|v| v * unit * unit).collect()),
+        iterations: None,
+    };
+    map.stress = kruskal_stress(distances, &map);
+    Ok(map)
+}
+
+fn doubly_centred(distances: &DistanceMatrix, unit: f64) -> Vec<f64> {
+    let n = distances.size();
+    let mut b = vec![0.0; n * n];
+    for i in 0..n {
+        for (offset, d) in distances.row_right_of_diagonal(i).iter().enumerate() {
+            let square = -0.5 * (d / unit).powi(2);
+            b[i * n + i + 1 + offset] = square;
+            b[(i + 1 + offset) * n + i] = square;
+        }
+    }
+    let means: Vec<f64> = b
+        .chunks_exact(n.max(1))
+        .map(|row| row.iter().sum::<f64>() / n as f64)
+        .collect();
+    let mean = means.iter().sum::<f64>() / n as f64;
+    for i in 0..n {
+        for j in 0..n {
+            b[i * n + j] += mean - means[i] - means[j];
+        }
+    }
+    b
+}
+
+/// −½ J D² J as an operator; the squares are kept, whole, so that rows can be shared out to threads.
+struct CentredSquares {
+    items: usize,
+    squares: Vec<f64>,
+}
+
+impl CentredSquares {
+    fn new(distances: &DistanceMatrix, unit: f64) -> Self {
+        let items = distances.size();
+        let mut squares = vec![0.0; items * items];
+        squares
+            .par_chunks_mut(items)
+            .enumerate()
+            .for_each(|(i, row)| {
+                for (j, square) in row.iter_mut().enumerate() {
+                    *square = -0.5 * (distances.get(i, j) / unit).powi(2);
+                }
+            });
+        Self { items, squares }
+    }
+
+    fn product(&self, x: &[f64], out: &mut [f64], progress: &Progress) -> Result<(), Stopped> {
+        let n = self.items as f64;
+        let mean = x.iter().sum::<f64>() / n;
+        let centred: Vec<f64> = x.iter().map(|x| x - mean).collect();
+        let rows = self.squares.par_chunks(self.items);
+        // Each entry is one thread's sum, so the bits do not depend on their number.
+        out.par_iter_mut()
+            .zip(rows)
+            .with_min_len(64)
+            .for_each(|(out, row)| *out = dot(row, &centred));
+        let mean = out.iter().sum::<f64>() / n;
+        out.iter_mut().for_each(|out| *out -= mean);
+        progress.step()
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    let mut lanes = [0.0; 8];
+    let (a, b) = (a.chunks_exact(8), b.chunks_exact(8));
+    let rest: f64 = (a.remainder().iter().zip(b.remainder()))
+        .map(|(x, y)| x * y)
+        .sum();
+    for (x, y) in a.zip(b) {
+        for lane in 0..8 {
+            lanes[lane] += x[lane] * y[lane];
+        }
+    }
+    lanes.iter().sum::<f64>() + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn distances_of(points: &[[f64; 2]]) -> DistanceMatrix {
+        let mut upper = Vec::new();
+        for (i, p) in points.iter().enumerate() {
+            for q in &points[i + 1..] {
+                upper.push((p[0] - q[0]).hypot(p[1] - q[1]));
+            }
+        }
+        DistanceMatrix::from_upper(points.len(), upper).unwrap()
+    }
+
+    fn spiral(count: u32) -> Vec<[f64; 2]> {
+        (0..count)
+            .map(|i| f64::from(i) * 0.1)
+            .map(|t| [t * t.cos(), 0.5 * t * t.sin()])
+            .collect()
+    }
+
+    #[test]
+    fn distances_in_the_plane_are_kept_exactly_by_either_route() {
+        for count in [3, 60, 700] {
+            let distances = distances_of(&spiral(count));
+            let map = classical_mds(&distances, 2, &Progress::default()).unwrap();
+            assert!(map.stress.unwrap() < 1e-9, "{count}: {:?}", map.stress);
+        }
+    }
+
+    #[test]
+    fn more_dimensions_than_there_are_stay_zero() {
+        let distances = distances_of(&[[0.0, 0.0], [3.0, 4.0]]);
+        let map = classical_mds(&distances, 3, &Progress::default()).unwrap();
+        assert!((map.point(0)[0] - map.point(1)[0]).abs() - 5.0 < 1e-12);
+        assert!(map.point(0)[1..].iter().all(|x| x.abs() < 1e-7));
+        let none = DistanceMatrix::empty();
+        assert!(
+            classical_mds(&none, 2, &Progress::default())
+                .unwrap()
+                .is_empty()
+        );
+    }
+
+    #[test]
+    fn items_that_coincide_lie_at_the_origin() {
+        let distances = DistanceMatrix::from_upper(3, vec![0.0; 3]).unwrap();
+        let map = classical_mds(&distances, 2, &Progress::default()).unwrap();
+        assert_eq!(map.coordinates, [0.0; 6]);
+    }
+
+    #[test]
+    fn a_stopped_map_says_so() {
+        let progress = Progress::default();
+        progress.stop();
+        let stopped = classical_mds(&distances_of(&spiral(700)), 2, &progress);
+        assert_eq!(stopped, Err(EmbeddingError::Stopped(Stopped)));
+    }
+}

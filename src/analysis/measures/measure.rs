@@ -1,0 +1,142 @@
+//! Measures of one heart and of all hearts of a study.
+
+use rayon::prelude::*;
+
+use crate::mesh::{Point3, bounding_box};
+use crate::progress::{Progress, Stopped};
+use crate::study::{Study, Subject};
+use crate::units::{Grams, LengthUnit};
+
+use super::result::{FrameMeasures, PhaseSource, SubjectMeasures};
+use super::volumes::{HeartGeometry, UntoldVolume};
+
+/// Density of muscle in g/ml, by which its volume becomes a mass.
+///
+/// Source: Taimouri, *Shape Analysis in Shape Space*, 4.1.1 (printed there as g/cm).
+const MUSCLE_DENSITY_G_PER_ML: f64 = 1.05;
+
+/// Sizes of one heart at every frame, its phases, ejection fraction and mass.
+///
+/// Open surfaces are closed at each boundary loop by a flat fan to the loop's centroid; volumes
+/// follow from the divergence theorem and are positive whichever way faces are wound.
+/// EF = (EDV − ESV) / EDV. Frames of end-diastole and end-systole are those that the subject
+/// states, or the extremes of the endocardial volume, the first if there are several.
+/// What cannot be told is `None`; [`untold_volumes`] says why.
+pub fn measure_subject(subject: &Subject) -> SubjectMeasures {
+    // A progress that nobody holds is never stopped.
+    measure(subject, &Progress::default()).unwrap_or_else(|Stopped| nothing_told(subject))
+}
+
+/// [`measure_subject`] of each subject, in their order; a step per frame.
+///
+/// # Errors
+/// [`Stopped`] if asked to stop.
+pub fn measure_study(study: &Study, progress: &Progress) -> Result<Vec<SubjectMeasures>, Stopped> {
+    let frames = study
+        .subjects
+        .iter()
+        .map(|subject| subject.sequence.frame_count())
+        .sum();
+    progress.expect_steps(frames);
+    study
+        .subjects
+        .par_iter()
+        .map(|subject| measure(subject, progress))
+        .collect()
+}
+
+/// Why volumes of a subject are `None`.
+pub fn untold_volumes(subject: &Subject) -> Vec<UntoldVolume> {
+    HeartGeometry::new(subject).untold
+}
+
+fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, Stopped> {
+    let geometry = HeartGeometry::new(subject);
+    let mut measured = nothing_told(subject);
+    for frame in 0..subject.sequence.frame_count() {
+        measured.frames.push(frame_measures(subject, &geometry, frame));
+        progress.step()?;
+    }
+    find_phases(subject, &mut measured);
+    let volume_at = |frame: Option<usize>| measured.frames.get(frame?)?.endo_volume;
+    measured.edv = volume_at(measured.end_diastole);
+    measured.esv = volume_at(measured.end_systole);
+    if let (Some(edv), Some(esv)) = (measured.edv, measured.esv) {
+        measured.sv = Some(edv - esv);
+        measured.ef = Some((edv - esv) / edv).filter(|ef| ef.is_finite());
+    }
+    // Without phases, as of a wall whose cavity is not told, the first frame stands for all.
+    let wall_ml = measured
+        .frames
+        .get(measured.end_diastole.unwrap_or(0))
+        .and_then(|frame| frame.wall_volume);
+    if subject.unit == LengthUnit::Millimetre {
+        measured.mass = wall_ml.map(|ml| Grams(MUSCLE_DENSITY_G_PER_ML * ml));
+    }
+    Ok(measured)
+}
+
+fn nothing_told(subject: &Subject) -> SubjectMeasures {
+    SubjectMeasures {
+        unit: subject.unit,
+        frames: Vec::new(),
+        end_diastole: None,
+        end_systole: None,
+        phase_source: PhaseSource::VolumeCurve,
+        edv: None,
+        esv: None,
+        sv: None,
+        ef: None,
+        mass: None,
+    }
+}
+
+fn frame_measures(subject: &Subject, geometry: &HeartGeometry<'_>, frame: usize) -> FrameMeasures {
+    let sizes = geometry.at(frame);
+    let (cubic, square) = (
+        subject.unit.volume_from_cubic(),
+        subject.unit.area_from_square(),
+    );
+    let told = |value: f64| Some(value).filter(|value| value.is_finite());
+    let points = subject
+        .sequence
+        .surfaces()
+        .iter()
+        .flat_map(|surface| surface.frames()[frame].vertices());
+    let corner = |point: Point3| [point.x, point.y, point.z];
+    FrameMeasures {
+        endo_volume: sizes.endo.and_then(|endo| told(cubic * endo.volume)),
+        epi_volume: sizes.epi.and_then(|epi| told(cubic * epi.volume)),
+        wall_volume: sizes.wall_volume.and_then(|volume| told(cubic * volume)),
+        endo_area: sizes.endo.and_then(|endo| told(square * endo.area)),
+        epi_area: sizes.epi.and_then(|epi| told(square * epi.area)),
+        bounding_box: bounding_box(points).map_or_else(Default::default, |[low, high]| {
+            [corner(low), corner(high)]
+        }),
+    }
+}
+
+/// A single frame is end-diastole and has no end-systole, so that no beat is made up.
+fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
+    let count = measured.frames.len();
+    let volumes: Vec<(usize, f64)> = measured
+        .frames
+        .iter()
+        .enumerate()
+        .filter_map(|(frame, sizes)| Some((frame, sizes.endo_volume?)))
+        .collect();
+    let extreme = |sign: f64| {
+        volumes
+            .iter()
+            .rev()
+            .max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)))
+            .map(|&(frame, _)| frame)
+    };
+    let stated = |frame: Option<usize>| frame.filter(|&frame| frame < count);
+    let (stated_ed, stated_es) = (stated(subject.end_diastole), stated(subject.end_systole));
+    if stated_ed.is_some() || stated_es.is_some() {
+        measured.phase_source = PhaseSource::Stated;
+    }
+    measured.end_diastole = stated_ed.or_else(|| extreme(1.0));
+    measured.end_systole = stated_es.or_else(|| extreme(-1.0).filter(|_| count > 1));
+}

@@ -1,0 +1,1 @@
+//! Measures of hearts whose sizes are known.

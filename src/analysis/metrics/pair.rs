@@ -1,0 +1,236 @@
+//! One pass over edges, faces and vertices for a pair of poses; the hot path of every matrix.
+
+use nalgebra::Matrix3;
+
+use crate::mesh::Vector3;
+
+use super::connectivity::Connectivity;
+use super::metric::{Metric, PairNorms, PairScratch};
+use super::params::{Corners, Form, MetricKind, Regulariser};
+use super::pose::PreparedPose;
+use super::rigid::rigid_product;
+
+/// Values at pose A and at pose B.
+type Both = [f64; 2];
+
+/// Sums run in as many lanes, so that additions need not wait for each other.
+const LANES: usize = 4;
+
+pub(super) fn norms(
+    metric: &Metric,
+    a: &PreparedPose,
+    b: &PreparedPose,
+    rotation: &Matrix3<f64>,
+    translation: &Vector3,
+    scratch: &mut PairScratch,
+) -> PairNorms {
+    let own = match metric.params.kind {
+        MetricKind::Isometric => {
+            stretches(a, b, rotation, &mut scratch.stretch);
+            isometric(metric, a, b, &scratch.stretch)
+        }
+        MetricKind::Rigid => rigid(metric, a, b, rotation, translation),
+        MetricKind::AnglePreserving => {
+            stretches(a, b, rotation, &mut scratch.stretch);
+            angles(metric, a, b, &scratch.stretch, None)
+        }
+        MetricKind::QuasiConformal => {
+            stretches(a, b, rotation, &mut scratch.stretch);
+            if metric.params.form == Form::Additive {
+                let angle = angles(metric, a, b, &scratch.stretch, None);
+                let curvature = curvature(metric, a, b);
+                [0, 1].map(|side| angle[side] + metric.params.mu * curvature[side])
+            } else {
+                let change = a.curvature.iter().zip(&b.curvature);
+                scratch.curvature_change.clear();
+                scratch
+                    .curvature_change
+                    .extend(change.map(|(before, after)| after - before));
+                let change = Some(scratch.curvature_change.as_slice());
+                angles(metric, a, b, &scratch.stretch, change)
+            }
+        }
+    };
+    let rest = regulariser(metric, a, b, rotation, translation);
+    PairNorms {
+        norm2_a: own[0] + rest[0],
+        norm2_b: own[1] + rest[1],
+    }
+}
+
+/// ⟨w, d_A⟩ / |d_A|² and ⟨w, R d_B⟩ / |d_B|² with w = R d_B − d_A, for the vectors d of each edge.
+fn stretches(a: &PreparedPose, b: &PreparedPose, rotation: &Matrix3<f64>, out: &mut Vec<Both>) {
+    let count = a.inverse_length2.len();
+    out.resize(count, [0.0; 2]);
+    let r: [[f64; 3]; 3] = [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[(row, column)]));
+    // Equal lengths, told to the compiler, let it drop the checks and use vector instructions.
+    let [ax, ay, az] = a.edge_axes.each_ref().map(|axis| &axis[..count]);
+    let [bx, by, bz] = b.edge_axes.each_ref().map(|axis| &axis[..count]);
+    let (over_a, over_b) = (&a.inverse_length2[..count], &b.inverse_length2[..count]);
+    for (e, both) in out.iter_mut().enumerate() {
+        let x = r[0][0] * bx[e] + r[0][1] * by[e] + r[0][2] * bz[e];
+        let y = r[1][0] * bx[e] + r[1][1] * by[e] + r[1][2] * bz[e];
+        let z = r[2][0] * bx[e] + r[2][1] * by[e] + r[2][2] * bz[e];
+        let (wx, wy, wz) = (x - ax[e], y - ay[e], z - az[e]);
+        *both = [
+            (wx * ax[e] + wy * ay[e] + wz * az[e]) * over_a[e],
+            (wx * x + wy * y + wz * z) * over_b[e],
+        ];
+    }
+}
+
+fn angles(
+    metric: &Metric,
+    a: &PreparedPose,
+    b: &PreparedPose,
+    stretch: &[Both],
+    change: Option<&[f64]>,
+) -> Both {
+    let mesh = &metric.mesh;
+    let printed = metric.params.form == Form::Printed;
+    match (metric.params.corners, change, printed) {
+        (Corners::ScaleFree, None, false) => plain_angles(mesh, a, b, stretch),
+        _ => general_angles(metric, a, b, stretch, change, printed),
+    }
+}
+
+/// Σ_f a_f Σ_c t_c², the default: t are the differences of the stretches of a face's sides.
+fn plain_angles(mesh: &Connectivity, a: &PreparedPose, b: &PreparedPose, stretch: &[Both]) -> Both {
+    let mut sums = [[0.0; 2]; LANES];
+    let faces = mesh.face_edges.chunks(LANES);
+    let weights = a.face_weight.chunks(LANES).zip(b.face_weight.chunks(LANES));
+    for (faces, (of_a, of_b)) in faces.zip(weights) {
+        for (lane, (edges, (wa, wb))) in faces.iter().zip(of_a.iter().zip(of_b)).enumerate() {
+            let s = edges.map(|e| stretch[e as usize]);
+            let weight = [*wa, *wb];
+            for side in 0..2 {
+                let t0 = s[0][side] - s[2][side];
+                let t1 = s[1][side] - s[0][side];
+                let t2 = s[2][side] - s[1][side];
+                sums[lane][side] += weight[side] * (t0 * t0 + t1 * t1 + t2 * t2);
+            }
+        }
+    }
+    total(sums)
+}
+
+/// The same with raw corners, curvature change as a factor, or absolute values.
+fn general_angles(
+    metric: &Metric,
+    a: &PreparedPose,
+    b: &PreparedPose,
+    stretch: &[Both],
+    change: Option<&[f64]>,
+    printed: bool,
+) -> Both {
+    let raw = metric.params.corners == Corners::Raw;
+    let mut sums = [0.0; 2];
+    let faces = metric.mesh.face_edges.iter().zip(&metric.mesh.triangles);
+    for ((edges, triangle), (wa, wb)) in faces.zip(a.face_weight.iter().zip(&b.face_weight)) {
+        let s = edges.map(|e| stretch[e as usize]);
+        let factor = change.map_or([1.0; 3], |change| triangle.map(|v| change[v as usize]));
+        for (side, (pose, weight)) in [(a, wa), (b, wb)].into_iter().enumerate() {
+            let [s0, s1, s2] = s.map(|both| both[side]);
+            let mut t = [s0 - s2, s1 - s0, s2 - s1];
+            if raw {
+                let l = edges.map(|e| pose.length2[e as usize]);
+                t = [t[0] * l[0] * l[2], t[1] * l[1] * l[0], t[2] * l[2] * l[1]];
+            }
+            let t = [t[0] * factor[0], t[1] * factor[1], t[2] * factor[2]];
+            sums[side] += weight
+                * if printed {
+                    (t[0].abs() + t[1].abs() + t[2].abs()).powi(2)
+                } else {
+                    t[0] * t[0] + t[1] * t[1] + t[2] * t[2]
+                };
+        }
+    }
+    sums
+}
+
+/// Σ_p a_p (K_p(B) − K_p(A))² with the weights of A and of B.
+fn curvature(metric: &Metric, a: &PreparedPose, b: &PreparedPose) -> Both {
+    let by_area = metric.params.area_weights;
+    let count = a.curvature.len();
+    let (ka, kb) = (&a.curvature[..count], &b.curvature[..count]);
+    let (wa, wb) = (&a.vertex_share[..count], &b.vertex_share[..count]);
+    let mut sums = [[0.0; 2]; LANES];
+    for start in (0..count).step_by(LANES) {
+        for (lane, v) in (start..count.min(start + LANES)).enumerate() {
+            let change = (kb[v] - ka[v]).powi(2);
+            let weight = if by_area { [wa[v], wb[v]] } else { [1.0; 2] };
+            sums[lane][0] += weight[0] * change;
+            sums[lane][1] += weight[1] * change;
+        }
+    }
+    total(sums)
+}
+
+/// λ Σ_p a_p |X_p|² with the weights of A and of B.
+fn regulariser(
+    metric: &Metric,
+    a: &PreparedPose,
+    b: &PreparedPose,
+    rotation: &Matrix3<f64>,
+    translation: &Vector3,
+) -> Both {
+    if metric.params.lambda == 0.0 {
+        return [0.0; 2];
+    }
+    let by_area = metric.params.regulariser == Regulariser::Area;
+    let count = metric.mesh.vertex_count;
+    let r: [[f64; 3]; 3] = [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[(row, column)]));
+    let [ax, ay, az] = a.axes.each_ref().map(|axis| &axis[..count]);
+    let [bx, by, bz] = b.axes.each_ref().map(|axis| &axis[..count]);
+    let (wa, wb) = (&a.vertex_share[..count], &b.vertex_share[..count]);
+    let mut sums = [[0.0; 2]; LANES];
+    for start in (0..count).step_by(LANES) {
+        for (lane, v) in (start..count.min(start + LANES)).enumerate() {
+            let x = r[0][0] * bx[v] + r[0][1] * by[v] + r[0][2] * bz[v] + translation.x - ax[v];
+            let y = r[1][0] * bx[v] + r[1][1] * by[v] + r[1][2] * bz[v] + translation.y - ay[v];
+            let z = r[2][0] * bx[v] + r[2][1] * by[v] + r[2][2] * bz[v] + translation.z - az[v];
+            let length2 = x * x + y * y + z * z;
+            let weight = if by_area { [wa[v], wb[v]] } else { [1.0; 2] };
+            sums[lane][0] += weight[0] * length2;
+            sums[lane][1] += weight[1] * length2;
+        }
+    }
+    let sums = total(sums);
+    [
+        a.regulariser_factor * sums[0],
+        b.regulariser_factor * sums[1],
+    ]
+}
+
+fn isometric(metric: &Metric, a: &PreparedPose, b: &PreparedPose, stretch: &[Both]) -> Both {
+    let raw = metric.params.corners == Corners::Raw;
+    let weights = [metric.edge_weights(a), metric.edge_weights(b)];
+    let mut sums = [0.0; 2];
+    for (e, both) in stretch.iter().enumerate() {
+        for (side, pose) in [a, b].into_iter().enumerate() {
+            let unit = if raw { pose.length2[e] } else { 1.0 };
+            sums[side] += weights[side][e] * (both[side] * unit).powi(2);
+        }
+    }
+    sums
+}
+
+fn rigid(
+    metric: &Metric,
+    a: &PreparedPose,
+    b: &PreparedPose,
+    rotation: &Matrix3<f64>,
+    translation: &Vector3,
+) -> Both {
+    let before = a.points();
+    let after: Vec<_> = (b.points().iter())
+        .map(|p| crate::mesh::Point3::from(rotation * p.coords + translation))
+        .collect();
+    let field: Vec<Vector3> = after.iter().zip(&before).map(|(q, p)| q - p).collect();
+    [(a, &before), (b, &after)]
+        .map(|(pose, points)| rigid_product(points, &metric.vertex_weights(pose), &field, &field))
+}
+
+fn total(lanes: [Both; LANES]) -> Both {
+    [0, 1].map(|side| lanes.iter().map(|lane| lane[side]).sum())
+}

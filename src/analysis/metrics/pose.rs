@@ -1,0 +1,119 @@
+//! What a pair needs of one pose, computed once per pose.
+
+use crate::mesh::{Point3, Vector3, angle_deficits_rad};
+
+use super::connectivity::Connectivity;
+use super::curvature::{Areas, curvature_density};
+use super::params::{CheckedMetricParams, Corners, MetricKind, Regulariser};
+
+/// A pose with everything that does not depend on what it is compared with.
+///
+/// Coordinates are kept axis by axis, so that a pair is a stream over plain arrays.
+#[derive(Clone, Debug)]
+pub struct PreparedPose {
+    pub(super) axes: [Vec<f64>; 3],
+    pub(super) centroid: Vector3,
+    /// p − q of each edge pq, axis by axis.
+    pub(super) edge_axes: [Vec<f64>; 3],
+    /// 1 / |p − q|², 0 where an edge has no length and so no rate of length.
+    pub(super) inverse_length2: Vec<f64>,
+    /// |p − q|², kept only where corners are raw.
+    pub(super) length2: Vec<f64>,
+    /// Weight of each face in sums over faces.
+    pub(super) face_weight: Vec<f64>,
+    /// Share of the whole area around each vertex.
+    pub(super) vertex_share: Vec<f64>,
+    /// The curvature that is compared: density, or angle deficit where areas do not count.
+    pub(super) curvature: Vec<f64>,
+    /// Factor of the regulariser, λ and the unit of length included.
+    pub(super) regulariser_factor: f64,
+}
+
+impl PreparedPose {
+    pub(super) fn new(
+        mesh: &Connectivity,
+        params: &CheckedMetricParams,
+        points: &[Point3],
+    ) -> Self {
+        let areas = Areas::new(mesh, points);
+        let edge = |&[p, q]: &[u32; 2]| points[p as usize] - points[q as usize];
+        let edge_axes = [0, 1, 2].map(|axis| mesh.edges.iter().map(|e| edge(e)[axis]).collect());
+        let length2: Vec<f64> = mesh.edges.iter().map(|e| edge(e).norm_squared()).collect();
+        let share = |area: f64| {
+            if areas.total > 0.0 {
+                area / areas.total
+            } else {
+                0.0
+            }
+        };
+        let curvature = if params.kind != MetricKind::QuasiConformal {
+            Vec::new()
+        } else if params.area_weights {
+            curvature_density(mesh, points, &areas, params.curvature_rings)
+        } else {
+            angle_deficits_rad(points, &mesh.triangles, &mesh.flat_rad)
+        };
+        Self {
+            axes: [0, 1, 2].map(|axis| points.iter().map(|p| p[axis]).collect()),
+            centroid: points.iter().map(|p| p.coords).sum::<Vector3>() / points.len().max(1) as f64,
+            edge_axes,
+            inverse_length2: length2
+                .iter()
+                .map(|&l| if l > 0.0 { 1.0 / l } else { 0.0 })
+                .collect(),
+            length2: if params.corners == Corners::Raw {
+                length2
+            } else {
+                Vec::new()
+            },
+            face_weight: (areas.of_faces.iter())
+                .map(|&area| {
+                    if params.area_weights {
+                        share(area)
+                    } else {
+                        1.0
+                    }
+                })
+                .collect(),
+            vertex_share: areas.of_vertices.iter().map(|&area| share(area)).collect(),
+            curvature,
+            regulariser_factor: regulariser_factor(params, areas.total),
+        }
+    }
+
+    /// Coordinates axis by axis, one entry per vertex.
+    pub fn axes(&self) -> [&[f64]; 3] {
+        [&self.axes[0], &self.axes[1], &self.axes[2]]
+    }
+
+    /// Mean of the vertices.
+    pub fn centroid(&self) -> Vector3 {
+        self.centroid
+    }
+
+    pub(super) fn point(&self, vertex: usize) -> Point3 {
+        Point3::new(
+            self.axes[0][vertex],
+            self.axes[1][vertex],
+            self.axes[2][vertex],
+        )
+    }
+
+    pub(super) fn points(&self) -> Vec<Point3> {
+        (0..self.vertex_share.len())
+            .map(|v| self.point(v))
+            .collect()
+    }
+}
+
+/// λ, over the squared radius of the sphere of equal area where sizes must not matter: then the
+/// regulariser charges displacement relative to size, as the corners charge relative change.
+fn regulariser_factor(params: &CheckedMetricParams, total_area: f64) -> f64 {
+    match (params.regulariser, params.corners) {
+        (Regulariser::Area, Corners::ScaleFree) if total_area > 0.0 => {
+            params.lambda * 4.0 * std::f64::consts::PI / total_area
+        }
+        (Regulariser::Area, Corners::ScaleFree) => 0.0,
+        _ => params.lambda,
+    }
+}

@@ -1,0 +1,82 @@
+//! The rigid-body part of a field, and what is left without it (2.3.7).
+
+use nalgebra::{Matrix3, SymmetricEigen};
+
+use crate::mesh::{Point3, Vector3};
+
+/// The field p ↦ k₁ + k₂ × p of an infinitesimal rigid motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RigidField {
+    /// Velocity of the origin.
+    pub k1: Vector3,
+    /// Angular velocity.
+    pub k2: Vector3,
+}
+
+impl RigidField {
+    /// The field at a point.
+    pub fn at(&self, point: &Point3) -> Vector3 {
+        self.k1 + self.k2.cross(&point.coords)
+    }
+}
+
+/// The rigid field nearest to X: minimises Σ_p w_p ‖X_p − k₁ − k₂ × p‖².
+///
+/// With p' = p − p̄ and J = Σ w (|p'|² 1 − p' p'ᵀ): k₂ = J⁻¹ Σ w p' × X and k₁ = X̄ − k₂ × p̄.
+/// Where J is singular (points on a line) the turn about that line is left out.
+///
+/// Source: V. Taimouri, section 2.3.7, solved by the inertia tensor.
+pub fn rigid_part(points: &[Point3], weights: &[f64], field: &[Vector3]) -> RigidField {
+    let total: f64 = weights.iter().sum();
+    if !(total > 0.0) {
+        return RigidField {
+            k1: Vector3::zeros(),
+            k2: Vector3::zeros(),
+        };
+    }
+    let mean = |of: &dyn Fn(usize) -> Vector3| -> Vector3 {
+        (weights.iter().enumerate())
+            .map(|(v, w)| of(v) * *w)
+            .sum::<Vector3>()
+            / total
+    };
+    let centre = mean(&|v| points[v].coords);
+    let drift = mean(&|v| field[v]);
+    let mut inertia = Matrix3::zeros();
+    let mut torque = Vector3::zeros();
+    for ((point, &weight), x) in points.iter().zip(weights).zip(field) {
+        let arm = point.coords - centre;
+        inertia += (Matrix3::identity() * arm.norm_squared() - arm * arm.transpose()) * weight;
+        torque += arm.cross(&(x - drift)) * weight;
+    }
+    let eigen = SymmetricEigen::new(inertia);
+    // Round-off of the sum is some 1e-15 of the largest moment.
+    let least = 1e-13 * eigen.eigenvalues.amax();
+    let k2 = (0..3)
+        .filter(|&k| eigen.eigenvalues[k] > least)
+        .map(|k| {
+            let axis: Vector3 = eigen.eigenvectors.column(k).into();
+            axis * (axis.dot(&torque) / eigen.eigenvalues[k])
+        })
+        .sum::<Vector3>();
+    RigidField {
+        k1: drift - k2.cross(&centre),
+        k2,
+    }
+}
+
+/// Σ_p w_p X'_p·Y'_p with X', Y' freed of their own rigid parts.
+pub(super) fn rigid_product(
+    points: &[Point3],
+    weights: &[f64],
+    x: &[Vector3],
+    y: &[Vector3],
+) -> f64 {
+    let (rigid_x, rigid_y) = (
+        rigid_part(points, weights, x),
+        rigid_part(points, weights, y),
+    );
+    (points.iter().zip(weights).zip(x.iter().zip(y)))
+        .map(|((p, w), (x, y))| w * (x - rigid_x.at(p)).dot(&(y - rigid_y.at(p))))
+        .sum()
+}

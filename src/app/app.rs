@@ -1,0 +1,337 @@
+//! The window as eframe sees it: `logic` takes in and applies, `ui` draws and collects commands.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use egui::{Context, Ui};
+
+use crate::engine::{OpenSource, Wake};
+use crate::study::built_in::BuiltInParams;
+use crate::ui::{self, Command};
+
+use super::apply::{Effect, Moment, apply};
+use super::background::{Background, reference_frames};
+use super::dialogs::Question;
+use super::export;
+use super::frame_ui::{Drawing, frame_ui};
+use super::layout::Layout;
+use super::paint;
+use super::settings::Settings;
+use super::state::State;
+use super::times::Times;
+use super::viewport::Viewport;
+use super::views::{CohortData, MapData};
+
+/// While work goes on, bars move this often.
+const BAR_PERIOD: Duration = Duration::from_millis(100);
+
+/// Longest step of the play clock: a beat that was held up goes on where it was.
+const LONGEST_STEP_S: f64 = 0.25;
+
+/// What the window begins with.
+#[derive(Clone, Debug)]
+pub struct AppOptions {
+    /// What is opened first; nothing if `None`.
+    pub open: Option<OpenSource>,
+    /// How finely the built-in cohort is made when it is asked for.
+    pub built_in: BuiltInParams,
+    /// When the program began, for the times that it can print.
+    pub started: Instant,
+}
+
+impl AppOptions {
+    /// Opens `paths`, or the built-in cohort if there are none.
+    pub fn opening(paths: Vec<PathBuf>) -> Self {
+        Self {
+            open: Some(OpenSource::paths_or_built_in(paths)),
+            built_in: BuiltInParams::default(),
+            started: Instant::now(),
+        }
+    }
+
+    /// Opens a built-in cohort of another size.
+    pub fn built_in(params: BuiltInParams) -> Self {
+        Self {
+            open: Some(OpenSource::BuiltIn(params)),
+            built_in: params,
+            started: Instant::now(),
+        }
+    }
+
+    /// Opens nothing.
+    pub fn empty() -> Self {
+        Self {
+            open: None,
+            ..Self::opening(Vec::new())
+        }
+    }
+}
+
+/// The window.
+pub struct App {
+    state: State,
+    layout: Layout,
+    background: Background,
+    viewport: Viewport,
+    cohort: CohortData,
+    map: MapData,
+    adapter: String,
+    times: Times,
+    queue: Vec<Command>,
+    played_at_s: Option<f64>,
+}
+
+impl App {
+    /// Prepares the window and begins to open what the options say.
+    ///
+    /// # Errors
+    /// If the operating system refuses the threads for background work.
+    pub fn new(cc: &eframe::CreationContext<'_>, options: AppOptions) -> std::io::Result<Self> {
+        let ctx = cc.egui_ctx.clone();
+        let settings = Settings::load(cc.storage);
+        ui::install(&ctx);
+        ui::choose(&ctx, settings.theme);
+        if let Some(device) = &cc.wgpu_render_state {
+            paint::install(device);
+        }
+        let wake: Wake = Arc::new(move || ctx.request_repaint());
+        let mut background = Background::start(&wake)?;
+        let mut state = State {
+            theme: settings.theme,
+            recent: settings.recent,
+            built_in: options.built_in,
+            ..State::default()
+        };
+        if let Some(source) = options.open {
+            if let OpenSource::Paths(paths) = &source {
+                super::settings::remember_recent(&mut state.recent, paths);
+            }
+            background.open(source);
+        }
+        Ok(Self {
+            state,
+            layout: settings.layout,
+            background,
+            viewport: Viewport::new(cc.wgpu_render_state.is_some()),
+            cohort: CohortData::default(),
+            map: MapData::default(),
+            adapter: cc
+                .wgpu_render_state
+                .as_ref()
+                .map(paint::adapter_name)
+                .unwrap_or_default(),
+            times: Times::new(options.started),
+            queue: Vec::new(),
+            played_at_s: None,
+        })
+    }
+
+    /// Everything the window shows.
+    pub fn state(&self) -> &State {
+        &self.state
+    }
+
+    /// Asks for something as a panel would.
+    pub fn push(&mut self, command: Command) {
+        self.queue.push(command);
+    }
+
+    /// Whether work goes on behind the window.
+    pub fn busy(&self) -> bool {
+        self.background.busy() || self.background.pictures.busy()
+    }
+
+    /// Hearts on screen, as subject and place in the beat.
+    pub fn hearts_on_screen(&self) -> Vec<(usize, f64)> {
+        self.viewport
+            .shown()
+            .iter()
+            .map(|shown| (shown.index, shown.position))
+            .collect()
+    }
+
+    fn take_in(&mut self, ctx: &Context) {
+        self.background.poll(&mut self.state);
+        match self.background.dialogs.poll() {
+            Some(Ok(command)) => self.queue.push(command),
+            Some(Err(problem)) => super::errors::push_card(
+                &mut self.state.errors,
+                "No file dialog",
+                problem.to_string(),
+                None,
+            ),
+            None => {}
+        }
+        let dropped: Vec<PathBuf> = ctx.input(|input| {
+            let files = input.raw.dropped_files.iter();
+            files
+                .map(|file| file.path().to_owned())
+                .collect()
+        });
+        if !dropped.is_empty() {
+            self.queue.push(Command::Open(dropped));
+        }
+        self.queue.extend(ui::pressed_commands(ctx));
+    }
+
+    fn apply_queue(&mut self, ctx: &Context) {
+        let (now_s, pointer_held, let_go) = ctx.input(|input| {
+            (
+                input.time,
+                input.pointer.any_down(),
+                input.pointer.any_released(),
+            )
+        });
+        for command in std::mem::take(&mut self.queue) {
+            let moment = Moment {
+                now_s,
+                pointer_held,
+                fresh_revision: self.background.engine.next_revision(),
+            };
+            for effect in apply(&mut self.state, command, &moment) {
+                self.perform(ctx, effect);
+            }
+        }
+        if let_go && !pointer_held {
+            self.state.history.end_drag();
+            give_keyboard_back(ctx);
+        }
+    }
+
+    fn perform(&mut self, ctx: &Context, effect: Effect) {
+        let dialogs = &mut self.background.dialogs;
+        match effect {
+            Effect::ChooseFiles => dialogs.ask(Question::Files, String::new()),
+            Effect::ChooseFolder => dialogs.ask(Question::Folder, String::new()),
+            Effect::ChooseFigure => {
+                dialogs.ask(Question::Figure, export::figure_name(&self.state));
+            }
+            Effect::ChooseTables => dialogs.ask(Question::Tables, String::new()),
+            Effect::Open(source) => self.background.open(source),
+            Effect::WriteFigure(path) => export::write_figure(
+                &mut self.background.engine,
+                &self.state,
+                &self.viewport,
+                ctx.global_style().visuals.dark_mode,
+                path,
+            ),
+            Effect::WriteTables(folder) => {
+                export::write_tables(&mut self.background.engine, &self.state, folder);
+            }
+            Effect::Stop(kind) => self.background.stop(kind),
+            Effect::Retry(kind) => self.background.retry(&self.state, kind),
+            Effect::SetTheme(theme) => ui::choose(ctx, theme),
+            Effect::TogglePane(pane) => {
+                let open = self.layout.is_open(pane);
+                self.layout.set_open(pane, !open);
+            }
+            Effect::ResetLayout => self.layout = Layout::default(),
+            Effect::SetFullScreen(full) => {
+                ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(full));
+            }
+            Effect::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+        }
+    }
+
+    /// Moves the beat on by the time since the last frame.
+    fn play(&mut self, ctx: &Context) {
+        if !self.state.play.playing {
+            self.played_at_s = None;
+            return;
+        }
+        let now_s = ctx.input(|input| input.time);
+        let elapsed_s = self.played_at_s.map_or(0.0, |last| now_s - last);
+        self.played_at_s = Some(now_s);
+        let state = &mut self.state;
+        if let Some(subject) = state.document.selected() {
+            let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
+            let (position, on) =
+                state
+                    .play
+                    .advance(subject, state.document.position, elapsed_s);
+            state.document.position = position;
+            state.play.playing = on;
+        }
+        if state.play.playing {
+            ctx.request_repaint();
+        }
+    }
+}
+
+/// After a click the keys belong to the window again, unless the click went into a text: Space
+/// plays and arrows step frames whatever was clicked before.
+fn give_keyboard_back(ctx: &Context) {
+    if !ctx.text_edit_focused()
+        && let Some(focused) = ctx.memory(|memory| memory.focused())
+    {
+        ctx.memory_mut(|memory| memory.surrender_focus(focused));
+    }
+}
+
+impl eframe::App for App {
+    fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+        self.times.begin_frame(self.state.play.playing);
+        let begin = Instant::now();
+        self.take_in(ctx);
+        self.apply_queue(ctx);
+        self.play(ctx);
+        self.background.request(&self.state);
+        let reference_frames = reference_frames(&self.state);
+        let pictures = &mut self.background.pictures;
+        self.viewport
+            .prepare(&self.state, pictures, &reference_frames);
+        pictures.drop_unwanted();
+        if self.background.busy() {
+            ctx.request_repaint_after(BAR_PERIOD);
+        }
+        self.times.add(begin.elapsed());
+    }
+
+    fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
+        let begin = Instant::now();
+        self.cohort.refresh(&self.state);
+        self.map.refresh(&self.state);
+        let mut drawing = Drawing {
+            state: &self.state,
+            layout: &mut self.layout,
+            engine: &self.background.engine,
+            viewport: &mut self.viewport,
+            cohort: &self.cohort,
+            map: &self.map,
+            adapter: &self.adapter,
+            meter: self.times.prepare_meter(),
+            commands: &mut self.queue,
+        };
+        frame_ui(ui, &mut drawing);
+        if !self.queue.is_empty() {
+            ui.ctx().request_repaint();
+        }
+        if !self.viewport.shown().is_empty() {
+            self.times.picture_shown();
+        }
+        if self.state.map().is_some() {
+            self.times.map_shown();
+        }
+        self.times.add(begin.elapsed());
+    }
+
+    fn save(&mut self, storage: &mut dyn eframe::Storage) {
+        Settings::save(storage, self.state.theme, &self.layout, &self.state.recent);
+    }
+
+    /// What egui itself would keep includes texts that were typed, so nothing of it is kept.
+    fn persist_egui_memory(&self) -> bool {
+        false
+    }
+
+    fn raw_input_hook(&mut self, ctx: &Context, input: &mut egui::RawInput) {
+        self.queue.extend(ui::claim_tab(ctx, input));
+    }
+
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        ui::theme::Colours::of(visuals.dark_mode)
+            .window
+            .to_normalized_gamma_f32()
+    }
+}

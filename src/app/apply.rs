@@ -1,0 +1,145 @@
+//! The one place where commands change the state.
+
+use std::path::PathBuf;
+
+use crate::engine::OpenSource;
+use crate::study::Revision;
+use crate::ui::{Command, JobKind, Pane, ThemeChoice};
+
+use super::document::Document;
+use super::state::State;
+use super::undo::Gesture;
+use super::{apply_beat, apply_view, apply_window};
+
+/// What surrounds a command.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment {
+    /// A clock that runs forward.
+    pub now_s: f64,
+    /// Whether a pointer button is down: changes of one drag are one step of undo.
+    pub pointer_held: bool,
+    /// A revision that no study has yet, for edits.
+    pub fresh_revision: Revision,
+}
+
+/// What must be done outside the state.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Effect {
+    /// Ask for files.
+    ChooseFiles,
+    /// Ask for a folder.
+    ChooseFolder,
+    /// Ask where a picture goes.
+    ChooseFigure,
+    /// Ask where tables go.
+    ChooseTables,
+    /// Read or make a study.
+    Open(OpenSource),
+    /// Write a picture of the 3D view.
+    WriteFigure(PathBuf),
+    /// Write all tables.
+    WriteTables(PathBuf),
+    /// Stop background work.
+    Stop(JobKind),
+    /// Begin stopped or failed work again.
+    Retry(JobKind),
+    /// Light or dark.
+    SetTheme(ThemeChoice),
+    /// Show or hide a tile.
+    TogglePane(Pane),
+    /// Put all tiles back.
+    ResetLayout,
+    /// Full screen or window.
+    SetFullScreen(bool),
+    /// Close the window.
+    Quit,
+}
+
+/// Carries out one command; what reaches beyond the state comes back as effects.
+pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> {
+    use Command as C;
+    match command {
+        C::Undo => {
+            let step = state.history.undo(&state.document);
+            restore(state, step);
+        }
+        C::Redo => {
+            let step = state.history.redo(&state.document);
+            restore(state, step);
+        }
+
+        C::SelectPose { .. }
+        | C::SelectSubject(_)
+        | C::StepSubject(_)
+        | C::CompareWith(_)
+        | C::SetPosition(_)
+        | C::StepFrame(_)
+        | C::GoToEndDiastole
+        | C::GoToEndSystole
+        | C::StateEndDiastole(_)
+        | C::StateEndSystole(_)
+        | C::TogglePlay
+        | C::SetSpeed(_)
+        | C::ToggleLoop => apply_beat::apply(state, command, moment),
+
+        C::SetViewMode(_)
+        | C::SetCamera { .. }
+        | C::ViewFrom(_)
+        | C::FrameAll
+        | C::ToggleFreeCamera
+        | C::ToggleEndocardium
+        | C::ToggleEpicardium
+        | C::ToggleWireframe
+        | C::ToggleVertices
+        | C::SetShading(_)
+        | C::SetQuantity(_)
+        | C::NextQuantity
+        | C::SetColourLimits(_)
+        | C::SetPoseMap(_)
+        | C::SetSearch(_)
+        | C::SortCohort(_) => apply_view::apply(state, command, moment),
+
+        C::ChooseFiles
+        | C::ChooseFolder
+        | C::Open(_)
+        | C::OpenBuiltIn
+        | C::ExportFigure(_)
+        | C::ExportTables(_)
+        | C::Retry(_)
+        | C::Cancel(_)
+        | C::DismissError(_)
+        | C::SetTheme(_)
+        | C::TogglePane(_)
+        | C::ResetLayout
+        | C::TogglePalette
+        | C::ToggleShortcuts
+        | C::ToggleLoadReport
+        | C::ToggleAbout
+        | C::ToggleFullScreen
+        | C::Quit => return apply_window::apply(state, command),
+    }
+    Vec::new()
+}
+
+/// Changes the document as one step of undo; a change that changes nothing leaves no step.
+pub(super) fn change(
+    state: &mut State,
+    moment: &Moment,
+    gesture: Option<Gesture>,
+    edit: impl FnOnce(&mut Document),
+) {
+    let before = state.document.clone();
+    edit(&mut state.document);
+    if state.document != before {
+        state
+            .history
+            .record(before, gesture, moment.pointer_held, moment.now_s);
+    }
+}
+
+fn restore(state: &mut State, step: Option<Document>) {
+    if let Some(document) = step {
+        state.document = document;
+        state.play.playing = false;
+    }
+}

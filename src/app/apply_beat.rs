@@ -1,0 +1,139 @@
+//! Commands that choose a heart and a place in its beat.
+
+use crate::ui::Command;
+
+use super::apply::{Moment, change};
+use super::document::position_at_phase;
+use super::play::SPEEDS;
+use super::state::State;
+use super::undo::Gesture;
+use super::views::visible_subjects;
+
+/// Carries out a command about subjects or time.
+pub fn apply(state: &mut State, command: Command, moment: &Moment) {
+    match command {
+        Command::SelectPose {
+            subject,
+            frame,
+            play,
+        } => select_pose(state, moment, subject, frame, play),
+        Command::SelectSubject(subject) => {
+            if subject < state.document.study().subjects.len() {
+                change(state, moment, None, |d| d.select_subject(subject));
+            }
+        }
+        Command::StepSubject(step) => step_subject(state, moment, step),
+        Command::CompareWith(subject) => {
+            change(state, moment, None, |d| d.compare_with = subject);
+        }
+        Command::SetPosition(position) => {
+            state.play.playing = false;
+            move_to(state, moment, position);
+        }
+        Command::StepFrame(step) => step_frame(state, moment, step),
+        Command::GoToEndDiastole => go_to(state, moment, state.phases_of(state.document.subject).0),
+        Command::GoToEndSystole => go_to(state, moment, state.phases_of(state.document.subject).1),
+        Command::StateEndDiastole(frame) => state_phase(state, moment, frame, true),
+        Command::StateEndSystole(frame) => state_phase(state, moment, frame, false),
+        Command::TogglePlay => toggle_play(state),
+        Command::SetSpeed(speed) if speed.is_finite() => {
+            state.play.speed = speed.clamp(*SPEEDS.start(), *SPEEDS.end());
+        }
+        Command::ToggleLoop => state.play.repeat = !state.play.repeat,
+        _ => {}
+    }
+}
+
+fn select_pose(state: &mut State, moment: &Moment, subject: usize, frame: usize, play: bool) {
+    let Some(heart) = state.subject(subject) else {
+        return;
+    };
+    let frames = heart.sequence.frame_count();
+    change(state, moment, None, |document| {
+        document.subject = subject;
+        document.position = frame.min(frames - 1) as f64;
+    });
+    state.play.playing = play && frames > 1;
+}
+
+fn step_subject(state: &mut State, moment: &Moment, step: i32) {
+    let rows = visible_subjects(state);
+    let count = rows.len() as i64;
+    if count == 0 {
+        return;
+    }
+    let row = rows.iter().position(|row| *row == state.document.subject);
+    // From a heart that the filter hides, the first step leads to the first or last row.
+    let here = row.map_or(if step > 0 { -1 } else { 0 }, |row| row as i64);
+    let next = (here + i64::from(step)).rem_euclid(count) as usize;
+    change(state, moment, None, |document| {
+        document.select_subject(rows[next]);
+    });
+}
+
+fn step_frame(state: &mut State, moment: &Moment, step: i32) {
+    state.play.playing = false;
+    let count = state.document.frame_count() as i64;
+    let position = state.document.position;
+    // From between two poses, a step forward leads to the next one, a step back to the one before.
+    let start = if step > 0 {
+        position.floor()
+    } else {
+        position.ceil()
+    };
+    let frame = (start as i64 + i64::from(step)).rem_euclid(count);
+    move_to(state, moment, frame as f64);
+}
+
+fn go_to(state: &mut State, moment: &Moment, frame: Option<usize>) {
+    if let Some(frame) = frame {
+        state.play.playing = false;
+        move_to(state, moment, frame as f64);
+    }
+}
+
+fn move_to(state: &mut State, moment: &Moment, position: f64) {
+    let count = state.document.frame_count() as f64;
+    if position.is_finite() {
+        // A position just below the frame count lies between the last pose and the first.
+        let position = position.clamp(0.0, count.next_down());
+        change(state, moment, Some(Gesture::Time), |document| {
+            document.position = position;
+        });
+    }
+}
+
+fn state_phase(state: &mut State, moment: &Moment, frame: Option<usize>, diastole: bool) {
+    let count = state.document.frame_count();
+    if frame.is_some_and(|frame| frame >= count) {
+        return;
+    }
+    let stated = state
+        .document
+        .selected()
+        .map(|s| if diastole { s.end_diastole } else { s.end_systole });
+    if stated.is_none_or(|stated| stated == frame) {
+        return;
+    }
+    change(state, moment, None, |document| {
+        document.edit_subject(moment.fresh_revision, |subject| {
+            if diastole {
+                subject.end_diastole = frame;
+            } else {
+                subject.end_systole = frame;
+            }
+        });
+    });
+}
+
+fn toggle_play(state: &mut State) {
+    let Some(subject) = state.document.selected() else {
+        return;
+    };
+    let count = subject.sequence.frame_count();
+    state.play.playing = !state.play.playing && count > 1;
+    let at_end = state.document.position >= (count - 1) as f64;
+    if state.play.playing && !state.play.repeat && at_end {
+        state.document.position = position_at_phase(subject, 0.0);
+    }
+}

@@ -1,0 +1,96 @@
+//! Cards that say what went wrong, until they are dismissed.
+
+use crate::io::OpenError;
+use crate::ui::{ErrorCard, JobKind};
+
+/// Files that could not be opened have a card each up to this many; more are summed up in one:
+/// a folder of a thousand bad files is one mistake.
+const MOST_CARDS: usize = 3;
+
+/// Adds a card, unless the same one is still shown.
+pub fn push_card(
+    cards: &mut Vec<ErrorCard>,
+    title: impl Into<String>,
+    message: impl Into<String>,
+    retry: Option<JobKind>,
+) {
+    let card = ErrorCard {
+        title: title.into(),
+        message: message.into(),
+        details: String::new(),
+        retry,
+    };
+    if !cards.contains(&card) {
+        cards.push(card);
+    }
+}
+
+/// Adds cards for the paths that could not be opened.
+pub fn push_open_errors(cards: &mut Vec<ErrorCard>, errors: &[OpenError]) {
+    if errors.len() <= MOST_CARDS {
+        for error in errors {
+            let title = match &error.subject {
+                Some(subject) => format!("{subject}: {} could not be opened", file_name(error)),
+                None => format!("{} could not be opened", file_name(error)),
+            };
+            let card = ErrorCard {
+                title,
+                message: error.reason.clone(),
+                details: error.path.display().to_string(),
+                retry: None,
+            };
+            if !cards.contains(&card) {
+                cards.push(card);
+            }
+        }
+        return;
+    }
+    let lines: Vec<String> = errors.iter().map(ToString::to_string).collect();
+    cards.push(ErrorCard {
+        title: format!("{} files could not be opened", errors.len()),
+        message: format!("{}: {}", file_name(&errors[0]), errors[0].reason),
+        details: lines.join("\n"),
+        retry: None,
+    });
+}
+
+fn file_name(error: &OpenError) -> String {
+    error.path.file_name().map_or_else(
+        || error.path.display().to_string(),
+        |name| name.to_string_lossy().into_owned(),
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::PathBuf;
+
+    fn open_error(name: &str) -> OpenError {
+        OpenError {
+            subject: None,
+            path: PathBuf::from(format!("/study/{name}")),
+            reason: "line 12: face refers to vertex 9, but only 4 are defined".to_owned(),
+        }
+    }
+
+    #[test]
+    fn a_card_names_the_file_and_the_reason() {
+        let mut cards = Vec::new();
+        push_open_errors(&mut cards, &[open_error("a.obj")]);
+        assert_eq!(cards[0].title, "a.obj could not be opened");
+        assert!(cards[0].message.starts_with("line 12"));
+        push_open_errors(&mut cards, &[open_error("a.obj")]);
+        assert_eq!(cards.len(), 1, "the same card is shown once");
+    }
+
+    #[test]
+    fn many_errors_are_one_card_that_lists_them() {
+        let errors: Vec<_> = (0..1000).map(|i| open_error(&format!("{i}.obj"))).collect();
+        let mut cards = Vec::new();
+        push_open_errors(&mut cards, &errors);
+        assert_eq!(cards.len(), 1);
+        assert!(cards[0].title.starts_with("1000 files"));
+        assert_eq!(cards[0].details.lines().count(), 1000);
+    }
+}

@@ -1,0 +1,212 @@
+//! Writes what is on screen: a figure of the 3D view, all tables as files.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::pose_distances::PoseDistanceParams;
+use crate::engine::{
+    AnalysisRequest, Cache, Engine, ExportFile, PoseMapParams, metric_words, run,
+};
+use crate::io::{distances_csv, frames_csv, poses_csv, subjects_csv, summary_json};
+use crate::picture::figure::{
+    FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,
+    encoded_png,
+};
+use crate::picture::{PictureTheme, SceneSettings, subject_scene};
+use crate::progress::Progress;
+use crate::render::{Camera, Headless};
+use crate::study::Study;
+
+use super::pictures::Heart;
+use super::play::pose_at;
+use super::state::State;
+use super::viewport::{ShownHeart, Viewport};
+
+/// Width and height of an exported figure in pixels: a column of print at 600 dots per inch.
+const FIGURE_SIZE: [u32; 2] = [2000, 1500];
+
+/// A name for the figure of what is on screen, of the pseudonym and the frame.
+pub fn figure_name(state: &State) -> String {
+    let id = state
+        .document
+        .selected()
+        .map_or_else(|| "figure".to_owned(), |subject| subject.id.clone());
+    let safe: String = id
+        .chars()
+        .map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' })
+        .collect();
+    format!("{safe}_frame_{}.png", state.document.frame())
+}
+
+/// A heart, a camera and settings: everything that a figure is drawn from.
+struct Figure {
+    heart: Arc<Heart>,
+    settings: SceneSettings,
+    position: f64,
+    camera: Camera,
+    content: FigureContent,
+    words: FigureSettings,
+}
+
+/// Draws and writes the selected heart as it is seen now, off the window's thread.
+pub fn write_figure(
+    engine: &mut Engine,
+    state: &State,
+    viewport: &Viewport,
+    dark: bool,
+    path: PathBuf,
+) {
+    let Some(shown) = viewport.shown().first() else {
+        return;
+    };
+    let figure = figure(state, viewport, shown, dark);
+    let words = format!(
+        "{} × {} pixels, {}",
+        FIGURE_SIZE[0],
+        FIGURE_SIZE[1],
+        path.file_name().unwrap_or_default().to_string_lossy()
+    );
+    engine.start_export("Figure", words, move |progress| {
+        let bytes = drawn(&figure, progress)?;
+        Ok(vec![ExportFile { path, bytes }])
+    });
+}
+
+fn figure(state: &State, viewport: &Viewport, shown: &ShownHeart, dark: bool) -> Figure {
+    let settings = SceneSettings {
+        theme: if dark {
+            PictureTheme::DARK
+        } else {
+            PictureTheme::LIGHT
+        },
+        ..viewport.settings(state, dark)
+    };
+    let prepared = &shown.heart.prepared;
+    let pose = pose_at(shown.position, prepared.frame_count);
+    let legend = subject_scene(prepared, &settings, pose).legend;
+    let subject = FigureSubject {
+        subject: &shown.subject,
+        measures: state.measures_of(shown.index),
+        frame: super::document::nearest_frame(shown.position, prepared.frame_count),
+    };
+    let words = vec![
+        ("Software", concat!("Cardiomorph ", env!("CARGO_PKG_VERSION")).to_owned()),
+        ("Subject", shown.subject.id.clone()),
+        ("Position", format!("{:.3} frames", shown.position)),
+        ("Colour", format!("{:?}", settings.quantity)),
+        ("Camera", camera_words(&viewport.camera(state, shown))),
+    ];
+    Figure {
+        words,
+        content: FigureContent::of(subject, legend, prepared.axes.cube()),
+        camera: viewport.camera(state, shown),
+        heart: Arc::clone(&shown.heart),
+        position: shown.position,
+        settings,
+    }
+}
+
+/// A camera in numbers with which the picture can be taken again.
+fn camera_words(camera: &Camera) -> String {
+    let (target, turn) = (camera.target, camera.world_from_camera);
+    format!(
+        "target {:.3} {:.3} {:.3}, rotation {:.5} {:.5} {:.5} {:.5}, half height {:.3}",
+        target.x, target.y, target.z, turn.x, turn.y, turn.z, turn.w, camera.half_height
+    )
+}
+
+fn drawn(figure: &Figure, progress: &Progress) -> Result<Vec<u8>, String> {
+    progress.begin_phase("drawing", 0.0, 0.8);
+    let fonts = FigureFonts::load().map_err(|error| error.to_string())?;
+    let frame = FigureFrame::of(FIGURE_SIZE, &figure.content, &fonts);
+    let prepared = &figure.heart.prepared;
+    let pose = pose_at(figure.position, prepared.frame_count);
+    let scene = subject_scene(prepared, &figure.settings, pose).scene;
+    let mut headless = Headless::new().map_err(|error| error.to_string())?;
+    let heart = headless
+        .picture(
+            &scene,
+            &figure.camera,
+            frame.size[0],
+            frame.heart_height,
+            frame.scale,
+        )
+        .map_err(|error| error.to_string())?;
+    progress.begin_phase("writing", 0.8, 1.0);
+    progress.check().map_err(|stopped| stopped.to_string())?;
+    let canvas = drawn_figure(
+        &frame,
+        &figure.content,
+        &heart.rgba,
+        &figure.camera,
+        &figure.settings.theme,
+        false,
+        &fonts,
+    );
+    encoded_png(&canvas, &figure.words).map_err(|error| error.to_string())
+}
+
+/// Writes all tables into a folder, off the window's thread: what `analyze` writes, with the
+/// metric that the map on screen has.
+pub fn write_tables(engine: &mut Engine, state: &State, folder: PathBuf) {
+    let study = Arc::clone(state.document.study());
+    if study.subjects.is_empty() {
+        return;
+    }
+    let distances = state.document.map.distances;
+    let words = metric_words(&distances.metric);
+    engine.start_export("Tables", words, move |progress| {
+        tables(&study, distances, &folder, progress)
+    });
+}
+
+fn tables(
+    study: &Study,
+    distances: PoseDistanceParams,
+    folder: &Path,
+    progress: &Progress,
+) -> Result<Vec<ExportFile>, String> {
+    let cache = Cache::default();
+    let answer = |request: AnalysisRequest| {
+        run(study, &request, &cache, progress).map_err(|error| error.to_string())
+    };
+    let map = |method| {
+        let request = AnalysisRequest::PoseMap(PoseMapParams { distances, method });
+        let outcome = answer(request)?;
+        outcome
+            .pose_map()
+            .cloned()
+            .ok_or_else(|| "the map of poses is missing".to_owned())
+    };
+    let measures = answer(AnalysisRequest::Measures)?;
+    let measures = measures
+        .measures()
+        .ok_or_else(|| "the measures are missing".to_owned())?;
+    let mds = map(MapMethod::ClassicalMds)?;
+    let smacof = map(MapMethod::Smacof)?;
+    let poses = &mds.distances.poses;
+    let summary = summary_json(
+        study,
+        measures,
+        &mds.distances,
+        &metric_words(&distances.metric),
+        &[("mds", &mds.embedding), ("smacof", &smacof.embedding)],
+    );
+    let summary = serde_json::to_string_pretty(&summary).map_err(|error| error.to_string())?;
+    let tables = [
+        ("measures.csv", subjects_csv(study, measures)),
+        ("frames.csv", frames_csv(study, measures)),
+        ("distances.csv", distances_csv(study, &mds.distances)),
+        ("poses_mds.csv", poses_csv(study, poses, &mds.embedding)),
+        ("poses_smacof.csv", poses_csv(study, poses, &smacof.embedding)),
+        ("summary.json", summary + "\n"),
+    ];
+    Ok(tables
+        .into_iter()
+        .map(|(name, text)| ExportFile {
+            path: folder.join(name),
+            bytes: text.into_bytes(),
+        })
+        .collect())
+}

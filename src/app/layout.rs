@@ -1,0 +1,214 @@
+//! Where the tiles of the window lie: moved, closed, restored and remembered.
+
+use egui_tiles::{Container, Linear, LinearDir, Tile, TileId, Tiles, Tree};
+use serde::{Deserialize, Serialize};
+
+use crate::ui::Pane;
+
+/// All panes with the words that name them in a saved layout; the words never change.
+pub const PANES: [(Pane, &str); 6] = [
+    (Pane::Cohort, "cohort"),
+    (Pane::Activity, "activity"),
+    (Pane::Viewport, "viewport"),
+    (Pane::PoseMap, "pose_map"),
+    (Pane::Curves, "curves"),
+    (Pane::Measures, "measures"),
+];
+
+/// Shares of the window's width: cohort, 3D view, results.
+const COLUMN_SHARES: [f32; 3] = [0.175, 0.53, 0.295];
+
+/// Shares of the right column's height: map, measures, curves.
+const RIGHT_SHARES: [f32; 3] = [0.46, 0.265, 0.275];
+
+/// A pane that can be written into a saved layout.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(into = "String", try_from = "String")]
+pub struct PaneTile(pub Pane);
+
+impl From<PaneTile> for String {
+    fn from(tile: PaneTile) -> Self {
+        PANES
+            .iter()
+            .find(|(pane, _)| *pane == tile.0)
+            .map_or_else(Self::new, |(_, word)| (*word).to_owned())
+    }
+}
+
+impl TryFrom<String> for PaneTile {
+    type Error = String;
+
+    fn try_from(word: String) -> Result<Self, String> {
+        PANES
+            .iter()
+            .find(|(_, known)| *known == word)
+            .map(|(pane, _)| Self(*pane))
+            .ok_or_else(|| format!("no pane is called {word:?}"))
+    }
+}
+
+/// The tiles of the window. Closed panes stay in the tree, unseen, and come back to their place.
+#[derive(Debug)]
+pub struct Layout {
+    /// The tree that `egui_tiles` draws.
+    pub tree: Tree<PaneTile>,
+}
+
+impl Default for Layout {
+    fn default() -> Self {
+        let mut tiles = Tiles::default();
+        let mut tabs = |panes: &[Pane]| {
+            let children = panes
+                .iter()
+                .map(|pane| tiles.insert_pane(PaneTile(*pane)))
+                .collect();
+            tiles.insert_tab_tile(children)
+        };
+        let left = tabs(&[Pane::Cohort, Pane::Activity]);
+        let middle = tabs(&[Pane::Viewport]);
+        let right = [Pane::PoseMap, Pane::Measures, Pane::Curves].map(|pane| tabs(&[pane]));
+        let right = insert_linear(&mut tiles, LinearDir::Vertical, &right, &RIGHT_SHARES);
+        let columns = [left, middle, right];
+        let root = insert_linear(&mut tiles, LinearDir::Horizontal, &columns, &COLUMN_SHARES);
+        Self {
+            tree: Tree::new(tree_id(), root, tiles),
+        }
+    }
+}
+
+fn tree_id() -> egui::Id {
+    egui::Id::unique("tiles")
+}
+
+fn insert_linear(
+    tiles: &mut Tiles<PaneTile>,
+    direction: LinearDir,
+    children: &[TileId],
+    shares: &[f32],
+) -> TileId {
+    let mut linear = Linear::new(direction, children.to_vec());
+    for (child, share) in children.iter().zip(shares) {
+        linear.shares.set_share(*child, *share);
+    }
+    tiles.insert_container(Container::Linear(linear))
+}
+
+impl Layout {
+    /// A saved layout; the default one where the text cannot be read or lacks a pane.
+    pub fn from_saved(text: &str) -> Self {
+        serde_json::from_str::<Tree<PaneTile>>(text)
+            .ok()
+            .map(|tree| Self { tree })
+            .filter(Self::has_every_pane_once)
+            .unwrap_or_default()
+    }
+
+    /// The layout as text.
+    pub fn to_saved(&self) -> Option<String> {
+        serde_json::to_string(&self.tree).ok()
+    }
+
+    /// Whether a pane is open; it may be hidden behind another tab.
+    pub fn is_open(&self, pane: Pane) -> bool {
+        self.tile_of(pane)
+            .is_some_and(|tile| self.tree.is_visible(tile))
+    }
+
+    /// Opens a pane in its place and brings it before other tabs, or closes it.
+    pub fn set_open(&mut self, pane: Pane, open: bool) {
+        let Some(tile) = self.tile_of(pane) else {
+            return;
+        };
+        self.tree.set_visible(tile, open);
+        if open {
+            self.show(pane);
+        } else {
+            self.leave_tab(tile);
+        }
+    }
+
+    /// Brings a pane before other tabs.
+    pub fn show(&mut self, pane: Pane) {
+        self.tree
+            .make_active(|_, tile| matches!(tile, Tile::Pane(PaneTile(other)) if *other == pane));
+    }
+
+    /// A closed tab that lay in front gives way to an open one beside it.
+    fn leave_tab(&mut self, closed: TileId) {
+        let Some(parent) = self.tree.tiles.parent_of(closed) else {
+            return;
+        };
+        let Some(Tile::Container(Container::Tabs(tabs))) = self.tree.tiles.get(parent) else {
+            return;
+        };
+        let next = tabs
+            .children
+            .iter()
+            .copied()
+            .find(|child| self.tree.is_visible(*child));
+        if tabs.active == Some(closed)
+            && let Some(next) = next
+        {
+            self.tree.make_active(|tile, _| tile == next);
+        }
+    }
+
+    fn tile_of(&self, pane: Pane) -> Option<TileId> {
+        self.tree.tiles.find_pane(&PaneTile(pane))
+    }
+
+    fn has_every_pane_once(&self) -> bool {
+        PANES.iter().all(|(pane, _)| {
+            self.tree
+                .tiles
+                .tiles()
+                .filter(|tile| matches!(tile, Tile::Pane(PaneTile(other)) if other == pane))
+                .count()
+                == 1
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_layout_comes_back_from_its_text() {
+        let mut layout = Layout::default();
+        layout.set_open(Pane::Curves, false);
+        let back = Layout::from_saved(&layout.to_saved().unwrap());
+        assert!(!back.is_open(Pane::Curves));
+        assert!(back.is_open(Pane::PoseMap));
+        assert_eq!(back.to_saved(), layout.to_saved());
+    }
+
+    #[test]
+    fn a_closed_pane_comes_back_to_its_place() {
+        let mut layout = Layout::default();
+        let before = layout.to_saved();
+        layout.set_open(Pane::Viewport, false);
+        assert!(!layout.is_open(Pane::Viewport));
+        layout.set_open(Pane::Viewport, true);
+        assert!(layout.is_open(Pane::Viewport));
+        assert_eq!(layout.to_saved(), before);
+    }
+
+    #[test]
+    fn closing_the_tab_in_front_shows_the_one_behind() {
+        let mut layout = Layout::default();
+        layout.show(Pane::Cohort);
+        layout.set_open(Pane::Cohort, false);
+        let activity = layout.tile_of(Pane::Activity).unwrap();
+        assert!(layout.tree.active_tiles().contains(&activity));
+    }
+
+    #[test]
+    fn damaged_or_foreign_text_gives_the_default_layout() {
+        let default = Layout::default().to_saved();
+        assert_eq!(Layout::from_saved("{").to_saved(), default);
+        assert_eq!(Layout::from_saved("null").to_saved(), default);
+        let text = default.clone().unwrap().replace("\"curves\"", "\"viewport\"");
+        assert_eq!(Layout::from_saved(&text).to_saved(), default);
+    }
+}

@@ -1,0 +1,131 @@
+//! Turns a new map so that it agrees with the one on screen: a map's own axes mean nothing.
+
+use std::collections::HashMap;
+
+use crate::engine::PoseMap;
+
+/// `map`, moved, turned and, if that fits better, mirrored, so that poses lie as near as possible
+/// to where `previous` shows them. Distances stay as they are.
+///
+/// With s = Σ pᵢ·qᵢ and c = Σ pᵢ×qᵢ over poses in both maps, p of the new map and q of the old,
+/// both centred, the best rotation is by atan2(c, s) and gains √(s² + c²); the mirror image is
+/// taken where it gains more. Maps that share fewer than two poses, or are not plane, stay.
+pub fn oriented_like(map: PoseMap, previous: &PoseMap) -> PoseMap {
+    if map.embedding.dimensions != 2 || previous.embedding.dimensions != 2 {
+        return map;
+    }
+    let place: HashMap<_, _> = previous.distances.poses.iter().copied().zip(0..).collect();
+    let pairs: Vec<([f64; 2], [f64; 2])> = map
+        .distances
+        .poses
+        .iter()
+        .enumerate()
+        .filter_map(|(row, pose)| {
+            let old = *place.get(pose)?;
+            Some((
+                plane(map.embedding.point(row)),
+                plane(previous.embedding.point(old)),
+            ))
+        })
+        .collect();
+    if pairs.len() < 2 {
+        return map;
+    }
+    let count = pairs.len() as f64;
+    let middle = |side: fn(&([f64; 2], [f64; 2])) -> [f64; 2]| {
+        let sum = pairs.iter().map(side).fold([0.0, 0.0], |sum, point| {
+            [sum[0] + point[0], sum[1] + point[1]]
+        });
+        [sum[0] / count, sum[1] / count]
+    };
+    let (from, to) = (middle(|pair| pair.0), middle(|pair| pair.1));
+    let turn = |mirror: f64| {
+        let (mut dot, mut cross) = (0.0, 0.0);
+        for (p, q) in &pairs {
+            let p = [p[0] - from[0], mirror * (p[1] - from[1])];
+            let q = [q[0] - to[0], q[1] - to[1]];
+            dot += p[0] * q[0] + p[1] * q[1];
+            cross += p[0] * q[1] - p[1] * q[0];
+        }
+        (dot.hypot(cross), cross.atan2(dot), mirror)
+    };
+    let (plain, mirrored) = (turn(1.0), turn(-1.0));
+    let (_, angle, mirror) = if mirrored.0 > plain.0 { mirrored } else { plain };
+    let (sin, cos) = angle.sin_cos();
+    let mut map = map;
+    for point in map.embedding.coordinates.chunks_exact_mut(2) {
+        let (x, y) = (point[0] - from[0], mirror * (point[1] - from[1]));
+        point[0] = to[0] + cos * x - sin * y;
+        point[1] = to[1] + sin * x + cos * y;
+    }
+    map
+}
+
+fn plane(point: &[f64]) -> [f64; 2] {
+    [
+        point.first().copied().unwrap_or_default(),
+        point.get(1).copied().unwrap_or_default(),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::embedding::Embedding;
+    use crate::analysis::pose_distances::{DistanceMatrix, PoseDistances, PoseId};
+    use std::sync::Arc;
+
+    fn map(points: &[[f64; 2]]) -> PoseMap {
+        let poses = (0..points.len())
+            .map(|frame| PoseId { subject: 0, frame })
+            .collect();
+        let pairs = points.len() * (points.len() - 1) / 2;
+        PoseMap {
+            distances: Arc::new(PoseDistances {
+                poses,
+                distances: DistanceMatrix::from_upper(points.len(), vec![1.0; pairs]).unwrap(),
+                left_out: Vec::new(),
+            }),
+            embedding: Embedding {
+                dimensions: 2,
+                coordinates: points.concat(),
+                stress: None,
+                eigenvalues: None,
+                iterations: None,
+            },
+        }
+    }
+
+    #[test]
+    fn a_turned_mirrored_and_moved_map_comes_back_to_its_place() {
+        let shown = [[0.0, 0.0], [4.0, 0.5], [1.0, 3.0], [-2.0, 1.0]];
+        for mirror in [1.0, -1.0] {
+            let (sin, cos) = 2.1_f64.sin_cos();
+            let moved: Vec<[f64; 2]> = shown
+                .iter()
+                .map(|[x, y]| {
+                    let y = mirror * y;
+                    [7.0 + cos * x - sin * y, -3.0 + sin * x + cos * y]
+                })
+                .collect();
+            let back = oriented_like(map(&moved), &map(&shown));
+            for (got, want) in back.embedding.coordinates.iter().zip(shown.concat()) {
+                assert!((got - want).abs() < 1e-12);
+            }
+        }
+    }
+
+    #[test]
+    fn orienting_changes_no_distance() {
+        let old = map(&[[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]]);
+        let new = map(&[[0.0, 2.0], [5.0, 1.0], [-1.0, 1.0]]);
+        let length = |map: &PoseMap, i: usize, j: usize| {
+            let (p, q) = (map.embedding.point(i), map.embedding.point(j));
+            (p[0] - q[0]).hypot(p[1] - q[1])
+        };
+        let turned = oriented_like(new.clone(), &old);
+        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
+            assert!((length(&turned, i, j) - length(&new, i, j)).abs() < 1e-12);
+        }
+    }
+}

@@ -1,0 +1,319 @@
+//! The tiles of the window: their headers, borders and contents.
+
+use std::collections::HashSet;
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
+
+use egui::epaint::{Mesh, RectShape};
+use egui::{Color32, CornerRadius, Rect, Sense, Shape, Stroke, StrokeKind, Ui, pos2};
+use egui_tiles::{
+    Behavior, Container, ResizeState, SimplificationOptions, TabState, Tabs, Tile, TileId, Tiles,
+    Tree, UiResponse,
+};
+
+use crate::ui::theme::{colours, line, radius, space};
+use crate::ui::{
+    Command, EmptyStateView, MeasuresView, Pane, PoseMapView, WorkItem, activity_ui,
+    cohort_table_ui, curves_ui, empty_state_ui, measures_card_ui, pane_header_ui,
+    pose_map_header_ui, pose_map_ui, tab_ui, viewport_header_ui,
+};
+
+use super::layout::PaneTile;
+use super::state::State;
+use super::viewport::Viewport;
+use super::views::{BeatData, CohortData, viewport_header_view};
+
+/// Everything the panes of one frame need.
+pub struct Panes<'a> {
+    /// The state.
+    pub state: &'a State,
+    /// Rows of the cohort.
+    pub cohort: &'a CohortData,
+    /// Numbers of the beat.
+    pub beat: &'a BeatData,
+    /// The map.
+    pub map: PoseMapView<'a>,
+    /// The measures.
+    pub measures: MeasuresView<'a>,
+    /// The activity list.
+    pub activity: &'a [WorkItem],
+    /// Whether volumes are being computed.
+    pub measuring: bool,
+    /// Whether something is being opened.
+    pub opening: bool,
+    /// The 3D view.
+    pub viewport: &'a mut Viewport,
+    /// Takes the time of the paint callbacks.
+    pub meter: &'a Arc<AtomicU64>,
+    /// What the user asked for.
+    pub commands: &'a mut Vec<Command>,
+    /// Containers of tabs, which have a border.
+    pub framed: HashSet<TileId>,
+    /// Panes whose title stands in a bar of tabs.
+    pub tabbed: HashSet<TileId>,
+}
+
+/// Containers of tabs, and panes that share one with another open pane.
+pub fn tab_containers(tree: &Tree<PaneTile>) -> (HashSet<TileId>, HashSet<TileId>) {
+    let mut framed = HashSet::new();
+    let mut tabbed = HashSet::new();
+    for (id, tile) in tree.tiles.iter() {
+        if let Tile::Container(Container::Tabs(tabs)) = tile {
+            framed.insert(*id);
+            let open = open_children(&tree.tiles, tabs);
+            if open.len() > 1 {
+                tabbed.extend(open);
+            }
+        }
+    }
+    (framed, tabbed)
+}
+
+fn open_children(tiles: &Tiles<PaneTile>, tabs: &Tabs) -> Vec<TileId> {
+    tabs.children
+        .iter()
+        .copied()
+        .filter(|child| tiles.is_visible(*child))
+        .collect()
+}
+
+/// The words on tabs.
+pub fn pane_title(pane: Pane) -> &'static str {
+    match pane {
+        Pane::Cohort => "Cohort",
+        Pane::Activity => "Activity",
+        Pane::Viewport => "3D view",
+        Pane::PoseMap => "Poses",
+        Pane::Curves => "Volume",
+        Pane::Measures => "Measures",
+    }
+}
+
+impl Panes<'_> {
+    fn plain_header_ui(&mut self, ui: &mut Ui, pane: Pane) {
+        let note = self.header_note(pane);
+        pane_header_ui(
+            ui,
+            |ui| {
+                tab_ui(ui, pane_title(pane), true);
+            },
+            |ui| {
+                if let Some(note) = note {
+                    ui.label(egui::RichText::new(note).weak());
+                }
+            },
+        );
+    }
+
+    fn header_note(&self, pane: Pane) -> Option<String> {
+        match pane {
+            Pane::Cohort => {
+                let count = self.cohort.rows().len();
+                (count > 0).then(|| count.to_string())
+            }
+            Pane::Curves => self
+                .state
+                .document
+                .selected()
+                .map(|subject| subject.unit.volume_symbol().to_owned()),
+            _ => None,
+        }
+    }
+
+    fn content_ui(&mut self, ui: &mut Ui, pane: Pane) {
+        match pane {
+            Pane::Cohort => {
+                let view = self.cohort.view(self.state, self.measuring);
+                cohort_table_ui(ui, &view, self.commands);
+            }
+            Pane::Activity => activity_ui(ui, self.activity, self.commands),
+            Pane::Viewport => self.viewport_ui(ui),
+            Pane::PoseMap => pose_map_ui(ui, &self.map, self.commands),
+            Pane::Curves => {
+                let curves = self.beat.curves();
+                let view = self.beat.curves_view(self.state, &curves, self.measuring);
+                curves_ui(ui, &view, self.commands);
+            }
+            Pane::Measures => measures_card_ui(ui, &self.measures, self.commands),
+        }
+    }
+
+    fn viewport_ui(&mut self, ui: &mut Ui) {
+        if self.state.document.study().subjects.is_empty() {
+            let view = EmptyStateView {
+                files_hover: ui.input(|input| !input.raw.hovered_files.is_empty()),
+                opening: self.opening,
+            };
+            empty_state_ui(ui, &view, self.commands);
+            return;
+        }
+        self.viewport
+            .ui(ui, self.state, self.meter, self.commands);
+    }
+}
+
+impl Behavior<PaneTile> for Panes<'_> {
+    fn pane_ui(&mut self, ui: &mut Ui, tile_id: TileId, pane: &mut PaneTile) -> UiResponse {
+        let pane = pane.0;
+        let whole = ui.max_rect();
+        ui.painter().rect_filled(whole, 0.0, colours(ui).pane);
+        ui.spacing_mut().item_spacing.y = 0.0;
+        let mut answer = UiResponse::None;
+        if !self.tabbed.contains(&tile_id) {
+            // The strip itself moves the tile; what stands on it takes its own clicks.
+            let mut strip = whole;
+            strip.set_height(space::PANE_HEADER);
+            let id = ui.scope_id().with(("strip", tile_id));
+            let grip = ui.interact(strip, id, Sense::click_and_drag());
+            if grip.drag_started() {
+                answer = UiResponse::DragStarted;
+            }
+        }
+        match pane {
+            Pane::Viewport => {
+                viewport_header_ui(ui, &viewport_header_view(self.state), self.commands);
+            }
+            Pane::PoseMap => pose_map_header_ui(ui, &self.map, self.commands),
+            _ if !self.tabbed.contains(&tile_id) => self.plain_header_ui(ui, pane),
+            _ => {}
+        }
+        let rest = ui.available_rect_before_wrap();
+        let mut content = ui.new_child(egui::UiBuilder::new().max_rect(rest));
+        content.set_clip_rect(rest.intersect(ui.clip_rect()));
+        self.content_ui(&mut content, pane);
+        answer
+    }
+
+    fn tab_title_for_pane(&mut self, pane: &PaneTile) -> egui::WidgetText {
+        pane_title(pane.0).into()
+    }
+
+    fn tab_ui(
+        &mut self,
+        tiles: &mut Tiles<PaneTile>,
+        ui: &mut Ui,
+        id: egui::Id,
+        tile_id: TileId,
+        state: &TabState,
+    ) -> egui::Response {
+        let title = match tiles.get_pane(&tile_id) {
+            Some(pane) => pane_title(pane.0),
+            None => "Tiles",
+        };
+        ui.add_space(space::LARGE);
+        let shown = tab_ui(ui, title, state.active);
+        // Drag and drop needs the tile's own id; the drawn tab lies below.
+        ui.interact(shown.rect, id, Sense::click_and_drag())
+    }
+
+    fn top_bar_right_ui(
+        &mut self,
+        tiles: &Tiles<PaneTile>,
+        ui: &mut Ui,
+        _tile_id: TileId,
+        tabs: &Tabs,
+        _scroll_offset: &mut f32,
+    ) {
+        let active = tabs.active.and_then(|active| tiles.get_pane(&active));
+        if let Some(note) = active.and_then(|pane| self.header_note(pane.0)) {
+            ui.add_space(space::LARGE);
+            ui.label(egui::RichText::new(note).weak());
+        }
+    }
+
+    fn is_tab_bar_visible(&self, _tile_id: TileId, tabs: &Tabs) -> bool {
+        tabs.children
+            .iter()
+            .any(|child| self.tabbed.contains(child))
+    }
+
+    fn tab_bar_height(&self, _style: &egui::Style) -> f32 {
+        space::PANE_HEADER
+    }
+
+    fn gap_width(&self, _style: &egui::Style) -> f32 {
+        space::PANE_GAP
+    }
+
+    fn min_size(&self) -> f32 {
+        120.0
+    }
+
+    fn tab_bar_color(&self, visuals: &egui::Visuals) -> Color32 {
+        crate::ui::theme::Colours::of(visuals.dark_mode).pane
+    }
+
+    fn tab_bar_hline_stroke(&self, visuals: &egui::Visuals) -> Stroke {
+        Stroke::new(
+            line::THIN,
+            crate::ui::theme::Colours::of(visuals.dark_mode).line,
+        )
+    }
+
+    fn resize_stroke(&self, style: &egui::Style, state: ResizeState) -> Stroke {
+        let colours = crate::ui::theme::Colours::of(style.visuals.dark_mode);
+        match state {
+            ResizeState::Idle => Stroke::NONE,
+            ResizeState::Hovering => Stroke::new(line::STRONG, colours.line),
+            ResizeState::Dragging => Stroke::new(line::STRONG, colours.accent),
+        }
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions {
+            all_panes_must_have_tabs: true,
+            ..SimplificationOptions::default()
+        }
+    }
+
+    fn paint_on_top_of_tile(
+        &self,
+        painter: &egui::Painter,
+        style: &egui::Style,
+        tile_id: TileId,
+        rect: Rect,
+    ) {
+        if !self.framed.contains(&tile_id) {
+            return;
+        }
+        let colours = crate::ui::theme::Colours::of(style.visuals.dark_mode);
+        painter.add(Shape::mesh(corner_masks(
+            rect,
+            f32::from(radius::PANE),
+            colours.window,
+        )));
+        painter.add(RectShape::stroke(
+            rect,
+            CornerRadius::same(radius::PANE),
+            Stroke::new(line::THIN, colours.line),
+            StrokeKind::Inside,
+        ));
+    }
+}
+
+/// What lies outside the rounded corners of a rectangle, so that pictures have round corners too.
+fn corner_masks(rect: Rect, radius: f32, colour: Color32) -> Mesh {
+    const STEPS: u32 = 6;
+    let mut mesh = Mesh::default();
+    for (corner, x, y) in [
+        (rect.left_top(), 1.0, 1.0),
+        (rect.right_top(), -1.0, 1.0),
+        (rect.right_bottom(), -1.0, -1.0),
+        (rect.left_bottom(), 1.0, -1.0),
+    ] {
+        let start = mesh.vertices.len() as u32;
+        mesh.colored_vertex(corner, colour);
+        for step in 0..=STEPS {
+            let angle = std::f32::consts::FRAC_PI_2 * step as f32 / STEPS as f32;
+            let place = pos2(
+                corner.x + x * radius * (1.0 - angle.cos()),
+                corner.y + y * radius * (1.0 - angle.sin()),
+            );
+            mesh.colored_vertex(place, colour);
+        }
+        for step in 0..STEPS {
+            mesh.add_triangle(start, start + 1 + step, start + 2 + step);
+        }
+    }
+    mesh
+}

@@ -1,0 +1,128 @@
+//! What is remembered from one run to the next: theme, tiles, recent files. Nothing about subjects.
+
+use std::path::PathBuf;
+
+use serde::{Deserialize, Serialize};
+
+use crate::ui::ThemeChoice;
+
+use super::layout::Layout;
+
+/// Where the settings lie in the window system's storage.
+const KEY: &str = "cardiomorph-settings-1";
+
+/// How many recent files are kept.
+const MOST_RECENT: usize = 10;
+
+/// Remembered settings as they are written. Never changed in meaning: a new shape gets a new key.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(default)]
+struct SettingsV1 {
+    theme: String,
+    layout: String,
+    recent: Vec<PathBuf>,
+}
+
+/// Remembered settings in use.
+#[derive(Debug, Default)]
+pub struct Settings {
+    /// Light, dark, or as the system says.
+    pub theme: ThemeChoice,
+    /// Where the tiles lie.
+    pub layout: Layout,
+    /// What the user opened, latest first.
+    pub recent: Vec<PathBuf>,
+}
+
+impl Settings {
+    /// Reads what the last run left; defaults where there is nothing or it cannot be read.
+    pub fn load(storage: Option<&dyn eframe::Storage>) -> Self {
+        storage
+            .and_then(|storage| storage.get_string(KEY))
+            .map(|text| Self::from_text(&text))
+            .unwrap_or_default()
+    }
+
+    /// Leaves settings for the next run.
+    pub fn save(
+        storage: &mut dyn eframe::Storage,
+        theme: ThemeChoice,
+        layout: &Layout,
+        recent: &[PathBuf],
+    ) {
+        if let Some(text) = to_text(theme, layout, recent) {
+            storage.set_string(KEY, text);
+        }
+    }
+
+    fn from_text(text: &str) -> Self {
+        let saved: SettingsV1 = serde_json::from_str(text).unwrap_or_default();
+        Self {
+            theme: match saved.theme.as_str() {
+                "dark" => ThemeChoice::Dark,
+                "light" => ThemeChoice::Light,
+                _ => ThemeChoice::System,
+            },
+            layout: Layout::from_saved(&saved.layout),
+            recent: saved.recent.into_iter().take(MOST_RECENT).collect(),
+        }
+    }
+}
+
+fn to_text(theme: ThemeChoice, layout: &Layout, recent: &[PathBuf]) -> Option<String> {
+    let saved = SettingsV1 {
+        theme: match theme {
+            ThemeChoice::System => "system",
+            ThemeChoice::Dark => "dark",
+            ThemeChoice::Light => "light",
+        }
+        .to_owned(),
+        layout: layout.to_saved().unwrap_or_default(),
+        recent: recent.to_vec(),
+    };
+    serde_json::to_string(&saved).ok()
+}
+
+/// Puts what was opened first in the list of recent files, once.
+pub fn remember_recent(recent: &mut Vec<PathBuf>, opened: &[PathBuf]) {
+    recent.retain(|path| !opened.contains(path));
+    recent.splice(0..0, opened.iter().cloned());
+    recent.truncate(MOST_RECENT);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::Pane;
+
+    #[test]
+    fn settings_come_back_from_their_text() {
+        let mut layout = Layout::default();
+        layout.set_open(Pane::Activity, false);
+        let recent = vec![PathBuf::from("/a"), PathBuf::from("/b")];
+        let text = to_text(ThemeChoice::Light, &layout, &recent).unwrap();
+        let back = Settings::from_text(&text);
+        assert_eq!(back.theme, ThemeChoice::Light);
+        assert_eq!(back.recent, recent);
+        assert!(!back.layout.is_open(Pane::Activity));
+    }
+
+    #[test]
+    fn unreadable_settings_are_forgotten() {
+        let settings = Settings::from_text("[1, 2");
+        assert_eq!(settings.theme, ThemeChoice::System);
+        assert!(settings.recent.is_empty());
+    }
+
+    #[test]
+    fn recent_files_stand_once_latest_first_and_at_most_ten() {
+        let mut recent = Vec::new();
+        for i in 0..15 {
+            remember_recent(&mut recent, &[PathBuf::from(format!("/{i}"))]);
+        }
+        remember_recent(&mut recent, &[PathBuf::from("/9")]);
+        assert_eq!(recent.len(), MOST_RECENT);
+        assert_eq!(recent[0], PathBuf::from("/9"));
+        assert_eq!(recent.iter().filter(|path| path.ends_with("9")).count(), 1);
+    }
+}

@@ -1,0 +1,149 @@
+//! The window's door: starts the window, or says in one line why there can be none.
+
+use std::any::Any;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use super::app::{App, AppOptions};
+
+/// Why no window could be opened. Each says in one line what to install or do.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum StartError {
+    /// Neither X11 nor Wayland answers.
+    #[error("no display was found: DISPLAY and WAYLAND_DISPLAY are not set")]
+    NoDisplay,
+    /// A library of the window system is missing, or it refused the window.
+    #[error(
+        "the window system cannot be used: {reason}; on Debian or Ubuntu: apt-get install \
+         libx11-6 libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0"
+    )]
+    WindowSystem {
+        /// What it said.
+        reason: String,
+    },
+    /// No driver can draw.
+    #[error(
+        "no graphics driver was found: {reason}; on Debian or Ubuntu: apt-get install \
+         libvulkan1 mesa-vulkan-drivers"
+    )]
+    NoDriver {
+        /// What was tried.
+        reason: String,
+    },
+    /// The program itself could not start.
+    #[error("the window could not be prepared: {reason}")]
+    Preparation {
+        /// Why.
+        reason: String,
+    },
+}
+
+/// Size of the window at the first start, in points.
+const FIRST_SIZE: [f32; 2] = [1600.0, 1000.0];
+
+/// Smallest size at which every control can still be reached.
+const LEAST_SIZE: [f32; 2] = [880.0, 560.0];
+
+/// Opens the window on `paths`, or on the built-in cohort if there are none, and returns when it
+/// is closed.
+///
+/// # Errors
+/// If there is no display, no driver, or a library of the window system is missing. Errors print
+/// as one line; the headless door can then be taken.
+pub fn run_window(paths: Vec<PathBuf>) -> Result<(), StartError> {
+    if cfg!(all(unix, not(target_os = "macos"))) && !display_is_named() {
+        return Err(StartError::NoDisplay);
+    }
+    let options = AppOptions::opening(paths);
+    // winit panics where libxkbcommon-x11 is missing; until the window stands, that is an
+    // answer to be shown plainly, and afterwards panics are reported as ever.
+    let hook = Arc::new(Mutex::new(Some(std::panic::take_hook())));
+    std::panic::set_hook(Box::new(|_| {}));
+    let restore = {
+        let hook = Arc::clone(&hook);
+        move || {
+            if let Some(hook) = hook.lock().unwrap_or_else(PoisonError::into_inner).take() {
+                std::panic::set_hook(hook);
+            }
+        }
+    };
+    let started = restore.clone();
+    let outcome = catch_unwind(AssertUnwindSafe(|| {
+        eframe::run_native(
+            "Cardiomorph",
+            native_options(),
+            Box::new(move |cc| {
+                started();
+                Ok(Box::new(App::new(cc, options)?))
+            }),
+        )
+    }));
+    restore();
+    match outcome {
+        Ok(result) => result.map_err(|error| plain_error(&error)),
+        Err(payload) => Err(StartError::WindowSystem {
+            reason: panic_line(&*payload),
+        }),
+    }
+}
+
+fn display_is_named() -> bool {
+    ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"]
+        .iter()
+        .any(|name| std::env::var_os(name).is_some_and(|value| !value.is_empty()))
+}
+
+fn native_options() -> eframe::NativeOptions {
+    eframe::NativeOptions {
+        viewport: egui::ViewportBuilder::default()
+            .with_title("Cardiomorph")
+            .with_app_id("cardiomorph")
+            .with_inner_size(FIRST_SIZE)
+            .with_min_inner_size(LEAST_SIZE)
+            .with_drag_and_drop(true),
+        ..Default::default()
+    }
+}
+
+fn plain_error(error: &eframe::Error) -> StartError {
+    let reason = first_line(&error.to_string());
+    match error {
+        eframe::Error::Wgpu(_) => StartError::NoDriver { reason },
+        eframe::Error::AppCreation(_) => StartError::Preparation { reason },
+        _ => StartError::WindowSystem { reason },
+    }
+}
+
+fn first_line(text: &str) -> String {
+    text.lines().next().unwrap_or_default().to_owned()
+}
+
+fn panic_line(payload: &(dyn Any + Send)) -> String {
+    let text = payload
+        .downcast_ref::<&str>()
+        .map(|text| (*text).to_owned())
+        .or_else(|| payload.downcast_ref::<String>().cloned());
+    first_line(&text.unwrap_or_else(|| "no reason given".to_owned()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn errors_of_the_start_are_one_line_that_says_what_to_install() {
+        let errors = [
+            StartError::NoDisplay,
+            StartError::WindowSystem {
+                reason: panic_line(&"Library libxkbcommon-x11.so could not be loaded.\nmore"),
+            },
+            StartError::NoDriver {
+                reason: "No suitable adapter".to_owned(),
+            },
+        ];
+        for error in errors {
+            assert_eq!(error.to_string().lines().count(), 1, "{error}");
+        }
+    }
+}

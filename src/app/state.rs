@@ -1,0 +1,163 @@
+//! Everything the window shows, as plain values; `apply` alone changes it.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::analysis::measures::SubjectMeasures;
+use crate::engine::PoseMap;
+use crate::study::built_in::BuiltInParams;
+use crate::study::{Revision, Study, Subject};
+use crate::ui::{ErrorCard, ThemeChoice};
+
+use super::document::{Document, OpeningReport, StudyRef};
+use super::play::PlayClock;
+use super::undo::History;
+
+/// Which sheets lie over the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sheets {
+    /// The command palette.
+    pub palette: bool,
+    /// The sheet of shortcuts.
+    pub shortcuts: bool,
+    /// What was found and assumed while reading.
+    pub load_report: bool,
+    /// About the program.
+    pub about: bool,
+}
+
+/// A result with the study it belongs to.
+#[derive(Clone, Debug)]
+pub struct Fresh<T> {
+    /// The revision that it was computed from.
+    pub revision: Revision,
+    /// Which opening that study came from; subjects' indices mean the same within one.
+    pub opening: u64,
+    /// The result as the engine gave it.
+    pub source: Arc<T>,
+    /// The result as it is shown.
+    pub value: Arc<T>,
+}
+
+/// The latest results; shown while newer ones are computed, as long as they are of the same study.
+#[derive(Clone, Debug, Default)]
+pub struct Results {
+    /// Clinical measures of every subject.
+    pub measures: Option<Fresh<Vec<SubjectMeasures>>>,
+    /// The map of all poses, turned to agree with the map before it.
+    pub map: Option<Fresh<PoseMap>>,
+}
+
+/// Everything the window shows.
+#[derive(Debug)]
+pub struct State {
+    /// What undo brings back.
+    pub document: Document,
+    /// Undo and redo.
+    pub history: History,
+    /// Whether and how fast the beat plays.
+    pub play: PlayClock,
+    /// What lies over the window.
+    pub sheets: Sheets,
+    /// Light or dark.
+    pub theme: ThemeChoice,
+    /// Whether the window fills the screen.
+    pub full_screen: bool,
+    /// What was opened before, latest first.
+    pub recent: Vec<PathBuf>,
+    /// What went wrong, oldest first.
+    pub errors: Vec<ErrorCard>,
+    /// The latest results.
+    pub results: Results,
+    /// What was done last, for the status bar.
+    pub message: String,
+    /// How finely the built-in cohort is made.
+    pub built_in: BuiltInParams,
+    pub(super) last_opening: u64,
+}
+
+impl Default for State {
+    fn default() -> Self {
+        let nothing = StudyRef {
+            study: Arc::default(),
+            opening: 0,
+            report: Arc::default(),
+        };
+        Self {
+            document: Document::new(nothing),
+            history: History::default(),
+            play: PlayClock::default(),
+            sheets: Sheets::default(),
+            theme: ThemeChoice::default(),
+            full_screen: false,
+            recent: Vec::new(),
+            errors: Vec::new(),
+            results: Results::default(),
+            message: String::new(),
+            built_in: BuiltInParams::default(),
+            last_opening: 0,
+        }
+    }
+}
+
+impl State {
+    /// Measures of the study on screen, possibly of its state before the last edit.
+    pub fn measures(&self) -> Option<&Arc<Vec<SubjectMeasures>>> {
+        self.of_this_study(self.results.measures.as_ref())
+    }
+
+    /// Measures of one subject.
+    pub fn measures_of(&self, subject: usize) -> Option<&SubjectMeasures> {
+        self.measures()?.get(subject)
+    }
+
+    /// The map of the study on screen.
+    pub fn map(&self) -> Option<&Arc<PoseMap>> {
+        self.of_this_study(self.results.map.as_ref())
+    }
+
+    /// Frames of end-diastole and end-systole of a subject: as stated, else as measured.
+    pub fn phases_of(&self, index: usize) -> (Option<usize>, Option<usize>) {
+        let stated = self.subject(index);
+        let measured = self.measures_of(index);
+        (
+            stated
+                .and_then(|subject| subject.end_diastole)
+                .or_else(|| measured.and_then(|measures| measures.end_diastole)),
+            stated
+                .and_then(|subject| subject.end_systole)
+                .or_else(|| measured.and_then(|measures| measures.end_systole)),
+        )
+    }
+
+    /// A subject of the study on screen.
+    pub fn subject(&self, index: usize) -> Option<&Arc<Subject>> {
+        self.document.study().subjects.get(index)
+    }
+
+    /// Shows a newly read study; the old one can be had back by undo.
+    pub fn show_study(&mut self, study: Arc<Study>, report: OpeningReport) {
+        self.last_opening += 1;
+        let opening = self.last_opening;
+        let before = self.document.clone();
+        let mut document = Document::new(StudyRef {
+            study,
+            opening,
+            report: Arc::new(report),
+        });
+        document.map = before.map;
+        document.visibility = before.visibility;
+        self.history.forget_studies_before(before.study.opening);
+        if before.study.opening > 0 {
+            self.history.record(before, None, false, 0.0);
+        }
+        self.document = document;
+        self.play.playing = false;
+    }
+
+    fn of_this_study<'a, T>(&self, fresh: Option<&'a Fresh<T>>) -> Option<&'a Arc<T>> {
+        fresh
+            .filter(|fresh| fresh.opening == self.document.study.opening)
+            .map(|fresh| &fresh.value)
+    }
+}

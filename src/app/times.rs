@@ -1,0 +1,159 @@
+//! How long the window takes: to its first picture, to the finished map, and for each frame.
+
+use std::collections::VecDeque;
+use std::io::Write;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+/// The variable that makes the program write its times to standard error.
+const SWITCH: &str = "CARDIOMORPH_TIMES";
+
+/// Frames that the running figures look back on: about four seconds of play.
+const LOOK_BACK: usize = 240;
+
+/// Processor time that the window itself spends on drawing, by frame.
+#[derive(Debug)]
+pub struct Times {
+    started: Instant,
+    print: bool,
+    first_picture: Option<Duration>,
+    finished_map: Option<Duration>,
+    /// Added to by the paint callback, which runs after `ui`.
+    prepare_ns: Arc<AtomicU64>,
+    this_frame: Duration,
+    playing_frames: VecDeque<Duration>,
+    playing_count: usize,
+}
+
+/// Processor time per frame while playing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FrameTimes {
+    /// Half of the frames took less.
+    pub median: Duration,
+    /// One frame in twenty took more.
+    pub high: Duration,
+    /// The longest.
+    pub longest: Duration,
+}
+
+impl Times {
+    /// Counts from `started`.
+    pub fn new(started: Instant) -> Self {
+        Self {
+            started,
+            print: std::env::var_os(SWITCH).is_some_and(|value| !value.is_empty() && value != "0"),
+            first_picture: None,
+            finished_map: None,
+            prepare_ns: Arc::default(),
+            this_frame: Duration::ZERO,
+            playing_frames: VecDeque::with_capacity(LOOK_BACK),
+            playing_count: 0,
+        }
+    }
+
+    /// Where the paint callback adds the time that it spends.
+    pub fn prepare_meter(&self) -> Arc<AtomicU64> {
+        Arc::clone(&self.prepare_ns)
+    }
+
+    /// A frame begins: takes in the one before.
+    pub fn begin_frame(&mut self, playing: bool) {
+        let prepare = Duration::from_nanos(self.prepare_ns.swap(0, Ordering::Relaxed));
+        let frame = std::mem::take(&mut self.this_frame) + prepare;
+        if !playing || frame.is_zero() {
+            return;
+        }
+        if self.playing_frames.len() == LOOK_BACK {
+            self.playing_frames.pop_front();
+        }
+        self.playing_frames.push_back(frame);
+        self.playing_count += 1;
+        if self.playing_count.is_multiple_of(LOOK_BACK) || self.playing_count == 30 {
+            self.print_frames();
+        }
+    }
+
+    /// Adds a part of this frame's work.
+    pub fn add(&mut self, part: Duration) {
+        self.this_frame += part;
+    }
+
+    /// A heart is on screen.
+    pub fn picture_shown(&mut self) {
+        if self.first_picture.is_none() {
+            let elapsed = self.started.elapsed();
+            self.first_picture = Some(elapsed);
+            self.say(&format!("first picture after {:.3} s", elapsed.as_secs_f64()));
+        }
+    }
+
+    /// The map is on screen.
+    pub fn map_shown(&mut self) {
+        if self.finished_map.is_none() {
+            let elapsed = self.started.elapsed();
+            self.finished_map = Some(elapsed);
+            self.say(&format!("finished map after {:.3} s", elapsed.as_secs_f64()));
+        }
+    }
+
+    /// Processor time of the latest frames while playing; `None` before any.
+    pub fn frames(&self) -> Option<FrameTimes> {
+        let mut sorted: Vec<Duration> = self.playing_frames.iter().copied().collect();
+        sorted.sort_unstable();
+        Some(FrameTimes {
+            median: *sorted.get(sorted.len() / 2)?,
+            high: *sorted.get(sorted.len() * 19 / 20)?,
+            longest: *sorted.last()?,
+        })
+    }
+
+    fn print_frames(&self) {
+        if let Some(times) = self.frames() {
+            let ms = |time: Duration| 1e3 * time.as_secs_f64();
+            self.say(&format!(
+                "window's own work per frame while playing: median {:.2} ms, 95 % below {:.2} ms, \
+                 longest {:.2} ms ({} frames)",
+                ms(times.median),
+                ms(times.high),
+                ms(times.longest),
+                self.playing_frames.len()
+            ));
+        }
+    }
+
+    fn say(&self, line: &str) {
+        if self.print {
+            // Nobody is left to hear that standard error is closed.
+            writeln!(std::io::stderr(), "cardiomorph: {line}").ok();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_of_the_callback_counts_to_the_frame_that_asked_for_it() {
+        let mut times = Times::new(Instant::now());
+        for ms in 1..=20 {
+            times.begin_frame(true);
+            times.add(Duration::from_millis(ms));
+            times.prepare_meter().fetch_add(1_000_000, Ordering::Relaxed);
+        }
+        times.begin_frame(true);
+        let frames = times.frames().unwrap();
+        assert_eq!(frames.longest, Duration::from_millis(21));
+        assert_eq!(frames.median, Duration::from_millis(12));
+    }
+
+    #[test]
+    fn frames_of_an_idle_window_are_not_counted() {
+        let mut times = Times::new(Instant::now());
+        times.begin_frame(false);
+        times.add(Duration::from_millis(3));
+        times.begin_frame(false);
+        assert_eq!(times.frames(), None);
+    }
+}

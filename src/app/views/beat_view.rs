@@ -1,0 +1,139 @@
+//! The beat of the selected heart: time bar, volume curves and measures.
+
+use crate::analysis::measures::{FrameMeasures, PhaseSource};
+use crate::app::document::phase_of;
+use crate::app::play::is_between;
+use crate::app::state::State;
+use crate::ui::{BeatAxis, Curve, CurveKind, CurvesView, MeasuresView, TimeBarView};
+
+/// What is said of poses between frames, until geodesic in-betweens exist.
+const BETWEEN: &str = "interpolated (linear)";
+
+/// Numbers of the selected heart's beat.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BeatData {
+    frame_shares: Vec<f64>,
+    endo_volumes: Vec<f64>,
+    epi_volumes: Vec<f64>,
+}
+
+impl BeatData {
+    /// Numbers of the heart that is selected now.
+    pub fn of(state: &State) -> Self {
+        let Some(subject) = state.document.selected() else {
+            return Self::default();
+        };
+        let frames = state
+            .measures_of(state.document.subject)
+            .map_or(&[][..], |measures| &measures.frames);
+        let volumes = |volume: fn(&FrameMeasures) -> Option<f64>| {
+            if frames.iter().all(|frame| volume(frame).is_none()) {
+                return Vec::new();
+            }
+            frames
+                .iter()
+                .map(|frame| volume(frame).unwrap_or(f64::NAN))
+                .collect()
+        };
+        Self {
+            frame_shares: (0..subject.sequence.frame_count())
+                .map(|frame| phase_of(subject, frame as f64))
+                .collect(),
+            endo_volumes: volumes(|frame| frame.endo_volume),
+            epi_volumes: volumes(|frame| frame.epi_volume),
+        }
+    }
+
+    /// Where the frames lie within the beat.
+    pub fn axis(&self) -> BeatAxis<'_> {
+        BeatAxis {
+            frame_shares: &self.frame_shares,
+        }
+    }
+
+    /// What the time bar shows.
+    pub fn time_bar<'a>(&'a self, state: &State) -> TimeBarView<'a> {
+        let document = &state.document;
+        let (end_diastole, end_systole) = state.phases_of(document.subject);
+        let time = document.selected().and_then(|subject| {
+            let count = subject.sequence.frame_count();
+            subject.timing.time_at(document.position, count)
+        });
+        TimeBarView {
+            playing: state.play.playing,
+            speed: state.play.speed,
+            looping: state.play.repeat,
+            position: document.position,
+            axis: self.axis(),
+            end_diastole,
+            end_systole,
+            time_ms: time.map(|time| 1e3 * time.0),
+            between: is_between(document.position).then_some(BETWEEN),
+        }
+    }
+
+    /// The curves that have numbers.
+    pub fn curves(&self) -> Vec<Curve<'_>> {
+        [
+            (CurveKind::Endocardium, &self.endo_volumes),
+            (CurveKind::Epicardium, &self.epi_volumes),
+        ]
+        .into_iter()
+        .filter(|(_, values)| !values.is_empty())
+        .map(|(kind, values)| Curve { kind, values })
+        .collect()
+    }
+
+    /// What the volume pane shows.
+    pub fn curves_view<'a>(
+        &'a self,
+        state: &State,
+        curves: &'a [Curve<'a>],
+        computing: bool,
+    ) -> CurvesView<'a> {
+        let document = &state.document;
+        let (end_diastole, end_systole) = state.phases_of(document.subject);
+        let subject = document.selected();
+        CurvesView {
+            curves,
+            unit: subject.map_or("", |subject| subject.unit.volume_symbol()),
+            axis: self.axis(),
+            beat_ms: subject
+                .and_then(|subject| subject.timing.rr)
+                .map(|rr| 1e3 * rr.0),
+            position: document.position,
+            end_diastole,
+            end_systole,
+            computing,
+        }
+    }
+}
+
+/// What the measures card shows.
+pub fn measures_view(state: &State, computing: bool) -> MeasuresView<'_> {
+    let document = &state.document;
+    let Some(subject) = document.selected() else {
+        return MeasuresView::default();
+    };
+    let measures = state.measures_of(document.subject);
+    let (end_diastole, end_systole) = state.phases_of(document.subject);
+    MeasuresView {
+        subject: Some(&subject.id),
+        computing,
+        ejection_fraction: measures.and_then(|measures| measures.ef),
+        end_diastolic_volume: measures.and_then(|measures| measures.edv),
+        end_systolic_volume: measures.and_then(|measures| measures.esv),
+        stroke_volume: measures.and_then(|measures| measures.sv),
+        volume_unit: subject.unit.volume_symbol(),
+        mass_g: measures
+            .and_then(|measures| measures.mass)
+            .map(|mass| mass.0),
+        end_diastole,
+        end_systole,
+        phases_stated: measures
+            .is_some_and(|measures| measures.phase_source == PhaseSource::Stated)
+            || subject.end_diastole.is_some()
+            || subject.end_systole.is_some(),
+        current_frame: document.frame(),
+    }
+}

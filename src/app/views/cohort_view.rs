@@ -1,0 +1,106 @@
+//! The cohort table: rows from subjects and measures, kept until one of them changes.
+
+use std::sync::Arc;
+
+use crate::analysis::measures::SubjectMeasures;
+use crate::app::document::Sorting;
+use crate::app::state::State;
+use crate::study::{Revision, Severity};
+use crate::ui::{CohortColumn, CohortRow, CohortSort, CohortView, ViewMode, visible_rows};
+
+/// Rows of the table with what they were made from.
+#[derive(Debug, Default)]
+pub struct CohortData {
+    made_from: Option<(Revision, Option<Arc<Vec<SubjectMeasures>>>)>,
+    rows: Vec<CohortRow>,
+    filtered_by: Option<(String, Sorting)>,
+    visible: Vec<usize>,
+}
+
+impl CohortData {
+    /// Makes rows again where the study, the measures, the filter or the order changed.
+    pub fn refresh(&mut self, state: &State) {
+        let revision = state.document.study().revision;
+        let measures = state.measures();
+        let same = self.made_from.as_ref().is_some_and(|(made, from)| {
+            *made == revision
+                && match (from, measures) {
+                    (Some(from), Some(now)) => Arc::ptr_eq(from, now),
+                    (None, None) => true,
+                    _ => false,
+                }
+        });
+        if !same {
+            self.rows = cohort_rows(state);
+            self.made_from = Some((revision, measures.cloned()));
+            self.filtered_by = None;
+        }
+        let document = &state.document;
+        let filter = (&document.search, document.sorting);
+        if self.filtered_by.as_ref().map(|(s, o)| (s, *o)) != Some(filter) {
+            self.visible = visible_rows(&self.rows, &document.search, sort(document.sorting));
+            self.filtered_by = Some((document.search.clone(), document.sorting));
+        }
+    }
+
+    /// All subjects in the order of the study.
+    pub fn rows(&self) -> &[CohortRow] {
+        &self.rows
+    }
+
+    /// What the pane shows.
+    pub fn view<'a>(&'a self, state: &'a State, measuring: bool) -> CohortView<'a> {
+        let document = &state.document;
+        let compared = (document.view_mode == ViewMode::SideBySide)
+            .then(|| document.compared())
+            .flatten();
+        CohortView {
+            rows: &self.rows,
+            visible: &self.visible,
+            search: &document.search,
+            sort: sort(document.sorting),
+            selected: document.selected().map(|_| document.subject),
+            compared,
+            measuring,
+        }
+    }
+}
+
+/// Indices of the subjects that the table shows, in its order.
+pub fn visible_subjects(state: &State) -> Vec<usize> {
+    let document = &state.document;
+    visible_rows(
+        &cohort_rows(state),
+        &document.search,
+        sort(document.sorting),
+    )
+}
+
+fn sort(sorting: Sorting) -> Option<CohortSort> {
+    let column = *CohortColumn::ALL.get(sorting.column?)?;
+    Some(CohortSort {
+        column,
+        descending: sorting.descending,
+    })
+}
+
+fn cohort_rows(state: &State) -> Vec<CohortRow> {
+    let study = state.document.study();
+    study
+        .subjects
+        .iter()
+        .enumerate()
+        .map(|(index, subject)| CohortRow {
+            id: subject.id.clone(),
+            label: subject.label.clone(),
+            role: study.role(subject),
+            ejection_fraction: state.measures_of(index).and_then(|measures| measures.ef),
+            frame_count: subject.sequence.frame_count(),
+            warning_count: subject
+                .notices
+                .iter()
+                .filter(|notice| notice.severity == Severity::Warning)
+                .count(),
+        })
+        .collect()
+}

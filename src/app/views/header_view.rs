@@ -1,0 +1,34 @@
+//! The strip above the 3D view.
+
+use crate::app::state::State;
+use crate::study::{Subject, SurfaceKind};
+use crate::ui::ViewportHeaderView;
+
+/// What the strip shows; switches of surfaces that the heart lacks are grey.
+pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
+    let document = &state.document;
+    let visible = document.visibility;
+    let has = |kinds: &[SurfaceKind]| {
+        document.selected().is_some_and(|subject: &std::sync::Arc<Subject>| {
+            kinds
+                .iter()
+                .any(|kind| subject.sequence.surface(*kind).is_some())
+        })
+    };
+    let inner = has(&[
+        SurfaceKind::Endocardium,
+        SurfaceKind::Cavity,
+        SurfaceKind::Other,
+    ]);
+    let outer = has(&[SurfaceKind::Epicardium, SurfaceKind::Wall]);
+    ViewportHeaderView {
+        mode: document.view_mode,
+        quantity: document.quantity,
+        shows_endocardium: inner.then_some(visible.endocardium),
+        shows_epicardium: outer.then_some(visible.epicardium),
+        shows_wireframe: visible.wireframe,
+        shows_vertices: visible.vertices,
+        free_camera: document.free_camera,
+        shading: visible.shading,
+    }
+}

@@ -1,0 +1,301 @@
+//! Commands and options; names are fixed because scripts depend on them.
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand};
+
+use crate::cli::words::{
+    AlignWord, CornersWord, DemoFormat, EmbedInput, EmbedMethod, FormWord, MetricWord,
+    QuantityWord, RegulariserWord, Switch, ThemeWord, ViewWord,
+};
+
+/// Reads how a left ventricle moves: beating meshes in 3D, live maps of poses, measures and figures.
+///
+/// Research software, not for diagnosis. With no command, opens the window on PATH…, or on the
+/// built-in cohort. Exit codes: 0 done, 1 the input is unusable, 2 wrong usage, 3 stopped by Ctrl-C.
+#[derive(Debug, Parser)]
+#[command(name = "cardiomorph", version, args_conflicts_with_subcommands = true)]
+struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+    /// Studies, folders and files to open in the window
+    #[arg(value_name = "PATH")]
+    paths: Vec<PathBuf>,
+    /// Threads of inner loops; results do not depend on it [default: one a core, at least 2]
+    #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+/// What to do without a window.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Writes the built-in cohort as a study on disk
+    Demo(DemoArgs),
+    /// Says what was found: subjects, frames, vertices, defects
+    Info(InfoArgs),
+    /// Does the whole analysis: tables, maps, summary, figures
+    Analyze(AnalyzeArgs),
+    /// Writes clinical measures only
+    Measure(MeasureArgs),
+    /// Computes one distance between two meshes in correspondence
+    Metric(MetricArgs),
+    /// Maps items by their distances, or points
+    Embed(EmbedArgs),
+    /// Renders a figure
+    Figure(FigureArgs),
+}
+
+/// Options of `demo`.
+#[derive(Debug, Args)]
+pub struct DemoArgs {
+    /// Folder to write into; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Vertices per heart, both surfaces together, at most
+    #[arg(long, value_name = "N", default_value_t = 2_500)]
+    pub vertices: usize,
+    /// Draws the variation between subjects
+    #[arg(long, default_value_t = 2009)]
+    pub seed: u64,
+    /// Format of the meshes
+    #[arg(long, value_enum, default_value_t = DemoFormat::Ply)]
+    pub format: DemoFormat,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `info`.
+#[derive(Debug, Args)]
+pub struct InfoArgs {
+    /// Studies, folders and files
+    #[arg(value_name = "PATH", required = true)]
+    pub paths: Vec<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `measure`.
+#[derive(Debug, Args)]
+pub struct MeasureArgs {
+    /// Studies, folders and files, together as one study; the built-in cohort if none is given
+    #[arg(value_name = "STUDY")]
+    pub study: Vec<PathBuf>,
+    /// Folder to write into; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `analyze`.
+#[derive(Debug, Args)]
+pub struct AnalyzeArgs {
+    /// Studies, folders and files, together as one study; the built-in cohort if none is given
+    #[arg(value_name = "STUDY")]
+    pub study: Vec<PathBuf>,
+    /// Folder to write into; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Whether a figure is rendered of every subject
+    #[arg(long, value_enum, default_value_t = Switch::On)]
+    pub figures: Switch,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `metric`.
+#[derive(Debug, Args)]
+pub struct MetricArgs {
+    /// Mesh A
+    pub a: PathBuf,
+    /// Mesh B, with the faces of A
+    pub b: PathBuf,
+    /// What is charged
+    #[arg(long, value_enum, default_value_t = MetricWord::QuasiConformal)]
+    pub metric: MetricWord,
+    /// How terms combine, in metrics that have forms
+    #[arg(long, value_enum, default_value_t = FormWord::Additive)]
+    pub form: FormWord,
+    /// Units of the corner terms
+    #[arg(long, value_enum, default_value_t = CornersWord::ScaleFree)]
+    pub corners: CornersWord,
+    /// Whether faces and vertices count by their share of the area
+    #[arg(long, value_enum, default_value_t = Switch::On)]
+    pub area_weights: Switch,
+    /// Weight of the curvature term in the additive form
+    #[arg(
+        long,
+        value_name = "M",
+        default_value_t = 1.0,
+        allow_negative_numbers = true
+    )]
+    pub mu: f64,
+    /// Weight of the regulariser
+    #[arg(
+        long,
+        value_name = "L",
+        default_value_t = 1e-4,
+        allow_negative_numbers = true
+    )]
+    pub lambda: f64,
+    /// How the regulariser counts vertices
+    #[arg(long, value_enum, default_value_t = RegulariserWord::Area)]
+    pub regulariser: RegulariserWord,
+    /// What is laid onto A before B is compared
+    #[arg(long, value_enum, default_value_t = AlignWord::None)]
+    pub align: AlignWord,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `embed`.
+#[derive(Debug, Args)]
+pub struct EmbedArgs {
+    /// CSV without a header: a square matrix of distances, or one point a row
+    pub file: PathBuf,
+    /// What the file holds
+    #[arg(long, value_enum)]
+    pub input: EmbedInput,
+    /// How items are mapped
+    #[arg(long, value_enum, default_value_t = EmbedMethod::Smacof)]
+    pub method: EmbedMethod,
+    /// Numbers per item
+    #[arg(long, value_name = "D", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..))]
+    pub dimensions: u16,
+    /// Draws the random starts of SMACOF
+    #[arg(long, default_value_t = 0)]
+    pub seed: u64,
+    /// Random starts of SMACOF beside that from classical scaling; the lowest stress wins
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub starts: u16,
+    /// CSV to write: x,y,… a row per item
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `figure`.
+#[derive(Debug, Args)]
+pub struct FigureArgs {
+    /// Studies, folders and files, together as one study; the built-in cohort if none is given
+    #[arg(value_name = "STUDY")]
+    pub study: Vec<PathBuf>,
+    /// Id of the subject, as `info` lists it [default: the first]
+    #[arg(long, value_name = "ID")]
+    pub subject: Option<String>,
+    /// Frame, numbered from 0
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub frame: usize,
+    /// What colours stand for
+    #[arg(long, value_enum, default_value_t = QuantityWord::Tissue)]
+    pub colour: QuantityWord,
+    /// Limits of the colours, LOW,HIGH, in place of the fixed ones
+    #[arg(long, value_name = "LOW,HIGH", value_parser = limits, allow_hyphen_values = true)]
+    pub limits: Option<[f64; 2]>,
+    /// PNG to write
+    #[arg(long, value_name = "PNG")]
+    pub out: PathBuf,
+    /// Pixels, from 320x240 to 8192x8192
+    #[arg(long, value_name = "WxH", default_value = "1200x900", value_parser = size)]
+    pub size: [u32; 2],
+    /// Draw nothing behind the heart
+    #[arg(long)]
+    pub transparent: bool,
+    /// Light for print, dark for slides
+    #[arg(long, value_enum, default_value_t = ThemeWord::Light)]
+    pub theme: ThemeWord,
+    /// Where to look from; anatomical words need a known orientation
+    #[arg(long, value_enum)]
+    pub view: Option<ViewWord>,
+    /// Draw edges
+    #[arg(long)]
+    pub wireframe: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    use crate::picture::figure::{GREATEST_SIZE, LEAST_SIZE};
+    let sides: Option<Vec<u32>> = text
+        .split(['x', '×'])
+        .map(|side| side.parse().ok())
+        .collect();
+    match sides.as_deref() {
+        Some(&[width, height])
+            if (LEAST_SIZE[0]..=GREATEST_SIZE).contains(&width)
+                && (LEAST_SIZE[1]..=GREATEST_SIZE).contains(&height) =>
+        {
+            Ok([width, height])
+        }
+        _ => Err("two numbers as in 1200x900, from 320x240 to 8192x8192".to_owned()),
+    }
+}
+
+fn limits(text: &str) -> Result<[f64; 2], String> {
+    let ends: Option<Vec<f64>> = text.split(',').map(|end| end.trim().parse().ok()).collect();
+    match ends.as_deref() {
+        Some(&[low, high]) if low.is_finite() && high.is_finite() && low < high => Ok([low, high]),
+        _ => Err("two numbers as in 0,20, the lower one first".to_owned()),
+    }
+}
+
+/// What the command line asks for.
+#[derive(Debug)]
+pub enum Door {
+    /// A window on these paths.
+    Window(Vec<PathBuf>),
+    /// A command.
+    Command(Command),
+}
+
+/// Reads the command line and sets the number of threads. Wrong usage, `--help` and `--version`
+/// are answered here and end the program.
+pub fn chosen_door() -> Door {
+    let cli = Cli::parse();
+    crate::engine::configure_threads(cli.threads.map(usize::from));
+    match cli.command {
+        Some(command) => Door::Command(command),
+        None => Door::Window(cli.paths),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_commands_do_not_contradict_each_other() {
+        Cli::command().debug_assert();
+    }
+
+    #[test]
+    fn paths_without_a_command_are_for_the_window() {
+        let cli = Cli::try_parse_from(["cardiomorph", "a", "b"]).unwrap();
+        assert!(cli.command.is_none());
+        assert_eq!(cli.paths.len(), 2);
+        let cli = Cli::try_parse_from(["cardiomorph", "info", "a", "--threads", "3"]).unwrap();
+        assert!(matches!(cli.command, Some(Command::Info(_))));
+        assert_eq!(cli.threads, Some(3));
+    }
+
+    #[test]
+    fn sizes_and_limits_are_checked_where_they_are_read() {
+        assert_eq!(size("640x480"), Ok([640, 480]));
+        for wrong in ["640", "100x100", "9000x100", "axb", "1x2x3"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(limits("-1.5, 2"), Ok([-1.5, 2.0]));
+        for wrong in ["1", "2,1", "0,NaN", "a,b"] {
+            assert!(limits(wrong).is_err(), "{wrong}");
+        }
+    }
+}

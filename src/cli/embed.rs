@@ -1,0 +1,231 @@
+//! `embed`: a map of items from a file of distances or points.
+
+use std::path::Path;
+
+use serde_json::json;
+
+use crate::analysis::embedding::{
+    Embedding, EmbeddingError, SmacofParams, classical_mds, pca, raw_stress, smacof,
+};
+use crate::analysis::pose_distances::DistanceMatrix;
+use crate::cli::args::EmbedArgs;
+use crate::cli::outcome::CliError;
+use crate::cli::print::{print, print_json};
+use crate::cli::words::{EmbedInput, EmbedMethod};
+use crate::cli::work::run_work;
+use crate::engine::{ExportFile, write_files};
+use crate::progress::Progress;
+
+pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
+    if args.method == EmbedMethod::Pca && args.input == EmbedInput::Distances {
+        return Err(CliError::Usage(
+            "--method pca needs --input points: distances have no components".to_owned(),
+        ));
+    }
+    let rows = rows_of(&args.file)?;
+    let items = rows.len();
+    let (method, dimensions) = (args.method, usize::from(args.dimensions));
+    let params = SmacofParams {
+        random_starts: usize::from(args.starts),
+        seed: args.seed,
+        ..SmacofParams::default()
+    };
+    let distances = match args.input {
+        EmbedInput::Distances => checked_distances(&rows)
+            .map_err(|reason| CliError::Unusable(format!("{reason}: {}", args.file.display())))?,
+        EmbedInput::Points => distances_of(&rows),
+    };
+    let map = run_work(move |progress| {
+        progress.begin_phase("laying out the map", 0.0, 1.0);
+        mapped(method, &rows, &distances, dimensions, params, progress)
+            .map(|map| (raw_stress(&distances, &map), map))
+    });
+    let (raw, map) = map?;
+    let table = ExportFile {
+        path: args.out.clone(),
+        bytes: coordinates_csv(&map).into_bytes(),
+    };
+    write_files(&[table]).map_err(CliError::Unusable)?;
+    report(&map, raw, items, args)
+}
+
+fn mapped(
+    method: EmbedMethod,
+    rows: &[Vec<f64>],
+    distances: &DistanceMatrix,
+    dimensions: usize,
+    params: SmacofParams,
+    progress: &Progress,
+) -> Result<Embedding, EmbeddingError> {
+    match method {
+        EmbedMethod::Mds => classical_mds(distances, dimensions, progress),
+        // The tolerance is the default one, which is in range.
+        EmbedMethod::Smacof => {
+            let checked = params.check().unwrap_or_default();
+            smacof(distances, dimensions, &checked, progress)
+        }
+        EmbedMethod::Pca => pca(&rows.concat(), rows.len(), dimensions, progress),
+    }
+}
+
+fn report(
+    map: &Embedding,
+    raw_stress: Option<f64>,
+    items: usize,
+    args: &EmbedArgs,
+) -> Result<(), CliError> {
+    if !args.json {
+        let stress = map
+            .stress
+            .map_or_else(String::new, |stress| format!(", stress {stress:.4}"));
+        let out = args.out.display();
+        return print(&format!("{items} items{stress}: {out}"));
+    }
+    let mut object = serde_json::Map::new();
+    if let Some(stress) = map.stress {
+        object.insert("stress".to_owned(), json!(stress));
+        object.insert("raw_stress".to_owned(), json!(raw_stress));
+    }
+    if let Some(eigenvalues) = &map.eigenvalues {
+        object.insert("eigenvalues".to_owned(), json!(eigenvalues));
+    }
+    if let Some(iterations) = map.iterations {
+        object.insert("iterations".to_owned(), json!(iterations));
+    }
+    print_json(&serde_json::Value::Object(object))
+}
+
+/// Rows of numbers without a header, all of one length.
+fn rows_of(path: &Path) -> Result<Vec<Vec<f64>>, CliError> {
+    let wrong = |reason: String| CliError::Unusable(format!("{reason}: {}", path.display()));
+    let bytes = std::fs::read(path).map_err(|error| wrong(error.to_string()))?;
+    let mut reader = csv::ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .trim(csv::Trim::All)
+        .from_reader(&*bytes);
+    let mut rows: Vec<Vec<f64>> = Vec::new();
+    for (line, record) in reader.records().enumerate() {
+        let record = record.map_err(|error| wrong(error.to_string()))?;
+        let mut row = Vec::with_capacity(record.len());
+        for cell in &record {
+            let number = cell.parse::<f64>().ok().filter(|number| number.is_finite());
+            row.push(number.ok_or_else(|| {
+                wrong(format!(
+                    "line {}: {cell:?} is not a finite number",
+                    line + 1
+                ))
+            })?);
+        }
+        if let Some(first) = rows.first().filter(|first| first.len() != row.len()) {
+            return Err(wrong(format!(
+                "line {}: {} numbers, but line 1 has {}",
+                line + 1,
+                row.len(),
+                first.len()
+            )));
+        }
+        rows.push(row);
+    }
+    if rows.is_empty() {
+        return Err(wrong("holds no numbers".to_owned()));
+    }
+    Ok(rows)
+}
+
+/// A square matrix as distances: not negative, zero on the diagonal, symmetric to a millionth of
+/// the largest entry, which is more than rounding in six printed digits leaves.
+fn checked_distances(rows: &[Vec<f64>]) -> Result<DistanceMatrix, String> {
+    let size = rows.len();
+    let width = rows[0].len();
+    if width != size {
+        return Err(format!(
+            "{size} rows of {width} numbers are not a square matrix"
+        ));
+    }
+    let largest = rows
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |most, d| most.max(d.abs()));
+    let slack = 1e-6 * largest;
+    let mut upper = Vec::with_capacity(size * size.saturating_sub(1) / 2);
+    for i in 0..size {
+        if rows[i][i].abs() > slack {
+            return Err(format!("row {i}: the diagonal is {}, not 0", rows[i][i]));
+        }
+        for j in i + 1..size {
+            let (there, back) = (rows[i][j], rows[j][i]);
+            if (there - back).abs() > slack {
+                return Err(format!("row {i}, column {j}: {there}, but back {back}"));
+            }
+            if there < 0.0 {
+                return Err(format!("row {i}, column {j}: a distance of {there}"));
+            }
+            upper.push(0.5 * (there + back));
+        }
+    }
+    DistanceMatrix::from_upper(size, upper).ok_or_else(|| "not a square matrix".to_owned())
+}
+
+fn distances_of(rows: &[Vec<f64>]) -> DistanceMatrix {
+    let mut upper = Vec::with_capacity(rows.len() * rows.len().saturating_sub(1) / 2);
+    for (i, a) in rows.iter().enumerate() {
+        for b in &rows[i + 1..] {
+            let squares: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
+            upper.push(squares.sqrt());
+        }
+    }
+    DistanceMatrix::from_upper(rows.len(), upper).unwrap_or_else(DistanceMatrix::empty)
+}
+
+fn coordinates_csv(map: &Embedding) -> String {
+    let mut table = column_names(map.dimensions).join(",") + "\n";
+    for item in 0..map.len() {
+        let row: Vec<String> = map.point(item).iter().map(ToString::to_string).collect();
+        table += &row.join(",");
+        table.push('\n');
+    }
+    table
+}
+
+/// x, y, z, then x4, x5, …
+fn column_names(dimensions: usize) -> Vec<String> {
+    (0..dimensions)
+        .map(|axis| match axis {
+            0 => "x".to_owned(),
+            1 => "y".to_owned(),
+            2 => "z".to_owned(),
+            more => format!("x{}", more + 1),
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_matrix_that_is_no_distance_is_refused_by_row_and_column() {
+        let error = |rows: &[&[f64]]| {
+            let rows: Vec<Vec<f64>> = rows.iter().map(|row| row.to_vec()).collect();
+            checked_distances(&rows).unwrap_err()
+        };
+        assert!(error(&[&[0.0, 1.0]]).contains("1 rows of 2 numbers"));
+        assert!(error(&[&[0.0, 1.0], &[2.0, 0.0]]).contains("row 0, column 1"));
+        assert!(error(&[&[0.0, -1.0], &[-1.0, 0.0]]).contains("a distance of -1"));
+        assert!(error(&[&[1.0]]).contains("diagonal"));
+    }
+
+    #[test]
+    fn points_give_their_euclidean_distances() {
+        let rows = vec![vec![0.0, 0.0], vec![3.0, 4.0], vec![0.0, 1.0]];
+        let distances = distances_of(&rows);
+        assert_eq!(distances.get(0, 1), 5.0);
+        assert_eq!(distances.get(0, 2), 1.0);
+    }
+
+    #[test]
+    fn axes_beyond_the_third_are_numbered() {
+        assert_eq!(column_names(5), ["x", "y", "z", "x4", "x5"]);
+    }
+}

@@ -1,0 +1,105 @@
+//! `info`: what was found, and what is odd about it.
+
+use serde_json::json;
+
+use crate::cli::args::InfoArgs;
+use crate::cli::input::opened;
+use crate::cli::outcome::CliError;
+use crate::cli::print::{print, print_json};
+use crate::io::Opened;
+use crate::study::{Notice, Severity, Subject};
+
+pub(super) fn info(args: &InfoArgs) -> Result<(), CliError> {
+    let opened = opened(&args.paths)?;
+    if args.json {
+        print_json(&as_json(&opened))?;
+    } else {
+        print(&as_text(&opened))?;
+    }
+    match (opened.errors.len(), opened.study.subjects.len()) {
+        (0, 0) => Err(CliError::Unusable("no meshes were found".to_owned())),
+        (0, _) => Ok(()),
+        (1, _) => Err(CliError::Unusable("1 input is unusable".to_owned())),
+        (count, _) => Err(CliError::Unusable(format!("{count} inputs are unusable"))),
+    }
+}
+
+fn as_json(opened: &Opened) -> serde_json::Value {
+    let subjects: Vec<_> = opened
+        .study
+        .subjects
+        .iter()
+        .map(|subject| {
+            json!({
+                "id": subject.id,
+                "label": subject.label,
+                "frames": subject.sequence.frame_count(),
+                "vertices": subject.sequence.vertex_count(),
+                "faces": subject.sequence.face_count(),
+                "surfaces": surfaces(subject),
+                "notices": notices(&subject.notices),
+            })
+        })
+        .collect();
+    let errors: Vec<String> = opened.errors.iter().map(ToString::to_string).collect();
+    json!({
+        "subjects": subjects,
+        "errors": errors,
+        "notices": notices(&opened.notices),
+    })
+}
+
+fn as_text(opened: &Opened) -> String {
+    let study = &opened.study;
+    let mut lines = Vec::new();
+    let name = if study.name.is_empty() {
+        "study"
+    } else {
+        &study.name
+    };
+    let count = study.subjects.len();
+    let plural = if count == 1 { "subject" } else { "subjects" };
+    lines.push(format!("{name}: {count} {plural}"));
+    lines.extend(
+        notices(&opened.notices)
+            .iter()
+            .map(|notice| format!("  {notice}")),
+    );
+    let widest = study.subjects.iter().map(|s| s.id.chars().count()).max();
+    let width = widest.unwrap_or(0);
+    for subject in &study.subjects {
+        let sequence = &subject.sequence;
+        let label = subject.label.as_deref().unwrap_or("no label");
+        lines.push(format!(
+            "{:width$}  {label}, {} frames, {} vertices, {} faces: {}",
+            subject.id,
+            sequence.frame_count(),
+            sequence.vertex_count(),
+            sequence.face_count(),
+            surfaces(subject).join(" + "),
+        ));
+        lines.extend(
+            notices(&subject.notices)
+                .iter()
+                .map(|notice| format!("  {notice}")),
+        );
+    }
+    lines.extend(opened.errors.iter().map(|error| format!("error: {error}")));
+    lines.join("\n")
+}
+
+fn surfaces(subject: &Subject) -> Vec<&'static str> {
+    let surfaces = subject.sequence.surfaces();
+    surfaces
+        .iter()
+        .map(|surface| surface.kind().name())
+        .collect()
+}
+
+fn notices(notices: &[Notice]) -> Vec<String> {
+    let line = |notice: &Notice| match notice.severity {
+        Severity::Info => notice.text.clone(),
+        Severity::Warning => format!("warning: {}", notice.text),
+    };
+    notices.iter().map(line).collect()
+}

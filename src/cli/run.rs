@@ -1,0 +1,38 @@
+//! Carries out a command and turns its end into an exit code.
+
+use std::process::ExitCode;
+
+use crate::cli::args::Command;
+use crate::cli::outcome::CliError;
+use crate::cli::print::say;
+use crate::cli::work::hear_ctrl_c;
+use crate::cli::{analyze, demo, embed, figure, info, measure, metric};
+
+/// Runs one command. Errors are said once, here, on standard error.
+pub fn run(command: Command) -> ExitCode {
+    hear_ctrl_c();
+    exit_code(match command {
+        Command::Demo(args) => demo::demo(args),
+        Command::Info(args) => info::info(&args),
+        Command::Analyze(args) => analyze::analyze(&args),
+        Command::Measure(args) => measure::measure(&args),
+        Command::Metric(args) => metric::metric(&args),
+        Command::Embed(args) => embed::embed(&args),
+        Command::Figure(args) => figure::figure(&args),
+    })
+}
+
+/// Says what went wrong, if anything did, and gives the code for it.
+pub(super) fn exit_code(outcome: Result<(), CliError>) -> ExitCode {
+    let Err(error) = outcome else {
+        return ExitCode::SUCCESS;
+    };
+    match &error {
+        // Whoever closed the pipe or pressed Ctrl-C knows.
+        CliError::OutputClosed => {}
+        CliError::Stopped(_) => say("cardiomorph: stopped"),
+        CliError::Usage(_) => say(&format!("cardiomorph: {error}\nSee `cardiomorph --help`")),
+        CliError::Unusable(_) => say(&format!("cardiomorph: {error}")),
+    }
+    error.exit_code()
+}

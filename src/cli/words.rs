@@ -1,0 +1,221 @@
+//! Words that options take.
+
+use clap::ValueEnum;
+
+use crate::analysis::metrics::{Corners, Form, MetricKind, Regulariser};
+use crate::io::MeshFormat;
+use crate::picture::{AnatomicalView, PictureTheme, Quantity};
+
+/// Formats of `demo`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DemoFormat {
+    /// Polygon file format, binary
+    Ply,
+    /// Wavefront
+    Obj,
+    /// VTK XML
+    Vtp,
+}
+
+/// Words of `--metric`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum MetricWord {
+    /// Change of edge lengths
+    Isometric,
+    /// Displacement that no rigid motion explains
+    Rigid,
+    /// Change of angles
+    AnglePreserving,
+    /// Change of angles and of Gaussian curvature
+    QuasiConformal,
+}
+
+/// Words of `--form`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum FormWord {
+    /// Absolute values as printed in the text
+    Printed,
+    /// Sums of products of the same terms
+    Bilinear,
+    /// Curvature weights frozen for the pair
+    Frozen,
+    /// Angle term plus µ times the curvature-change term
+    Additive,
+}
+
+/// Words of `--corners`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum CornersWord {
+    /// As printed
+    Raw,
+    /// Size does not matter
+    ScaleFree,
+}
+
+/// Words of `--area-weights`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Switch {
+    /// Yes
+    On,
+    /// No
+    Off,
+}
+
+/// Words of `--regulariser`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RegulariserWord {
+    /// Every vertex the same
+    Uniform,
+    /// By the area around it
+    Area,
+}
+
+/// Words of `--align`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum AlignWord {
+    /// Meshes as they lie
+    None,
+    /// Best rigid motion of B onto A
+    Rigid,
+    /// Best rigid motion and scale of B onto A
+    Similarity,
+}
+
+/// Words of `--input`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EmbedInput {
+    /// Square, symmetric, zero on the diagonal
+    Distances,
+    /// One item a row
+    Points,
+}
+
+/// Words of `--method`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EmbedMethod {
+    /// Classical scaling
+    Mds,
+    /// Stress majorisation
+    Smacof,
+    /// Principal components; points only
+    Pca,
+}
+
+/// Words of `--colour`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum QuantityWord {
+    /// The colour of tissue
+    Tissue,
+    /// Distance from the place at end-diastole
+    Displacement,
+    /// Area relative to end-diastole
+    AreaRatio,
+}
+
+impl From<QuantityWord> for Quantity {
+    fn from(word: QuantityWord) -> Self {
+        match word {
+            QuantityWord::Tissue => Self::Tissue,
+            QuantityWord::Displacement => Self::Displacement,
+            QuantityWord::AreaRatio => Self::AreaRatio,
+        }
+    }
+}
+
+/// Words of `--theme`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ThemeWord {
+    /// Dark on white
+    Light,
+    /// Light on dark
+    Dark,
+}
+
+/// Words of `--view`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum ViewWord {
+    /// From the front
+    Anterior,
+    /// Onto the inferior wall
+    Inferior,
+    /// Onto the septum
+    Septal,
+    /// Onto the free wall
+    Lateral,
+    /// From the apex
+    Apex,
+    /// From the base
+    Base,
+}
+
+impl From<ViewWord> for AnatomicalView {
+    fn from(word: ViewWord) -> Self {
+        match word {
+            ViewWord::Anterior => Self::Anterior,
+            ViewWord::Inferior => Self::Inferior,
+            ViewWord::Septal => Self::Septal,
+            ViewWord::Lateral => Self::Lateral,
+            ViewWord::Apex => Self::Apex,
+            ViewWord::Base => Self::Base,
+        }
+    }
+}
+
+impl From<DemoFormat> for MeshFormat {
+    fn from(word: DemoFormat) -> Self {
+        match word {
+            DemoFormat::Ply => Self::Ply,
+            DemoFormat::Obj => Self::Obj,
+            DemoFormat::Vtp => Self::Vtp,
+        }
+    }
+}
+
+impl From<MetricWord> for MetricKind {
+    fn from(word: MetricWord) -> Self {
+        match word {
+            MetricWord::Isometric => Self::Isometric,
+            MetricWord::Rigid => Self::Rigid,
+            MetricWord::AnglePreserving => Self::AnglePreserving,
+            MetricWord::QuasiConformal => Self::QuasiConformal,
+        }
+    }
+}
+
+impl From<FormWord> for Form {
+    fn from(word: FormWord) -> Self {
+        match word {
+            FormWord::Printed => Self::Printed,
+            FormWord::Bilinear => Self::Bilinear,
+            FormWord::Frozen => Self::Frozen,
+            FormWord::Additive => Self::Additive,
+        }
+    }
+}
+
+impl From<CornersWord> for Corners {
+    fn from(word: CornersWord) -> Self {
+        match word {
+            CornersWord::Raw => Self::Raw,
+            CornersWord::ScaleFree => Self::ScaleFree,
+        }
+    }
+}
+
+impl From<RegulariserWord> for Regulariser {
+    fn from(word: RegulariserWord) -> Self {
+        match word {
+            RegulariserWord::Uniform => Self::Uniform,
+            RegulariserWord::Area => Self::Area,
+        }
+    }
+}
+
+impl From<ThemeWord> for PictureTheme {
+    fn from(word: ThemeWord) -> Self {
+        match word {
+            ThemeWord::Light => Self::LIGHT,
+            ThemeWord::Dark => Self::DARK,
+        }
+    }
+}

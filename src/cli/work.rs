@@ -1,0 +1,129 @@
+//! Runs long work of a command with a progress bar, and hears Ctrl-C.
+
+use std::fmt::Display;
+use std::io::{IsTerminal, Write};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, sync_channel};
+use std::time::Duration;
+
+use crate::cli::outcome::CliError;
+use crate::cli::print::say;
+use crate::engine::{Job, JobError, JobWatch, Workers};
+use crate::progress::{Progress, Stopped};
+
+/// Set by Ctrl-C, for all work of this run.
+static STOP: AtomicBool = AtomicBool::new(false);
+
+/// Time between two looks at the progress.
+const TICK: Duration = Duration::from_millis(50);
+/// What takes less shows no bar.
+const SHOW_AFTER: Duration = Duration::from_millis(200);
+/// Where standard error is no terminal, a line at most this often.
+const LINE_EVERY: Duration = Duration::from_secs(5);
+
+/// From now on Ctrl-C stops work at its next step instead of ending the program.
+pub(super) fn hear_ctrl_c() {
+    // Refused only where somebody else hears it already; then Ctrl-C ends the program as ever.
+    ctrlc::set_handler(|| STOP.store(true, Ordering::SeqCst)).ok();
+}
+
+/// Runs `work` on a worker thread, drawing its progress on standard error meanwhile.
+///
+/// # Errors
+/// [`CliError::Stopped`] after Ctrl-C, else what the work says.
+pub(super) fn run_work<T, E>(
+    work: impl FnOnce(&Progress) -> Result<T, E> + Send + 'static,
+) -> Result<T, CliError>
+where
+    T: Send + 'static,
+    E: Display + Send + 'static,
+{
+    let workers = Workers::start("job", 1).map_err(CliError::unusable)?;
+    let (sender, news) = sync_channel::<()>(1);
+    let wake = Arc::new(move || {
+        sender.try_send(()).ok();
+    });
+    let mut job = Job::spawn(&workers, wake, work);
+    let mut meter = Meter::default();
+    let outcome = loop {
+        let waited = news.recv_timeout(TICK);
+        if let Some(outcome) = job.poll() {
+            break outcome;
+        }
+        if STOP.load(Ordering::SeqCst) || waited == Err(RecvTimeoutError::Disconnected) {
+            break Err(JobError::Lost);
+        }
+        meter.show(job.watch());
+    };
+    meter.clear();
+    drop(job);
+    drop(workers);
+    match outcome {
+        Ok(value) => Ok(value),
+        Err(_) if STOP.load(Ordering::SeqCst) => Err(Stopped.into()),
+        Err(error) => Err(CliError::unusable(error)),
+    }
+}
+
+/// A bar on a terminal; sparse lines elsewhere.
+#[derive(Default)]
+struct Meter {
+    drawn: bool,
+    last_line: Duration,
+}
+
+impl Meter {
+    fn show(&mut self, watch: &JobWatch) {
+        let elapsed = watch.elapsed();
+        if elapsed < SHOW_AFTER {
+            return;
+        }
+        if std::io::stderr().is_terminal() {
+            self.drawn = true;
+            let line = bar(watch.phase(), watch.fraction(), watch.time_left());
+            let mut out = std::io::stderr().lock();
+            write!(out, "\r\x1b[2K{line}")
+                .and_then(|()| out.flush())
+                .ok();
+        } else if elapsed >= self.last_line + LINE_EVERY {
+            self.last_line = elapsed;
+            say(&format!(
+                "{} {:.0} %",
+                watch.phase(),
+                100.0 * watch.fraction()
+            ));
+        }
+    }
+
+    fn clear(&mut self) {
+        if self.drawn {
+            let mut out = std::io::stderr().lock();
+            write!(out, "\r\x1b[2K").and_then(|()| out.flush()).ok();
+        }
+    }
+}
+
+/// `comparing poses  ██████░░░░░░  52 %  4 s left`
+fn bar(phase: &str, fraction: f32, left: Option<Duration>) -> String {
+    const CELLS: usize = 24;
+    let full = (fraction * CELLS as f32).round() as usize;
+    let cells = "█".repeat(full) + &"░".repeat(CELLS.saturating_sub(full));
+    let left = left.map_or_else(String::new, |left| {
+        format!("  {} s left", left.as_secs_f64().ceil())
+    });
+    format!("{phase:<20} {cells} {:3.0} %{left}", 100.0 * fraction)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_bar_says_what_how_much_and_how_long() {
+        let line = bar("comparing poses", 0.5, Some(Duration::from_millis(3_200)));
+        assert_eq!(line.matches('█').count(), 12);
+        assert_eq!(line.matches('░').count(), 12);
+        assert!(line.ends_with("50 %  4 s left"), "{line}");
+    }
+}

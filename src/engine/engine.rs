@@ -1,0 +1,300 @@
+//! The window's way to background work: opens, analyses and exports, and keeps what came of it.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use crate::analysis::measures::SubjectMeasures;
+use crate::engine::activity::{Activity, ActivityLog, WorkKind};
+use crate::engine::cache::Cache;
+use crate::engine::export::{ExportFile, write_files};
+use crate::engine::job::{Job, Wake};
+use crate::engine::open::{OpenSource, open};
+use crate::engine::request::{
+    AnalysisError, AnalysisOutcome, AnalysisRequest, PoseMap, PoseMapParams,
+};
+use crate::engine::run::run;
+use crate::engine::slot::{Showing, Slot};
+use crate::engine::workers::Workers;
+use crate::io::{Limits, Opened};
+use crate::progress::{Progress, Stopped};
+use crate::study::{Revision, Study};
+
+type AnalysisSlot = Slot<(Revision, AnalysisRequest), AnalysisOutcome, AnalysisError>;
+
+/// All background work of one window.
+///
+/// Calls return at once. Every frame: [`Self::poll`], then request what the visible state needs;
+/// the same request again costs nothing. Dropping the engine stops its work, then joins its threads.
+pub struct Engine {
+    // Slots stand before the workers: they are dropped first, which stops what still runs.
+    opening: Slot<u64, Opened, Stopped>,
+    measures: AnalysisSlot,
+    pose_map: AnalysisSlot,
+    export: Slot<u64, Vec<PathBuf>, String>,
+    log: ActivityLog,
+    cache: Arc<Cache>,
+    revisions: Arc<AtomicU64>,
+    last_opening: Option<OpenSource>,
+    tickets: u64,
+    limits: Limits,
+    wake: Wake,
+    jobs: Workers,
+    reader: Workers,
+}
+
+impl Engine {
+    /// Starts two threads for computations and one that reads files. `wake` is called from them
+    /// whenever [`Self::poll`] will find something new.
+    ///
+    /// # Errors
+    /// If the operating system refuses a thread.
+    pub fn start(wake: Wake) -> std::io::Result<Self> {
+        Ok(Self {
+            opening: Slot::default(),
+            measures: Slot::default(),
+            pose_map: Slot::default(),
+            export: Slot::default(),
+            log: ActivityLog::default(),
+            cache: Arc::new(Cache::default()),
+            revisions: Arc::new(AtomicU64::new(1)),
+            last_opening: None,
+            tickets: 0,
+            limits: Limits::default(),
+            wake,
+            jobs: Workers::start("job", 2)?,
+            reader: Workers::start("reader", 1)?,
+        })
+    }
+
+    /// A revision that no study of this engine has yet; for whoever edits a study.
+    pub fn next_revision(&self) -> Revision {
+        next_revision(&self.revisions)
+    }
+
+    /// Opens something in place of what is being opened; the study in use is not touched.
+    /// What comes of it is handed out once, by [`Self::take_opened`].
+    pub fn open(&mut self, source: OpenSource) {
+        let ticket = self.ticket();
+        let (name, words) = (source.name(), source.words());
+        let (limits, revisions) = (self.limits, Arc::clone(&self.revisions));
+        self.last_opening = Some(source.clone());
+        let (reader, wake) = (&self.reader, &self.wake);
+        self.opening.request(ticket, || {
+            let job = Job::spawn(reader, Arc::clone(wake), move |progress: &Progress| {
+                let mut opened = open(&source, &limits, progress)?;
+                opened.study.revision = next_revision(&revisions);
+                Ok(opened)
+            });
+            self.log
+                .record(WorkKind::Open, name, words, Arc::clone(job.watch()));
+            job
+        });
+    }
+
+    /// What was opened, once; `None` while nothing new is there.
+    pub fn take_opened(&mut self) -> Option<Arc<Opened>> {
+        let opened = self.opening.ready().cloned()?;
+        self.opening.clear();
+        Some(opened)
+    }
+
+    /// How opening stands. After a failure or a stop it says so until something else is opened.
+    pub fn opening(&self) -> Showing<'_, Opened, Stopped> {
+        self.opening.showing()
+    }
+
+    /// Asks for the measures of every subject.
+    pub fn request_measures(&mut self, study: &Arc<Study>) {
+        let request = AnalysisRequest::Measures;
+        let start = starter(
+            &self.jobs,
+            &self.wake,
+            &self.cache,
+            &mut self.log,
+            study,
+            request,
+        );
+        self.measures.request((study.revision, request), start);
+    }
+
+    /// Asks for the map of all poses.
+    pub fn request_pose_map(&mut self, study: &Arc<Study>, params: PoseMapParams) {
+        let request = AnalysisRequest::PoseMap(params);
+        let start = starter(
+            &self.jobs,
+            &self.wake,
+            &self.cache,
+            &mut self.log,
+            study,
+            request,
+        );
+        self.pose_map.request((study.revision, request), start);
+    }
+
+    /// Computes again what was stopped or failed; free if nothing was.
+    pub fn retry_measures(&mut self, study: &Arc<Study>) {
+        let request = AnalysisRequest::Measures;
+        let start = starter(
+            &self.jobs,
+            &self.wake,
+            &self.cache,
+            &mut self.log,
+            study,
+            request,
+        );
+        self.measures.retry((study.revision, request), start);
+    }
+
+    /// Computes again what was stopped or failed; free if nothing was.
+    pub fn retry_pose_map(&mut self, study: &Arc<Study>, params: PoseMapParams) {
+        let request = AnalysisRequest::PoseMap(params);
+        let start = starter(
+            &self.jobs,
+            &self.wake,
+            &self.cache,
+            &mut self.log,
+            study,
+            request,
+        );
+        self.pose_map.retry((study.revision, request), start);
+    }
+
+    /// Opens again what was stopped or failed; free if nothing was opened.
+    pub fn retry_open(&mut self) {
+        if let Some(source) = self.last_opening.clone() {
+            self.open(source);
+        }
+    }
+
+    /// How the measures stand.
+    pub fn measures(&self) -> Showing<'_, AnalysisOutcome, AnalysisError> {
+        self.measures.showing()
+    }
+
+    /// How the map stands.
+    pub fn pose_map(&self) -> Showing<'_, AnalysisOutcome, AnalysisError> {
+        self.pose_map.showing()
+    }
+
+    /// The newest measures at hand, of whichever revision.
+    pub fn latest_measures(&self) -> Option<&Arc<Vec<SubjectMeasures>>> {
+        self.measures
+            .latest()
+            .and_then(|outcome| outcome.measures())
+    }
+
+    /// The newest map at hand, of whichever revision and settings.
+    pub fn latest_pose_map(&self) -> Option<&Arc<PoseMap>> {
+        self.pose_map
+            .latest()
+            .and_then(|outcome| outcome.pose_map())
+    }
+
+    /// Makes files with `make` and writes them: all of them, or, if it fails or is stopped while
+    /// making, none. What was written is in [`Self::export`] afterwards.
+    pub fn start_export(
+        &mut self,
+        name: impl Into<String>,
+        parameters: impl Into<String>,
+        make: impl FnOnce(&Progress) -> Result<Vec<ExportFile>, String> + Send + 'static,
+    ) {
+        let ticket = self.ticket();
+        let (jobs, wake, log) = (&self.jobs, &self.wake, &mut self.log);
+        self.export.request(ticket, || {
+            let job = Job::spawn(jobs, Arc::clone(wake), move |progress: &Progress| {
+                let files = make(progress)?;
+                progress.check().map_err(|stopped| stopped.to_string())?;
+                write_files(&files)
+            });
+            log.record(WorkKind::Export, name, parameters, Arc::clone(job.watch()));
+            job
+        });
+    }
+
+    /// How the export stands.
+    pub fn export(&self) -> Showing<'_, Vec<PathBuf>, String> {
+        self.export.showing()
+    }
+
+    /// The files of a finished export, once.
+    pub fn take_exported(&mut self) -> Option<Arc<Vec<PathBuf>>> {
+        let files = self.export.ready().cloned()?;
+        self.export.clear();
+        Some(files)
+    }
+
+    /// Stops one kind of work; the last good result stays.
+    pub fn cancel(&mut self, kind: WorkKind) {
+        match kind {
+            WorkKind::Open => self.opening.stop(),
+            WorkKind::Measures => self.measures.stop(),
+            WorkKind::PoseMap => self.pose_map.stop(),
+            WorkKind::Export => self.export.stop(),
+        }
+    }
+
+    /// Takes in what finished, and says whether something did. Call once a frame.
+    pub fn poll(&mut self) -> bool {
+        // Every slot is asked, so no short cut at the first that has news.
+        let news = [
+            self.opening.poll(),
+            self.measures.poll(),
+            self.pose_map.poll(),
+            self.export.poll(),
+        ];
+        news.contains(&true)
+    }
+
+    /// Whether anything runs; while it does, its bar moves.
+    pub fn busy(&self) -> bool {
+        self.opening.busy() || self.measures.busy() || self.pose_map.busy() || self.export.busy()
+    }
+
+    /// All work of this run, newest first.
+    pub fn activities(&self) -> Vec<Activity> {
+        self.log.list()
+    }
+
+    /// The work that waits or runs, newest first.
+    pub fn running(&self) -> Vec<Activity> {
+        self.log.running()
+    }
+
+    fn ticket(&mut self) -> u64 {
+        self.tickets += 1;
+        self.tickets
+    }
+}
+
+fn next_revision(revisions: &AtomicU64) -> Revision {
+    Revision(revisions.fetch_add(1, Ordering::Relaxed))
+}
+
+/// What a slot calls when it really has to begin: a job that answers `request`, entered in the log.
+fn starter<'a>(
+    jobs: &'a Workers,
+    wake: &'a Wake,
+    cache: &'a Arc<Cache>,
+    log: &'a mut ActivityLog,
+    study: &'a Arc<Study>,
+    request: AnalysisRequest,
+) -> impl FnOnce() -> Job<AnalysisOutcome, AnalysisError> + 'a {
+    move || {
+        let kind = match request {
+            AnalysisRequest::Measures => WorkKind::Measures,
+            AnalysisRequest::PoseDistances(_) | AnalysisRequest::PoseMap(_) => WorkKind::PoseMap,
+        };
+        let (study, cache) = (Arc::clone(study), Arc::clone(cache));
+        let job = Job::spawn(jobs, Arc::clone(wake), move |progress: &Progress| {
+            run(&study, &request, &cache, progress)
+        });
+        log.record(
+            kind,
+            request.name(),
+            request.parameters(),
+            Arc::clone(job.watch()),
+        );
+        job
+    }
+}

@@ -1,0 +1,168 @@
+//! Drives the engine as the window does: poll, request, cancel, retry.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::time::{Duration, Instant};
+
+use super::*;
+use crate::analysis::embedding::MapMethod;
+use crate::study::Study;
+use crate::study::built_in::BuiltInParams;
+
+fn engine() -> Engine {
+    Engine::start(Arc::new(|| ())).unwrap()
+}
+
+fn until(engine: &mut Engine, mut met: impl FnMut(&mut Engine) -> bool) {
+    let begin = Instant::now();
+    while begin.elapsed() < Duration::from_secs(60) {
+        engine.poll();
+        if met(engine) {
+            return;
+        }
+        std::thread::sleep(Duration::from_millis(2));
+    }
+    panic!("it never came: {:?}", engine.activities());
+}
+
+fn opened(engine: &mut Engine, vertices: usize) -> Arc<Study> {
+    engine.open(OpenSource::BuiltIn(BuiltInParams {
+        vertices,
+        ..BuiltInParams::default()
+    }));
+    let mut study = None;
+    until(engine, |engine| {
+        study = engine.take_opened();
+        study.is_some()
+    });
+    Arc::new(study.unwrap().study.clone())
+}
+
+#[test]
+fn opening_is_handed_out_once_under_a_revision_of_its_own() {
+    let mut engine = engine();
+    let first = opened(&mut engine, 200);
+    assert!(engine.take_opened().is_none());
+    let second = opened(&mut engine, 200);
+    assert_eq!(first.subjects.len(), 23);
+    assert_ne!(first.revision, second.revision);
+    assert_ne!(engine.next_revision(), second.revision);
+}
+
+#[test]
+fn what_cannot_be_made_is_an_error_beside_an_empty_study() {
+    let mut engine = engine();
+    engine.open(OpenSource::BuiltIn(BuiltInParams {
+        vertices: 1,
+        ..BuiltInParams::default()
+    }));
+    let mut opened = None;
+    until(&mut engine, |engine| {
+        opened = engine.take_opened();
+        opened.is_some()
+    });
+    let opened = opened.unwrap();
+    assert!(opened.study.subjects.is_empty());
+    assert_eq!(opened.errors.len(), 1);
+}
+
+#[test]
+fn a_map_is_computed_once_and_then_found() {
+    let wakes = Arc::new(AtomicUsize::new(0));
+    let counter = Arc::clone(&wakes);
+    let mut engine = Engine::start(Arc::new(move || {
+        counter.fetch_add(1, Ordering::SeqCst);
+    }))
+    .unwrap();
+    let study = opened(&mut engine, 200);
+    let params = PoseMapParams::default();
+    for _ in 0..3 {
+        engine.request_measures(&study);
+        engine.request_pose_map(&study, params);
+    }
+    until(&mut engine, |engine| !engine.busy());
+    assert_eq!(engine.latest_measures().unwrap().len(), 23);
+    assert_eq!(engine.latest_pose_map().unwrap().embedding.len(), 184);
+    assert_eq!(wakes.load(Ordering::SeqCst), 3, "open, measures, map");
+    let names: Vec<String> = engine.activities().into_iter().map(|a| a.name).collect();
+    assert_eq!(names.len(), 3);
+    assert_eq!(names[0], "Pose map");
+    assert!(
+        engine
+            .activities()
+            .iter()
+            .all(|a| a.state == ActivityState::Done)
+    );
+}
+
+#[test]
+fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
+    let mut engine = engine();
+    let study = opened(&mut engine, 4_000);
+    let params = PoseMapParams {
+        method: MapMethod::ClassicalMds,
+        ..PoseMapParams::default()
+    };
+    engine.request_pose_map(&study, params);
+    until(&mut engine, |engine| {
+        engine
+            .running()
+            .first()
+            .is_some_and(|activity| activity.duration > Duration::ZERO)
+    });
+    let asked = Instant::now();
+    engine.cancel(WorkKind::PoseMap);
+    until(&mut engine, |engine| engine.running().is_empty());
+    assert!(asked.elapsed() < Duration::from_millis(500));
+    assert_eq!(engine.activities()[0].state, ActivityState::Stopped);
+    engine.request_pose_map(&study, params);
+    assert!(!engine.busy(), "what was stopped does not begin by itself");
+    assert!(matches!(engine.pose_map(), Showing::Stopped { .. }));
+    engine.retry_pose_map(&study, params);
+    assert!(engine.busy());
+    assert!(engine.activities()[0].parameters.contains("classical MDS"));
+}
+
+#[test]
+fn closing_the_window_while_work_runs_takes_less_than_half_a_second() {
+    let mut engine = engine();
+    let study = opened(&mut engine, 4_000);
+    engine.request_pose_map(&study, PoseMapParams::default());
+    engine.request_measures(&study);
+    std::thread::sleep(Duration::from_millis(50));
+    let asked = Instant::now();
+    drop(engine);
+    assert!(asked.elapsed() < Duration::from_millis(500));
+}
+
+#[test]
+fn an_export_is_written_whole_or_not_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut engine = engine();
+    let path = folder.path().join("out/table.csv");
+    let file = ExportFile {
+        path: path.clone(),
+        bytes: b"a,b\n".to_vec(),
+    };
+    engine.start_export("Tables", "", move |_| Ok(vec![file]));
+    let mut written = None;
+    until(&mut engine, |engine| {
+        written = engine.take_exported();
+        written.is_some()
+    });
+    assert_eq!(*written.unwrap(), [path.clone()]);
+    assert!(path.is_file());
+    engine.start_export("Figure", "", |_| Err("no adapter".to_owned()));
+    until(&mut engine, |engine| !engine.busy());
+    let Showing::Failed { error, .. } = engine.export() else {
+        panic!("{:?}", engine.export());
+    };
+    assert_eq!(error.to_string(), "no adapter");
+}
+
+#[test]
+fn the_activity_list_names_files_without_their_folders() {
+    let source = OpenSource::Paths(vec![PathBuf::from("/home/Jane Doe/n01/endo_0.ply")]);
+    assert_eq!(source.words(), "endo_0.ply");
+}

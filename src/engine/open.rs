@@ -1,0 +1,81 @@
+//! Where a study comes from: files and folders, or the cohort that ships inside.
+
+use std::path::PathBuf;
+
+use crate::io::{Limits, OpenError, Opened, open_paths};
+use crate::progress::{Progress, Stopped};
+use crate::study::built_in::{self, BuiltInParams};
+
+/// What to open.
+#[derive(Clone, Debug, PartialEq)]
+pub enum OpenSource {
+    /// Studies, folders and files, together as one study.
+    Paths(Vec<PathBuf>),
+    /// The cohort that ships inside.
+    BuiltIn(BuiltInParams),
+}
+
+impl OpenSource {
+    /// These paths, or the built-in cohort if there are none.
+    pub fn paths_or_built_in(paths: Vec<PathBuf>) -> Self {
+        if paths.is_empty() {
+            Self::BuiltIn(BuiltInParams::default())
+        } else {
+            Self::Paths(paths)
+        }
+    }
+
+    /// What the activity list calls it.
+    pub(crate) fn name(&self) -> &'static str {
+        match self {
+            Self::Paths(_) => "Open files",
+            Self::BuiltIn(_) => "Open the built-in cohort",
+        }
+    }
+
+    /// What is opened, in words: the last part of each path, because folders above can name a person.
+    pub(crate) fn words(&self) -> String {
+        match self {
+            Self::Paths(paths) => paths
+                .iter()
+                .map(|path| {
+                    path.file_name()
+                        .map_or_else(|| path.to_string_lossy(), |name| name.to_string_lossy())
+                        .into_owned()
+                })
+                .collect::<Vec<_>>()
+                .join(", "),
+            Self::BuiltIn(_) => String::new(),
+        }
+    }
+}
+
+/// Opens a source. What cannot be read is an error in the answer, never the end of the rest.
+///
+/// # Errors
+/// Only if it was asked to stop.
+pub fn open(source: &OpenSource, limits: &Limits, progress: &Progress) -> Result<Opened, Stopped> {
+    match source {
+        OpenSource::Paths(paths) => {
+            progress.begin_phase("reading files", 0.0, 1.0);
+            open_paths(paths, limits, progress)
+        }
+        OpenSource::BuiltIn(params) => {
+            progress.check()?;
+            Ok(match built_in::cohort(params) {
+                Ok(cohort) => Opened {
+                    study: cohort.study,
+                    ..Opened::default()
+                },
+                Err(error) => Opened {
+                    errors: vec![OpenError {
+                        subject: None,
+                        path: PathBuf::from("built-in cohort"),
+                        reason: error.to_string(),
+                    }],
+                    ..Opened::default()
+                },
+            })
+        }
+    }
+}

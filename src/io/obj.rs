@@ -1,0 +1,156 @@
+//! Wavefront OBJ: reading polygons with the file's own vertex numbers, and writing.
+//!
+//! The reader is our own: tobj renumbers vertices by their first use and drops unused ones, which
+//! would lose the correspondence of frames, and its errors name no line.
+
+use std::borrow::Cow;
+use std::io::{self, Write};
+
+use super::mesh_draft::{MeshDraft, Place, missing_vertex};
+use super::text_lines::{TextLines, shown, three_numbers, whole_number, words};
+use super::{Limits, MeshFile, ReadMeshError};
+use crate::mesh::TriMesh;
+use crate::study::Notice;
+
+/// Keywords of the format that say nothing about where the surface is.
+const WITHOUT_SHAPE: &[&[u8]] = &[
+    b"vt",
+    b"vn",
+    b"vp",
+    b"g",
+    b"s",
+    b"mg",
+    b"usemtl",
+    b"mtllib",
+    b"usemap",
+    b"maplib",
+    b"bevel",
+    b"c_interp",
+    b"d_interp",
+    b"lod",
+    b"shadow_obj",
+    b"trace_obj",
+    b"ctech",
+    b"stech",
+    b"cstype",
+    b"deg",
+    b"bmat",
+    b"step",
+    b"parm",
+    b"trim",
+    b"hole",
+    b"scrv",
+    b"sp",
+    b"end",
+    b"con",
+];
+
+/// Keywords of curves and curved surfaces, which are left out.
+const CURVED: &[&[u8]] = &[b"curv", b"curv2", b"surf"];
+
+/// Reads all faces of all objects and groups as one surface.
+pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
+    let mut draft = MeshDraft::new(limits, 1);
+    let mut corners = Vec::new();
+    let (mut objects, mut curved) = (0, 0);
+    let mut lines = TextLines::new(bytes);
+    while let Some((line, text)) = lines.next() {
+        let text = whole_line(text, &mut lines);
+        let place = Place::Line(line);
+        let mut words = words(&text);
+        match words.next() {
+            None => {}
+            Some(b"v") => {
+                draft.point(three_numbers(&mut words, place)?, place)?;
+                check_rest_of_vertex(words, place)?;
+            }
+            Some(b"f" | b"fo") => {
+                corners.clear();
+                for word in words {
+                    corners.push(vertex_index(word, draft.point_count(), place)?);
+                }
+                draft.polygon(&corners, place)?;
+            }
+            Some(b"p" | b"l") => draft.skip_points_and_lines(1),
+            Some(b"o") => objects += 1,
+            Some(word) if CURVED.contains(&word) => curved += 1,
+            Some(word) if WITHOUT_SHAPE.contains(&word) => {}
+            Some(word) => return Err(place.error(format!("unknown keyword {}", shown(word)))),
+        }
+    }
+    if objects > 1 {
+        draft.notice(Notice::info(format!(
+            "{objects} objects joined into one surface"
+        )));
+    }
+    if curved > 0 {
+        draft.notice(Notice::warning(format!(
+            "{curved} curves or curved surfaces left out"
+        )));
+    }
+    draft.finish()
+}
+
+/// The line up to its comment, with the lines that a backslash at its end joins to it.
+fn whole_line<'a>(text: &'a [u8], lines: &mut TextLines<'a>) -> Cow<'a, [u8]> {
+    let continued = |text: &[u8]| text.trim_ascii_end().ends_with(b"\\");
+    if !continued(text) {
+        return without_comment(text).into();
+    }
+    let mut joined = Vec::new();
+    let mut part = text;
+    while continued(part) {
+        let end = part.trim_ascii_end();
+        joined.extend_from_slice(&end[..end.len() - 1]);
+        joined.push(b' ');
+        part = lines.next().map_or(&[][..], |(_, next)| next);
+    }
+    joined.extend_from_slice(part);
+    without_comment(&joined).to_vec().into()
+}
+
+fn without_comment(text: &[u8]) -> &[u8] {
+    text.split(|&b| b == b'#').next().unwrap_or_default()
+}
+
+/// After x, y, z: nothing, a weight, or a colour of three or four parts.
+fn check_rest_of_vertex<'a>(
+    rest: impl Iterator<Item = &'a [u8]>,
+    place: Place,
+) -> Result<(), ReadMeshError> {
+    match rest.count() {
+        0 | 1 | 3 | 4 => Ok(()),
+        more => Err(place.error(format!("vertex has {} numbers", 3 + more))),
+    }
+}
+
+/// `7`, `7/1`, `7//3`, `7/1/3` or `-1`: the vertex, counted from 0.
+fn vertex_index(word: &[u8], defined: usize, place: Place) -> Result<u32, ReadMeshError> {
+    let number = word.split(|&b| b == b'/').next().unwrap_or_default();
+    let number = whole_number(number, place)?;
+    let index = match number {
+        0 => return Err(place.error("face refers to vertex 0, but vertices count from 1")),
+        1.. => number - 1,
+        _ => defined as i64 + number,
+    };
+    u32::try_from(index).map_err(|_| match number {
+        1.. => place.error(missing_vertex(number as u64, defined, 1)),
+        _ => place.error(format!(
+            "face refers to vertex {number}, but only {defined} are defined before it"
+        )),
+    })
+}
+
+/// Writes positions, exact to the last bit, and faces.
+///
+/// # Errors
+/// If `out` cannot be written to.
+pub fn write_obj(out: &mut impl Write, mesh: &TriMesh) -> io::Result<()> {
+    for point in mesh.vertices() {
+        writeln!(out, "v {:?} {:?} {:?}", point.x, point.y, point.z)?;
+    }
+    for [a, b, c] in mesh.triangles().iter().map(|t| t.map(|v| u64::from(v) + 1)) {
+        writeln!(out, "f {a} {b} {c}")?;
+    }
+    Ok(())
+}

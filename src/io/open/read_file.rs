@@ -1,0 +1,129 @@
+//! Bytes of one file, within the limits, and what to say where they cannot be had.
+
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+
+use crate::io::{Limits, MeshFile, ReadMeshError, read_mesh_with_siblings};
+
+/// The last part of a path as text.
+pub(super) fn name_of(path: &Path) -> String {
+    path.file_name()
+        .unwrap_or_default()
+        .to_string_lossy()
+        .into_owned()
+}
+
+/// All bytes of a file that is not larger than the limit; its size is asked before it is read.
+///
+/// # Errors
+/// A sentence without the file's name.
+pub(super) fn read_bytes(path: &Path, limits: &Limits) -> Result<Vec<u8>, String> {
+    let facts = std::fs::metadata(path).map_err(|error| said(&error))?;
+    if !facts.is_file() {
+        return Err("not a file".to_owned());
+    }
+    let too_large = |size| {
+        ReadMeshError::TooLarge {
+            size,
+            most: limits.file_bytes,
+        }
+        .to_string()
+    };
+    if facts.len() > limits.file_bytes {
+        return Err(too_large(facts.len()));
+    }
+    let file = File::open(path).map_err(|error| said(&error))?;
+    let mut bytes = Vec::with_capacity(facts.len() as usize);
+    // Special files tell a size of zero and never end.
+    file.take(limits.file_bytes.saturating_add(1))
+        .read_to_end(&mut bytes)
+        .map_err(|error| said(&error))?;
+    if bytes.len() as u64 > limits.file_bytes {
+        return Err(too_large(bytes.len() as u64));
+    }
+    Ok(bytes)
+}
+
+/// A text file, in UTF-8, without the mark that some editors put in front.
+///
+/// # Errors
+/// A sentence without the file's name.
+pub(super) fn read_text(path: &Path, limits: &Limits) -> Result<String, String> {
+    let text = String::from_utf8(read_bytes(path, limits)?)
+        .map_err(|error| format!("byte {}: not UTF-8 text", error.utf8_error().valid_up_to()))?;
+    Ok(text
+        .strip_prefix('\u{feff}')
+        .map(str::to_owned)
+        .unwrap_or(text))
+}
+
+/// The meshes of a file whose bytes were read, with the files beside it that it may name.
+///
+/// # Errors
+/// A sentence without the file's name.
+pub(super) fn read_mesh_at(path: &Path, bytes: &[u8], limits: &Limits) -> Result<MeshFile, String> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let sibling = |name: &str| {
+        let relative = Path::new(name);
+        let stays_inside = relative
+            .components()
+            .all(|part| matches!(part, std::path::Component::Normal(_)));
+        if !stays_inside {
+            return None;
+        }
+        read_bytes(&folder.join(relative), limits).ok()
+    };
+    read_mesh_with_siblings(&name_of(path), bytes, limits, &sibling)
+        .map_err(|error| error.to_string())
+}
+
+/// An error of the system, as it is said here.
+pub(super) fn said(error: &io::Error) -> String {
+    match error.kind() {
+        io::ErrorKind::NotFound => "there is no such file".to_owned(),
+        io::ErrorKind::PermissionDenied => "no permission to read it".to_owned(),
+        kind => kind.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_over_the_limit_is_refused_by_its_size() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("a.obj");
+        std::fs::write(&path, [0; 11]).unwrap();
+        let limits = Limits {
+            file_bytes: 10,
+            ..Limits::default()
+        };
+        assert_eq!(
+            read_bytes(&path, &limits).unwrap_err(),
+            "11 bytes; at most 10 are read"
+        );
+        assert_eq!(
+            read_bytes(folder.path(), &limits).unwrap_err(),
+            "not a file"
+        );
+        assert_eq!(
+            read_bytes(&folder.path().join("b"), &limits).unwrap_err(),
+            "there is no such file"
+        );
+    }
+
+    #[test]
+    fn text_in_another_encoding_is_refused_at_its_byte() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("study.toml");
+        std::fs::write(&path, b"name = \"\xe9\"").unwrap();
+        assert_eq!(
+            read_text(&path, &Limits::default()).unwrap_err(),
+            "byte 8: not UTF-8 text"
+        );
+        std::fs::write(&path, "\u{feff}name").unwrap();
+        assert_eq!(read_text(&path, &Limits::default()).unwrap(), "name");
+    }
+}

@@ -1,0 +1,308 @@
+//! From a plan to subjects: files are read in parallel, joined to sequences, and checked.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::length_unit::length_unit;
+use super::plan::{KindPlan, StatedUnit, SubjectPlan, SurfacePlan};
+use super::read_file::{read_bytes, read_mesh_at};
+use super::series_files::times_in_seconds;
+use super::sheet_by_shape::sheet_by_shape;
+use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
+use crate::mesh::{Point3, TriMesh};
+use crate::progress::{Progress, Stopped};
+use crate::study::checks::{check_count, check_subject, frames_phrase, sort_warnings_first};
+use crate::study::{
+    Anatomy, MeshSequence, Notice, SequenceError, Subject, SurfaceKind, SurfaceSequence,
+};
+use crate::units::Seconds;
+
+/// A subject, or one error for each of its files that cannot be read.
+pub(super) type SubjectOrErrors = Result<Subject, Vec<OpenError>>;
+
+/// Reads all files of all subjects, each a step, and joins them.
+pub(super) fn read_subjects(
+    plans: Vec<SubjectPlan>,
+    limits: &Limits,
+    progress: &Progress,
+) -> Result<Vec<SubjectOrErrors>, Stopped> {
+    let files: Vec<&PathBuf> = plans
+        .iter()
+        .flat_map(|plan| plan.surfaces.iter().flat_map(|surface| &surface.files))
+        .collect();
+    let checks: usize = plans.iter().map(|p| check_count(p.surfaces.len())).sum();
+    progress.expect_steps(files.len() + checks);
+    let contents: Vec<Result<MeshFile, String>> = files
+        .par_iter()
+        .map(|path| {
+            progress.step()?;
+            Ok(read_bytes(path, limits).and_then(|bytes| read_mesh_at(path, &bytes, limits)))
+        })
+        .collect::<Result<_, Stopped>>()?;
+    let mut contents = contents.into_iter();
+    let work: Vec<(SubjectPlan, Vec<Vec<Result<MeshFile, String>>>)> = plans
+        .into_iter()
+        .map(|plan| {
+            let of_plan = plan
+                .surfaces
+                .iter()
+                .map(|surface| contents.by_ref().take(surface.files.len()).collect())
+                .collect();
+            (plan, of_plan)
+        })
+        .collect();
+    work.into_par_iter()
+        .map(|(plan, contents)| join_subject(plan, contents, limits, progress))
+        .collect()
+}
+
+fn join_subject(
+    plan: SubjectPlan,
+    contents: Vec<Vec<Result<MeshFile, String>>>,
+    limits: &Limits,
+    progress: &Progress,
+) -> Result<SubjectOrErrors, Stopped> {
+    let wrong = |path: &PathBuf, reason: String| OpenError {
+        subject: Some(plan.id.clone()),
+        path: path.clone(),
+        reason,
+    };
+    let mut errors = Vec::new();
+    let mut read = Vec::new();
+    for (surface, contents) in plan.surfaces.iter().zip(contents) {
+        let mut files = Vec::new();
+        for (path, content) in surface.files.iter().zip(contents) {
+            match content {
+                Ok(file) => files.push(file),
+                Err(reason) => errors.push(wrong(path, reason)),
+            }
+        }
+        read.push(files);
+    }
+    if !errors.is_empty() {
+        return Ok(Err(errors));
+    }
+    let mut joined = Vec::new();
+    for (surface, files) in plan.surfaces.iter().zip(read) {
+        match join_surface(surface, files, limits) {
+            Ok(surface) => joined.push(surface),
+            Err((path, reason)) => {
+                let path = path.unwrap_or_else(|| plan.place.clone());
+                return Ok(Err(vec![wrong(&path, reason)]));
+            }
+        }
+    }
+    let mut notices = Vec::new();
+    let mut times = None;
+    let mut surfaces = Vec::new();
+    for mut surface in joined {
+        notices.append(&mut surface.notices);
+        times = times.or(surface.times_s);
+        surfaces.push(surface.sequence);
+    }
+    match MeshSequence::new(surfaces) {
+        Ok(sequence) => {
+            let subject = with_facts(plan, sequence, times, notices);
+            checked(subject, progress).map(Ok)
+        }
+        Err(error) => Ok(Err(vec![wrong(&plan.place, error.to_string())])),
+    }
+}
+
+struct JoinedSurface {
+    sequence: SurfaceSequence,
+    times_s: Option<Vec<f64>>,
+    notices: Vec<Notice>,
+}
+
+/// Frames of all files of one surface; the error names the file if it is one file's.
+fn join_surface(
+    plan: &SurfacePlan,
+    files: Vec<MeshFile>,
+    limits: &Limits,
+) -> Result<JoinedSurface, (Option<PathBuf>, String)> {
+    let mut frames: Vec<TriMesh> = Vec::new();
+    let mut file_of_frame = Vec::new();
+    let mut told: Vec<(Notice, Vec<usize>)> = Vec::new();
+    let mut times_s = None;
+    let file_count = files.len();
+    for (index, file) in files.into_iter().enumerate() {
+        file_of_frame.extend(std::iter::repeat_n(index, file.frames.len()));
+        frames.extend(file.frames);
+        if file_count == 1 {
+            times_s = file.times_s;
+        }
+        for notice in file.notices {
+            match told.iter_mut().find(|(known, _)| *known == notice) {
+                Some((_, in_files)) => in_files.push(index),
+                None => told.push((notice, vec![index])),
+            }
+        }
+    }
+    if frames.len() > limits.frames {
+        let reason = ReadMeshError::TooMany {
+            what: "frames",
+            count: frames.len() as u64,
+            most: limits.frames as u64,
+        };
+        return Err((None, reason.to_string()));
+    }
+    let (kind, assumed) = kind_of(plan.kind, &frames);
+    let mut notices: Vec<Notice> = assumed.into_iter().collect();
+    for (notice, in_files) in told {
+        let text = format!(
+            "{}: {}",
+            with_frames(kind.name(), &in_files, file_count),
+            notice.text
+        );
+        notices.push(Notice { text, ..notice });
+    }
+    if let Some(times) = &plan.times
+        && let Some((seconds, unit)) = times_in_seconds(&times.0)
+    {
+        notices.push(Notice::info(format!(
+            "times of the series file taken as {unit}, because they end at {}",
+            times.0.last().copied().unwrap_or_default()
+        )));
+        times_s = Some(seconds);
+    }
+    let sequence = SurfaceSequence::new(kind, frames).map_err(|error| {
+        let path = match &error {
+            SequenceError::TopologyChanges { frame, .. } => file_of_frame
+                .get(*frame)
+                .and_then(|&file| plan.files.get(file).cloned()),
+            _ => None,
+        };
+        (path, error.to_string())
+    })?;
+    Ok(JoinedSurface {
+        sequence,
+        times_s,
+        notices,
+    })
+}
+
+fn with_frames(name: &str, frames: &[usize], count: usize) -> String {
+    let phrase = frames_phrase(frames, count);
+    if phrase.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name}, {phrase}")
+    }
+}
+
+fn kind_of(plan: KindPlan, frames: &[TriMesh]) -> (SurfaceKind, Option<Notice>) {
+    match (plan, frames.first()) {
+        (KindPlan::Known(kind), _) => (kind, None),
+        (KindPlan::Ventricle, Some(mesh)) => {
+            let (kind, notice) = sheet_by_shape(mesh);
+            (kind, Some(notice))
+        }
+        (KindPlan::Ventricle | KindPlan::Unnamed, _) => {
+            let text = "nothing says which part of a heart this is: it has no blood or muscle volume (names with endo, epi, wall or cavity say so, or a study.toml)";
+            (SurfaceKind::Other, Some(Notice::info(text)))
+        }
+    }
+}
+
+/// The subject with all that is stated and assumed about it.
+fn with_facts(
+    plan: SubjectPlan,
+    sequence: MeshSequence,
+    times_s: Option<Vec<f64>>,
+    from_files: Vec<Notice>,
+) -> Subject {
+    let stated = plan.stated;
+    let mut notices = plan.notices;
+    notices.extend(from_files);
+    let mut anatomy = stated.anatomy;
+    let sequence = match stated.unit {
+        Some(StatedUnit::Millimetres(factor)) if factor != 1.0 => {
+            anatomy = anatomy.map(|anatomy| Anatomy {
+                apex: anatomy.apex * factor,
+                base: anatomy.base * factor,
+                ..anatomy
+            });
+            notices.push(Notice::info(format!(
+                "coordinates multiplied by {factor} to make them mm, as study.toml states their unit"
+            )));
+            scaled(sequence, factor)
+        }
+        _ => sequence,
+    };
+    let (unit, notice) = length_unit(stated.unit, &sequence);
+    notices.extend(notice);
+    let frame_count = sequence.frame_count();
+    let mut subject = Subject::new(plan.id, sequence, unit);
+    subject.label = stated.label;
+    subject.end_diastole = stated.end_diastole;
+    subject.end_systole = stated.end_systole;
+    subject.height_cm = stated.height_cm;
+    subject.weight_kg = stated.weight_kg;
+    subject.anatomy = anatomy;
+    subject.timing.rr = stated.rr_s.map(Seconds);
+    subject.timing.frame_times_s = usable_times(stated.frame_times_s, frame_count, &mut notices)
+        .or_else(|| usable_times(times_s, frame_count, &mut notices));
+    subject.notices = notices;
+    subject
+}
+
+/// Times, if there is one for each frame and they ascend.
+fn usable_times(
+    times: Option<Vec<f64>>,
+    frame_count: usize,
+    notices: &mut Vec<Notice>,
+) -> Option<Vec<f64>> {
+    let times = times?;
+    if times.len() != frame_count {
+        notices.push(Notice::warning(format!(
+            "{} times for {frame_count} frames: times are left out",
+            times.len()
+        )));
+        return None;
+    }
+    if times.windows(2).any(|pair| pair[0] >= pair[1]) {
+        notices.push(Notice::warning(
+            "times of the frames do not ascend: they are left out",
+        ));
+        return None;
+    }
+    Some(times)
+}
+
+/// All coordinates times a factor; the connectivity stays shared.
+fn scaled(sequence: MeshSequence, factor: f64) -> MeshSequence {
+    let surfaces: Option<Vec<SurfaceSequence>> = sequence
+        .surfaces()
+        .iter()
+        .map(|surface| {
+            let frames: Option<Vec<TriMesh>> = surface
+                .frames()
+                .iter()
+                .map(|mesh| {
+                    let points: Vec<Point3> = mesh.vertices().iter().map(|p| p * factor).collect();
+                    TriMesh::new(points, Arc::clone(mesh.faces())).ok()
+                })
+                .collect();
+            SurfaceSequence::new(surface.kind(), frames?).ok()
+        })
+        .collect();
+    // Only coordinates near the end of `f64` overflow, and are then no heart's.
+    surfaces
+        .and_then(|surfaces| MeshSequence::new(surfaces).ok())
+        .unwrap_or(sequence)
+}
+
+/// The subject with what the checks find; phases that cannot be are left to the volumes.
+fn checked(mut subject: Subject, progress: &Progress) -> Result<Subject, Stopped> {
+    let findings = check_subject(&subject, || progress.step())?;
+    let frames = subject.sequence.frame_count();
+    subject.end_diastole = subject.end_diastole.filter(|&frame| frame < frames);
+    subject.end_systole = subject.end_systole.filter(|&frame| frame < frames);
+    subject.notices.extend(findings);
+    subject.notices.dedup();
+    sort_warnings_first(&mut subject.notices);
+    Ok(subject)
+}

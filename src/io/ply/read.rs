@@ -1,0 +1,154 @@
+//! Reading PLY: vertices and polygons, past everything else.
+
+use super::body::{BinaryBody, Body, TextBody};
+use super::header::{Element, Encoding, Header, Storage, read_header};
+use crate::io::binary_cursor::{count, vertex_index};
+use crate::io::mesh_draft::MeshDraft;
+use crate::io::{Limits, MeshFile, ReadMeshError};
+use crate::study::Notice;
+
+/// Reads `vertex` with `x`, `y`, `z` and `face` with `vertex_indices`; other elements and
+/// properties are passed over.
+pub(crate) fn read_ply(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
+    let header = read_header(bytes)?;
+    if let Some(strips) = header.elements.iter().find(|e| e.name == "tristrips") {
+        return Err(strips
+            .place
+            .error("triangle strips are not read; save the mesh with plain faces"));
+    }
+    let draft = MeshDraft::new(limits, 0);
+    match header.encoding {
+        Encoding::Text => read_elements(TextBody::new(header.body.clone()), &header, draft),
+        Encoding::Binary(order) => {
+            let start = bytes.len() - header.body.rest().len();
+            read_elements(BinaryBody::new(bytes, start, order), &header, draft)
+        }
+    }
+}
+
+fn read_elements(
+    mut body: impl Body,
+    header: &Header<'_>,
+    mut draft: MeshDraft,
+) -> Result<MeshFile, ReadMeshError> {
+    for element in &header.elements {
+        match element.name.as_str() {
+            "vertex" => {
+                let bytes_each = element.least_bytes(header.encoding);
+                draft.expect_points(element.count, body.bytes_left(), bytes_each)?;
+                read_vertices(&mut body, element, &mut draft)?;
+            }
+            "face" => {
+                draft.expect_faces(element.count)?;
+                read_faces(&mut body, element, &mut draft)?;
+            }
+            _ => pass_over(&mut body, element)?,
+        }
+    }
+    if body.bytes_left() > 0 {
+        let text = format!(
+            "{} bytes after the last element left out",
+            body.bytes_left()
+        );
+        draft.notice(Notice::warning(text));
+    }
+    draft.finish()
+}
+
+fn read_vertices(
+    body: &mut impl Body,
+    element: &Element,
+    draft: &mut MeshDraft,
+) -> Result<(), ReadMeshError> {
+    let mut axes = [0; 3];
+    for (axis, name) in axes.iter_mut().zip(["x", "y", "z"]) {
+        *axis = element
+            .property(&[name])
+            .filter(|&at| matches!(element.properties[at].storage, Storage::One(_)))
+            .ok_or_else(|| {
+                element
+                    .place
+                    .error(format!("vertices have no number \"{name}\""))
+            })?;
+    }
+    for _ in 0..element.count {
+        body.begin(&element.name)?;
+        let place = body.place();
+        let mut xyz = [0.0; 3];
+        for (at, property) in element.properties.iter().enumerate() {
+            match property.storage {
+                Storage::One(scalar) => {
+                    let number = body.number(scalar)?;
+                    if let Some(axis) = axes.iter().position(|&axis| axis == at) {
+                        xyz[axis] = number;
+                    }
+                }
+                list @ Storage::List { .. } => pass_over_property(body, list)?,
+            }
+        }
+        body.end()?;
+        draft.point(xyz, place)?;
+    }
+    Ok(())
+}
+
+fn read_faces(
+    body: &mut impl Body,
+    element: &Element,
+    draft: &mut MeshDraft,
+) -> Result<(), ReadMeshError> {
+    let corners_at = element
+        .property(&["vertex_indices", "vertex_index"])
+        .filter(|&at| matches!(element.properties[at].storage, Storage::List { .. }))
+        .ok_or_else(|| element.place.error("faces have no list \"vertex_indices\""))?;
+    let mut corners = Vec::new();
+    for _ in 0..element.count {
+        body.begin(&element.name)?;
+        let place = body.place();
+        for (at, property) in element.properties.iter().enumerate() {
+            match property.storage {
+                Storage::List { length, item } if at == corners_at => {
+                    corners.clear();
+                    for _ in 0..count(body.number(length)?, place)? {
+                        let place = body.place();
+                        corners.push(vertex_index(body.number(item)?, place)?);
+                    }
+                }
+                storage => pass_over_property(body, storage)?,
+            }
+        }
+        body.end()?;
+        draft.polygon(&corners, place)?;
+    }
+    Ok(())
+}
+
+/// Goes past elements of no interest. Those without properties take no room in a binary file.
+fn pass_over(body: &mut impl Body, element: &Element) -> Result<(), ReadMeshError> {
+    if element.properties.is_empty() {
+        return Ok(());
+    }
+    for _ in 0..element.count {
+        body.begin(&element.name)?;
+        for property in &element.properties {
+            pass_over_property(body, property.storage)?;
+        }
+        body.end()?;
+    }
+    Ok(())
+}
+
+fn pass_over_property(body: &mut impl Body, storage: Storage) -> Result<(), ReadMeshError> {
+    match storage {
+        Storage::One(scalar) => {
+            body.number(scalar)?;
+        }
+        Storage::List { length, item } => {
+            let place = body.place();
+            for _ in 0..count(body.number(length)?, place)? {
+                body.number(item)?;
+            }
+        }
+    }
+    Ok(())
+}

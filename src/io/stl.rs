@@ -1,0 +1,147 @@
+//! Reading STL, text and binary: loose triangles whose equal corners become one vertex.
+
+use std::collections::HashMap;
+
+use super::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
+use super::mesh_draft::{MeshDraft, Place};
+use super::text_lines::{TextLines, shown, three_numbers, words};
+use super::{Limits, MeshFile, ReadMeshError};
+use crate::study::Notice;
+
+const HEADER_BYTES: usize = 84;
+const TRIANGLE_BYTES: usize = 50;
+
+/// Reads either form. Corners with exactly equal coordinates become one vertex, numbered by
+/// first occurrence, so that frames with triangles in the same order have the same vertices.
+pub(super) fn read_stl(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
+    let mut weld = Weld::new(limits);
+    if is_text(bytes) {
+        read_text(bytes, &mut weld)?;
+    } else {
+        read_binary(bytes, &mut weld)?;
+    }
+    weld.finish()
+}
+
+/// Text begins with "solid", but so do some binary headers: those have a size that fits their
+/// count, or bytes that no text has.
+fn is_text(bytes: &[u8]) -> bool {
+    let starts_as_text = bytes.trim_ascii_start().starts_with(b"solid");
+    let size_fits_count = triangle_count(bytes).is_some_and(|count| {
+        bytes.len() as u64 == HEADER_BYTES as u64 + count * TRIANGLE_BYTES as u64
+    });
+    starts_as_text && !size_fits_count && !bytes[..bytes.len().min(512)].contains(&0)
+}
+
+fn triangle_count(bytes: &[u8]) -> Option<u64> {
+    let count = bytes.get(80..HEADER_BYTES)?;
+    Some(Scalar::U32.number(count, ByteOrder::Little) as u64)
+}
+
+fn read_binary(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
+    let count = triangle_count(bytes).ok_or_else(|| {
+        Place::Byte(bytes.len()).error("the file ends within the header of a binary STL")
+    })?;
+    weld.draft.expect_faces(count)?;
+    let mut cursor = BinaryCursor::new(bytes, HEADER_BYTES);
+    for _ in 0..count {
+        let Place::Byte(start) = cursor.place() else {
+            break;
+        };
+        let record = cursor.take(TRIANGLE_BYTES as u64, "a triangle")?;
+        for corner in 0..3 {
+            let at = 12 + 12 * corner;
+            let x = |axis: usize| Scalar::F32.number(&record[at + 4 * axis..], ByteOrder::Little);
+            weld.corner([x(0), x(1), x(2)], Place::Byte(start + at))?;
+        }
+        weld.triangle(Place::Byte(start))?;
+    }
+    if !cursor.rest().is_empty() {
+        let text = format!(
+            "{} bytes after the last triangle left out",
+            cursor.rest().len()
+        );
+        weld.draft.notice(Notice::warning(text));
+    }
+    Ok(())
+}
+
+fn read_text(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
+    let mut solid_open = false;
+    let mut lines = TextLines::new(bytes);
+    for (line, text) in lines.by_ref() {
+        let place = Place::Line(line);
+        let mut words = words(text);
+        let Some(first) = words.next() else { continue };
+        match first.to_ascii_lowercase().as_slice() {
+            b"solid" if !solid_open => solid_open = true,
+            b"endsolid" if solid_open => solid_open = false,
+            _ if !solid_open => {
+                return Err(place.error(format!("{} outside a solid", shown(first))));
+            }
+            b"vertex" => {
+                weld.corner(three_numbers(&mut words, place)?, place)?;
+                if words.next().is_some() {
+                    return Err(place.error("vertex has more than 3 coordinates"));
+                }
+            }
+            b"facet" | b"outer" | b"endloop" => {}
+            b"endfacet" => weld.triangle(place)?,
+            _ => return Err(place.error(format!("unknown keyword {}", shown(first)))),
+        }
+    }
+    if solid_open || !weld.corners.is_empty() {
+        return Err(Place::Line(lines.line()).error("the file ends within a solid"));
+    }
+    Ok(())
+}
+
+/// Joins equal corners while triangles come in.
+struct Weld {
+    draft: MeshDraft,
+    corners: Vec<u32>,
+    vertex_at: HashMap<[u64; 3], u32>,
+}
+
+impl Weld {
+    fn new(limits: &Limits) -> Self {
+        Self {
+            draft: MeshDraft::new(limits, 0),
+            corners: Vec::new(),
+            vertex_at: HashMap::new(),
+        }
+    }
+
+    fn corner(&mut self, xyz: [f64; 3], place: Place) -> Result<(), ReadMeshError> {
+        // adding zero turns −0 into 0, which is the same place
+        let bits = xyz.map(|x| (x + 0.0).to_bits());
+        let next = self.draft.point_count() as u32;
+        let vertex = *self.vertex_at.entry(bits).or_insert(next);
+        if vertex == next {
+            self.draft.point(xyz.map(|x| x + 0.0), place)?;
+        }
+        self.corners.push(vertex);
+        Ok(())
+    }
+
+    fn triangle(&mut self, place: Place) -> Result<(), ReadMeshError> {
+        if self.corners.len() != 3 {
+            let reason = format!("a facet has {} vertices, but needs 3", self.corners.len());
+            return Err(place.error(reason));
+        }
+        let corners = std::mem::take(&mut self.corners);
+        self.draft.polygon(&corners, place)?;
+        self.corners = corners;
+        self.corners.clear();
+        Ok(())
+    }
+
+    fn finish(mut self) -> Result<MeshFile, ReadMeshError> {
+        let vertices = self.draft.point_count();
+        self.draft.notice(Notice::info(format!(
+            "STL has no shared vertices: corners with exactly equal coordinates were joined, \
+             which makes {vertices} vertices, numbered by first occurrence"
+        )));
+        self.draft.finish()
+    }
+}

@@ -1,0 +1,179 @@
+//! What a figure says beside the heart: name, moment, numbers, colours, scale, orientation.
+
+use crate::analysis::measures::SubjectMeasures;
+use crate::picture::axes::CubeFace;
+use crate::picture::legend::ColourLegend;
+use crate::study::Subject;
+use crate::units::LengthUnit;
+
+/// The subject and moment that a figure shows.
+#[derive(Clone, Copy, Debug)]
+pub struct FigureSubject<'a> {
+    /// The heart.
+    pub subject: &'a Subject,
+    /// Its measures, if they could be made.
+    pub measures: Option<&'a SubjectMeasures>,
+    /// The frame.
+    pub frame: usize,
+}
+
+/// All text and marks of a figure, ready to be laid out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FigureContent {
+    /// The pseudonym.
+    pub title: String,
+    /// Label, frame and phase.
+    pub moment: String,
+    /// Ejection fraction; empty where no volume can be told.
+    pub ejection_fraction: String,
+    /// Volumes at end-diastole and end-systole; empty where none can be told.
+    pub volumes: String,
+    /// The colour bar; `None` where colours are tissue.
+    pub legend: Option<ColourLegend>,
+    /// What lengths are counted in, for the scale bar.
+    pub unit: LengthUnit,
+    /// Sides of the orientation cube; none where names are not known.
+    pub cube: Vec<CubeFace>,
+    /// Program, version, and what the picture is not for.
+    pub footer: String,
+}
+
+impl FigureContent {
+    /// Gathers what is known. A subject carries a pseudonym; nothing else names a person.
+    pub fn of(shown: FigureSubject<'_>, legend: Option<ColourLegend>, cube: Vec<CubeFace>) -> Self {
+        let measures = shown.measures;
+        let ejection_fraction = measures
+            .and_then(|measures| measures.ef)
+            .map_or_else(String::new, |ef| format!("EF {:.0} %", 100.0 * ef));
+        let volumes = measures
+            .and_then(|measures| measures.edv.zip(measures.esv))
+            .map_or_else(String::new, |(edv, esv)| {
+                let symbol = shown.subject.unit.volume_symbol();
+                format!("EDV {} · ESV {} {symbol}", rounded(edv), rounded(esv))
+            });
+        Self {
+            title: shown.subject.id.clone(),
+            moment: moment(shown),
+            ejection_fraction,
+            volumes,
+            legend,
+            unit: shown.subject.unit,
+            cube,
+            footer: format!(
+                "Cardiomorph {} · research use, not for diagnosis",
+                env!("CARGO_PKG_VERSION")
+            ),
+        }
+    }
+}
+
+/// `MINF · frame 3 of 8 · ES · 312 ms · 37 % R-R`; frames are numbered from 0 as everywhere.
+fn moment(shown: FigureSubject<'_>) -> String {
+    let FigureSubject {
+        subject,
+        measures,
+        frame,
+    } = shown;
+    let count = subject.sequence.frame_count();
+    let mut parts: Vec<String> = subject.label.iter().cloned().collect();
+    if count > 1 {
+        parts.push(format!("frame {frame} of 0–{}", count - 1));
+    }
+    let diastole = measures
+        .and_then(|m| m.end_diastole)
+        .or(subject.end_diastole);
+    let systole = measures.and_then(|m| m.end_systole).or(subject.end_systole);
+    if diastole == Some(frame) {
+        parts.push("ED".to_owned());
+    } else if systole == Some(frame) {
+        parts.push("ES".to_owned());
+    }
+    if let Some(time) = subject.timing.time_at(frame as f64, count) {
+        parts.push(format!("{:.0} ms", 1000.0 * time.0));
+    }
+    // Two frames are end-diastole and end-systole; their share of the beat is not known.
+    if subject.timing.rr.is_some() || count > 2 {
+        let phase = subject.timing.phase(frame as f64, count);
+        parts.push(format!("{:.0} % R-R", 100.0 * phase));
+    }
+    parts.join(" · ")
+}
+
+/// As many digits as a volume deserves: none from 20 on, one below.
+fn rounded(volume: f64) -> String {
+    if volume.abs() >= 20.0 {
+        format!("{volume:.0}")
+    } else {
+        format!("{volume:.1}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::measures::PhaseSource;
+    use crate::mesh::phantom;
+    use crate::study::{CycleTiming, MeshSequence, SurfaceKind, SurfaceSequence};
+    use crate::units::Seconds;
+
+    fn subject(frames: usize) -> Subject {
+        let meshes = vec![phantom::sphere(1, 20.0); frames];
+        let surface = SurfaceSequence::new(SurfaceKind::Cavity, meshes).unwrap();
+        let sequence = MeshSequence::new(vec![surface]).unwrap();
+        Subject::new("P-041", sequence, LengthUnit::Millimetre)
+    }
+
+    fn measures() -> SubjectMeasures {
+        SubjectMeasures {
+            unit: LengthUnit::Millimetre,
+            frames: Vec::new(),
+            end_diastole: Some(0),
+            end_systole: Some(3),
+            phase_source: PhaseSource::VolumeCurve,
+            edv: Some(104.2),
+            esv: Some(66.4),
+            sv: Some(37.8),
+            ef: Some(0.3628),
+            mass: None,
+        }
+    }
+
+    #[test]
+    fn a_figure_says_who_when_and_how_much() {
+        let mut heart = subject(8);
+        heart.label = Some("MINF".to_owned());
+        heart.timing = CycleTiming {
+            frame_times_s: None,
+            rr: Some(Seconds(0.8)),
+        };
+        let measures = measures();
+        let shown = FigureSubject {
+            subject: &heart,
+            measures: Some(&measures),
+            frame: 3,
+        };
+        let content = FigureContent::of(shown, None, Vec::new());
+        assert_eq!(content.title, "P-041");
+        assert_eq!(
+            content.moment,
+            "MINF · frame 3 of 0–7 · ES · 300 ms · 38 % R-R"
+        );
+        assert_eq!(content.ejection_fraction, "EF 36 %");
+        assert_eq!(content.volumes, "EDV 104 · ESV 66 ml");
+        assert!(content.footer.contains("not for diagnosis"));
+    }
+
+    #[test]
+    fn what_is_not_known_is_not_said() {
+        let heart = subject(2);
+        let shown = FigureSubject {
+            subject: &heart,
+            measures: None,
+            frame: 0,
+        };
+        let content = FigureContent::of(shown, None, Vec::new());
+        assert_eq!(content.moment, "frame 0 of 0–1");
+        assert_eq!(content.ejection_fraction, "");
+        assert_eq!(content.volumes, "");
+    }
+}

@@ -1,0 +1,86 @@
+//! A bar of a round length, so that size can be read off a picture.
+
+use crate::picture::ticks::nice_ceiling;
+use crate::render::Camera;
+use crate::units::LengthUnit;
+
+/// A length that is round in the study's unit, and how long it is on the picture.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScaleBar {
+    /// Length in coordinates.
+    pub length: f64,
+    /// Length on the picture in pixels, at the depth of the camera's target.
+    pub pixels: f32,
+    /// `20 mm`.
+    pub text: String,
+}
+
+impl ScaleBar {
+    /// The longest of 1, 2, 5, 10, … units that fits into `most_pixels`, for a picture of
+    /// `picture_height` pixels.
+    pub fn fitting(
+        camera: &Camera,
+        picture_height: f32,
+        most_pixels: f32,
+        unit: LengthUnit,
+    ) -> Option<Self> {
+        let per_pixel = f64::from(2.0 * camera.half_height / picture_height);
+        let most = per_pixel * f64::from(most_pixels);
+        if !(most > 0.0 && most.is_finite()) {
+            return None;
+        }
+        // The largest round length not above `most` is a tenth of the ceiling's next steps down.
+        let above = nice_ceiling(most * (1.0 + 1e-9));
+        let length = [1.0, 0.5, 0.4, 0.2]
+            .iter()
+            .map(|share| share * above)
+            .find(|&length| length <= most * (1.0 + 1e-9) && is_round(length))?;
+        let symbol = unit.length_symbol();
+        Some(Self {
+            length,
+            pixels: (length / per_pixel) as f32,
+            text: format!("{} {symbol}", trimmed(length)),
+        })
+    }
+}
+
+fn is_round(length: f64) -> bool {
+    let mantissa = length / 10_f64.powf((length.log10() + 1e-9).floor());
+    [1.0, 2.0, 5.0]
+        .iter()
+        .any(|nice| (mantissa - nice).abs() < 1e-6)
+}
+
+fn trimmed(length: f64) -> String {
+    if length >= 1.0 {
+        format!("{length:.0}")
+    } else {
+        let decimals = (-(length.log10() + 1e-9).floor()) as usize;
+        format!("{length:.decimals$}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_longest_round_length_that_fits_is_taken() {
+        let camera = Camera {
+            half_height: 60.0,
+            ..Camera::default()
+        };
+        // 120 mm over 800 pixels: 0.15 mm a pixel.
+        for (most, text, pixels) in [
+            (150.0, "20 mm", 133.33),
+            (133.5, "20 mm", 133.33),
+            (133.0, "10 mm", 66.67),
+            (400.0, "50 mm", 333.33),
+            (6.0, "0.5 mm", 3.33),
+        ] {
+            let bar = ScaleBar::fitting(&camera, 800.0, most, LengthUnit::Millimetre).unwrap();
+            assert_eq!(bar.text, text, "{most}");
+            assert!((bar.pixels - pixels).abs() < 0.01, "{most}: {}", bar.pixels);
+        }
+    }
+}

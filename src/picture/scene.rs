@@ -1,0 +1,308 @@
+//! A prepared heart at a pose as a scene, with the legend of its colours.
+
+use std::sync::Arc;
+
+use crate::picture::fit::blended;
+use crate::picture::legend::{ColourLegend, colour_map};
+use crate::picture::limits::CohortLimits;
+use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
+use crate::picture::quantity::Quantity;
+use crate::picture::tokens::{
+    ENDOCARDIUM, EPICARDIUM, EPICARDIUM_OPACITY, OTHER_SURFACE, PictureTheme, SILHOUETTE,
+    TRANSLUCENT_SILHOUETTE, WALL_CUT,
+};
+use crate::render::{
+    ColourLimits, GeometryPose, Points, Scene, Shading, Surface, SurfaceColour, Wireframe,
+};
+use crate::study::SurfaceKind;
+
+/// How a heart is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SceneSettings {
+    /// What colours stand for.
+    pub quantity: Quantity,
+    /// The study's fixed ranges.
+    pub cohort_limits: CohortLimits,
+    /// Typed limits in their place.
+    pub typed_limits: Option<[f64; 2]>,
+    /// Whether the inner side of the wall is drawn.
+    pub inner: bool,
+    /// Whether the outer side is drawn.
+    pub outer: bool,
+    /// Whether the cut at the base is drawn, so that the wall reads as one.
+    pub rim: bool,
+    /// Whether edges are drawn.
+    pub wireframe: bool,
+    /// Whether vertices are drawn as discs.
+    pub vertices: bool,
+    /// Smooth or flat.
+    pub shading: Shading,
+    /// Colours around the heart.
+    pub theme: PictureTheme,
+    /// Whether nothing is drawn behind it.
+    pub transparent: bool,
+}
+
+impl Default for SceneSettings {
+    fn default() -> Self {
+        Self {
+            quantity: Quantity::default(),
+            cohort_limits: CohortLimits::default(),
+            typed_limits: None,
+            inner: true,
+            outer: true,
+            rim: true,
+            wireframe: false,
+            vertices: false,
+            shading: Shading::default(),
+            theme: PictureTheme::DARK,
+            transparent: false,
+        }
+    }
+}
+
+/// A scene and what its colours mean.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HeartScene {
+    /// What is to be drawn.
+    pub scene: Scene,
+    /// The colour bar; `None` where colours are tissue.
+    pub legend: Option<ColourLegend>,
+}
+
+/// The scene of a heart at a pose. Cheap: all large arrays are those of `prepared`.
+pub fn subject_scene(
+    prepared: &PreparedSubject,
+    settings: &SceneSettings,
+    pose: GeometryPose,
+) -> HeartScene {
+    let last = prepared.frame_count.saturating_sub(1);
+    let pose = GeometryPose {
+        from: pose.from.min(last),
+        to: pose.to.min(last),
+        blend: pose.blend.clamp(0.0, 1.0),
+    };
+    let limits = limits(settings);
+    let shown: Vec<&PreparedSurface> = prepared
+        .surfaces
+        .iter()
+        .filter(|surface| shows(surface.role, settings))
+        .collect();
+    let surfaces = shown
+        .iter()
+        .map(|surface| drawn(surface, settings, limits, pose))
+        .collect();
+    let points = if settings.vertices {
+        shown
+            .iter()
+            .filter(|surface| surface.role != SurfaceRole::Rim)
+            .map(|surface| vertex_discs(surface, settings, pose))
+            .collect()
+    } else {
+        Vec::new()
+    };
+    let [red, green, blue] = settings.theme.background;
+    let opacity = if settings.transparent { 0.0 } else { 1.0 };
+    let coloured = shown
+        .iter()
+        .filter(|surface| is_coloured(surface, settings));
+    let extremes = coloured
+        .filter_map(|surface| surface.scalars(settings.quantity))
+        .flat_map(|scalars| scalars.values.iter().flatten())
+        .filter(|value| !value.is_nan())
+        .fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], &value| {
+            [low.min(value), high.max(value)]
+        });
+    HeartScene {
+        legend: ColourLegend::of(
+            settings.quantity,
+            prepared.unit,
+            limits,
+            limits_note(settings),
+            extremes,
+        ),
+        scene: Scene {
+            surfaces,
+            lines: Vec::new(),
+            points,
+            background: [red, green, blue, opacity],
+        },
+    }
+}
+
+fn shows(role: SurfaceRole, settings: &SceneSettings) -> bool {
+    match role {
+        SurfaceRole::Inner => settings.inner,
+        SurfaceRole::Outer => settings.outer,
+        SurfaceRole::Rim => settings.rim && settings.inner && settings.outer,
+        SurfaceRole::Alone(SurfaceKind::Epicardium | SurfaceKind::Wall) => settings.outer,
+        SurfaceRole::Alone(_) => settings.inner,
+    }
+}
+
+/// The outer side carries colours only where it is not seen through.
+fn is_coloured(surface: &PreparedSurface, settings: &SceneSettings) -> bool {
+    !(surface.role == SurfaceRole::Outer && settings.inner)
+}
+
+fn limits(settings: &SceneSettings) -> ColourLimits {
+    let range = settings.cohort_limits.range(settings.quantity);
+    match settings.typed_limits {
+        Some([low, high]) if high > low && (low > 0.0 || !range.logarithmic) => ColourLimits {
+            low: low as f32,
+            high: high as f32,
+            logarithmic: range.logarithmic,
+        },
+        _ => range,
+    }
+}
+
+fn limits_note(settings: &SceneSettings) -> &'static str {
+    match (settings.typed_limits, settings.quantity) {
+        (Some(_), _) => "limits typed",
+        (None, Quantity::AreaRatio) => "fixed limits, log scale",
+        (None, _) => "one range for the cohort",
+    }
+}
+
+fn drawn(
+    surface: &PreparedSurface,
+    settings: &SceneSettings,
+    limits: ColourLimits,
+    pose: GeometryPose,
+) -> Surface {
+    let translucent = surface.role == SurfaceRole::Outer && settings.inner;
+    let scalars = surface.scalars(settings.quantity).filter(|_| !translucent);
+    let colour = match scalars.zip(colour_map(settings.quantity)) {
+        Some((scalars, map)) => SurfaceColour::Scalars {
+            scalars: Arc::clone(scalars),
+            map: map.colours,
+            limits,
+            below: map.below,
+            above: map.above,
+        },
+        None => SurfaceColour::Uniform(tissue(surface.role)),
+    };
+    let edges = settings.wireframe && surface.role != SurfaceRole::Rim;
+    Surface {
+        geometry: Arc::clone(&surface.geometry),
+        pose,
+        colour,
+        opacity: if translucent { EPICARDIUM_OPACITY } else { 1.0 },
+        shading: settings.shading,
+        wireframe: edges.then_some(Wireframe {
+            colour: settings.theme.wireframe,
+            width: 1.0,
+        }),
+        silhouette: if translucent {
+            TRANSLUCENT_SILHOUETTE
+        } else {
+            SILHOUETTE
+        },
+        // A click on a heart means the wall under the pointer, not the glass around it.
+        pickable: !translucent && surface.role != SurfaceRole::Rim,
+    }
+}
+
+fn tissue(role: SurfaceRole) -> [f32; 3] {
+    match role {
+        SurfaceRole::Inner => ENDOCARDIUM,
+        SurfaceRole::Outer => EPICARDIUM,
+        SurfaceRole::Rim => WALL_CUT,
+        SurfaceRole::Alone(SurfaceKind::Other) => OTHER_SURFACE,
+        SurfaceRole::Alone(SurfaceKind::Epicardium) => EPICARDIUM,
+        SurfaceRole::Alone(_) => ENDOCARDIUM,
+    }
+}
+
+fn vertex_discs(surface: &PreparedSurface, settings: &SceneSettings, pose: GeometryPose) -> Points {
+    let positions = &surface.geometry.positions;
+    let [red, green, blue] = settings.theme.text;
+    Points {
+        positions: Arc::new(blended(&positions[pose.from], &positions[pose.to], pose)),
+        colours: Arc::new(vec![[red, green, blue, 1.0]]),
+        diameter: 3.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::phantom;
+    use crate::study::{MeshSequence, Subject, SurfaceSequence};
+    use crate::units::LengthUnit;
+
+    fn heart() -> PreparedSubject {
+        let side = |kind, radii: [f64; 2]| {
+            let frames = radii.map(|radius| phantom::bowl(radius, 4, 12)).to_vec();
+            SurfaceSequence::new(kind, frames).unwrap()
+        };
+        let sequence = MeshSequence::new(vec![
+            side(SurfaceKind::Endocardium, [20.0, 15.0]),
+            side(SurfaceKind::Epicardium, [30.0, 30.0]),
+        ])
+        .unwrap();
+        PreparedSubject::new(&Subject::new("P", sequence, LengthUnit::Millimetre), 0)
+    }
+
+    #[test]
+    fn the_inner_side_is_seen_through_the_outer_one_and_the_wall_is_cut_between() {
+        let scene = subject_scene(&heart(), &SceneSettings::default(), GeometryPose::default());
+        let opacities: Vec<f32> = scene.scene.surfaces.iter().map(|s| s.opacity).collect();
+        assert_eq!(opacities, [1.0, EPICARDIUM_OPACITY, 1.0]);
+        assert!(scene.legend.is_none());
+        let whole = SceneSettings {
+            inner: false,
+            ..SceneSettings::default()
+        };
+        let scene = subject_scene(&heart(), &whole, GeometryPose::default());
+        assert_eq!(scene.scene.surfaces.len(), 1);
+        assert_eq!(scene.scene.surfaces[0].opacity, 1.0);
+    }
+
+    #[test]
+    fn playing_changes_nothing_but_the_pose() {
+        let prepared = heart();
+        let at = |from, blend| {
+            let pose = GeometryPose { from, to: 1, blend };
+            subject_scene(&prepared, &SceneSettings::default(), pose).scene
+        };
+        let (a, b) = (at(0, 0.0), at(0, 0.7));
+        for (a, b) in a.surfaces.iter().zip(&b.surfaces) {
+            assert!(Arc::ptr_eq(&a.geometry, &b.geometry));
+            assert_ne!(a.pose, b.pose);
+        }
+    }
+
+    #[test]
+    fn displacement_and_area_are_those_of_a_shrinking_bowl() {
+        let prepared = heart();
+        let inner = prepared.surface(SurfaceRole::Inner).unwrap();
+        let moved = &inner.scalars(Quantity::Displacement).unwrap().values;
+        assert!(moved[0].iter().all(|&d| d == 0.0));
+        assert!(moved[1].iter().all(|&d| (d - 5.0).abs() < 1e-4));
+        let ratio = &inner.scalars(Quantity::AreaRatio).unwrap().values;
+        assert!(ratio[1].iter().all(|&r| (r - 0.5625).abs() < 1e-5));
+        let rim = prepared.surface(SurfaceRole::Rim).unwrap();
+        let moved = &rim.scalars(Quantity::Displacement).unwrap().values[1];
+        assert_eq!(moved.iter().filter(|&&d| d > 4.9).count(), 12);
+    }
+
+    #[test]
+    fn typed_limits_are_used_and_said() {
+        let settings = SceneSettings {
+            quantity: Quantity::Displacement,
+            typed_limits: Some([0.0, 2.5]),
+            ..SceneSettings::default()
+        };
+        let pose = GeometryPose {
+            from: 1,
+            to: 1,
+            blend: 0.0,
+        };
+        let legend = subject_scene(&heart(), &settings, pose).legend.unwrap();
+        assert_eq!(legend.limits.high, 2.5);
+        assert_eq!(legend.note, "limits typed");
+        assert!(legend.above && !legend.below);
+    }
+}

@@ -1,0 +1,214 @@
+//! The order of passes in one picture.
+//!
+//! 1. Depth of opaque surfaces, then ambient occlusion from it, then depth of opaque lines and points.
+//! 2. For each translucent layer, nearest first: its depth (behind the layer before, in front of what
+//!    is opaque), then its light under what is already there.
+//! 3. Light of opaque things under the layers, and the average of the four samples.
+//!
+//! Layers are found sample by sample, so translucency is exact to the number of layers and does not
+//! depend on the order of surfaces or triangles.
+//!
+//! Source: Everitt (2001), "Interactive order-independent transparency", NVIDIA.
+
+use super::drawn::Drawn;
+use super::occlusion_pass::OcclusionPass;
+use super::pipelines::{Layouts, Pipelines, Stage};
+use super::targets::Scratch;
+
+/// Layers taken at most; what lies behind eight translucent layers adds less than one step of eight-bit colour at opacity 0.5.
+const MOST_LAYERS: usize = 8;
+
+/// All that the passes of one picture need.
+pub(super) struct Frame<'a> {
+    pub device: &'a wgpu::Device,
+    pub layouts: &'a Layouts,
+    pub pipelines: &'a Pipelines,
+    pub occlusion: &'a OcclusionPass,
+    pub view: &'a wgpu::BindGroup,
+    pub drawn: &'a [Drawn],
+    /// Occlusion of the whole picture found before, in the place of this tile's own.
+    pub kept_occlusion: Option<&'a wgpu::TextureView>,
+}
+
+/// Layers worth taking: a closed wall has four (outer and inner sides, front and back), each further surface may add two.
+fn layer_count(drawn: &[Drawn]) -> usize {
+    match drawn.iter().filter(|drawn| drawn.translucent).count() {
+        0 => 0,
+        translucent => (2 + 2 * translucent).min(MOST_LAYERS),
+    }
+}
+
+impl Frame<'_> {
+    /// Records all passes; returns the number of draws.
+    pub fn encode(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        scratch: &mut Scratch,
+        resolved: &wgpu::TextureView,
+    ) -> u64 {
+        let mut draws = 0;
+        let opaque_surface = |drawn: &Drawn| drawn.is_surface() && !drawn.translucent;
+        draws += self.depth(encoder, &scratch.depth, Some(0.0), opaque_surface);
+        if draws > 0 && self.kept_occlusion.is_none() {
+            self.occlusion
+                .encode(self.device, encoder, self.view, scratch);
+        }
+        draws += self.depth(encoder, &scratch.depth, None, |drawn| {
+            !drawn.is_surface() && !drawn.translucent
+        });
+        let layers = layer_count(self.drawn);
+        if layers > 0 {
+            draws += self.layers(encoder, scratch, layers);
+        }
+        draws += self.opaque(encoder, scratch, resolved, layers == 0);
+        draws
+    }
+
+    fn depth(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        depth: &wgpu::TextureView,
+        clear: Option<f32>,
+        wanted: impl Fn(&Drawn) -> bool,
+    ) -> u64 {
+        if clear.is_none() && !self.drawn.iter().any(&wanted) {
+            return 0;
+        }
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("depth"),
+            depth_stencil_attachment: Some(depth_attachment(depth, clear)),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_bind_group(0, self.view, &[]);
+        self.draw(&mut pass, Stage::OpaqueDepth, wanted)
+    }
+
+    fn layers(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        scratch: &mut Scratch,
+        count: usize,
+    ) -> u64 {
+        let layers = scratch.layers(self.device);
+        let groups = [0, 1].map(|taken: usize| {
+            let entry = |binding, view| wgpu::BindGroupEntry {
+                binding,
+                resource: wgpu::BindingResource::TextureView(view),
+            };
+            self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("peel"),
+                layout: &self.layouts.peel,
+                entries: &[entry(0, &layers[taken]), entry(1, &scratch.depth)],
+            })
+        });
+        let occlusion = self.occlusion_group(scratch);
+        // Before the first layer, everything behind the near plane is still to be taken.
+        self.depth(encoder, &layers[1], Some(1.0), |_| false);
+        let mut draws = 0;
+        for layer in 0..count {
+            let (depth, taken) = (&layers[layer % 2], &groups[(layer + 1) % 2]);
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("layer depth"),
+                depth_stencil_attachment: Some(depth_attachment(depth, Some(0.0))),
+                ..wgpu::RenderPassDescriptor::default()
+            });
+            pass.set_bind_group(0, self.view, &[]);
+            pass.set_bind_group(2, taken, &[]);
+            draws += self.draw(&mut pass, Stage::PeelDepth, |drawn| drawn.translucent);
+            drop(pass);
+            let mut pass = self.colour_pass(encoder, &scratch.colour, depth, layer == 0, None);
+            pass.set_bind_group(2, &occlusion, &[]);
+            draws += self.draw(&mut pass, Stage::Colour, |drawn| drawn.translucent);
+        }
+        draws
+    }
+
+    fn opaque(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        scratch: &Scratch,
+        resolved: &wgpu::TextureView,
+        first: bool,
+    ) -> u64 {
+        let occlusion = self.occlusion_group(scratch);
+        let (colour, depth) = (&scratch.colour, &scratch.depth);
+        let mut pass = self.colour_pass(encoder, colour, depth, first, Some(resolved));
+        pass.set_bind_group(2, &occlusion, &[]);
+        self.draw(&mut pass, Stage::Colour, |drawn| !drawn.translucent)
+    }
+
+    fn colour_pass<'e>(
+        &self,
+        encoder: &'e mut wgpu::CommandEncoder,
+        colour: &wgpu::TextureView,
+        depth: &wgpu::TextureView,
+        first: bool,
+        resolve_target: Option<&wgpu::TextureView>,
+    ) -> wgpu::RenderPass<'e> {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("colour"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: colour,
+                depth_slice: None,
+                resolve_target,
+                ops: wgpu::Operations {
+                    load: if first {
+                        wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT)
+                    } else {
+                        wgpu::LoadOp::Load
+                    },
+                    store: if resolve_target.is_some() {
+                        wgpu::StoreOp::Discard
+                    } else {
+                        wgpu::StoreOp::Store
+                    },
+                },
+            })],
+            depth_stencil_attachment: Some(depth_attachment(depth, None)),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_bind_group(0, self.view, &[]);
+        pass
+    }
+
+    fn occlusion_group(&self, scratch: &Scratch) -> wgpu::BindGroup {
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("occlusion"),
+            layout: &self.layouts.occlusion,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 2,
+                resource: wgpu::BindingResource::TextureView(
+                    self.kept_occlusion.unwrap_or(&scratch.occlusion[0]),
+                ),
+            }],
+        })
+    }
+
+    fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        stage: Stage,
+        wanted: impl Fn(&Drawn) -> bool,
+    ) -> u64 {
+        let mut draws = 0;
+        for drawn in self.drawn.iter().filter(|drawn| wanted(drawn)) {
+            drawn.draw(pass, self.pipelines, stage);
+            draws += 1;
+        }
+        draws
+    }
+}
+
+fn depth_attachment(
+    view: &wgpu::TextureView,
+    clear: Option<f32>,
+) -> wgpu::RenderPassDepthStencilAttachment<'_> {
+    wgpu::RenderPassDepthStencilAttachment {
+        view,
+        depth_ops: Some(wgpu::Operations {
+            load: clear.map_or(wgpu::LoadOp::Load, wgpu::LoadOp::Clear),
+            store: wgpu::StoreOp::Store,
+        }),
+        stencil_ops: None,
+    }
+}

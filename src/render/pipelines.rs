@@ -1,0 +1,244 @@
+//! Pipelines of everything that is drawn into the scene's depth, made when first needed.
+
+use super::targets::{COLOUR, DEPTH, SAMPLES};
+use super::{line_pass, point_pass, surface_pass};
+
+/// What every scene shader begins with.
+pub(super) const COMMON: &str = include_str!("shaders/common.wgsl");
+const PEEL: &str = include_str!("shaders/peel.wgsl");
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A surface by its indices.
+    Surface,
+    /// A surface corner by corner, with edges.
+    EdgedSurface,
+    /// Line segments.
+    Lines,
+    /// Discs.
+    Points,
+}
+
+/// What it is drawn for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stage {
+    /// The nearest opaque depth.
+    OpaqueDepth,
+    /// The nearest depth behind the layer taken before.
+    PeelDepth,
+    /// Light where the depth is the one found before, under what is already there.
+    Colour,
+}
+
+const KINDS: usize = 4;
+const STAGES: usize = 3;
+
+/// The whole shader text of a kind.
+pub(super) fn shader_text(kind: Kind) -> String {
+    let own = match kind {
+        Kind::Surface | Kind::EdgedSurface => surface_pass::SHADER,
+        Kind::Lines => line_pass::SHADER,
+        Kind::Points => point_pass::SHADER,
+    };
+    [COMMON, PEEL, own].join("\n")
+}
+
+/// Bind group layouts shared by the passes.
+pub(super) struct Layouts {
+    /// Group 0: the view.
+    pub view: wgpu::BindGroupLayout,
+    /// Group 1 of surfaces.
+    pub surface: wgpu::BindGroupLayout,
+    /// Group 1 of lines and points.
+    pub mark: wgpu::BindGroupLayout,
+    /// Group 2 while peeling.
+    pub peel: wgpu::BindGroupLayout,
+    /// Group 2 while colouring.
+    pub occlusion: wgpu::BindGroupLayout,
+}
+
+/// A uniform block, whose place is given with each draw if `dynamic`.
+pub(super) fn uniform_entry(binding: u32, dynamic: bool) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Buffer {
+            ty: wgpu::BufferBindingType::Uniform,
+            has_dynamic_offset: dynamic,
+            min_binding_size: None,
+        },
+        count: None,
+    }
+}
+
+/// A texture read texel by texel.
+pub(super) fn texture_entry(
+    binding: u32,
+    sample_type: wgpu::TextureSampleType,
+    multisampled: bool,
+) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+        ty: wgpu::BindingType::Texture {
+            sample_type,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled,
+        },
+        count: None,
+    }
+}
+
+/// A texture of numbers that are not filtered.
+pub(super) const PLAIN: wgpu::TextureSampleType =
+    wgpu::TextureSampleType::Float { filterable: false };
+
+pub(super) fn layout(
+    device: &wgpu::Device,
+    label: &str,
+    entries: &[wgpu::BindGroupLayoutEntry],
+) -> wgpu::BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some(label),
+        entries,
+    })
+}
+
+impl Layouts {
+    pub fn new(device: &wgpu::Device) -> Self {
+        let depth = wgpu::TextureSampleType::Depth;
+        let whole = wgpu::TextureSampleType::Uint;
+        Self {
+            view: layout(device, "view", &[uniform_entry(0, false)]),
+            surface: layout(
+                device,
+                "surface",
+                &[
+                    uniform_entry(0, true),
+                    texture_entry(1, whole, false),
+                    texture_entry(2, whole, false),
+                    texture_entry(3, PLAIN, false),
+                ],
+            ),
+            mark: layout(device, "mark", &[uniform_entry(0, true)]),
+            peel: layout(
+                device,
+                "peel",
+                &[texture_entry(0, depth, true), texture_entry(1, depth, true)],
+            ),
+            occlusion: layout(device, "occlusion", &[texture_entry(2, PLAIN, false)]),
+        }
+    }
+}
+
+/// All pipelines made so far.
+#[derive(Default)]
+pub(super) struct Pipelines {
+    modules: [Option<wgpu::ShaderModule>; KINDS],
+    made: [[Option<wgpu::RenderPipeline>; STAGES]; KINDS],
+}
+
+impl Pipelines {
+    /// Makes a pipeline if there is none yet.
+    pub fn prepare(&mut self, device: &wgpu::Device, layouts: &Layouts, kind: Kind, stage: Stage) {
+        if self.made[kind as usize][stage as usize].is_some() {
+            return;
+        }
+        let module = self.modules[kind as usize].get_or_insert_with(|| {
+            device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: None,
+                source: wgpu::ShaderSource::Wgsl(shader_text(kind).into()),
+            })
+        });
+        self.made[kind as usize][stage as usize] =
+            Some(scene_pipeline(device, layouts, module, kind, stage));
+    }
+
+    /// A pipeline that was prepared.
+    pub fn get(&self, kind: Kind, stage: Stage) -> Option<&wgpu::RenderPipeline> {
+        self.made[kind as usize][stage as usize].as_ref()
+    }
+}
+
+/// Front to back: what is there already stays in front.
+const UNDER: wgpu::BlendComponent = wgpu::BlendComponent {
+    src_factor: wgpu::BlendFactor::OneMinusDstAlpha,
+    dst_factor: wgpu::BlendFactor::One,
+    operation: wgpu::BlendOperation::Add,
+};
+
+fn scene_pipeline(
+    device: &wgpu::Device,
+    layouts: &Layouts,
+    module: &wgpu::ShaderModule,
+    kind: Kind,
+    stage: Stage,
+) -> wgpu::RenderPipeline {
+    let own = match kind {
+        Kind::Surface | Kind::EdgedSurface => &layouts.surface,
+        Kind::Lines | Kind::Points => &layouts.mark,
+    };
+    let (entry, buffers) = match kind {
+        Kind::Surface => ("vs_indexed", vec![]),
+        Kind::EdgedSurface => ("vs_corners", vec![Some(surface_pass::CORNERS)]),
+        Kind::Lines => ("vs_segment", vec![Some(line_pass::SEGMENTS)]),
+        Kind::Points => ("vs_disc", point_pass::DISCS.map(Some).to_vec()),
+    };
+    let groups: &[Option<&wgpu::BindGroupLayout>] = match stage {
+        Stage::OpaqueDepth => &[Some(&layouts.view), Some(own)],
+        Stage::PeelDepth => &[Some(&layouts.view), Some(own), Some(&layouts.peel)],
+        Stage::Colour => &[Some(&layouts.view), Some(own), Some(&layouts.occlusion)],
+    };
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: None,
+        bind_group_layouts: groups,
+        immediate_size: 0,
+    });
+    let under = [Some(wgpu::ColorTargetState {
+        format: COLOUR,
+        blend: Some(wgpu::BlendState {
+            color: UNDER,
+            alpha: UNDER,
+        }),
+        write_mask: wgpu::ColorWrites::ALL,
+    })];
+    let fragment = |entry_point, targets| wgpu::FragmentState {
+        module,
+        entry_point: Some(entry_point),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        targets,
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(entry),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module,
+            entry_point: Some(entry),
+            compilation_options: wgpu::PipelineCompilationOptions::default(),
+            buffers: &buffers,
+        },
+        primitive: wgpu::PrimitiveState::default(),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH,
+            depth_write_enabled: Some(stage != Stage::Colour),
+            depth_compare: Some(match stage {
+                Stage::Colour => wgpu::CompareFunction::Equal,
+                Stage::OpaqueDepth | Stage::PeelDepth => wgpu::CompareFunction::Greater,
+            }),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
+        multisample: wgpu::MultisampleState {
+            count: SAMPLES,
+            ..wgpu::MultisampleState::default()
+        },
+        fragment: match stage {
+            Stage::OpaqueDepth => None,
+            Stage::PeelDepth => Some(fragment("fs_peel", &[])),
+            Stage::Colour => Some(fragment("fs_colour", &under)),
+        },
+        multiview_mask: None,
+        cache: None,
+    })
+}

@@ -1,0 +1,323 @@
+//! Draws scenes into textures of its own, and lays them into a window's pass.
+
+use std::collections::HashMap;
+
+use super::blit_pass::{BlitPass, BlitTarget};
+use super::drawn::Drawn;
+use super::frame::Frame;
+use super::identity::same_scene;
+use super::occlusion_pass::OcclusionPass;
+use super::pipelines::{Layouts, Pipelines, Stage};
+use super::surface_pass::Nothing;
+use super::targets::{Resolved, Scratch};
+use super::uniforms::{Shot, Tile, UNIFORM_STRIDE, ViewUniform};
+use super::uploads::{Gpu, Uploads};
+use super::{Camera, Scene, line_pass, point_pass, surface_pass};
+
+/// Names one of several pictures that are kept at the same time, such as two views side by side.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct ViewId(pub u32);
+
+/// What was done so far; tests read it to see that nothing is done twice.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    /// Arrays sent to the graphics card.
+    pub uploads: u64,
+    /// Pictures drawn.
+    pub redraws: u64,
+    /// Draw calls recorded, over all passes.
+    pub draws: u64,
+}
+
+/// Reach of ambient occlusion as a share of the radius of all opaque surfaces.
+const OCCLUSION_REACH: f32 = 0.30;
+/// Shared textures of a size that no view used for so many redraws are let go.
+const SCRATCH_KEPT_REDRAWS: u64 = 64;
+
+/// What a picture was drawn from.
+struct Shown {
+    scene: Scene,
+    camera: Camera,
+    shot: Shot,
+}
+
+struct View {
+    shown: Option<Shown>,
+    resolved: Resolved,
+    blit: BlitTarget,
+    view_uniform: wgpu::Buffer,
+    view_group: wgpu::BindGroup,
+    draw_uniforms: wgpu::Buffer,
+}
+
+/// The renderer: one per device, for any number of views.
+pub struct Renderer {
+    layouts: Layouts,
+    pipelines: Pipelines,
+    occlusion: OcclusionPass,
+    blit: BlitPass,
+    nothing: Nothing,
+    uploads: Uploads,
+    scratch: Vec<Scratch>,
+    views: HashMap<ViewId, View>,
+    kept_occlusion: Option<wgpu::TextureView>,
+    redraws: u64,
+    draws: u64,
+}
+
+impl Renderer {
+    /// A renderer whose pictures go into a pass of this format (`RenderState::target_format` in a window).
+    pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat) -> Self {
+        let layouts = Layouts::new(device);
+        Self {
+            occlusion: OcclusionPass::new(device, &layouts),
+            blit: BlitPass::new(device, target_format),
+            nothing: Nothing::new(device),
+            pipelines: Pipelines::default(),
+            uploads: Uploads::default(),
+            scratch: Vec::new(),
+            views: HashMap::new(),
+            kept_occlusion: None,
+            redraws: 0,
+            draws: 0,
+            layouts,
+        }
+    }
+
+    /// Draws a view's picture if anything changed since it was last drawn; returns whether it did.
+    ///
+    /// `size` is in physical pixels; widths in the scene are multiplied by `pixels_per_point`.
+    #[expect(
+        clippy::too_many_arguments,
+        reason = "the callback of the window has exactly these at hand"
+    )]
+    pub fn prepare(
+        &mut self,
+        device: &wgpu::Device,
+        queue: &wgpu::Queue,
+        encoder: &mut wgpu::CommandEncoder,
+        view: ViewId,
+        scene: &Scene,
+        camera: &Camera,
+        size: [u32; 2],
+        pixels_per_point: f32,
+    ) -> bool {
+        let most = device.limits().max_texture_dimension_2d;
+        let shot = Shot {
+            tile: Tile::all(size.map(|n| n.clamp(1, most))),
+            pixels_per_point,
+            occlusion_of: None,
+        };
+        let unchanged = self.views.get(&view).and_then(|view| view.shown.as_ref());
+        if unchanged.is_some_and(|shown| {
+            shown.camera == *camera && shown.shot == shot && same_scene(&shown.scene, scene)
+        }) {
+            return false;
+        }
+        let gpu = Gpu { device, queue };
+        self.draw(gpu, encoder, view, (scene, camera), shot);
+        true
+    }
+
+    /// Lays a view's last picture over its background into the pass's viewport.
+    pub fn blit(&self, pass: &mut wgpu::RenderPass<'_>, view: ViewId) {
+        if let Some(view) = self.views.get(&view) {
+            self.blit.blit(pass, &view.blit);
+        }
+    }
+
+    /// Lets go of a view that is no longer shown.
+    pub fn forget(&mut self, view: ViewId) {
+        self.views.remove(&view);
+    }
+
+    /// What was done so far.
+    pub fn counters(&self) -> Counters {
+        Counters {
+            uploads: self.uploads.count,
+            redraws: self.redraws,
+            draws: self.draws,
+        }
+    }
+
+    /// The finished picture of a view, premultiplied and without its background.
+    pub(super) fn picture(&self, view: ViewId) -> Option<&wgpu::Texture> {
+        self.views.get(&view).map(|view| &view.resolved.texture)
+    }
+
+    /// Keeps the occlusion of the last picture of this size for shots that name it, until the next picture in pieces.
+    pub(super) fn keep_occlusion(&mut self, size: [u32; 2]) {
+        let scratch = self.scratch.iter().position(|scratch| scratch.size == size);
+        self.kept_occlusion = scratch.map(|place| {
+            let scratch = self.scratch.swap_remove(place);
+            let [found, _] = scratch.occlusion;
+            found
+        });
+    }
+
+    /// Draws whatever was drawn before.
+    pub(super) fn draw(
+        &mut self,
+        gpu: Gpu<'_>,
+        encoder: &mut wgpu::CommandEncoder,
+        id: ViewId,
+        (scene, camera): (&Scene, &Camera),
+        shot: Shot,
+    ) {
+        let (tile, pixels_per_point) = (shot.tile, shot.pixels_per_point);
+        let count = scene.surfaces.len() + scene.lines.len() + scene.points.len();
+        let mut view = self.view(gpu.device, id, tile, count);
+        let (drawn, blocks, reach) =
+            self.collect(gpu, scene, pixels_per_point, &view.draw_uniforms);
+        gpu.queue.write_buffer(&view.draw_uniforms, 0, &blocks);
+        let uniform = ViewUniform::new(camera, shot, reach, scene.background);
+        gpu.queue
+            .write_buffer(&view.view_uniform, 0, bytemuck::bytes_of(&uniform));
+        self.blit.set_background(gpu, &view.blit, scene.background);
+        self.prepare_pipelines(gpu.device, &drawn);
+        let mut scratch = self.take_scratch(gpu.device, tile.size);
+        let frame = Frame {
+            device: gpu.device,
+            layouts: &self.layouts,
+            pipelines: &self.pipelines,
+            occlusion: &self.occlusion,
+            view: &view.view_group,
+            drawn: &drawn,
+            kept_occlusion: self
+                .kept_occlusion
+                .as_ref()
+                .filter(|_| shot.occlusion_of.is_some()),
+        };
+        self.draws += frame.encode(encoder, &mut scratch, &view.resolved.view);
+        self.redraws += 1;
+        self.scratch.push(scratch);
+        let now = self.redraws;
+        self.scratch
+            .retain(|scratch| now - scratch.last_used <= SCRATCH_KEPT_REDRAWS);
+        self.uploads.evict();
+        view.shown = Some(Shown {
+            scene: scene.clone(),
+            camera: *camera,
+            shot,
+        });
+        self.views.insert(id, view);
+    }
+
+    /// Takes a view out, with textures of the right size and room for its draws.
+    fn view(&mut self, device: &wgpu::Device, id: ViewId, tile: Tile, draws: usize) -> View {
+        let room = UNIFORM_STRIDE * (draws as u64).max(1).next_power_of_two();
+        match self.views.remove(&id) {
+            Some(view) if view.resolved.size == tile.size && view.draw_uniforms.size() >= room => {
+                view
+            }
+            _ => {
+                let uniforms = |size| {
+                    device.create_buffer(&wgpu::BufferDescriptor {
+                        label: Some("view"),
+                        size,
+                        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+                        mapped_at_creation: false,
+                    })
+                };
+                let resolved = Resolved::new(device, tile);
+                let view_uniform = uniforms(size_of::<ViewUniform>() as u64);
+                View {
+                    shown: None,
+                    blit: self.blit.target(device, &resolved),
+                    view_group: device.create_bind_group(&wgpu::BindGroupDescriptor {
+                        label: Some("view"),
+                        layout: &self.layouts.view,
+                        entries: &[wgpu::BindGroupEntry {
+                            binding: 0,
+                            resource: view_uniform.as_entire_binding(),
+                        }],
+                    }),
+                    resolved,
+                    view_uniform,
+                    draw_uniforms: uniforms(room),
+                }
+            }
+        }
+    }
+
+    /// Everything to draw, its uniforms, and the reach of ambient occlusion in coordinates.
+    fn collect(
+        &mut self,
+        gpu: Gpu<'_>,
+        scene: &Scene,
+        pixels_per_point: f32,
+        uniforms: &wgpu::Buffer,
+    ) -> (Vec<Drawn>, Vec<u8>, f32) {
+        let mut drawn = Vec::new();
+        let mut blocks = Vec::new();
+        let mut opaque = None;
+        let uploads = &mut self.uploads;
+        for surface in &scene.surfaces {
+            let place = (uniforms, blocks.len() as u32);
+            let known = (&self.layouts, &self.nothing);
+            if let Some((draw, block)) = surface_pass::drawn(gpu, uploads, known, surface, place) {
+                if !draw.translucent {
+                    let bounds = uploads.geometry(gpu, &surface.geometry).bounds;
+                    opaque = opaque
+                        .into_iter()
+                        .chain(bounds)
+                        .reduce(super::Bounds::joined);
+                }
+                drawn.push(draw);
+                push_block(&mut blocks, &block);
+            }
+        }
+        for lines in &scene.lines {
+            let place = (uniforms, blocks.len() as u32);
+            let layouts = &self.layouts;
+            if let Some((draw, block)) =
+                line_pass::drawn(gpu, uploads, layouts, lines, pixels_per_point, place)
+            {
+                drawn.push(draw);
+                push_block(&mut blocks, &block);
+            }
+        }
+        for points in &scene.points {
+            let place = (uniforms, blocks.len() as u32);
+            let layouts = &self.layouts;
+            if let Some((draw, block)) =
+                point_pass::drawn(gpu, uploads, layouts, points, pixels_per_point, place)
+            {
+                drawn.push(draw);
+                push_block(&mut blocks, &block);
+            }
+        }
+        let reach = opaque.map_or(0.0, |bounds| OCCLUSION_REACH * bounds.radius());
+        (drawn, blocks, reach)
+    }
+
+    fn prepare_pipelines(&mut self, device: &wgpu::Device, drawn: &[Drawn]) {
+        for draw in drawn {
+            let depth = if draw.translucent {
+                Stage::PeelDepth
+            } else {
+                Stage::OpaqueDepth
+            };
+            for stage in [depth, Stage::Colour] {
+                self.pipelines
+                    .prepare(device, &self.layouts, draw.kind, stage);
+            }
+        }
+    }
+
+    fn take_scratch(&mut self, device: &wgpu::Device, size: [u32; 2]) -> Scratch {
+        let found = self.scratch.iter().position(|scratch| scratch.size == size);
+        let mut scratch = match found {
+            Some(place) => self.scratch.swap_remove(place),
+            None => Scratch::new(device, size),
+        };
+        scratch.last_used = self.redraws + 1;
+        scratch
+    }
+}
+
+fn push_block(blocks: &mut Vec<u8>, block: &impl bytemuck::NoUninit) {
+    let start = blocks.len();
+    blocks.extend_from_slice(bytemuck::bytes_of(block));
+    blocks.resize(start + UNIFORM_STRIDE as usize, 0);
+}

@@ -1,0 +1,26 @@
+// Reads the smaller occlusion at a full-size pixel, from the four nearest texels of like depth.
+
+@group(2) @binding(2) var occlusion_map: texture_2d<f32>;
+
+fn occlusion_at(pixel: vec2<f32>, distance: f32) -> f32 {
+    if view.options.z < 0.5 {
+        return 1.0;
+    }
+    let size = vec2<i32>(textureDimensions(occlusion_map));
+    let place = (pixel + view.size.zw - view.occlusion.zw) * view.occlusion.xy;
+    let first = floor(place);
+    let share = place - first;
+    var sum = 0.0;
+    var weights = 0.0;
+    for (var i = 0; i < 4; i++) {
+        let step = vec2<i32>(i & 1, i >> 1);
+        let at = clamp(vec2<i32>(first) + step, vec2<i32>(0), size - 1);
+        let texel = textureLoad(occlusion_map, at, 0).xy;
+        let bilinear = mix(1.0 - share, share, vec2<f32>(step));
+        let apart = abs(texel.y - distance) / max(view.options.y, 1e-20);
+        let weight = (bilinear.x * bilinear.y + 1e-3) * exp2(-8.0 * apart) + 1e-8;
+        sum += texel.x * weight;
+        weights += weight;
+    }
+    return sum / weights;
+}

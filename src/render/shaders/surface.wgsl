@@ -1,0 +1,180 @@
+// Surfaces: two poses blended in the vertex stage, matte light, colours from numbers, edges.
+
+struct Surface {
+    // rgb: sRGB; a: opacity.
+    colour: vec4<f32>,
+    below: vec4<f32>,
+    above: vec4<f32>,
+    // rgb: sRGB; a: opacity of edges.
+    wire: vec4<f32>,
+    // x: low; y: high; z: 1 if logarithmic; w: 1 if coloured by numbers.
+    limits: vec4<f32>,
+    // x: edge width in logical pixels; y: silhouette; z: 1 if flat; w: blend of poses.
+    options: vec4<f32>,
+    // x, y: first texel of the poses from and to; z: width of the texture; w: colours in the map.
+    texels: vec4<u32>,
+    // x, y: first texel of the numbers from and to; z: width of the texture.
+    scalar_texels: vec4<u32>,
+}
+
+@group(1) @binding(0) var<uniform> surface: Surface;
+@group(1) @binding(1) var shape: texture_2d<u32>;
+@group(1) @binding(2) var scalars: texture_2d<u32>;
+@group(1) @binding(3) var colour_map: texture_2d<f32>;
+
+struct Varying {
+    @invariant @builtin(position) clip: vec4<f32>,
+    @location(0) q: vec3<f32>,
+    @location(1) normal: vec3<f32>,
+    // x: number times y; y: 1 where there is a number.
+    @location(2) number: vec2<f32>,
+    @location(3) corner: vec3<f32>,
+}
+
+fn texel(index: u32, width: u32) -> vec2<i32> {
+    return vec2<i32>(i32(index % width), i32(index / width));
+}
+
+// Undoes the octahedral packing of a unit normal into two 16-bit numbers.
+fn unpacked_normal(packed: u32) -> vec3<f32> {
+    let e = unpack2x16snorm(packed);
+    let z = 1.0 - abs(e.x) - abs(e.y);
+    let fold = max(-z, 0.0);
+    let xy = e + select(vec2<f32>(fold), vec2<f32>(-fold), e >= vec2<f32>(0.0));
+    return normalize(vec3<f32>(xy, z));
+}
+
+fn number_at(index: u32) -> vec2<f32> {
+    let bits = textureLoad(scalars, texel(index, surface.scalar_texels.z), 0).x;
+    let is_nan = (bits & 0x7fffffffu) > 0x7f800000u;
+    return select(vec2<f32>(bitcast<f32>(bits), 1.0), vec2<f32>(0.0), is_nan);
+}
+
+fn placed(vertex: u32) -> Varying {
+    let blend = surface.options.w;
+    let a = textureLoad(shape, texel(surface.texels.x + vertex, surface.texels.z), 0);
+    let b = textureLoad(shape, texel(surface.texels.y + vertex, surface.texels.z), 0);
+    let world = mix(bitcast<vec3<f32>>(a.xyz), bitcast<vec3<f32>>(b.xyz), blend);
+    let normal = mix(unpacked_normal(a.w), unpacked_normal(b.w), blend);
+    var out: Varying;
+    out.q = in_camera(world);
+    out.clip = clip_of(out.q);
+    out.normal = (view.rotation * vec4<f32>(normal, 0.0)).xyz;
+    out.number = vec2<f32>(0.0);
+    if surface.limits.w > 0.5 {
+        let from_number = number_at(surface.scalar_texels.x + vertex);
+        let to_number = number_at(surface.scalar_texels.y + vertex);
+        let known = from_number.y * to_number.y;
+        out.number = vec2<f32>(mix(from_number.x, to_number.x, blend) * known, known);
+    }
+    out.corner = vec3<f32>(1.0);
+    return out;
+}
+
+@vertex
+fn vs_indexed(@builtin(vertex_index) vertex: u32) -> Varying {
+    return placed(vertex);
+}
+
+// Without an index buffer: every corner knows its number, so edges need no geometry shader.
+@vertex
+fn vs_corners(@builtin(vertex_index) corner: u32, @location(0) vertex: u32) -> Varying {
+    var out = placed(vertex);
+    let k = corner % 3u;
+    out.corner = vec3<f32>(f32(k == 0u), f32(k == 1u), f32(k == 2u));
+    return out;
+}
+
+fn mapped(number: vec2<f32>) -> vec3<f32> {
+    if number.y < 0.5 {
+        return vec3<f32>(0.54, 0.56, 0.58);
+    }
+    let value = number.x / number.y;
+    let low = surface.limits.x;
+    let high = surface.limits.y;
+    if value < low {
+        return surface.below.rgb;
+    }
+    if value > high {
+        return surface.above.rgb;
+    }
+    var share = (value - low) / max(high - low, 1e-30);
+    if surface.limits.z > 0.5 {
+        share = log(max(value, 1e-30) / low) / max(log(high / low), 1e-30);
+    }
+    let last = f32(surface.texels.w) - 1.0;
+    let place = clamp(share, 0.0, 1.0) * last;
+    let first = min(floor(place), max(last - 1.0, 0.0));
+    let a = textureLoad(colour_map, vec2<i32>(i32(first), 0), 0).rgb;
+    let b = textureLoad(colour_map, vec2<i32>(i32(min(first + 1.0, last)), 0), 0).rgb;
+    return mix(a, b, place - first);
+}
+
+// Share of the pixel that a line of `width` pixels covers, `d` pixels from its middle.
+fn covered(d: f32, width: f32) -> f32 {
+    return clamp(0.5 * width + 0.5 - d, 0.0, 1.0) * min(width, 1.0);
+}
+
+@fragment
+fn fs_peel(in: Varying) -> @builtin(sample_mask) u32 {
+    return samples_left(in.clip);
+}
+
+@fragment
+fn fs_colour(in: Varying) -> @location(0) vec4<f32> {
+    let v = towards_eye(in.q);
+    let across = cross(dpdx(in.q), dpdy(in.q));
+    let face = normalize(across) * select(-1.0, 1.0, dot(across, v) >= 0.0);
+    let smooth_normal = in.normal / max(length(in.normal), 1e-20);
+    let from_inside = dot(smooth_normal, face) < 0.0;
+    let turned = select(smooth_normal, -smooth_normal, from_inside);
+    let flat_shaded = surface.options.z > 0.5 || length(in.normal) < 1e-6;
+    let n = select(turned, face, flat_shaded);
+    let facing = clamp(dot(n, v), 0.0, 1.0);
+
+    // The silhouette is a line of constant width: how far off, in pixels, the surface turns away.
+    let slope = dot(turned, v);
+    let turn = max(length(vec2<f32>(dpdx(slope), dpdy(slope))), 1e-6);
+    let rim_pixels = max(slope, 0.0) / turn;
+
+    let corner_turn = vec3<f32>(
+        length(vec2<f32>(dpdx(in.corner.x), dpdy(in.corner.x))),
+        length(vec2<f32>(dpdx(in.corner.y), dpdy(in.corner.y))),
+        length(vec2<f32>(dpdx(in.corner.z), dpdy(in.corner.z))));
+    let corner_pixels = in.corner / max(corner_turn, vec3<f32>(1e-9));
+
+    let by_numbers = surface.limits.w > 0.5;
+    var base = surface.colour.rgb;
+    if by_numbers {
+        base = mapped(in.number);
+    }
+    var light_base = linear_of(base);
+    if from_inside && !by_numbers {
+        light_base *= vec3<f32>(0.74, 0.60, 0.60);
+    }
+    let translucent = surface.colour.a < 1.0;
+    let open_to_light = select(occlusion_at(in.clip.xy, eye_distance(in.q)), 1.0, translucent);
+    let lit = matte(light_base, n, v, open_to_light, select(1.0, 0.3, by_numbers));
+
+    var colour = srgb_of(lit);
+    var opacity = surface.colour.a;
+    if translucent {
+        // A thin film seen aslant is longer to pass: Beer and Lambert give 1 - (1 - a)^(1 / cos).
+        opacity = 1.0 - pow(1.0 - opacity, 1.0 / max(facing, 0.14));
+    }
+    let ppp = view.options.x;
+    let rim_line = covered(rim_pixels, 2.6 * ppp) * surface.options.y;
+    // Dark on opaque surfaces; on films the side away from the background, as the edge of glass shows.
+    let rim_colour = select(colour * 0.25, mix(colour * 0.45, mix(colour, vec3<f32>(1.0), 0.45), view.options.w), translucent);
+    colour = mix(colour, rim_colour, rim_line);
+    if translucent {
+        opacity = mix(opacity, 1.0, 0.5 * rim_line);
+    }
+    if surface.options.x > 0.0 {
+        let d = min(corner_pixels.x, min(corner_pixels.y, corner_pixels.z));
+        let edge = covered(d, surface.options.x * ppp) * surface.wire.a;
+        colour = mix(colour, surface.wire.rgb, edge);
+        opacity = mix(opacity, 1.0, edge);
+    }
+    return vec4<f32>(colour * opacity, opacity);
+}

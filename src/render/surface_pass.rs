@@ -1,0 +1,118 @@
+//! Surfaces as draws: morphed on the card, coloured evenly or by numbers, with or without edges.
+
+use super::drawn::Drawn;
+use super::pipelines::{Kind, Layouts};
+use super::uniforms::{SurfaceUniform, UNIFORM_STRIDE};
+use super::uploads::{Gpu, Uploads};
+use super::{Surface, SurfaceColour};
+
+/// The shader's own part.
+pub(super) const SHADER: &str = concat!(
+    include_str!("shaders/occlusion_read.wgsl"),
+    include_str!("shaders/surface.wgsl")
+);
+
+/// Indices read corner by corner, for edges.
+pub(super) const CORNERS: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 4,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Uint32],
+};
+
+/// Stand-ins for numbers and colours that a surface does not have.
+pub(super) struct Nothing {
+    numbers: wgpu::TextureView,
+    colours: wgpu::TextureView,
+}
+
+impl Nothing {
+    pub fn new(device: &wgpu::Device) -> Self {
+        let view = |format| {
+            device
+                .create_texture(&wgpu::TextureDescriptor {
+                    label: Some("nothing"),
+                    size: wgpu::Extent3d::default(),
+                    mip_level_count: 1,
+                    sample_count: 1,
+                    dimension: wgpu::TextureDimension::D2,
+                    format,
+                    usage: wgpu::TextureUsages::TEXTURE_BINDING,
+                    view_formats: &[],
+                })
+                .create_view(&wgpu::TextureViewDescriptor::default())
+        };
+        Self {
+            numbers: view(wgpu::TextureFormat::R32Uint),
+            colours: view(wgpu::TextureFormat::Rgba8Unorm),
+        }
+    }
+}
+
+/// What a surface needs to be drawn; `None` if nothing of it can be seen.
+pub(super) fn drawn(
+    gpu: Gpu<'_>,
+    uploads: &mut Uploads,
+    (layouts, nothing): (&Layouts, &Nothing),
+    surface: &Surface,
+    (uniforms, offset): (&wgpu::Buffer, u32),
+) -> Option<(Drawn, SurfaceUniform)> {
+    if surface.opacity.is_nan() || surface.opacity <= 0.0 {
+        return None;
+    }
+    let geometry = uploads.geometry(gpu, &surface.geometry);
+    let (shape, indices) = (geometry.shape.as_ref()?, geometry.indices.as_ref()?);
+    let coloured = match &surface.colour {
+        SurfaceColour::Uniform(_) => None,
+        SurfaceColour::Scalars { scalars, map, .. } => {
+            Some((uploads.scalars(gpu, scalars), uploads.map(gpu, map)))
+        }
+    };
+    let (scalars, map) = coloured.as_ref().map_or((None, None), |(scalars, map)| {
+        (Some(&**scalars), Option::as_ref(map))
+    });
+    let uniform = SurfaceUniform::new(surface, &geometry, scalars, map.map_or(0, |map| map.width));
+    let numbers = scalars.and_then(|scalars| scalars.texels.as_ref());
+    let entry = |binding, view| wgpu::BindGroupEntry {
+        binding,
+        resource: wgpu::BindingResource::TextureView(view),
+    };
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("surface"),
+        layout: &layouts.surface,
+        entries: &[
+            block::<SurfaceUniform>(uniforms),
+            entry(1, &shape.view),
+            entry(2, numbers.map_or(&nothing.numbers, |texels| &texels.view)),
+            entry(3, map.map_or(&nothing.colours, |texels| &texels.view)),
+        ],
+    });
+    let edged = surface.wireframe.is_some();
+    let draw = Drawn {
+        kind: if edged {
+            Kind::EdgedSurface
+        } else {
+            Kind::Surface
+        },
+        group,
+        offset,
+        indices: (!edged).then(|| indices.clone()),
+        buffers: if edged { vec![indices.clone()] } else { vec![] },
+        vertices: geometry.index_count,
+        instances: 1,
+        translucent: surface.opacity < 1.0,
+    };
+    Some((draw, uniform))
+}
+
+/// One draw's block in the view's uniform buffer, placed by its offset.
+pub(super) fn block<T>(uniforms: &wgpu::Buffer) -> wgpu::BindGroupEntry<'_> {
+    debug_assert!(size_of::<T>() as u64 <= UNIFORM_STRIDE);
+    wgpu::BindGroupEntry {
+        binding: 0,
+        resource: wgpu::BindingResource::Buffer(wgpu::BufferBinding {
+            buffer: uniforms,
+            offset: 0,
+            size: std::num::NonZeroU64::new(size_of::<T>() as u64),
+        }),
+    }
+}

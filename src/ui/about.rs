@@ -1,0 +1,44 @@
+//! What the program is, whose method it follows, and what it is not for.
+
+use egui::{RichText, Ui};
+
+use crate::ui::command::Command;
+use crate::ui::controls::dialog_ui;
+use crate::ui::style::{note, title_font};
+use crate::ui::theme::{colours, space};
+
+/// Draws the window; Esc or its cross closes it.
+pub fn about_ui(ui: &mut Ui, adapter: &str, commands: &mut Vec<Command>) {
+    let ctx = ui.ctx().clone();
+    let size = egui::vec2(404.0, 300.0);
+    if dialog_ui(&ctx, "About", size, false, |ui| text_ui(ui, adapter)) {
+        commands.push(Command::ToggleAbout);
+    }
+}
+
+fn text_ui(ui: &mut Ui, adapter: &str) {
+    ui.set_width(380.0);
+    let strong = colours(ui).strong;
+    ui.label(
+        RichText::new("Cardiomorph")
+            .font(title_font())
+            .color(strong),
+    );
+    ui.label(note(concat!("Version ", env!("CARGO_PKG_VERSION"))));
+    ui.add_space(space::MEDIUM);
+    ui.label("Reads how a left ventricle moves: beating meshes in 3D, live maps of poses, measures and figures.");
+    ui.add_space(space::MEDIUM);
+    let warning = colours(ui).warning;
+    ui.label(
+        RichText::new("A research tool. It makes no diagnosis and must not be used for one.")
+            .color(warning),
+    );
+    ui.add_space(space::MEDIUM);
+    ui.label("Method: V. Taimouri, Shape Analysis in Shape Space (dissertation).");
+    ui.label("Typeface: Inter, SIL Open Font License 1.1.");
+    ui.label("Licence: MIT or Apache 2.0.");
+    if !adapter.is_empty() {
+        ui.add_space(space::MEDIUM);
+        ui.label(note(format!("Drawn by {adapter}")));
+    }
+}

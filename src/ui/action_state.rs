@@ -1,0 +1,85 @@
+//! Which actions can be done now, and which are switched on.
+
+use crate::picture::Quantity;
+use crate::render::Shading;
+use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
+
+/// What menus and the palette need to know of the program.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ActionState {
+    /// Whether any subject is open.
+    pub has_study: bool,
+    /// Whether there is something to undo.
+    pub can_undo: bool,
+    /// Whether an undo can be taken back.
+    pub can_redo: bool,
+    /// Whether the beat plays.
+    pub playing: bool,
+    /// Whether playing starts over.
+    pub looping: bool,
+    /// Whether the inner surface is shown.
+    pub shows_endocardium: bool,
+    /// Whether the outer surface or wall is shown.
+    pub shows_epicardium: bool,
+    /// Whether edges are shown.
+    pub shows_wireframe: bool,
+    /// Whether vertices are shown.
+    pub shows_vertices: bool,
+    /// Whether the camera rotates freely.
+    pub free_camera: bool,
+    /// Whether the window fills the screen.
+    pub full_screen: bool,
+    /// Smooth or flat.
+    pub shading: Shading,
+    /// One heart, two, or all phases.
+    pub view_mode: ViewMode,
+    /// What colours stand for.
+    pub quantity: Quantity,
+    /// Light or dark.
+    pub theme: ThemeChoice,
+    /// Panes that are closed.
+    pub hidden_panes: Vec<Pane>,
+}
+
+impl ActionState {
+    /// Whether a command would do anything now.
+    pub fn enabled(&self, command: &Command) -> bool {
+        match command {
+            Command::Undo => self.can_undo,
+            Command::Redo => self.can_redo,
+            Command::ChooseFiles
+            | Command::ChooseFolder
+            | Command::Open(_)
+            | Command::OpenBuiltIn
+            | Command::SetTheme(_)
+            | Command::TogglePane(_)
+            | Command::ResetLayout
+            | Command::TogglePalette
+            | Command::ToggleShortcuts
+            | Command::ToggleLoadReport
+            | Command::ToggleAbout
+            | Command::ToggleFullScreen
+            | Command::Quit => true,
+            _ => self.has_study,
+        }
+    }
+
+    /// Whether a switch is on; `None` for what is no switch.
+    pub fn checked(&self, command: &Command) -> Option<bool> {
+        match command {
+            Command::SetViewMode(mode) => Some(self.view_mode == *mode),
+            Command::SetQuantity(quantity) => Some(self.quantity == *quantity),
+            Command::SetTheme(theme) => Some(self.theme == *theme),
+            Command::SetShading(shading) => Some(self.shading == *shading),
+            Command::TogglePane(pane) => Some(!self.hidden_panes.contains(pane)),
+            Command::ToggleLoop => Some(self.looping),
+            Command::ToggleFreeCamera => Some(self.free_camera),
+            Command::ToggleEndocardium => Some(self.shows_endocardium),
+            Command::ToggleEpicardium => Some(self.shows_epicardium),
+            Command::ToggleWireframe => Some(self.shows_wireframe),
+            Command::ToggleVertices => Some(self.shows_vertices),
+            Command::ToggleFullScreen => Some(self.full_screen),
+            _ => None,
+        }
+    }
+}

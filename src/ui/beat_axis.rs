@@ -1,0 +1,72 @@
+//! Positions counted in frames, and the share of the beat at which each lies.
+
+/// Where frames lie within the beat: one share in `0..1` per frame, ascending; after the last
+/// frame the beat runs into its first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BeatAxis<'a> {
+    /// Share of the beat of each frame.
+    pub frame_shares: &'a [f64],
+}
+
+impl BeatAxis<'_> {
+    /// Number of frames.
+    pub fn frame_count(&self) -> usize {
+        self.frame_shares.len()
+    }
+
+    /// Share of a whole frame; the frame after the last is the end of the beat.
+    fn share_of(&self, frame: usize) -> f64 {
+        self.frame_shares.get(frame).copied().unwrap_or(1.0)
+    }
+
+    /// Share of the beat at a position: 1.5 is half-way from frame 1 to frame 2.
+    pub fn share_at(&self, position: f64) -> f64 {
+        let position = position.clamp(0.0, self.frame_count() as f64);
+        let frame = position.floor() as usize;
+        let part = position - frame as f64;
+        let (here, next) = (self.share_of(frame), self.share_of(frame + 1));
+        here + part * (next - here)
+    }
+
+    /// Position at a share of the beat, in `0..=frame_count`.
+    pub fn position_at(&self, share: f64) -> f64 {
+        let count = self.frame_count();
+        let after = self.frame_shares.partition_point(|given| *given <= share);
+        let Some(frame) = after.checked_sub(1) else {
+            return 0.0;
+        };
+        let (here, next) = (self.share_of(frame), self.share_of(frame + 1));
+        let part = if next > here {
+            ((share - here) / (next - here)).clamp(0.0, 1.0)
+        } else {
+            0.0
+        };
+        (frame as f64 + part).min(count as f64)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shares_and_positions_undo_each_other() {
+        let axis = BeatAxis {
+            frame_shares: &[0.0, 0.1, 0.4, 0.7],
+        };
+        for position in [0.0, 0.5, 1.25, 2.0, 3.9, 4.0] {
+            let share = axis.share_at(position);
+            assert!(
+                (axis.position_at(share) - position).abs() < 1e-12,
+                "{position}"
+            );
+        }
+        assert!((axis.share_at(3.5) - 0.85).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_beat_without_frames_stays_at_its_start() {
+        let axis = BeatAxis { frame_shares: &[] };
+        assert!(axis.position_at(0.7).abs() < 1e-12);
+    }
+}

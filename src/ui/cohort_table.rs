@@ -1,0 +1,427 @@
+//! The list of subjects: find one, sort them, select one.
+
+use egui::{
+    Align2, Key, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2,
+    vec2,
+};
+
+use crate::ui::cohort_rows::{CohortColumn, CohortRow, CohortSort};
+use crate::ui::command::Command;
+use crate::ui::controls::empty_pane_ui;
+use crate::ui::marks::{role_mark, role_name};
+use crate::ui::normal_ranges::EJECTION_FRACTION;
+use crate::ui::style::{note, note_font, text_font};
+use crate::ui::theme::{colours, space};
+
+/// What the cohort pane shows.
+#[derive(Clone, Debug)]
+pub struct CohortView<'a> {
+    /// All subjects in the order of the study.
+    pub rows: &'a [CohortRow],
+    /// Those shown, in the order shown: the answer of [`crate::ui::visible_rows`].
+    pub visible: &'a [usize],
+    /// The text in the filter box.
+    pub search: &'a str,
+    /// How the rows are sorted.
+    pub sort: Option<CohortSort>,
+    /// The selected subject.
+    pub selected: Option<usize>,
+    /// The second heart of the side-by-side view.
+    pub compared: Option<usize>,
+    /// Whether ejection fractions are still to come.
+    pub measuring: bool,
+}
+
+/// Draws the filter box and the table.
+pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
+    if view.rows.is_empty() {
+        empty_pane_ui(
+            ui,
+            "No subjects",
+            "Meshes, or a folder of them, fill this list.",
+            |ui| {
+                if ui.button("Open folder…").clicked() {
+                    commands.push(Command::ChooseFolder);
+                }
+                if ui.button("Open the built-in cohort").clicked() {
+                    commands.push(Command::OpenBuiltIn);
+                }
+            },
+        );
+        return;
+    }
+    search_ui(ui, view, commands);
+    let columns = Columns::within(ui.available_rect_before_wrap().x_range());
+    header_ui(ui, view, &columns, commands);
+    if view.visible.is_empty() {
+        ui.add_space(space::LARGE);
+        ui.vertical_centered(|ui| {
+            ui.label(note(format!("No subject matches “{}”", view.search)));
+            if ui.button("Clear the filter").clicked() {
+                commands.push(Command::SetSearch(String::new()));
+            }
+        });
+        return;
+    }
+    rows_ui(ui, view, &columns, commands);
+}
+
+fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
+    egui::Frame::new()
+        .inner_margin(egui::Margin::symmetric(space::LARGE as i8, 6))
+        .show(ui, |ui| {
+            let mut text = view.search.to_owned();
+            let edit = TextEdit::singleline(&mut text)
+                .hint_text("Filter by name, label, EF…")
+                .margin(vec2(space::MEDIUM, 3.0))
+                .desired_width(f32::INFINITY);
+            let response = ui.add(edit).accessible_name("Filter subjects");
+            if response.changed() {
+                commands.push(Command::SetSearch(text));
+            } else if response.has_focus()
+                && ui.input(|input| input.key_pressed(Key::Escape))
+                && !view.search.is_empty()
+            {
+                commands.push(Command::SetSearch(String::new()));
+            }
+        });
+}
+
+/// Horizontal places of the columns.
+struct Columns {
+    mark: f32,
+    subject: f32,
+    label: f32,
+    /// Right edge: numbers end here.
+    ejection_fraction: f32,
+}
+
+impl Columns {
+    fn within(across: egui::Rangef) -> Self {
+        let inner = across.shrink(space::LARGE);
+        let from = inner.min + 22.0;
+        let to = inner.max;
+        Self {
+            mark: inner.min + 6.0,
+            subject: from,
+            label: from + ((to - 40.0 - from) * 0.56).max(68.0),
+            ejection_fraction: to,
+        }
+    }
+
+    /// Room of a column, for its heading and its text.
+    fn span(&self, column: CohortColumn) -> [f32; 2] {
+        let gap = space::MEDIUM;
+        match column {
+            CohortColumn::Role => [self.mark - 10.0, self.subject - 2.0],
+            CohortColumn::Subject => [self.subject, self.label - gap],
+            CohortColumn::Label => [self.label, self.ejection_fraction - 40.0],
+            CohortColumn::EjectionFraction => {
+                [self.ejection_fraction - 38.0, self.ejection_fraction]
+            }
+        }
+    }
+}
+
+fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
+    let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
+    let names = ["", "Subject", "Label", "EF %"];
+    let readable = ["Role", "Subject", "Label", "EF %"];
+    for (index, column) in CohortColumn::ALL.into_iter().enumerate() {
+        let [left, right] = columns.span(column);
+        let rect = Rect::from_min_max(pos2(left, row.top()), pos2(right, row.bottom()));
+        let id = ui.scope_id().with(("sort", index));
+        let response = ui.interact(rect, id, Sense::click());
+        response.widget_info(|| {
+            WidgetInfo::labeled(Role::Button, true, format!("Sort by {}", readable[index]))
+        });
+        let sorted = view.sort.filter(|sort| sort.column == column);
+        let colour = if sorted.is_some() || response.hovered() {
+            colours(ui).text
+        } else {
+            colours(ui).muted
+        };
+        let (at, anchor) = if column == CohortColumn::EjectionFraction {
+            (rect.right_center(), Align2::RIGHT_CENTER)
+        } else {
+            (rect.left_center(), Align2::LEFT_CENTER)
+        };
+        let text = ui
+            .painter()
+            .text(at, anchor, names[index], note_font(), colour);
+        if let Some(sort) = sorted {
+            let arrow = if sort.descending { "▼" } else { "▲" };
+            let (at, anchor) = if column == CohortColumn::EjectionFraction {
+                (text.left_center() - vec2(3.0, 0.0), Align2::RIGHT_CENTER)
+            } else {
+                (text.right_center() + vec2(3.0, 0.0), Align2::LEFT_CENTER)
+            };
+            ui.painter()
+                .text(at, anchor, arrow, egui::FontId::proportional(8.0), colour);
+        }
+        crate::ui::controls::focus_ring(ui, &response);
+        if response
+            .on_hover_text(format!("Sort by {}", readable[index]))
+            .clicked()
+        {
+            commands.push(Command::SortCohort(index));
+        }
+    }
+}
+
+fn rows_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let height = ui.available_height();
+    let area = ScrollArea::vertical()
+        .id_salt("cohort rows")
+        .auto_shrink(false);
+    let shown_before = ui.data(|data| data.get_temp::<usize>(ui.scope_id().with("shown")));
+    let moved = view.selected.is_some() && shown_before != view.selected;
+    if moved && let Some(selected) = view.selected {
+        ui.data_mut(|data| data.insert_temp(ui.scope_id().with("shown"), selected));
+    }
+    let place = view
+        .visible
+        .iter()
+        .position(|row| Some(*row) == view.selected);
+    area.show_viewport(ui, |ui, seen| {
+        ui.set_height(space::ROW * view.visible.len() as f32);
+        let top = ui.max_rect().top();
+        let first = (seen.top() / space::ROW).floor().max(0.0) as usize;
+        let last = ((seen.bottom() / space::ROW).ceil() as usize).min(view.visible.len());
+        for place in first..last {
+            let index = view.visible[place];
+            let rect = Rect::from_min_size(
+                pos2(ui.max_rect().left(), top + place as f32 * space::ROW),
+                vec2(ui.max_rect().width(), space::ROW),
+            );
+            row_ui(ui, rect, index, view, columns, commands);
+        }
+        if let (true, Some(place)) = (moved, place) {
+            let y = place as f32 * space::ROW;
+            if y < seen.top() || y + space::ROW > seen.top() + height {
+                let rect =
+                    Rect::from_min_size(pos2(ui.max_rect().left(), top + y), vec2(1.0, space::ROW));
+                ui.scroll_to_rect(rect, Some(egui::Align::Center));
+            }
+        }
+    });
+}
+
+fn row_ui(
+    ui: &mut Ui,
+    rect: Rect,
+    index: usize,
+    view: &CohortView,
+    columns: &Columns,
+    commands: &mut Vec<Command>,
+) {
+    let row = &view.rows[index];
+    let colours = colours(ui);
+    let selected = view.selected == Some(index);
+    let response = ui.interact(rect, ui.scope_id().with(("row", index)), Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, selected, &row.id));
+    if selected {
+        ui.painter().rect_filled(rect, 0.0, colours.selected_row);
+        let edge = Rect::from_min_size(rect.min, vec2(2.0, rect.height()));
+        ui.painter().rect_filled(edge, 0.0, colours.selection);
+    } else if response.hovered() {
+        ui.painter().rect_filled(rect, 0.0, colours.control);
+    } else if view.compared == Some(index) {
+        ui.painter()
+            .rect_filled(rect, 0.0, colours.selected_row.gamma_multiply(0.5));
+    }
+    let y = rect.center().y;
+    role_mark(
+        ui.painter(),
+        pos2(columns.mark, y),
+        4.0,
+        row.role,
+        colours.role(row.role),
+        true,
+    );
+    let id_colour = if selected {
+        colours.strong
+    } else {
+        colours.text
+    };
+    cell(ui, columns, CohortColumn::Subject, y, &row.id, id_colour);
+    let label = row.label.as_deref().unwrap_or("–");
+    cell(ui, columns, CohortColumn::Label, y, label, colours.muted);
+    let (text, colour) = match row.ejection_fraction {
+        Some(ef) => (format!("{:.0}", 100.0 * ef), id_colour),
+        None if view.measuring => ("…".to_owned(), colours.muted),
+        None => ("–".to_owned(), colours.muted),
+    };
+    ui.painter().text(
+        pos2(columns.ejection_fraction, y),
+        Align2::RIGHT_CENTER,
+        text,
+        text_font(),
+        colour,
+    );
+    crate::ui::controls::focus_ring(ui, &response);
+    if response.clicked() {
+        commands.push(Command::SelectSubject(index));
+    }
+    row_menu_ui(&response, index, view, commands);
+    response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
+}
+
+/// Text of one cell, cut off with an ellipsis where the column ends.
+fn cell(
+    ui: &Ui,
+    columns: &Columns,
+    column: CohortColumn,
+    y: f32,
+    text: &str,
+    colour: egui::Color32,
+) {
+    let [left, right] = columns.span(column);
+    let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), text_font(), colour);
+    job.wrap = egui::text::TextWrapping::truncate_at_width((right - left).max(8.0));
+    let galley = ui.painter().layout_job(job);
+    let at = pos2(left, y - 0.5 * galley.size().y);
+    ui.painter().galley(at, galley, colour);
+}
+
+fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &mut Vec<Command>) {
+    response.context_menu(|ui| {
+        if view.compared == Some(index) {
+            if ui.button("Stop comparing").clicked() {
+                commands.push(Command::CompareWith(None));
+            }
+        } else if ui.button("Compare side by side").clicked() {
+            commands.push(Command::CompareWith(Some(index)));
+        }
+        if ui.button("Select").clicked() {
+            commands.push(Command::SelectSubject(index));
+        }
+    });
+}
+
+fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
+    ui.label(RichText::new(&row.id).strong());
+    let label = row.label.as_deref().unwrap_or("no label");
+    ui.label(format!("{label}, counts as {}", role_name(row.role)));
+    match row.ejection_fraction {
+        Some(ef) => ui.label(format!(
+            "Ejection fraction {:.0} %, {}",
+            100.0 * ef,
+            EJECTION_FRACTION.short
+        )),
+        None => ui.label("Ejection fraction not known"),
+    };
+    ui.label(note(match row.frame_count {
+        1 => "1 pose".to_owned(),
+        count => format!("{count} poses"),
+    }));
+    if row.warning_count > 0 {
+        ui.colored_label(
+            colours(ui).warning,
+            format!("{} warnings in the load report", row.warning_count),
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui_kittest::{Harness, kittest::Queryable as _};
+
+    fn rows(count: usize) -> Vec<CohortRow> {
+        (0..count)
+            .map(|index| CohortRow {
+                id: format!("S{index}"),
+                ejection_fraction: Some(0.5),
+                ..CohortRow::default()
+            })
+            .collect()
+    }
+
+    fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Command>> {
+        let rows = rows(count);
+        let visible: Vec<usize> = (0..count).collect();
+        Harness::builder()
+            .with_size([280.0, 400.0])
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                move |ui, commands: &mut Vec<Command>| {
+                    let view = CohortView {
+                        rows: &rows,
+                        visible: &visible,
+                        search: "",
+                        sort: None,
+                        selected,
+                        compared: None,
+                        measuring: false,
+                    };
+                    cohort_table_ui(ui, &view, commands);
+                },
+                Vec::new(),
+            )
+    }
+
+    #[test]
+    fn a_click_selects_a_row_and_a_heading_sorts() {
+        let mut harness = harness(5, None);
+        harness.run();
+        harness.get_by_label("S3").click();
+        harness.run();
+        harness.get_by_label("Sort by EF %").click();
+        harness.run();
+        assert_eq!(
+            harness.into_state(),
+            [Command::SelectSubject(3), Command::SortCohort(3)]
+        );
+    }
+
+    #[test]
+    fn rows_can_be_reached_and_selected_by_keyboard() {
+        let mut harness = harness(5, None);
+        harness.run();
+        harness.get_by_label("S1").focus();
+        harness.run();
+        harness.key_press(Key::Tab);
+        harness.run();
+        harness.key_press(Key::Enter);
+        harness.run();
+        assert_eq!(harness.into_state(), [Command::SelectSubject(2)]);
+    }
+
+    #[test]
+    fn of_thousands_of_rows_only_those_in_sight_are_drawn() {
+        let mut harness = harness(5000, Some(4000));
+        harness.run();
+        let drawn = harness
+            .query_all_by_role(Role::ListBoxOption)
+            .filter(|row| row.rect().height() > 1.0)
+            .count();
+        assert!(drawn > 5 && drawn < 30, "{drawn}");
+        // The selected row was scrolled into sight.
+        harness.get_by_label("S4000");
+    }
+
+    #[test]
+    fn what_is_typed_becomes_the_filter() {
+        let mut harness = harness(3, None);
+        harness.run();
+        harness.get_by_label("Filter subjects").focus();
+        harness.run();
+        harness.get_by_label("Filter subjects").type_text("minf");
+        harness.run();
+        assert_eq!(
+            harness.state().last(),
+            Some(&Command::SetSearch("minf".to_owned()))
+        );
+    }
+
+    #[test]
+    fn an_empty_cohort_offers_to_open_one() {
+        let mut harness = harness(0, None);
+        harness.run();
+        harness.get_by_label("Open the built-in cohort").click();
+        harness.run();
+        assert_eq!(harness.into_state(), [Command::OpenBuiltIn]);
+    }
+}

@@ -1,0 +1,222 @@
+//! The few controls that panels share: pane headers, tabs, icon buttons, choosers, progress.
+
+use egui::{
+    Align, Align2, Button, Color32, Context, Key, Layout, Rect, Response, RichText, Role, Sense,
+    Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+};
+
+use crate::ui::marks::{Icon, icon};
+use crate::ui::style::{heading_font, medium, medium_font};
+use crate::ui::theme::{colours, line, radius, space};
+
+/// The strip on top of a pane: what it is on the left, its choices on the right.
+///
+/// The right side is drawn first and keeps its width; the left side gets what remains.
+pub fn pane_header_ui(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnce(&mut Ui)) {
+    let (whole, _) = ui.allocate_exact_size(
+        vec2(ui.available_width(), space::PANE_HEADER),
+        Sense::hover(),
+    );
+    ui.painter().hline(
+        whole.x_range(),
+        whole.bottom(),
+        Stroke::new(line::THIN, colours(ui).line),
+    );
+    let inner = whole.shrink2(vec2(space::LARGE, 0.0));
+    let mut right_ui = ui.new_child(
+        egui::UiBuilder::new()
+            .max_rect(inner)
+            .layout(Layout::right_to_left(Align::Center)),
+    );
+    right(&mut right_ui);
+    let taken = right_ui.min_rect().width();
+    let mut rest = inner;
+    rest.set_right((inner.right() - taken - space::MEDIUM).max(inner.left()));
+    let mut left_ui = ui.new_child(
+        egui::UiBuilder::new()
+            .max_rect(rest)
+            .layout(Layout::left_to_right(Align::Center)),
+    );
+    left_ui.spacing_mut().item_spacing.x = space::LARGE;
+    left_ui.shrink_clip_rect(rest.expand2(vec2(2.0, 2.0)));
+    left(&mut left_ui);
+}
+
+/// A tab; the one in front is underlined in the accent colour.
+pub fn tab_ui(ui: &mut Ui, name: &str, in_front: bool) -> Response {
+    let colours = colours(ui);
+    let font = medium_font();
+    let galley = ui
+        .painter()
+        .layout_no_wrap(name.to_owned(), font, Color32::PLACEHOLDER);
+    let size = vec2(galley.size().x, space::PANE_HEADER);
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+    response.widget_info(|| WidgetInfo::selected(Role::Tab, true, in_front, name));
+    let colour = if in_front || response.hovered() {
+        colours.strong
+    } else {
+        colours.muted
+    };
+    let at = Align2::LEFT_CENTER.align_size_within_rect(galley.size(), rect);
+    ui.painter().galley(at.min, galley, colour);
+    if in_front {
+        let y = rect.bottom() - 0.5 * line::STRONG;
+        let stroke = Stroke::new(line::STRONG, colours.accent);
+        ui.painter().hline(rect.x_range(), y, stroke);
+    }
+    focus_ring(ui, &response);
+    response
+}
+
+/// Shows which control the keyboard is on.
+pub fn focus_ring(ui: &Ui, response: &Response) {
+    if response.has_focus() {
+        ui.painter().rect_stroke(
+            response.rect.expand2(vec2(3.0, -2.0)),
+            f32::from(radius::CONTROL),
+            Stroke::new(line::MARK, colours(ui).accent),
+            StrokeKind::Inside,
+        );
+    }
+}
+
+/// A square button with a drawn symbol; `name` is read aloud and shown on hover.
+pub fn icon_button_ui(ui: &mut Ui, symbol: Icon, name: &str, hint: &str, on: bool) -> Response {
+    let side = ui.spacing().interact_size.y;
+    let (rect, response) = ui.allocate_exact_size(vec2(side, side), Sense::click());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
+    let colours = colours(ui);
+    if response.hovered() && enabled {
+        ui.painter()
+            .rect_filled(rect, f32::from(radius::CONTROL), colours.control_hovered);
+    }
+    let colour = match (enabled, on) {
+        (false, _) => colours.line,
+        (true, true) => colours.accent,
+        (true, false) => colours.text,
+    };
+    icon(ui.painter(), rect.center(), 0.42 * side, symbol, colour);
+    focus_ring(ui, &response);
+    response.on_hover_text(hint)
+}
+
+/// A quiet button that opens a menu; `name` tells what is chosen, `shown` the choice.
+pub fn chooser_ui<R>(
+    ui: &mut Ui,
+    name: &str,
+    shown: impl Into<String>,
+    menu: impl FnOnce(&mut Ui) -> R,
+) -> Response {
+    let shown = shown.into();
+    let padding = 14.0;
+    let colour = colours(ui).muted;
+    let text = RichText::new(shown.clone());
+    let gap = " ".repeat(4);
+    let button = Button::new((text, gap)).gap(0.0).truncate();
+    let (response, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| {
+        ui.set_min_width(180.0);
+        menu(ui)
+    });
+    let enabled = ui.is_enabled();
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::ComboBox, enabled, format!("{name}: {shown}")));
+    let at = response.rect.right_center() - vec2(padding - 2.0, 0.0);
+    icon(ui.painter(), at, 8.0, Icon::Open, colour);
+    response.on_hover_text(name)
+}
+
+/// One choice in a menu; closes it.
+pub fn choice_ui(ui: &mut Ui, name: &str, chosen: bool) -> bool {
+    let clicked = ui.radio(chosen, name).clicked();
+    if clicked {
+        ui.close();
+    }
+    clicked
+}
+
+/// A thin bar that fills from the left.
+pub fn progress_bar_ui(ui: &mut Ui, width: f32, fraction: f32, name: &str) -> Response {
+    let colours = colours(ui);
+    let height = 5.0;
+    let (rect, response) =
+        ui.allocate_exact_size(vec2(width, ui.spacing().interact_size.y), Sense::hover());
+    response.widget_info(|| {
+        let mut info = WidgetInfo::labeled(Role::ProgressIndicator, true, name);
+        info.value = Some(f64::from(fraction));
+        info
+    });
+    let bar = Rect::from_center_size(rect.center(), vec2(width, height));
+    ui.painter().rect_filled(bar, 0.5 * height, colours.line);
+    let mut filled = bar;
+    filled.set_width(width * fraction.clamp(0.0, 1.0));
+    ui.painter()
+        .rect_filled(filled, 0.5 * height, colours.accent);
+    response
+}
+
+/// What an empty pane says: a heading, what would fill it, and room for a button below.
+pub fn empty_pane_ui(ui: &mut Ui, heading: &str, what: &str, buttons: impl FnOnce(&mut Ui)) {
+    let height = 96.0;
+    ui.vertical_centered(|ui| {
+        ui.add_space(((ui.available_height() - height) * 0.4).max(space::LARGE));
+        ui.label(medium(heading));
+        ui.add(egui::Label::new(RichText::new(what).weak()).wrap());
+        ui.add_space(space::MEDIUM);
+        buttons(ui);
+    });
+}
+
+/// A small window over the middle of the program, with its own cross; true when Esc or the cross
+/// asks to close it.
+pub fn dialog_ui(
+    ctx: &Context,
+    title: &str,
+    size: egui::Vec2,
+    resizable: bool,
+    add: impl FnOnce(&mut Ui),
+) -> bool {
+    let room = ctx.content_rect().shrink(space::LARGE);
+    let size = size.min(room.size());
+    let mut close = false;
+    egui::Window::new(title)
+        .title_bar(false)
+        .resizable(resizable)
+        .default_size(size)
+        .default_pos(room.center() - 0.5 * size)
+        .constrain_to(room)
+        .show(ctx, |ui| {
+            egui::Sides::new().show(
+                ui,
+                |ui| ui.label(RichText::new(title).font(heading_font())),
+                |ui| {
+                    close = icon_button_ui(ui, Icon::Close, "Close", "Close (Esc)", false).clicked()
+                },
+            );
+            ui.add_space(space::SMALL);
+            add(ui);
+        });
+    let escaped = !ctx.any_popup_open() && ctx.input(|input| input.key_pressed(Key::Escape));
+    close || escaped
+}
+
+/// Seconds left in the words of the status bar: "4 s left", "2 min left".
+pub fn time_left_text(seconds: f64) -> String {
+    if seconds < 90.0 {
+        format!("{} s left", seconds.ceil().max(1.0))
+    } else {
+        format!("{} min left", (seconds / 60.0).round())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_left_is_told_in_the_unit_that_fits() {
+        assert_eq!(time_left_text(0.2), "1 s left");
+        assert_eq!(time_left_text(3.4), "4 s left");
+        assert_eq!(time_left_text(130.0), "2 min left");
+    }
+}

@@ -1,0 +1,394 @@
+//! Volumes over the beat, with end-diastole, end-systole and where the beat stands now.
+
+use egui::{
+    Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+
+use crate::ui::beat_axis::BeatAxis;
+use crate::ui::command::Command;
+use crate::ui::controls::empty_pane_ui;
+use crate::ui::nice_numbers::linear_ticks;
+use crate::ui::style::{medium_note_font, note_font};
+use crate::ui::theme::{Colours, colours, line, space};
+
+/// Which surface a curve belongs to; sets its colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurveKind {
+    /// The blood pool: what the ejection fraction comes from.
+    Endocardium,
+    /// The heart with its muscle.
+    Epicardium,
+}
+
+/// One number per frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Curve<'a> {
+    /// Which surface.
+    pub kind: CurveKind,
+    /// One value per frame; NaN where it is not known.
+    pub values: &'a [f64],
+}
+
+/// What the volume pane shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CurvesView<'a> {
+    /// The selected subject's curves; empty where no volume can be told.
+    pub curves: &'a [Curve<'a>],
+    /// `ml`, or `units³`.
+    pub unit: &'a str,
+    /// Where the frames lie within the beat.
+    pub axis: BeatAxis<'a>,
+    /// Length of the beat, where the study says it.
+    pub beat_ms: Option<f64>,
+    /// Position in frames.
+    pub position: f64,
+    /// Frame of end-diastole.
+    pub end_diastole: Option<usize>,
+    /// Frame of end-systole.
+    pub end_systole: Option<usize>,
+    /// Whether volumes are still to come.
+    pub computing: bool,
+}
+
+/// Draws the plot; a click or drag moves through the beat.
+pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
+    let Some((low, high)) = range(view.curves) else {
+        let what = if view.computing {
+            "Volumes are being computed."
+        } else {
+            "The volume over the beat appears here for a heart with a closed or capped surface."
+        };
+        empty_pane_ui(ui, "No volumes", what, |_| {});
+        return;
+    };
+    let (rect, response) = ui.allocate_exact_size(
+        ui.available_size().max(vec2(80.0, 60.0)),
+        Sense::click_and_drag(),
+    );
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Volume over the beat"));
+    let plot = Plot::new(rect, low, high);
+    draw_axes(ui, view, &plot);
+    draw_phases(ui, view, &plot);
+    for curve in view.curves {
+        draw_curve(ui, view.axis, curve, &plot);
+    }
+    draw_now(ui, view, &plot);
+    if let Some(pointer) = response.interact_pointer_pos()
+        && (response.clicked() || response.dragged())
+    {
+        commands.push(Command::SetPosition(plot.position_at(pointer, view.axis)));
+    }
+    if let Some(pointer) = response.hover_pos() {
+        let text = hover_text(view, plot.position_at(pointer, view.axis));
+        response.on_hover_text_at_pointer(text);
+    }
+}
+
+/// Lowest and highest value with a little air, on round numbers.
+fn range(curves: &[Curve]) -> Option<(f64, f64)> {
+    let values = || {
+        curves
+            .iter()
+            .flat_map(|curve| curve.values.iter().copied())
+            .filter(|value| value.is_finite())
+    };
+    let low = values().reduce(f64::min)?;
+    let high = values().reduce(f64::max)?;
+    let air = 0.12 * (high - low).max(0.1 * high.abs()).max(1e-6);
+    Some(((low - air).max(0.0), high + air))
+}
+
+/// Where values lie on screen.
+struct Plot {
+    area: Rect,
+    low: f64,
+    high: f64,
+}
+
+impl Plot {
+    fn new(rect: Rect, low: f64, high: f64) -> Self {
+        let area = Rect::from_min_max(
+            rect.min + vec2(44.0, space::LARGE + 18.0),
+            rect.max - vec2(space::LARGE + 4.0, 24.0),
+        );
+        Self { area, low, high }
+    }
+
+    fn x(&self, share: f64) -> f32 {
+        egui::lerp(self.area.x_range(), share as f32)
+    }
+
+    fn y(&self, value: f64) -> f32 {
+        let share = (value - self.low) / (self.high - self.low);
+        egui::lerp(self.area.bottom()..=self.area.top(), share as f32)
+    }
+
+    fn position_at(&self, pointer: Pos2, axis: BeatAxis) -> f64 {
+        let share = egui::remap_clamp(pointer.x, self.area.x_range(), 0.0..=1.0);
+        let position = axis.position_at(f64::from(share));
+        if position >= axis.frame_count() as f64 {
+            0.0
+        } else {
+            position
+        }
+    }
+}
+
+fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
+    let colours = colours(ui);
+    let painter = ui.painter();
+    let grid = Stroke::new(line::THIN, colours.grid);
+    let rows = ((plot.area.height() / 34.0) as usize).clamp(2, 10);
+    for tick in linear_ticks(plot.low, plot.high, rows) {
+        let y = plot.y(tick);
+        painter.hline(plot.area.x_range(), y, grid);
+        let at = pos2(plot.area.left() - 6.0, y);
+        let digits = usize::from(plot.high - plot.low < 5.0);
+        painter.text(
+            at,
+            Align2::RIGHT_CENTER,
+            format!("{tick:.digits$}"),
+            note_font(),
+            colours.muted,
+        );
+    }
+    let top = pos2(plot.area.left() - 32.0, plot.area.top() - 13.0);
+    painter.text(
+        top,
+        Align2::LEFT_CENTER,
+        format!("Volume, {}", view.unit),
+        note_font(),
+        colours.muted,
+    );
+    let y = plot.area.bottom() + 6.0;
+    let (end, unit) = match view.beat_ms {
+        Some(beat) => (beat, "ms"),
+        None => (100.0, "% R-R"),
+    };
+    let columns = ((plot.area.width() / 80.0) as usize).clamp(2, 6);
+    for tick in linear_ticks(0.0, end, columns) {
+        let x = plot.x(tick / end);
+        if x < plot.area.right() - 46.0 {
+            painter.text(
+                pos2(x, y),
+                Align2::CENTER_TOP,
+                format!("{tick:.0}"),
+                note_font(),
+                colours.muted,
+            );
+        }
+    }
+    painter.text(
+        pos2(plot.area.right(), y),
+        Align2::RIGHT_TOP,
+        unit,
+        note_font(),
+        colours.muted,
+    );
+}
+
+fn draw_phases(ui: &Ui, view: &CurvesView, plot: &Plot) {
+    let colours = colours(ui);
+    let mut places: Vec<(f32, &str)> = Vec::new();
+    for (frame, name) in [(view.end_diastole, "ED"), (view.end_systole, "ES")] {
+        let Some(frame) = frame else { continue };
+        places.push((plot.x(view.axis.share_at(frame as f64)), name));
+    }
+    for (x, name) in places {
+        let ends = [pos2(x, plot.area.top()), pos2(x, plot.area.bottom())];
+        let stroke = Stroke::new(line::THIN, colours.muted);
+        ui.painter()
+            .extend(Shape::dashed_line(&ends, stroke, 3.0, 3.0));
+        let at = pos2(x + 4.0, plot.area.top());
+        ui.painter()
+            .text(at, Align2::LEFT_TOP, name, note_font(), colours.muted);
+    }
+}
+
+fn kind_colour(kind: CurveKind, colours: &Colours) -> Color32 {
+    match kind {
+        CurveKind::Endocardium => colours.text,
+        CurveKind::Epicardium => colours.epicardium,
+    }
+}
+
+fn kind_name(kind: CurveKind) -> &'static str {
+    match kind {
+        CurveKind::Endocardium => "endo",
+        CurveKind::Epicardium => "epi",
+    }
+}
+
+/// Straight from frame to frame, as positions between frames are interpolated; the last runs
+/// into the first.
+fn draw_curve(ui: &Ui, axis: BeatAxis, curve: &Curve, plot: &Plot) {
+    let colours = colours(ui);
+    let colour = kind_colour(curve.kind, colours);
+    let count = curve.values.len();
+    let at = |frame: usize| {
+        let value = curve
+            .values
+            .get(frame % count.max(1))
+            .copied()
+            .unwrap_or(f64::NAN);
+        value
+            .is_finite()
+            .then(|| pos2(plot.x(axis.share_at(frame as f64)), plot.y(value)))
+    };
+    let stroke = Stroke::new(line::MARK, colour);
+    let painter = ui.painter();
+    for frame in 0..count {
+        if let (Some(from), Some(to)) = (at(frame), at(frame + 1)) {
+            painter.line_segment([from, to], stroke);
+        }
+    }
+    for frame in 0..count {
+        if let Some(point) = at(frame) {
+            painter.circle_filled(point, 2.0, colour);
+        }
+    }
+    if let Some(end) = at(count) {
+        let name = kind_name(curve.kind);
+        let place = end - vec2(2.0, 5.0);
+        painter.text(place, Align2::RIGHT_BOTTOM, name, note_font(), colour);
+    }
+}
+
+/// Value between frames, as straight lines have it.
+fn value_at(curve: &Curve, position: f64) -> f64 {
+    let count = curve.values.len();
+    if count == 0 {
+        return f64::NAN;
+    }
+    let frame = position.floor() as usize;
+    let part = position - frame as f64;
+    let (here, next) = (
+        curve.values[frame % count],
+        curve.values[(frame + 1) % count],
+    );
+    if part > 0.0 {
+        here + part * (next - here)
+    } else {
+        here
+    }
+}
+
+fn draw_now(ui: &Ui, view: &CurvesView, plot: &Plot) {
+    let colours = colours(ui);
+    let painter: &Painter = ui.painter();
+    let x = plot.x(view.axis.share_at(view.position));
+    let stroke = Stroke::new(line::THIN, colours.selection);
+    painter.vline(x, plot.area.y_range(), stroke);
+    for curve in view.curves {
+        let value = value_at(curve, view.position);
+        if value.is_finite() {
+            let point = pos2(x, plot.y(value));
+            painter.circle_filled(point, 5.0, colours.pane);
+            painter.circle_filled(point, 4.0, colours.selection);
+        }
+    }
+    let value = view
+        .curves
+        .first()
+        .map_or(f64::NAN, |curve| value_at(curve, view.position));
+    if value.is_finite() {
+        let right = x > plot.area.right() - 70.0;
+        let (anchor, gap) = if right {
+            (Align2::RIGHT_BOTTOM, -7.0)
+        } else {
+            (Align2::LEFT_BOTTOM, 7.0)
+        };
+        let at = pos2(x + gap, plot.y(value) - 3.0);
+        let text = format!("{value:.0} {}", view.unit);
+        let galley = painter.layout_no_wrap(text, medium_note_font(), colours.selection);
+        let rect = anchor.anchor_size(at, galley.size());
+        painter.rect_filled(
+            rect.expand2(vec2(2.0, 0.0)),
+            3.0,
+            colours.pane.gamma_multiply(0.8),
+        );
+        painter.galley(rect.min, galley, colours.selection);
+    }
+}
+
+fn hover_text(view: &CurvesView, position: f64) -> String {
+    let percent = 100.0 * view.axis.share_at(position);
+    let mut text = match view.beat_ms {
+        Some(beat) => format!("{:.0} ms · {percent:.0} % R-R", 0.01 * percent * beat),
+        None => format!("{percent:.0} % R-R"),
+    };
+    for curve in view.curves {
+        let value = value_at(curve, position);
+        if value.is_finite() {
+            text += &format!("\n{} {value:.1} {}", kind_name(curve.kind), view.unit);
+        }
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_frame_runs_into_the_first() {
+        let curve = Curve {
+            kind: CurveKind::Endocardium,
+            values: &[100.0, 60.0],
+        };
+        assert!((value_at(&curve, 1.5) - 80.0).abs() < 1e-12);
+        assert!((value_at(&curve, 0.25) - 90.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn values_that_are_not_known_do_not_widen_the_range() {
+        let values = [f64::NAN, 60.0, 100.0];
+        let curves = [Curve {
+            kind: CurveKind::Epicardium,
+            values: &values,
+        }];
+        let (low, high) = range(&curves).unwrap();
+        assert!(low > 50.0 && low < 60.0 && high > 100.0 && high < 110.0);
+        assert_eq!(range(&[]), None);
+    }
+
+    #[test]
+    fn a_click_on_the_plot_moves_through_the_beat() {
+        use egui_kittest::{Harness, kittest::Queryable as _};
+        let mut harness = Harness::builder()
+            .with_size([400.0, 250.0])
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                |ui, commands: &mut Vec<Command>| {
+                    let view = CurvesView {
+                        curves: &[Curve {
+                            kind: CurveKind::Endocardium,
+                            values: &[100.0, 60.0],
+                        }],
+                        unit: "ml",
+                        axis: BeatAxis {
+                            frame_shares: &[0.0, 0.5],
+                        },
+                        beat_ms: None,
+                        position: 0.0,
+                        end_diastole: Some(0),
+                        end_systole: Some(1),
+                        computing: false,
+                    };
+                    curves_ui(ui, &view, commands);
+                },
+                Vec::new(),
+            );
+        harness.run();
+        let rect = harness.get_by_label("Volume over the beat").rect();
+        let plot = Plot::new(rect, 0.0, 1.0);
+        let place = pos2(plot.x(0.75), rect.center().y);
+        harness.drag_at(place);
+        harness.drop_at(place);
+        harness.run();
+        let Some(Command::SetPosition(position)) = harness.state().last() else {
+            panic!("no position");
+        };
+        assert!((position - 1.5).abs() < 0.01, "{position}");
+    }
+}

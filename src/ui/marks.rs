@@ -1,0 +1,134 @@
+//! Shapes that stand for labels, phases and actions; drawn, so that they need no font.
+
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+
+use crate::study::LabelRole;
+use crate::ui::theme::line;
+
+/// The shape of a label's role: a circle, a cross or a square, so that colour is never alone.
+pub fn role_mark(
+    painter: &Painter,
+    centre: Pos2,
+    radius: f32,
+    role: LabelRole,
+    colour: Color32,
+    filled: bool,
+) {
+    let stroke = Stroke::new(line::MARK, colour);
+    match (role, filled) {
+        (LabelRole::Normal, true) => {
+            painter.circle_filled(centre, radius, colour);
+        }
+        (LabelRole::Normal, false) => {
+            painter.circle_stroke(centre, radius - 0.5 * line::MARK, stroke);
+        }
+        (LabelRole::Abnormal, filled) => {
+            let arm = radius * 0.85;
+            let width = if filled { line::STRONG } else { line::MARK };
+            let stroke = Stroke::new(width, colour);
+            painter.line_segment([centre - vec2(arm, arm), centre + vec2(arm, arm)], stroke);
+            painter.line_segment([centre - vec2(arm, -arm), centre + vec2(arm, -arm)], stroke);
+        }
+        (LabelRole::Unknown, filled) => {
+            let side = 1.8 * radius;
+            let square = Rect::from_center_size(centre, vec2(side, side));
+            if filled {
+                painter.rect_filled(square, 1.0, colour);
+            } else {
+                painter.rect_stroke(square, 1.0, stroke, egui::StrokeKind::Inside);
+            }
+        }
+    }
+}
+
+/// What a role is called.
+pub fn role_name(role: LabelRole) -> &'static str {
+    match role {
+        LabelRole::Normal => "normal",
+        LabelRole::Abnormal => "abnormal",
+        LabelRole::Unknown => "other",
+    }
+}
+
+/// Drawn symbols on buttons.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Icon {
+    /// A triangle to the right.
+    Play,
+    /// Two bars.
+    Pause,
+    /// A bar and a triangle to the left: one frame back.
+    StepBack,
+    /// A triangle and a bar: one frame on.
+    StepForward,
+    /// An arrow in a ring.
+    Loop,
+    /// A cross.
+    Close,
+    /// A small triangle that points down.
+    Open,
+}
+
+/// Draws an icon into a square of side `size` around `centre`.
+pub fn icon(painter: &Painter, centre: Pos2, size: f32, icon: Icon, colour: Color32) {
+    let h = 0.5 * size;
+    let triangle = |tip: f32, tail: f32, half: f32| {
+        let corners = vec![
+            pos2(centre.x + tip, centre.y),
+            pos2(centre.x + tail, centre.y + half),
+            pos2(centre.x + tail, centre.y - half),
+        ];
+        Shape::convex_polygon(corners, colour, Stroke::NONE)
+    };
+    let bar = |x: f32, width: f32, half: f32| {
+        let rect = Rect::from_center_size(centre + vec2(x, 0.0), vec2(width, 2.0 * half));
+        Shape::rect_filled(rect, 0.5, colour)
+    };
+    let thin = Stroke::new(line::MARK, colour);
+    match icon {
+        Icon::Play => {
+            painter.add(triangle(h, -0.7 * h, h));
+        }
+        Icon::Pause => {
+            painter.add(bar(-0.5 * h, 0.55 * h, 0.9 * h));
+            painter.add(bar(0.5 * h, 0.55 * h, 0.9 * h));
+        }
+        Icon::StepBack => {
+            painter.add(bar(-0.75 * h, 0.3 * h, 0.8 * h));
+            painter.add(triangle(-0.5 * h, 0.7 * h, 0.8 * h));
+        }
+        Icon::StepForward => {
+            painter.add(bar(0.75 * h, 0.3 * h, 0.8 * h));
+            painter.add(triangle(0.5 * h, -0.7 * h, 0.8 * h));
+        }
+        Icon::Loop => {
+            let ring: Vec<Pos2> = (0..=20)
+                .map(|i| {
+                    let angle = 0.6 + 5.1 * i as f32 / 20.0;
+                    centre + 0.85 * h * vec2(angle.cos(), angle.sin())
+                })
+                .collect();
+            let end = ring.last().copied().unwrap_or(centre);
+            painter.add(Shape::line(ring, thin));
+            let head = vec![
+                end + vec2(-0.55 * h, -0.05 * h),
+                end + vec2(0.25 * h, -0.5 * h),
+                end + vec2(0.25 * h, 0.4 * h),
+            ];
+            painter.add(Shape::convex_polygon(head, colour, Stroke::NONE));
+        }
+        Icon::Close => {
+            let arm = 0.65 * h;
+            painter.line_segment([centre - vec2(arm, arm), centre + vec2(arm, arm)], thin);
+            painter.line_segment([centre - vec2(arm, -arm), centre + vec2(arm, -arm)], thin);
+        }
+        Icon::Open => {
+            let corners = vec![
+                centre + vec2(-0.7 * h, -0.35 * h),
+                centre + vec2(0.7 * h, -0.35 * h),
+                centre + vec2(0.0, 0.5 * h),
+            ];
+            painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
+        }
+    }
+}

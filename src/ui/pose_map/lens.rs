@@ -1,0 +1,79 @@
+//! Which part of the map is seen: equal scale in both directions, so that distances can be read.
+
+use egui::{Pos2, Rect, Vec2, pos2};
+
+use crate::ui::pose_map::MapPoint;
+
+/// The middle of what is seen, and how large.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lens {
+    /// Place on the map in the middle of the pane.
+    pub centre: [f64; 2],
+    /// Points of the screen for one unit of the map.
+    pub points_per_unit: f64,
+}
+
+impl Lens {
+    /// The lens that shows all points in a pane of a size.
+    pub fn fit(points: &[MapPoint], width: f32, height: f32) -> Self {
+        let mut low = [f64::INFINITY; 2];
+        let mut high = [f64::NEG_INFINITY; 2];
+        for point in points {
+            for axis in 0..2 {
+                if point.at[axis].is_finite() {
+                    low[axis] = low[axis].min(point.at[axis]);
+                    high[axis] = high[axis].max(point.at[axis]);
+                }
+            }
+        }
+        if !(low[0] <= high[0] && low[1] <= high[1]) {
+            return Self {
+                centre: [0.0; 2],
+                points_per_unit: 1.0,
+            };
+        }
+        let room = [f64::from(width.max(1.0)), f64::from(height.max(1.0))];
+        // Points that all lie in one place get a lens of one unit.
+        let scales = [0, 1].map(|axis| {
+            let span = high[axis] - low[axis];
+            if span > 0.0 {
+                room[axis] / span
+            } else {
+                f64::INFINITY
+            }
+        });
+        let scale = scales[0].min(scales[1]);
+        Self {
+            centre: [0, 1].map(|axis| 0.5 * (low[axis] + high[axis])),
+            points_per_unit: if scale.is_finite() {
+                scale
+            } else {
+                room[0].min(room[1])
+            },
+        }
+    }
+
+    /// Where a place of the map lies on screen; the map's second axis points up.
+    pub fn on_screen(&self, rect: Rect, at: [f64; 2]) -> Pos2 {
+        let x = (at[0] - self.centre[0]) * self.points_per_unit;
+        let y = (at[1] - self.centre[1]) * self.points_per_unit;
+        pos2(rect.center().x + x as f32, rect.center().y - y as f32)
+    }
+
+    /// Moves what is seen along with the pointer.
+    pub fn drag(&mut self, delta: Vec2) {
+        self.centre[0] -= f64::from(delta.x) / self.points_per_unit;
+        self.centre[1] += f64::from(delta.y) / self.points_per_unit;
+    }
+
+    /// Zooms so that the place under `offset` from the middle of the pane stays there.
+    pub fn zoom_about(&mut self, offset: Vec2, factor: f64) {
+        if !(factor.is_finite() && factor > 0.0) || (factor - 1.0).abs() < 1e-6 {
+            return;
+        }
+        let shift = (1.0 - 1.0 / factor) / self.points_per_unit;
+        self.centre[0] += f64::from(offset.x) * shift;
+        self.centre[1] -= f64::from(offset.y) * shift;
+        self.points_per_unit *= factor;
+    }
+}

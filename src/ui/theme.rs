@@ -1,0 +1,211 @@
+//! Design tokens: every colour, size and width of the window stands here and nowhere else.
+
+use egui::Color32;
+
+use crate::study::LabelRole;
+
+/// Type sizes in points: notes, text, headings, the one number that matters.
+pub mod type_size {
+    /// Notes, axis labels, legends.
+    pub const NOTE: f32 = 12.0;
+    /// Running text, buttons, table cells.
+    pub const TEXT: f32 = 13.0;
+    /// Headings of windows.
+    pub const HEADING: f32 = 16.0;
+    /// Subject titles and the ejection fraction.
+    pub const TITLE: f32 = 20.0;
+}
+
+/// Distances in points, on a grid of four.
+pub mod space {
+    /// Between things that belong together.
+    pub const SMALL: f32 = 4.0;
+    /// Between things in a row.
+    pub const MEDIUM: f32 = 8.0;
+    /// Inner margin of a pane.
+    pub const LARGE: f32 = 12.0;
+    /// Between groups.
+    pub const HUGE: f32 = 24.0;
+    /// Between panes.
+    pub const PANE_GAP: f32 = 6.0;
+    /// Height of a pane's header.
+    pub const PANE_HEADER: f32 = 32.0;
+    /// Height of a row in a table.
+    pub const ROW: f32 = 24.0;
+}
+
+/// Corner radii in points.
+pub mod radius {
+    /// Panes and windows.
+    pub const PANE: u8 = 6;
+    /// Buttons, fields, cards.
+    pub const CONTROL: u8 = 4;
+}
+
+/// Line widths in points.
+pub mod line {
+    /// Frames, grids, axes.
+    pub const THIN: f32 = 1.0;
+    /// Curves and marks.
+    pub const MARK: f32 = 1.5;
+    /// The selected path, the tab in front.
+    pub const STRONG: f32 = 2.0;
+}
+
+/// Seconds that a change of appearance takes.
+pub const MOTION_S: f32 = 0.12;
+
+/// Colours of one theme.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Colours {
+    /// Behind the panes.
+    pub window: Color32,
+    /// Behind text and plots.
+    pub pane: Color32,
+    /// Behind buttons and fields.
+    pub control: Color32,
+    /// Behind a button under the pointer.
+    pub control_hovered: Color32,
+    /// Around panes and controls.
+    pub line: Color32,
+    /// Lines within plots.
+    pub grid: Color32,
+    /// Text and numbers.
+    pub text: Color32,
+    /// Headings and the numbers that matter.
+    pub strong: Color32,
+    /// Units, notes, what is not selected.
+    pub muted: Color32,
+    /// The one accent: focus, progress, tabs.
+    pub accent: Color32,
+    /// On top of the accent.
+    pub on_accent: Color32,
+    /// Behind the selected row.
+    pub selected_row: Color32,
+    /// The selection in every view.
+    pub selection: Color32,
+    /// Hearts labelled normal.
+    pub normal: Color32,
+    /// Hearts labelled abnormal.
+    pub abnormal: Color32,
+    /// Hearts with no label, or one that takes no part.
+    pub unknown: Color32,
+    /// Something is unusable.
+    pub error: Color32,
+    /// Something deserves a look.
+    pub warning: Color32,
+    /// Inner surface.
+    pub endocardium: Color32,
+    /// Outer surface.
+    pub epicardium: Color32,
+}
+
+/// For dark rooms.
+pub const DARK: Colours = Colours {
+    window: Color32::from_rgb(0x14, 0x17, 0x1b),
+    pane: Color32::from_rgb(0x1a, 0x1e, 0x24),
+    control: Color32::from_rgb(0x22, 0x28, 0x30),
+    control_hovered: Color32::from_rgb(0x2c, 0x34, 0x3e),
+    line: Color32::from_rgb(0x2a, 0x30, 0x38),
+    grid: Color32::from_rgb(0x24, 0x2a, 0x32),
+    text: Color32::from_rgb(0xd7, 0xdc, 0xe2),
+    strong: Color32::from_rgb(0xf1, 0xf4, 0xf7),
+    muted: Color32::from_rgb(0x8a, 0x94, 0xa1),
+    accent: Color32::from_rgb(0x5a, 0xb0, 0xf2),
+    on_accent: Color32::from_rgb(0x0d, 0x14, 0x1b),
+    selected_row: Color32::from_rgb(0x22, 0x31, 0x3f),
+    selection: Color32::from_rgb(0xff, 0xd1, 0x66),
+    normal: Color32::from_rgb(0x5a, 0xb0, 0xf2),
+    abnormal: Color32::from_rgb(0xe7, 0x88, 0x5c),
+    unknown: Color32::from_rgb(0x8a, 0x94, 0xa1),
+    error: Color32::from_rgb(0xf0, 0x71, 0x78),
+    warning: Color32::from_rgb(0xe8, 0xb4, 0x4f),
+    endocardium: Color32::from_rgb(0xa9, 0x4a, 0x4a),
+    epicardium: Color32::from_rgb(0xd9, 0xc3, 0xa5),
+};
+
+/// For bright rooms and print.
+pub const LIGHT: Colours = Colours {
+    window: Color32::from_rgb(0xec, 0xee, 0xf1),
+    pane: Color32::from_rgb(0xff, 0xff, 0xff),
+    control: Color32::from_rgb(0xf1, 0xf3, 0xf6),
+    control_hovered: Color32::from_rgb(0xe3, 0xe8, 0xee),
+    line: Color32::from_rgb(0xd9, 0xdd, 0xe3),
+    grid: Color32::from_rgb(0xed, 0xf0, 0xf3),
+    text: Color32::from_rgb(0x1d, 0x25, 0x30),
+    strong: Color32::from_rgb(0x0d, 0x13, 0x1b),
+    muted: Color32::from_rgb(0x5f, 0x69, 0x76),
+    accent: Color32::from_rgb(0x1f, 0x6f, 0xb5),
+    on_accent: Color32::from_rgb(0xff, 0xff, 0xff),
+    selected_row: Color32::from_rgb(0xdf, 0xeb, 0xf6),
+    selection: Color32::from_rgb(0xb8, 0x86, 0x0b),
+    normal: Color32::from_rgb(0x1f, 0x6f, 0xb5),
+    abnormal: Color32::from_rgb(0xc2, 0x57, 0x1f),
+    unknown: Color32::from_rgb(0x68, 0x72, 0x7f),
+    error: Color32::from_rgb(0xb8, 0x2c, 0x3a),
+    warning: Color32::from_rgb(0x96, 0x63, 0x07),
+    endocardium: Color32::from_rgb(0xa9, 0x4a, 0x4a),
+    epicardium: Color32::from_rgb(0x9b, 0x7d, 0x52),
+};
+
+impl Colours {
+    /// The colours of a theme.
+    pub fn of(dark: bool) -> &'static Self {
+        if dark { &DARK } else { &LIGHT }
+    }
+
+    /// Colour of a label's role; its shape is drawn by `marks::role_mark`.
+    pub fn role(&self, role: LabelRole) -> Color32 {
+        match role {
+            LabelRole::Normal => self.normal,
+            LabelRole::Abnormal => self.abnormal,
+            LabelRole::Unknown => self.unknown,
+        }
+    }
+}
+
+/// The colours in force where this is drawn.
+pub fn colours(ui: &egui::Ui) -> &'static Colours {
+    Colours::of(ui.visuals().dark_mode)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Relative luminance and contrast as WCAG 2.1 defines them.
+    fn contrast(a: Color32, b: Color32) -> f64 {
+        let luminance = |colour: Color32| {
+            let part = |value: u8| {
+                let share = f64::from(value) / 255.0;
+                if share <= 0.03928 {
+                    share / 12.92
+                } else {
+                    ((share + 0.055) / 1.055).powf(2.4)
+                }
+            };
+            0.2126 * part(colour.r()) + 0.7152 * part(colour.g()) + 0.0722 * part(colour.b())
+        };
+        let (a, b) = (luminance(a), luminance(b));
+        (a.max(b) + 0.05) / (a.min(b) + 0.05)
+    }
+
+    #[test]
+    fn text_stands_out_from_what_is_behind_it() {
+        for theme in [DARK, LIGHT] {
+            for behind in [theme.pane, theme.window, theme.control, theme.selected_row] {
+                assert!(contrast(theme.text, behind) >= 7.0);
+                // 4.5 is level AA for small text.
+                assert!(
+                    contrast(theme.muted, behind) >= 4.2,
+                    "{behind:?} {}",
+                    contrast(theme.muted, behind)
+                );
+            }
+            assert!(contrast(theme.on_accent, theme.accent) >= 4.5);
+            for mark in [theme.accent, theme.abnormal, theme.error, theme.warning] {
+                assert!(contrast(mark, theme.pane) >= 3.0);
+            }
+        }
+    }
+}

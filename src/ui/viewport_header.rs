@@ -1,0 +1,232 @@
+//! The strip above the 3D view: how many hearts, which surfaces, what colours stand for.
+
+use egui::{Button, Ui};
+
+use crate::picture::Quantity;
+use crate::render::Shading;
+use crate::ui::command::{Command, ViewMode};
+use crate::ui::controls::{choice_ui, chooser_ui, pane_header_ui, tab_ui};
+use crate::ui::shortcuts::hint;
+use crate::ui::theme::space;
+
+/// What the header of the 3D view shows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ViewportHeaderView {
+    /// One heart, two, or all phases.
+    pub mode: ViewMode,
+    /// What colours stand for.
+    pub quantity: Quantity,
+    /// Whether the heart has an inner surface of its own; `None` greys its switch.
+    pub shows_endocardium: Option<bool>,
+    /// Whether it has an outer surface or wall.
+    pub shows_epicardium: Option<bool>,
+    /// Whether edges are shown.
+    pub shows_wireframe: bool,
+    /// Whether vertices are shown.
+    pub shows_vertices: bool,
+    /// Whether the camera rotates freely.
+    pub free_camera: bool,
+    /// Smooth or flat.
+    pub shading: Shading,
+}
+
+/// What a quantity is called on buttons.
+pub fn quantity_name(quantity: Quantity) -> &'static str {
+    match quantity {
+        Quantity::Tissue => "Tissue",
+        Quantity::Displacement => "Displacement",
+        Quantity::AreaRatio => "Area ratio",
+    }
+}
+
+/// Draws tabs on the left, switches and the quantity on the right.
+pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command>) {
+    let wide = ui.available_width() > 560.0;
+    let mut pushed = Vec::new();
+    let mut from_left = Vec::new();
+    pane_header_ui(
+        ui,
+        |ui| {
+            modes_ui(ui, view.mode, &mut from_left);
+        },
+        |ui| {
+            quantity_ui(ui, view.quantity, &mut pushed);
+            display_ui(ui, view, &mut pushed);
+            if wide {
+                switch_ui(
+                    ui,
+                    "Wall",
+                    view.shows_epicardium,
+                    Command::ToggleEpicardium,
+                    &mut pushed,
+                );
+                switch_ui(
+                    ui,
+                    "Inner",
+                    view.shows_endocardium,
+                    Command::ToggleEndocardium,
+                    &mut pushed,
+                );
+            }
+        },
+    );
+    commands.append(&mut from_left);
+    commands.append(&mut pushed);
+}
+
+/// Tabs where they fit, a menu where they do not.
+fn modes_ui(ui: &mut Ui, chosen: ViewMode, commands: &mut Vec<Command>) {
+    const MODES: [(ViewMode, &str); 3] = [
+        (ViewMode::Single, "3D view"),
+        (ViewMode::SideBySide, "Side by side"),
+        (ViewMode::AllPhases, "All phases"),
+    ];
+    if ui.available_width() > 240.0 {
+        for (mode, name) in MODES {
+            if tab_ui(ui, name, chosen == mode).clicked() {
+                commands.push(Command::SetViewMode(mode));
+            }
+            ui.add_space(space::SMALL);
+        }
+        return;
+    }
+    let shown = MODES.iter().find(|(mode, _)| *mode == chosen);
+    chooser_ui(
+        ui,
+        "View",
+        shown.map_or("3D view", |(_, name)| name),
+        |ui| {
+            for (mode, name) in MODES {
+                if choice_ui(ui, name, chosen == mode) {
+                    commands.push(Command::SetViewMode(mode));
+                }
+            }
+        },
+    );
+}
+
+fn quantity_ui(ui: &mut Ui, quantity: Quantity, commands: &mut Vec<Command>) {
+    chooser_ui(ui, "Colour", quantity_name(quantity), |ui| {
+        for choice in [
+            Quantity::Tissue,
+            Quantity::Displacement,
+            Quantity::AreaRatio,
+        ] {
+            if choice_ui(ui, quantity_name(choice), choice == quantity) {
+                commands.push(Command::SetQuantity(choice));
+            }
+        }
+    });
+}
+
+fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command>) {
+    chooser_ui(ui, "Display", "Display", |ui| {
+        for (name, shown, command) in [
+            (
+                "Inner surface",
+                view.shows_endocardium,
+                Command::ToggleEndocardium,
+            ),
+            ("Wall", view.shows_epicardium, Command::ToggleEpicardium),
+            (
+                "Edges",
+                Some(view.shows_wireframe),
+                Command::ToggleWireframe,
+            ),
+            (
+                "Vertices",
+                Some(view.shows_vertices),
+                Command::ToggleVertices,
+            ),
+            (
+                "Free rotation",
+                Some(view.free_camera),
+                Command::ToggleFreeCamera,
+            ),
+        ] {
+            let mut on = shown.unwrap_or(false);
+            let checkbox = egui::Checkbox::new(&mut on, name);
+            if ui.add_enabled(shown.is_some(), checkbox).clicked() {
+                commands.push(command);
+            }
+        }
+        ui.separator();
+        for (name, shading) in [
+            ("Smooth shading", Shading::Smooth),
+            ("Flat shading", Shading::Flat),
+        ] {
+            if choice_ui(ui, name, view.shading == shading) {
+                commands.push(Command::SetShading(shading));
+            }
+        }
+    });
+}
+
+fn switch_ui(
+    ui: &mut Ui,
+    name: &str,
+    shown: Option<bool>,
+    command: Command,
+    commands: &mut Vec<Command>,
+) {
+    let button = Button::new(name).selected(shown == Some(true));
+    let text = hint(
+        ui.ctx(),
+        &format!("Show or hide: {}", name.to_lowercase()),
+        &command,
+    );
+    let response = ui
+        .add_enabled(shown.is_some(), button)
+        .on_hover_text(text)
+        .on_disabled_hover_text("This heart has no such surface");
+    if response.clicked() {
+        commands.push(command);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui_kittest::{Harness, kittest::Queryable as _};
+
+    fn clicked(width: f32, names: &[&str]) -> Vec<Command> {
+        let mut harness = Harness::builder()
+            .with_size([width, 400.0])
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                |ui, commands: &mut Vec<Command>| {
+                    let view = ViewportHeaderView {
+                        shows_endocardium: Some(true),
+                        ..Default::default()
+                    };
+                    viewport_header_ui(ui, &view, commands);
+                },
+                Vec::new(),
+            );
+        harness.run();
+        for name in names {
+            harness.get_by_label(name).click();
+            harness.run();
+        }
+        harness.into_state()
+    }
+
+    #[test]
+    fn tabs_become_a_menu_where_they_do_not_fit() {
+        let wanted = [Command::SetViewMode(ViewMode::SideBySide)];
+        assert_eq!(clicked(800.0, &["Side by side"]), wanted);
+        assert_eq!(clicked(360.0, &["View: 3D view", "Side by side"]), wanted);
+    }
+
+    #[test]
+    fn a_surface_that_is_not_there_cannot_be_shown() {
+        let commands = clicked(800.0, &["Wall", "Inner"]);
+        assert_eq!(commands, [Command::ToggleEndocardium]);
+    }
+
+    #[test]
+    fn the_quantity_is_chosen_from_a_menu() {
+        let commands = clicked(800.0, &["Colour: Tissue", "Area ratio"]);
+        assert_eq!(commands, [Command::SetQuantity(Quantity::AreaRatio)]);
+    }
+}

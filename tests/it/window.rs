@@ -1,0 +1,383 @@
+//! The window driven with no display: what a person does, and what must follow in every view.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use cardiomorph::app::{App, AppOptions};
+use cardiomorph::study::built_in::BuiltInParams;
+use cardiomorph::ui::{Command, JobKind, Pane, ViewMode};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+/// A cohort that is made and mapped quickly: the fewest vertices that make a heart.
+fn small() -> BuiltInParams {
+    BuiltInParams {
+        vertices: 400,
+        ..BuiltInParams::default()
+    }
+}
+
+fn window(options: AppOptions) -> Harness<'static, App> {
+    Harness::builder()
+        .with_size([1400.0, 900.0])
+        .with_max_steps(64)
+        .with_step_dt(1.0 / 30.0)
+        .build_eframe(move |cc| App::new(cc, options).unwrap())
+}
+
+/// Steps until `done`; fails after half a minute, which is long even for a busy machine.
+fn wait(harness: &mut Harness<'_, App>, what: &str, done: impl Fn(&App) -> bool) {
+    let begin = Instant::now();
+    while !done(harness.state()) {
+        assert!(begin.elapsed() < Duration::from_secs(30), "waited for {what}");
+        harness.step();
+        std::thread::sleep(Duration::from_millis(3));
+    }
+    harness.run_steps(2);
+}
+
+fn wait_for_heart(harness: &mut Harness<'_, App>) {
+    wait(harness, "a heart on screen", |app| {
+        !app.hearts_on_screen().is_empty() && app.state().measures().is_some()
+    });
+}
+
+fn cohort_window() -> Harness<'static, App> {
+    let mut harness = window(AppOptions::built_in(small()));
+    wait_for_heart(&mut harness);
+    harness
+}
+
+fn mapped_window() -> Harness<'static, App> {
+    let mut harness = cohort_window();
+    wait(&mut harness, "the map", |app| {
+        app.state().map().is_some() && !app.busy()
+    });
+    harness.run();
+    harness
+}
+
+fn give(harness: &mut Harness<'_, App>, command: Command) {
+    harness.state_mut().push(command);
+    harness.step();
+    harness.step();
+}
+
+/// The screen position of a pose on the map, by the lens that the map begins with.
+fn place_on_map(harness: &Harness<'_, App>, subject: usize, frame: usize) -> egui::Pos2 {
+    let map = harness.state().state().map().unwrap().clone();
+    let rect = harness.get_by_label("Pose map").rect();
+    let points: Vec<[f64; 2]> = (0..map.embedding.len())
+        .map(|row| [map.embedding.point(row)[0], map.embedding.point(row)[1]])
+        .collect();
+    let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
+        points.iter().map(|point| point[axis]).fold(start, pick)
+    };
+    let low = [0, 1].map(|axis| bound(axis, f64::min, f64::INFINITY));
+    let high = [0, 1].map(|axis| bound(axis, f64::max, f64::NEG_INFINITY));
+    let plot = rect.shrink2(egui::vec2(34.0, 26.0));
+    let scale = (f64::from(plot.width()) / (high[0] - low[0]))
+        .min(f64::from(plot.height()) / (high[1] - low[1]));
+    let row = map
+        .distances
+        .poses
+        .iter()
+        .position(|pose| (pose.subject, pose.frame) == (subject, frame))
+        .unwrap();
+    let offset = [0, 1].map(|axis| points[row][axis] - 0.5 * (low[axis] + high[axis]));
+    rect.center() + egui::vec2((offset[0] * scale) as f32, (-offset[1] * scale) as f32)
+}
+
+fn click_at(harness: &mut Harness<'_, App>, at: egui::Pos2) {
+    harness.hover_at(at);
+    harness.step();
+    harness.drag_at(at);
+    harness.step();
+    harness.drop_at(at);
+    harness.step();
+}
+
+#[test]
+fn the_built_in_cohort_opens_and_is_measured_and_mapped() {
+    let mut harness = mapped_window();
+    let state = harness.state().state();
+    assert_eq!(state.document.study().subjects.len(), 23);
+    assert_eq!(state.measures().unwrap().len(), 23);
+    assert_eq!(state.map().unwrap().embedding.len(), 184);
+    let normal = state.measures_of(0).unwrap().ef.unwrap();
+    assert!((0.5..0.75).contains(&normal), "a normal heart has EF {normal}");
+    assert!(state.errors.is_empty(), "{:?}", state.errors);
+    harness.run();
+    harness.get_by_label("N01");
+    harness.get_by_label("3D viewport");
+}
+
+#[test]
+fn a_click_on_the_map_is_followed_by_table_picture_and_time_bar() {
+    let mut harness = mapped_window();
+    // The outermost pose of the map has no neighbour within reach of the click.
+    let map = harness.state().state().map().unwrap().clone();
+    let outermost = (0..map.embedding.len())
+        .max_by(|a, b| {
+            let far = |row: usize| {
+                let point = map.embedding.point(row);
+                point[0].hypot(point[1])
+            };
+            far(*a).total_cmp(&far(*b))
+        })
+        .unwrap();
+    let pose = map.distances.poses[outermost];
+    let at = place_on_map(&harness, pose.subject, pose.frame);
+    click_at(&mut harness, at);
+    harness.step();
+    let state = harness.state().state();
+    assert_eq!(state.document.subject, pose.subject);
+    assert!(state.play.playing, "a click on the map plays that heart");
+    let began = state.document.position;
+    assert!((began - pose.frame as f64).abs() < 0.5, "began at {began}");
+    wait(&mut harness, "that heart", |app| {
+        app.hearts_on_screen().first().map(|heart| heart.0) == Some(pose.subject)
+    });
+    give(&mut harness, Command::TogglePlay);
+    harness.run();
+    let position = harness.state().state().document.position;
+    assert_eq!(harness.state().hearts_on_screen(), [(pose.subject, position)]);
+    let id = harness.state().state().document.selected().unwrap().id.clone();
+    let row = harness.get_all_by_label(&id).find(|node| {
+        node.accesskit_node().is_selected() == Some(true)
+    });
+    assert!(row.is_some(), "the row of {id} is selected");
+}
+
+#[test]
+fn a_point_is_shown_within_one_frame_when_its_heart_is_ready() {
+    let mut harness = mapped_window();
+    give(&mut harness, Command::SelectSubject(4));
+    wait(&mut harness, "the fifth heart", |app| {
+        app.hearts_on_screen()[0].0 == 4
+    });
+    give(&mut harness, Command::SelectSubject(0));
+    harness.state_mut().push(Command::SelectPose {
+        subject: 4,
+        frame: 3,
+        play: false,
+    });
+    harness.step();
+    assert_eq!(harness.state().hearts_on_screen(), [(4, 3.0)]);
+}
+
+#[test]
+fn a_drag_turns_the_heart_and_one_undo_takes_it_back() {
+    let mut harness = cohort_window();
+    harness.run();
+    let before = harness.state().state().document.look;
+    let centre = harness.get_by_label("3D viewport").rect().center();
+    harness.hover_at(centre);
+    harness.step();
+    harness.drag_at(centre);
+    harness.step();
+    for step in 1..=5 {
+        harness.hover_at(centre + egui::vec2(12.0 * step as f32, 4.0 * step as f32));
+        harness.step();
+    }
+    harness.drop_at(centre + egui::vec2(60.0, 20.0));
+    harness.step();
+    harness.step();
+    let turned = harness.state().state().document.look;
+    assert_ne!(turned, before);
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
+    harness.step();
+    harness.step();
+    assert_eq!(harness.state().state().document.look, before);
+    assert!(!harness.state().state().history.can_undo());
+    harness.key_press_modifiers(
+        egui::Modifiers::COMMAND | egui::Modifiers::SHIFT,
+        egui::Key::Z,
+    );
+    harness.step();
+    harness.step();
+    assert_eq!(harness.state().state().document.look, turned);
+}
+
+#[test]
+fn the_wheel_zooms_and_a_double_click_fits_again() {
+    let mut harness = cohort_window();
+    harness.run();
+    let centre = harness.get_by_label("3D viewport").rect().center();
+    harness.hover_at(centre);
+    harness.step();
+    harness.event(egui::Event::MouseWheel {
+        unit: egui::MouseWheelUnit::Point,
+        delta: egui::vec2(0.0, 60.0),
+        phase: egui::TouchPhase::Move,
+        modifiers: egui::Modifiers::NONE,
+    });
+    harness.run_steps(20);
+    let zoomed = harness.state().state().document.look.half_height;
+    assert!(zoomed.is_some());
+    click_at(&mut harness, centre);
+    click_at(&mut harness, centre);
+    harness.step();
+    assert_eq!(harness.state().state().document.look.half_height, None);
+}
+
+#[test]
+fn space_plays_and_pauses_whatever_was_clicked_before() {
+    let mut harness = cohort_window();
+    harness.run();
+    let row = harness.get_by_label("N03").rect().center();
+    click_at(&mut harness, row);
+    harness.step();
+    assert_eq!(harness.state().state().document.subject, 2);
+    harness.key_press(egui::Key::Space);
+    harness.run_steps(5);
+    assert!(harness.state().state().play.playing);
+    let position = harness.state().state().document.position;
+    assert!(position > 0.0, "the beat moves on");
+    harness.key_press(egui::Key::Space);
+    harness.run_steps(3);
+    assert!(!harness.state().state().play.playing);
+    let position = harness.state().state().document.position;
+    harness.run_steps(3);
+    assert_eq!(harness.state().state().document.position, position);
+}
+
+#[test]
+fn an_idle_window_asks_for_no_repaint() {
+    let mut harness = mapped_window();
+    harness.remove_cursor();
+    harness.run();
+    for _ in 0..3 {
+        harness.step();
+        let delay = harness.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay;
+        assert_eq!(delay, Duration::MAX, "an idle window waits for events");
+    }
+}
+
+#[test]
+fn a_running_map_can_be_cancelled_and_asked_for_again() {
+    let mut harness = window(AppOptions::built_in(BuiltInParams {
+        vertices: 6_000,
+        ..BuiltInParams::default()
+    }));
+    wait_for_heart(&mut harness);
+    wait(&mut harness, "the bar of the map", |app| app.busy());
+    harness.state_mut().push(Command::Cancel(JobKind::PoseMap));
+    let begin = Instant::now();
+    wait(&mut harness, "the end of the work", |app| !app.busy());
+    assert!(
+        begin.elapsed() < Duration::from_millis(1500),
+        "cancel took {:?}",
+        begin.elapsed()
+    );
+    assert!(harness.state().state().map().is_none());
+    assert!(harness.state().state().errors.is_empty());
+    harness.state_mut().push(Command::Retry(JobKind::PoseMap));
+    harness.step();
+    harness.step();
+    assert!(harness.state().busy(), "asked for again, it runs again");
+}
+
+#[test]
+fn a_broken_file_gives_its_error_and_leaves_the_study_open() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("broken.obj");
+    std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").unwrap();
+    let mut harness = cohort_window();
+    harness.state_mut().push(Command::Open(vec![path]));
+    wait(&mut harness, "the error card", |app| {
+        !app.state().errors.is_empty()
+    });
+    harness.run();
+    let card = harness.state().state().errors[0].clone();
+    assert!(card.title.contains("broken.obj"), "{card:?}");
+    assert!(card.message.contains("line 4"), "{card:?}");
+    assert_eq!(harness.state().state().document.study().subjects.len(), 23);
+    harness.get_by_label_contains("broken.obj");
+    harness.get_by_label("Dismiss").click();
+    harness.run();
+    assert!(harness.state().state().errors.is_empty());
+}
+
+#[test]
+fn a_frame_stated_as_end_systole_is_measured_again_and_taken_back() {
+    let mut harness = mapped_window();
+    let before = harness.state().state().measures_of(0).unwrap().clone();
+    let stated = (before.end_systole.unwrap() + 2) % 8;
+    give(&mut harness, Command::StateEndSystole(Some(stated)));
+    wait(&mut harness, "new measures", |app| {
+        app.state().measures_of(0).unwrap().end_systole == Some(stated)
+    });
+    assert!(harness.state().state().measures_of(0).unwrap().ef < before.ef);
+    give(&mut harness, Command::Undo);
+    wait(&mut harness, "the old measures", |app| {
+        app.state().measures_of(0) == Some(&before)
+    });
+}
+
+#[test]
+fn the_views_show_one_two_and_all_hearts() {
+    let mut harness = cohort_window();
+    for (mode, count) in [
+        (ViewMode::SideBySide, 2),
+        (ViewMode::AllPhases, 8),
+        (ViewMode::Single, 1),
+    ] {
+        give(&mut harness, Command::SetViewMode(mode));
+        wait(&mut harness, "the hearts", |app| {
+            app.hearts_on_screen().len() == count
+        });
+    }
+}
+
+#[test]
+fn panes_close_and_come_back() {
+    let mut harness = cohort_window();
+    harness.run();
+    assert!(harness.query_by_label("Pose map").is_some() || harness.state().busy());
+    give(&mut harness, Command::TogglePane(Pane::Measures));
+    harness.run_steps(2);
+    assert!(harness.query_by_label("Ejection fraction").is_none());
+    give(&mut harness, Command::ResetLayout);
+    harness.run_steps(2);
+    assert!(harness.query_by_label("Ejection fraction").is_some());
+}
+
+#[test]
+fn the_palette_and_the_sheets_open_by_key_and_close_by_escape() {
+    let mut harness = cohort_window();
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::K);
+    harness.run_steps(4);
+    assert!(harness.state().state().sheets.palette);
+    harness.key_press(egui::Key::Escape);
+    harness.run_steps(4);
+    assert!(!harness.state().state().sheets.palette);
+    harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::Questionmark);
+    harness.run_steps(4);
+    assert!(harness.state().state().sheets.shortcuts);
+    harness.key_press(egui::Key::Escape);
+    harness.run_steps(4);
+    assert!(!harness.state().state().sheets.shortcuts);
+}
+
+#[test]
+fn with_nothing_to_open_the_window_says_how_to_begin() {
+    let mut harness = window(AppOptions::empty());
+    harness.run();
+    harness.get_by_label("Open a beating heart");
+    assert!(harness.state().hearts_on_screen().is_empty());
+}
+
+#[test]
+fn tables_are_written_by_a_job() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = mapped_window();
+    let path: PathBuf = folder.path().join("report");
+    give(&mut harness, Command::ExportTables(Some(path.clone())));
+    wait(&mut harness, "the tables", |app| {
+        app.state().message.starts_with("Wrote")
+    });
+    let table = std::fs::read_to_string(path.join("measures.csv")).unwrap();
+    assert_eq!(table.lines().count(), 24);
+    assert!(path.join("poses_mds.csv").exists());
+}
