@@ -269,7 +269,10 @@ fn gltf_errors_name_line_byte_or_item() {
         "meshes[0].primitives[0]: refers to accessors[77], but there are only 6"
     );
     assert_eq!(
-        error("a.gltf", with(name, "\"weights\"\n", "\"wights\"\n")),
+        error(
+            "a.gltf",
+            with(name, "\"path\": \"weights\"", "\"path\": \"wights\"")
+        ),
         "animations[0].channels[0]: moves neither a node nor weights"
     );
     let two_parents = with(name, "\"scenes\"", "\"scenes\":[{\"nodes\":[0,0]}],\"x\"");
