@@ -1,4 +1,6 @@
 //! The doors of the program, tried from outside: one binary, one module per door.
 
+#[cfg(test)]
 mod real_mesh_files;
+#[cfg(test)]
 mod robustness;

@@ -260,7 +260,7 @@ fn gltf_errors_name_line_byte_or_item() {
             glb.len() - 4
         )
     );
-    let mut header = glb.clone();
+    let mut header = glb;
     header[8..12].copy_from_slice(&5_u32.to_le_bytes()); // the gltf crate panics here
     assert!(error("a.glb", header).starts_with("byte 8: the header says 5 bytes"));
     // and here, in its validation
