@@ -12,6 +12,8 @@ mod open;
 mod opened;
 mod ply;
 mod stl;
+#[cfg(test)]
+mod tests;
 mod text_lines;
 mod vtk_legacy;
 mod vtp;

@@ -1,3 +1,6 @@
 //! The doors of the program, tried from outside: one binary, one module per door.
 
+#[cfg(test)]
 mod real_data;
+mod real_mesh_files;
+mod robustness;

@@ -27,6 +27,12 @@ pub(super) struct Search<'a> {
     pub(super) plan: StudyPlan,
 }
 
+/// What lies in a folder.
+pub(super) struct Entries {
+    pub(super) files: Vec<PathBuf>,
+    pub(super) folders: Vec<PathBuf>,
+}
+
 /// What a file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FileRole {
@@ -125,7 +131,7 @@ impl<'a> Search<'a> {
         if depth > DEEPEST || !self.seen.insert(identity) {
             return Ok(());
         }
-        let (files, folders) = match self.entries(folder)? {
+        let Entries { files, folders } = match self.entries(folder)? {
             Ok(entries) => entries,
             Err(reason) => {
                 self.fail(None, folder, reason);
@@ -146,7 +152,7 @@ impl<'a> Search<'a> {
             .partition(|folder| surface_of_word(&folder_name(folder)).is_some());
         let mut from_sheets = Vec::new();
         for sheet in sheets {
-            if let (Some(kind), Ok((files, _))) =
+            if let (Some(kind), Ok(Entries { files, .. })) =
                 (surface_of_word(&folder_name(&sheet)), self.entries(&sheet)?)
             {
                 from_sheets.extend(files.into_iter().map(|file| (file, kind)));
@@ -169,10 +175,7 @@ impl<'a> Search<'a> {
     }
 
     /// Files and folders of a folder in natural order, without hidden ones.
-    pub(super) fn entries(
-        &self,
-        folder: &Path,
-    ) -> Result<Result<(Vec<PathBuf>, Vec<PathBuf>), String>, Stopped> {
+    pub(super) fn entries(&self, folder: &Path) -> Result<Result<Entries, String>, Stopped> {
         let entries = match std::fs::read_dir(folder) {
             Ok(entries) => entries,
             Err(error) => return Ok(Err(super::read_file::said(&error))),
@@ -193,7 +196,7 @@ impl<'a> Search<'a> {
         let by_name = |a: &PathBuf, b: &PathBuf| natural_order(&name_of(a), &name_of(b));
         files.sort_by(by_name);
         folders.sort_by(by_name);
-        Ok(Ok((files, folders)))
+        Ok(Ok(Entries { files, folders }))
     }
 
     /// Whether a CSV that merely lies there holds points and faces.
