@@ -107,6 +107,7 @@ fn a_bar_that_is_done_is_full() {
     assert_eq!(progress.fraction(), 1.0);
 }
 
+#[cfg(unix)]
 #[test]
 fn a_folder_that_holds_itself_ends() {
     let root = tempfile::tempdir().unwrap();

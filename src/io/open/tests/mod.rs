@@ -264,5 +264,3 @@ fn subjects_of_one_name_are_told_apart() {
             .contains("another subject")
     );
 }
-
-#[cfg(unix)]
