@@ -91,6 +91,9 @@ impl<'a> Search<'a> {
                 .extension()
                 .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
             if path.is_dir() {
+                if self.was_seen(path) {
+                    continue;
+                }
                 let before = self.found();
                 self.folder(path, 0)?;
                 if self.found() == before {
@@ -113,6 +116,11 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
+    /// Whether a folder was walked already, by this or another way to it.
+    fn was_seen(&self, folder: &Path) -> bool {
+        self.seen.contains(&identity(folder))
+    }
+
     fn found(&self) -> usize {
         self.plan.subjects.len() + self.plan.errors.len()
     }
@@ -127,10 +135,10 @@ impl<'a> Search<'a> {
 
     /// A folder: its manifest if it has one, else its files and then its folders.
     pub(super) fn folder(&mut self, folder: &Path, depth: usize) -> Result<(), Stopped> {
-        let identity = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
-        if depth > DEEPEST || !self.seen.insert(identity) {
+        if depth > DEEPEST || self.was_seen(folder) {
             return Ok(());
         }
+        self.seen.insert(identity(folder));
         let Entries { files, folders } = match self.entries(folder)? {
             Ok(entries) => entries,
             Err(reason) => {
@@ -266,6 +274,11 @@ fn part_name(list: &Path, files: &[PathBuf], parts: usize) -> PathBuf {
         Some(first) if parts > 1 || (says_sheet(first) && !says_sheet(list)) => first.clone(),
         _ => list.to_owned(),
     }
+}
+
+/// One path for all ways to a folder.
+fn identity(folder: &Path) -> PathBuf {
+    folder.canonicalize().unwrap_or_else(|_| folder.to_owned())
 }
 
 /// The last part of a folder's path, also of `.` and `..`.
