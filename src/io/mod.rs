@@ -11,8 +11,6 @@ mod obj;
 mod open;
 mod opened;
 mod ply;
-mod report_csv;
-mod report_json;
 mod stl;
 mod text_lines;
 mod vtk_legacy;
@@ -26,9 +24,5 @@ pub use obj::write_obj;
 pub use open::{looks_openable, open_paths};
 pub use opened::{OpenError, Opened};
 pub use ply::write_ply;
-pub use report_csv::{
-    ReportError, write_distances_csv, write_frames_csv, write_poses_mds_csv, write_subjects_csv,
-};
-pub use report_json::{MapSummary, metric as metric_json, summary as summary_json, write_summary_json};
 pub use vtp::{write_pvd, write_vtp};
 pub use write_study::{MeshFormat, WriteStudyError, write_study};

@@ -17,7 +17,10 @@ fn case(name: &str) -> Value {
     let text = std::fs::read_to_string(folder().join("cases.json")).unwrap();
     let cases: Value = serde_json::from_str(&text).unwrap();
     let all = cases["cases"].as_array().unwrap();
-    all.iter().find(|case| case["name"] == name).unwrap().clone()
+    all.iter()
+        .find(|case| case["name"] == name)
+        .unwrap()
+        .clone()
 }
 
 fn mesh(file: &str) -> TriMesh {
@@ -64,11 +67,31 @@ fn shells_have_the_volumes_areas_and_mass_of_trimesh() {
         let read = |layer: &str| mesh(case["inputs"][layer]["obj"].as_str().unwrap());
         let found = measured(read("endo"), read("epi"));
         let frame = &found.frames[0];
-        near(1e3 * frame.endo_volume.unwrap(), &expected["mesh_volume_endo_mm3"], 1e-12);
-        near(1e3 * frame.epi_volume.unwrap(), &expected["mesh_volume_epi_mm3"], 1e-12);
-        near(1e2 * frame.endo_area.unwrap(), &expected["mesh_area_endo_with_lid_mm2"], 1e-12);
-        near(1e2 * frame.epi_area.unwrap(), &expected["mesh_area_epi_with_lid_mm2"], 1e-12);
-        near(frame.wall_volume.unwrap(), &expected["myocardium_mL_mesh"], 1e-12);
+        near(
+            1e3 * frame.endo_volume.unwrap(),
+            &expected["mesh_volume_endo_mm3"],
+            1e-12,
+        );
+        near(
+            1e3 * frame.epi_volume.unwrap(),
+            &expected["mesh_volume_epi_mm3"],
+            1e-12,
+        );
+        near(
+            1e2 * frame.endo_area.unwrap(),
+            &expected["mesh_area_endo_with_lid_mm2"],
+            1e-12,
+        );
+        near(
+            1e2 * frame.epi_area.unwrap(),
+            &expected["mesh_area_epi_with_lid_mm2"],
+            1e-12,
+        );
+        near(
+            frame.wall_volume.unwrap(),
+            &expected["myocardium_mL_mesh"],
+            1e-12,
+        );
         near(found.mass.unwrap().0, &expected["LVM_g_mesh"], 1e-12);
         near(found.mass.unwrap().0, &expected["LVM_g_analytic"], 0.008);
     }
@@ -81,16 +104,39 @@ fn a_shell_without_its_lid_holds_as_much_and_has_the_lateral_area() {
         let expected = &case["expected"];
         let base_z = case["params"]["base_z"].as_f64().unwrap();
         let open = |layer: &str| {
-            without_lid(&mesh(case["inputs"][layer]["obj"].as_str().unwrap()), base_z)
+            without_lid(
+                &mesh(case["inputs"][layer]["obj"].as_str().unwrap()),
+                base_z,
+            )
         };
         let found = measured(open("endo"), open("epi"));
         let frame = &found.frames[0];
         // The lid is flat, so that any fan over its rim closes the same volume.
-        near(1e3 * frame.endo_volume.unwrap(), &expected["mesh_volume_endo_mm3"], 1e-12);
-        near(1e3 * frame.epi_volume.unwrap(), &expected["mesh_volume_epi_mm3"], 1e-12);
-        near(1e3 * frame.endo_volume.unwrap(), &expected["analytic_volume_endo_mm3"], 0.008);
-        near(1e2 * frame.endo_area.unwrap(), &expected["analytic_lateral_area_endo_mm2"], 0.008);
-        near(1e2 * frame.epi_area.unwrap(), &expected["analytic_lateral_area_epi_mm2"], 0.008);
+        near(
+            1e3 * frame.endo_volume.unwrap(),
+            &expected["mesh_volume_endo_mm3"],
+            1e-12,
+        );
+        near(
+            1e3 * frame.epi_volume.unwrap(),
+            &expected["mesh_volume_epi_mm3"],
+            1e-12,
+        );
+        near(
+            1e3 * frame.endo_volume.unwrap(),
+            &expected["analytic_volume_endo_mm3"],
+            0.008,
+        );
+        near(
+            1e2 * frame.endo_area.unwrap(),
+            &expected["analytic_lateral_area_endo_mm2"],
+            0.008,
+        );
+        near(
+            1e2 * frame.epi_area.unwrap(),
+            &expected["analytic_lateral_area_epi_mm2"],
+            0.008,
+        );
     }
 }
 
@@ -115,8 +161,10 @@ fn volumes_over_a_beat_give_the_defined_indices() {
             TriMesh::new(points, cavity.faces().clone()).unwrap()
         })
         .collect();
-    let sequence =
-        MeshSequence::new(vec![SurfaceSequence::new(SurfaceKind::Cavity, frames).unwrap()]).unwrap();
+    let sequence = MeshSequence::new(vec![
+        SurfaceSequence::new(SurfaceKind::Cavity, frames).unwrap(),
+    ])
+    .unwrap();
     let found = measure_subject(&Subject::new("beat", sequence, LengthUnit::Millimetre));
     let expected = &case["expected"];
     near(found.edv.unwrap(), &expected["EDV_mL"], 1e-13);

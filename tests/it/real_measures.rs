@@ -87,7 +87,10 @@ fn cine_mri_volumes_are_those_of_the_table_and_phases_its_extremes() {
         assert_eq!(found.end_diastole.unwrap().to_string(), most["frame"]);
         assert_eq!(found.end_systole.unwrap().to_string(), least["frame"]);
     }
-    println!("cine_mri: greatest relative errors, endo {:.5}, epi {:.5}", worst[0], worst[1]);
+    println!(
+        "cine_mri: greatest relative errors, endo {:.5}, epi {:.5}",
+        worst[0], worst[1]
+    );
 }
 
 #[test]
@@ -108,7 +111,10 @@ fn acdc_ejection_fractions_are_those_of_the_table() {
         worst = [worst[0].max(error.abs()), worst[1].max(edv.abs())];
         assert!(error.abs() < 0.01, "{}: {error}", row["patient"]);
     }
-    println!("acdc_walls: greatest error of EF {:.5}, of EDV {:.5} relative", worst[0], worst[1]);
+    println!(
+        "acdc_walls: greatest error of EF {:.5}, of EDV {:.5} relative",
+        worst[0], worst[1]
+    );
 }
 
 #[test]
@@ -121,7 +127,9 @@ fn the_mean_wall_of_a_population_has_a_cavity_and_a_mass() {
     assert!(untold_volumes(&study.subjects[0]).is_empty());
     let (frame, mass) = (&measures[0].frames[0], measures[0].mass.unwrap().0);
     let (endo, epi) = (frame.endo_volume.unwrap(), frame.epi_volume.unwrap());
-    println!("population_mean: cavity {endo:.1} ml, within the epicardium {epi:.1} ml, mass {mass:.1} g");
+    println!(
+        "population_mean: cavity {endo:.1} ml, within the epicardium {epi:.1} ml, mass {mass:.1} g"
+    );
     // Healthy adults: no table comes with the mesh, so the bounds are those of a healthy heart.
     assert!((120.0..180.0).contains(&endo));
     assert!((80.0..140.0).contains(&mass));

@@ -154,15 +154,25 @@ fn what_cannot_be_told_is_said_with_its_reason() {
         (SurfaceKind::Wall, &three, "3 separate sheets"),
         (SurfaceKind::Wall, &ball, "lies in the muscle"),
         (SurfaceKind::Wall, &phantom::bowl(1.0, 5, 20), "1 open ends"),
-        (SurfaceKind::Cavity, &branching, "1 edges have more than two faces"),
+        (
+            SurfaceKind::Cavity,
+            &branching,
+            "1 edges have more than two faces",
+        ),
         (SurfaceKind::Other, &ball, "no surface is said"),
     ] {
         let subject = of_one(kind, mesh);
         let found = measure_subject(&subject);
         assert_eq!(found.frames[0].endo_volume, None);
         assert_eq!((found.edv, found.ef, found.end_systole), (None, None, None));
-        let reasons: Vec<_> = untold_volumes(&subject).iter().map(ToString::to_string).collect();
-        assert!(reasons.len() == 1 && reasons[0].contains(reason), "{reasons:?}");
+        let reasons: Vec<_> = untold_volumes(&subject)
+            .iter()
+            .map(ToString::to_string)
+            .collect();
+        assert!(
+            reasons.len() == 1 && reasons[0].contains(reason),
+            "{reasons:?}"
+        );
     }
 }
 
@@ -175,7 +185,11 @@ fn a_surface_without_faces_has_no_volume_and_does_no_harm() {
     .unwrap();
     for kind in [SurfaceKind::Endocardium, SurfaceKind::Wall] {
         let found = measure_subject(&of_one(kind, &points));
-        assert!(found.frames[0].endo_volume.is_none_or(|volume| volume == 0.0));
+        assert!(
+            found.frames[0]
+                .endo_volume
+                .is_none_or(|volume| volume == 0.0)
+        );
         assert_eq!(found.ef, None);
         assert_eq!(found.frames[0].bounding_box, [[1.0, 2.0, 3.0]; 2]);
     }

@@ -62,7 +62,10 @@ fn spread(subjects: &[Arc<Subject>], frame: usize) -> f64 {
         .collect();
     let count = facts.len().max(1) as f64;
     let middle: Vector3 = facts.iter().map(|(mean, _)| mean).sum::<Vector3>() / count;
-    let apart: f64 = facts.iter().map(|(mean, _)| (mean - middle).norm_squared()).sum();
+    let apart: f64 = facts
+        .iter()
+        .map(|(mean, _)| (mean - middle).norm_squared())
+        .sum();
     let size: f64 = facts.iter().map(|(_, size)| size).sum();
     if size > 0.0 {
         (apart / size).sqrt()
@@ -75,7 +78,11 @@ fn spread(subjects: &[Arc<Subject>], frame: usize) -> f64 {
 fn mean_and_size_squared(points: &[Point3]) -> (Vector3, f64) {
     let count = points.len().max(1) as f64;
     let mean = points.iter().map(|p| p.coords).sum::<Vector3>() / count;
-    let size = points.iter().map(|p| (p.coords - mean).norm_squared()).sum::<f64>() / count;
+    let size = points
+        .iter()
+        .map(|p| (p.coords - mean).norm_squared())
+        .sum::<f64>()
+        / count;
     (mean, size)
 }
 

@@ -86,7 +86,11 @@ fn shortest_share(loops: &[Vec<u32>], vertices: &[Point3]) -> f64 {
     let (shortest, longest) = lengths.fold((f64::INFINITY, 0.0_f64), |(low, high), length| {
         (low.min(length), high.max(length))
     });
-    if longest > 0.0 { shortest / longest } else { 0.0 }
+    if longest > 0.0 {
+        shortest / longest
+    } else {
+        0.0
+    }
 }
 
 /// The largest three of some sizes.
@@ -138,7 +142,10 @@ mod tests {
             point.y *= share / ring;
         }
         let faces = Faces::new(points.len(), open).unwrap();
-        sequence(SurfaceKind::Epicardium, TriMesh::new(points, faces).unwrap())
+        sequence(
+            SurfaceKind::Epicardium,
+            TriMesh::new(points, faces).unwrap(),
+        )
     }
 
     #[test]
