@@ -3,14 +3,20 @@
 //! Modules are marked as tests so that helpers beside the tests may fail loudly.
 
 #[cfg(test)]
+mod clinical_oracles;
+#[cfg(test)]
 mod oracles;
 #[cfg(test)]
 mod panels;
 #[cfg(test)]
 mod real_data;
 #[cfg(test)]
+mod real_measures;
+#[cfg(test)]
 mod real_mesh_files;
 #[cfg(test)]
 mod robustness;
+#[cfg(test)]
+mod scratch;
 #[cfg(test)]
 mod window;
