@@ -82,15 +82,7 @@ pub fn read_mesh_with_siblings(
     let ending = format_of_ending(file_name);
     let content = format_of_content(bytes);
     let format = content.or(ending).ok_or(ReadMeshError::UnknownFormat)?;
-    let mut file = match format {
-        Format::Obj => read_obj(bytes, limits),
-        Format::Ply => read_ply(bytes, limits),
-        Format::Stl => read_stl(bytes, limits),
-        Format::VtkLegacy => read_vtk_legacy(bytes, limits),
-        Format::Vtp => read_vtp(bytes, limits),
-        Format::Csv => read_csv_mesh(bytes, limits),
-        Format::Gltf => read_gltf(bytes, limits, sibling),
-    }?;
+    let mut file = read_as(format, bytes, limits, sibling).map_err(on_one_line)?;
     if ending.is_some_and(|ending| ending != format) {
         file.notices.push(Notice::info(format!(
             "read as {}, which its content is, against its ending",
@@ -98,6 +90,46 @@ pub fn read_mesh_with_siblings(
         )));
     }
     Ok(file)
+}
+
+fn read_as(
+    format: Format,
+    bytes: &[u8],
+    limits: &Limits,
+    sibling: &dyn Fn(&str) -> Option<Vec<u8>>,
+) -> Result<MeshFile, ReadMeshError> {
+    match format {
+        Format::Obj => read_obj(bytes, limits),
+        Format::Ply => read_ply(bytes, limits),
+        Format::Stl => read_stl(bytes, limits),
+        Format::VtkLegacy => read_vtk_legacy(bytes, limits),
+        Format::Vtp => read_vtp(bytes, limits),
+        Format::Csv => read_csv_mesh(bytes, limits),
+        Format::Gltf => read_gltf(bytes, limits, sibling),
+    }
+}
+
+/// Reasons of other crates quote the file: without what a screen cannot show, and not endless.
+fn on_one_line(mut error: ReadMeshError) -> ReadMeshError {
+    const MOST_CHARS: usize = 240;
+    let shown = |text: &mut String| {
+        *text = text
+            .chars()
+            .take(MOST_CHARS)
+            .map(|c| if c.is_control() { '\u{fffd}' } else { c })
+            .collect();
+    };
+    match &mut error {
+        ReadMeshError::AtLine { reason, .. } | ReadMeshError::AtByte { reason, .. } => {
+            shown(reason);
+        }
+        ReadMeshError::InItem { item, reason } => {
+            shown(item);
+            shown(reason);
+        }
+        _ => {}
+    }
+    error
 }
 
 fn format_of_ending(file_name: &str) -> Option<Format> {

@@ -130,7 +130,11 @@ mod tests {
     #[test]
     fn inward_normals_change_only_the_sign() {
         let bowl = phantom::bowl(1.0, 10, 40);
-        let inward: Vec<_> = bowl.triangles().iter().map(|&[a, b, c]| [a, c, b]).collect();
+        let inward: Vec<_> = bowl
+            .triangles()
+            .iter()
+            .map(|&[a, b, c]| [a, c, b])
+            .collect();
         let turned = TriMesh::new(
             bowl.shared_vertices(),
             Faces::new(bowl.vertices().len(), inward).unwrap(),

@@ -21,10 +21,7 @@ pub fn area(vertices: &[Point3], triangles: &[[u32; 3]]) -> f64 {
 /// polyhedron; `origin` o is arbitrary there, and near the surface keeps rounding small. Of an
 /// open surface this is the volume of the cone to `origin`, which is seldom what is wanted:
 /// see [`super::CappedSheet`].
-pub fn signed_volume(
-    triangles: impl IntoIterator<Item = [Point3; 3]>,
-    origin: Point3,
-) -> f64 {
+pub fn signed_volume(triangles: impl IntoIterator<Item = [Point3; 3]>, origin: Point3) -> f64 {
     let six_volumes: f64 = triangles
         .into_iter()
         .map(|corners| {
@@ -40,10 +37,7 @@ pub fn signed_volume(
 ///
 /// (1 / 4π) Σ Ω, with tan(Ω/2) = a·(b × c) / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|).
 /// Source: van Oosterom and Strackee (1983), IEEE Trans Biomed Eng 30(2), 125–126.
-pub fn winding_number(
-    triangles: impl IntoIterator<Item = [Point3; 3]>,
-    point: Point3,
-) -> f64 {
+pub fn winding_number(triangles: impl IntoIterator<Item = [Point3; 3]>, point: Point3) -> f64 {
     let half_angles: f64 = triangles
         .into_iter()
         .map(|corners| half_solid_angle(corners.map(|corner| corner - point)))

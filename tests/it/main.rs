@@ -1,9 +1,24 @@
 //! The doors of the program, tried from outside: one binary, one module per door.
+//!
+//! Modules are marked as tests so that helpers beside the tests may fail loudly.
 
+#[cfg(test)]
+mod clinical_oracles;
+#[cfg(test)]
 mod golden;
+#[cfg(test)]
 mod oracles;
+#[cfg(test)]
 mod panels;
+#[cfg(test)]
 mod real_data;
+#[cfg(test)]
+mod real_measures;
+#[cfg(test)]
 mod real_mesh_files;
+#[cfg(test)]
 mod robustness;
+#[cfg(test)]
+mod scratch;
+#[cfg(test)]
 mod window;

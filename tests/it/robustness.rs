@@ -145,6 +145,10 @@ fn replace_number(bytes: &mut Vec<u8>, random: &mut ChaCha8Rng) {
 }
 
 fn duplicate_line(bytes: &mut Vec<u8>, random: &mut ChaCha8Rng) {
+    // the memory of the mutations themselves must not count
+    if bytes.len() > 100_000 {
+        return;
+    }
     let lines: Vec<Vec<u8>> = bytes
         .split_inclusive(|&b| b == b'\n')
         .map(<[u8]>::to_vec)
@@ -173,6 +177,7 @@ fn read_all_mutations() {
     let memory_before = greatest_memory_kib();
     let (mut read, mut refused) = (0_u64, 0_u64);
     let mut longest = (Duration::ZERO, String::new());
+    let mut greatest = (0, String::new());
     for (index, sample) in samples.iter().enumerate() {
         for mutation in 0..mutations {
             let seed = mutation * samples.len() as u64 + index as u64;
@@ -198,18 +203,20 @@ fn read_all_mutations() {
             }
             if let (Some(before), Some(now)) = (memory_before, greatest_memory_kib()) {
                 let grown = now - before;
+                if grown > greatest.0 {
+                    greatest = (grown, what.clone());
+                }
                 assert!(grown < MOST_MEMORY_KIB, "{what} took {grown} KiB of memory");
             }
         }
     }
-    let grown = greatest_memory_kib()
-        .zip(memory_before)
-        .map(|(now, before)| (now - before) / 1024);
     println!(
-        "{} files, {read} mutations read, {refused} refused, longest {:?} ({}), memory + {grown:?} MiB",
+        "{} files, {read} mutations read, {refused} refused, longest {:?} ({}), memory + {} KiB ({})",
         samples.len(),
         longest.0,
-        longest.1
+        longest.1,
+        greatest.0,
+        greatest.1
     );
     // mutations that always or never break a file would test nothing
     assert!(read > refused / 20 && refused > read / 20);
@@ -232,7 +239,7 @@ fn check_mesh(frames: &[cardiomorph::mesh::TriMesh], what: &str) {
 fn check_error(error: &ReadMeshError, bytes: usize, what: &str) {
     let text = error.to_string();
     assert!(
-        !text.is_empty() && text.len() < 400 && !text.contains('\n'),
+        !text.is_empty() && text.chars().count() < 600 && !text.contains('\n'),
         "{what}: {text}"
     );
     match error {

@@ -54,7 +54,9 @@ fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, St
     let geometry = HeartGeometry::new(subject);
     let mut measured = nothing_told(subject);
     for frame in 0..subject.sequence.frame_count() {
-        measured.frames.push(frame_measures(subject, &geometry, frame));
+        measured
+            .frames
+            .push(frame_measures(subject, &geometry, frame));
         progress.step()?;
     }
     find_phases(subject, &mut measured);
@@ -110,9 +112,8 @@ fn frame_measures(subject: &Subject, geometry: &HeartGeometry<'_>, frame: usize)
         wall_volume: sizes.wall_volume.and_then(|volume| told(cubic * volume)),
         endo_area: sizes.endo.and_then(|endo| told(square * endo.area)),
         epi_area: sizes.epi.and_then(|epi| told(square * epi.area)),
-        bounding_box: bounding_box(points).map_or_else(Default::default, |[low, high]| {
-            [corner(low), corner(high)]
-        }),
+        bounding_box: bounding_box(points)
+            .map_or_else(Default::default, |[low, high]| [corner(low), corner(high)]),
     }
 }
 

@@ -96,20 +96,30 @@ fn angles(
 
 /// Σ_f a_f Σ_c t_c², the default: t are the differences of the stretches of a face's sides.
 fn plain_angles(mesh: &Connectivity, a: &PreparedPose, b: &PreparedPose, stretch: &[Both]) -> Both {
+    let face = |edges: &[u32; 3], weight: Both| -> Both {
+        let s = edges.map(|e| stretch[e as usize]);
+        [0, 1].map(|side| {
+            let t0 = s[0][side] - s[2][side];
+            let t1 = s[1][side] - s[0][side];
+            let t2 = s[2][side] - s[1][side];
+            weight[side] * (t0 * t0 + t1 * t1 + t2 * t2)
+        })
+    };
+    let (faces, last_faces) = mesh.face_edges.as_chunks::<LANES>();
+    let (of_a, last_of_a) = a.face_weight.as_chunks::<LANES>();
+    let (of_b, last_of_b) = b.face_weight.as_chunks::<LANES>();
     let mut sums = [[0.0; 2]; LANES];
-    let faces = mesh.face_edges.chunks(LANES);
-    let weights = a.face_weight.chunks(LANES).zip(b.face_weight.chunks(LANES));
-    for (faces, (of_a, of_b)) in faces.zip(weights) {
-        for (lane, (edges, (wa, wb))) in faces.iter().zip(of_a.iter().zip(of_b)).enumerate() {
-            let s = edges.map(|e| stretch[e as usize]);
-            let weight = [*wa, *wb];
-            for side in 0..2 {
-                let t0 = s[0][side] - s[2][side];
-                let t1 = s[1][side] - s[0][side];
-                let t2 = s[2][side] - s[1][side];
-                sums[lane][side] += weight[side] * (t0 * t0 + t1 * t1 + t2 * t2);
-            }
+    for (faces, (of_a, of_b)) in faces.iter().zip(of_a.iter().zip(of_b)) {
+        for lane in 0..LANES {
+            let term = face(&faces[lane], [of_a[lane], of_b[lane]]);
+            sums[lane][0] += term[0];
+            sums[lane][1] += term[1];
         }
+    }
+    for (edges, (&of_a, &of_b)) in last_faces.iter().zip(last_of_a.iter().zip(last_of_b)) {
+        let term = face(edges, [of_a, of_b]);
+        sums[0][0] += term[0];
+        sums[0][1] += term[1];
     }
     total(sums)
 }
@@ -150,20 +160,11 @@ fn general_angles(
 
 /// Σ_p a_p (K_p(B) − K_p(A))² with the weights of A and of B.
 fn curvature(metric: &Metric, a: &PreparedPose, b: &PreparedPose) -> Both {
-    let by_area = metric.params.area_weights;
     let count = a.curvature.len();
     let (ka, kb) = (&a.curvature[..count], &b.curvature[..count]);
-    let (wa, wb) = (&a.vertex_share[..count], &b.vertex_share[..count]);
-    let mut sums = [[0.0; 2]; LANES];
-    for start in (0..count).step_by(LANES) {
-        for (lane, v) in (start..count.min(start + LANES)).enumerate() {
-            let change = (kb[v] - ka[v]).powi(2);
-            let weight = if by_area { [wa[v], wb[v]] } else { [1.0; 2] };
-            sums[lane][0] += weight[0] * change;
-            sums[lane][1] += weight[1] * change;
-        }
-    }
-    total(sums)
+    weighted_sums(a, b, metric.params.area_weights, |v| {
+        (kb[v] - ka[v]) * (kb[v] - ka[v])
+    })
 }
 
 /// λ Σ_p a_p |X_p|² with the weights of A and of B.
@@ -177,29 +178,49 @@ fn regulariser(
     if metric.params.lambda == 0.0 {
         return [0.0; 2];
     }
-    let by_area = metric.params.regulariser == Regulariser::Area;
     let count = metric.mesh.vertex_count;
     let r: [[f64; 3]; 3] = [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[(row, column)]));
+    let shift = [translation.x, translation.y, translation.z];
     let [ax, ay, az] = a.axes.each_ref().map(|axis| &axis[..count]);
     let [bx, by, bz] = b.axes.each_ref().map(|axis| &axis[..count]);
-    let (wa, wb) = (&a.vertex_share[..count], &b.vertex_share[..count]);
-    let mut sums = [[0.0; 2]; LANES];
-    for start in (0..count).step_by(LANES) {
-        for (lane, v) in (start..count.min(start + LANES)).enumerate() {
-            let x = r[0][0] * bx[v] + r[0][1] * by[v] + r[0][2] * bz[v] + translation.x - ax[v];
-            let y = r[1][0] * bx[v] + r[1][1] * by[v] + r[1][2] * bz[v] + translation.y - ay[v];
-            let z = r[2][0] * bx[v] + r[2][1] * by[v] + r[2][2] * bz[v] + translation.z - az[v];
-            let length2 = x * x + y * y + z * z;
-            let weight = if by_area { [wa[v], wb[v]] } else { [1.0; 2] };
-            sums[lane][0] += weight[0] * length2;
-            sums[lane][1] += weight[1] * length2;
-        }
-    }
-    let sums = total(sums);
+    let by_area = metric.params.regulariser == Regulariser::Area;
+    let sums = weighted_sums(a, b, by_area, |v| {
+        let x = r[0][0] * bx[v] + r[0][1] * by[v] + r[0][2] * bz[v] + shift[0] - ax[v];
+        let y = r[1][0] * bx[v] + r[1][1] * by[v] + r[1][2] * bz[v] + shift[1] - ay[v];
+        let z = r[2][0] * bx[v] + r[2][1] * by[v] + r[2][2] * bz[v] + shift[2] - az[v];
+        x * x + y * y + z * z
+    });
     [
         a.regulariser_factor * sums[0],
         b.regulariser_factor * sums[1],
     ]
+}
+
+/// Σ_p w_p term(p) with the shares of area at A and at B, or with w = 1.
+fn weighted_sums(
+    a: &PreparedPose,
+    b: &PreparedPose,
+    by_area: bool,
+    term: impl Fn(usize) -> f64,
+) -> Both {
+    let count = a.vertex_share.len();
+    let (wa, wb) = (&a.vertex_share[..count], &b.vertex_share[..count]);
+    let mut sums = [[0.0; LANES]; 2];
+    let whole = count - count % LANES;
+    let mut add = |lane: usize, v: usize| {
+        let value = term(v);
+        sums[0][lane] += if by_area { wa[v] } else { 1.0 } * value;
+        sums[1][lane] += if by_area { wb[v] } else { 1.0 } * value;
+    };
+    for start in (0..whole).step_by(LANES) {
+        for lane in 0..LANES {
+            add(lane, start + lane);
+        }
+    }
+    for v in whole..count {
+        add(0, v);
+    }
+    sums.map(|lanes| lanes.iter().sum())
 }
 
 fn isometric(metric: &Metric, a: &PreparedPose, b: &PreparedPose, stretch: &[Both]) -> Both {

@@ -28,7 +28,7 @@ impl RigidField {
 /// Source: V. Taimouri, section 2.3.7, solved by the inertia tensor.
 pub fn rigid_part(points: &[Point3], weights: &[f64], field: &[Vector3]) -> RigidField {
     let total: f64 = weights.iter().sum();
-    if !(total > 0.0) {
+    if total.is_nan() || total <= 0.0 {
         return RigidField {
             k1: Vector3::zeros(),
             k2: Vector3::zeros(),

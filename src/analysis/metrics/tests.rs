@@ -306,3 +306,82 @@ fn what_cannot_be_used_is_refused_with_its_numbers() {
         assert_eq!(metric.prepare(&points).unwrap_err(), MetricError::Overflow);
     }
 }
+
+/// A flat square of right triangles.
+fn sheet(cells: u32) -> (Faces, Vec<Point3>) {
+    let side = cells + 1;
+    let points = (0..side * side)
+        .map(|v| Point3::new(f64::from(v % side), f64::from(v / side), 0.0))
+        .collect();
+    let triangles = (0..cells * cells)
+        .map(|cell| cell % cells + (cell / cells) * side)
+        .flat_map(|v| [[v, v + 1, v + side + 1], [v, v + side + 1, v + side]])
+        .collect();
+    let count = (side * side) as usize;
+    (Faces::new(count, triangles).unwrap(), points)
+}
+
+#[test]
+fn stretching_a_sheet_along_one_axis_costs_what_paper_says() {
+    // Rates ε, 0 and ε/2 along the sides of each triangle: t = ε, ε/2, ε/2, and Σ t² = 1.5 ε².
+    // At B the sides are (1 + ε) times longer along x, so that the rates are ε/(1 + ε), 0 and
+    // ε (1 + ε) / ((1 + ε)² + 1).
+    let (faces, a) = sheet(5);
+    let epsilon = 0.1;
+    let b: Vec<Point3> = (a.iter())
+        .map(|p| Point3::new(p.x * (1.0 + epsilon), p.y, p.z))
+        .collect();
+    let (long, diagonal) = (
+        epsilon / (1.0 + epsilon),
+        epsilon * (1.0 + epsilon) / ((1.0 + epsilon).powi(2) + 1.0),
+    );
+    let at_b = long.powi(2) + diagonal.powi(2) + (long - diagonal).powi(2);
+    for kind in [MetricKind::AnglePreserving, MetricKind::QuasiConformal] {
+        let params = MetricParams {
+            kind,
+            lambda: 0.0,
+            ..MetricParams::default()
+        };
+        let found = norms(&faces, params, &a, &b);
+        assert!(near(found.norm2_a, 1.5 * epsilon * epsilon, 1e-12));
+        assert!(near(found.norm2_b, at_b, 1e-12));
+    }
+}
+
+#[test]
+fn inflating_a_sphere_costs_only_the_regulariser() {
+    let sphere = phantom::sphere(3, 2.0);
+    let larger = phantom::sphere(3, 2.2);
+    let params = |lambda| MetricParams {
+        lambda,
+        ..MetricParams::default()
+    };
+    let (a, b) = (sphere.vertices(), larger.vertices());
+    assert!(norms(sphere.faces(), params(0.0), a, b).distance() < 1e-13);
+    // |X| = 0.2 against the radius of the sphere of equal area, which is that of the facets.
+    let found = norms(sphere.faces(), params(1.0), a, b).norm2_a;
+    assert!(near(found, 0.01, 0.01), "{found}");
+}
+
+#[test]
+fn the_cost_of_a_smooth_bend_converges_as_the_mesh_is_refined() {
+    let of = |level: u32| {
+        let sphere = phantom::sphere(level, 1.0);
+        let params = MetricParams {
+            mu: 0.0,
+            lambda: 0.0,
+            ..MetricParams::default()
+        };
+        let squeezed: Vec<Point3> = (sphere.vertices().iter())
+            .map(|p| Point3::new(p.x, p.y, p.z * (1.0 + 0.2 * p.x)))
+            .collect();
+        norms(sphere.faces(), params, sphere.vertices(), &squeezed).norm2_a
+    };
+    let levels = [2, 3, 4, 5].map(of);
+    let steps = [0, 1, 2].map(|i| (levels[i + 1] - levels[i]).abs());
+    // Second order: each refinement leaves about a quarter of the error.
+    assert!(
+        steps[1] < 0.4 * steps[0] && steps[2] < 0.4 * steps[1],
+        "{levels:?}"
+    );
+}

@@ -60,10 +60,8 @@ impl Accessors<'_> {
         let item = format!("accessors[{}]", accessor.index());
         let start = accessor.view().and_then(|view| {
             let buffer = self.buffers.get(view.buffer().index())?;
-            buffer
-                .start?
-                .checked_add(view.offset())?
-                .checked_add(accessor.offset())
+            let offset = view.offset().saturating_add(accessor.offset());
+            Some(buffer.start? + offset.min(buffer.bytes.len()))
         });
         match start {
             Some(byte) => Place::Byte(byte).error(format!("{item}: {reason}")),

@@ -27,6 +27,12 @@ pub(super) struct Search<'a> {
     pub(super) plan: StudyPlan,
 }
 
+/// What lies in a folder.
+pub(super) struct Entries {
+    pub(super) files: Vec<PathBuf>,
+    pub(super) folders: Vec<PathBuf>,
+}
+
 /// What a file is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum FileRole {
@@ -85,6 +91,9 @@ impl<'a> Search<'a> {
                 .extension()
                 .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
             if path.is_dir() {
+                if self.was_seen(path) {
+                    continue;
+                }
                 let before = self.found();
                 self.folder(path, 0)?;
                 if self.found() == before {
@@ -107,6 +116,11 @@ impl<'a> Search<'a> {
         Ok(())
     }
 
+    /// Whether a folder was walked already, by this or another way to it.
+    fn was_seen(&self, folder: &Path) -> bool {
+        self.seen.contains(&identity(folder))
+    }
+
     fn found(&self) -> usize {
         self.plan.subjects.len() + self.plan.errors.len()
     }
@@ -121,11 +135,11 @@ impl<'a> Search<'a> {
 
     /// A folder: its manifest if it has one, else its files and then its folders.
     pub(super) fn folder(&mut self, folder: &Path, depth: usize) -> Result<(), Stopped> {
-        let identity = folder.canonicalize().unwrap_or_else(|_| folder.to_owned());
-        if depth > DEEPEST || !self.seen.insert(identity) {
+        if depth > DEEPEST || self.was_seen(folder) {
             return Ok(());
         }
-        let (files, folders) = match self.entries(folder)? {
+        self.seen.insert(identity(folder));
+        let Entries { files, folders } = match self.entries(folder)? {
             Ok(entries) => entries,
             Err(reason) => {
                 self.fail(None, folder, reason);
@@ -146,7 +160,7 @@ impl<'a> Search<'a> {
             .partition(|folder| surface_of_word(&folder_name(folder)).is_some());
         let mut from_sheets = Vec::new();
         for sheet in sheets {
-            if let (Some(kind), Ok((files, _))) =
+            if let (Some(kind), Ok(Entries { files, .. })) =
                 (surface_of_word(&folder_name(&sheet)), self.entries(&sheet)?)
             {
                 from_sheets.extend(files.into_iter().map(|file| (file, kind)));
@@ -169,10 +183,7 @@ impl<'a> Search<'a> {
     }
 
     /// Files and folders of a folder in natural order, without hidden ones.
-    pub(super) fn entries(
-        &self,
-        folder: &Path,
-    ) -> Result<Result<(Vec<PathBuf>, Vec<PathBuf>), String>, Stopped> {
+    pub(super) fn entries(&self, folder: &Path) -> Result<Result<Entries, String>, Stopped> {
         let entries = match std::fs::read_dir(folder) {
             Ok(entries) => entries,
             Err(error) => return Ok(Err(super::read_file::said(&error))),
@@ -193,7 +204,7 @@ impl<'a> Search<'a> {
         let by_name = |a: &PathBuf, b: &PathBuf| natural_order(&name_of(a), &name_of(b));
         files.sort_by(by_name);
         folders.sort_by(by_name);
-        Ok(Ok((files, folders)))
+        Ok(Ok(Entries { files, folders }))
     }
 
     /// Whether a CSV that merely lies there holds points and faces.
@@ -263,6 +274,11 @@ fn part_name(list: &Path, files: &[PathBuf], parts: usize) -> PathBuf {
         Some(first) if parts > 1 || (says_sheet(first) && !says_sheet(list)) => first.clone(),
         _ => list.to_owned(),
     }
+}
+
+/// One path for all ways to a folder.
+fn identity(folder: &Path) -> PathBuf {
+    folder.canonicalize().unwrap_or_else(|_| folder.to_owned())
 }
 
 /// The last part of a folder's path, also of `.` and `..`.

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use super::find_sequences::{FileRole, Search, folder_name, role};
+use super::find_sequences::{Entries, FileRole, Search, folder_name, role};
 use super::patterns::files_of_pattern;
 use super::plan::{KindPlan, SeriesTimes, Stated, SubjectPlan, SurfacePlan};
 use super::read_file::read_text;
@@ -45,7 +45,7 @@ impl Search<'_> {
     }
 
     fn folders_beside(&mut self, folder: &Path) -> Result<(), Stopped> {
-        let Ok((files, folders)) = self.entries(folder)? else {
+        let Ok(Entries { files, folders }) = self.entries(folder)? else {
             return Ok(());
         };
         let meshes = files

@@ -2,6 +2,7 @@
 
 use std::fs::File;
 use std::io::{self, Read};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
 use crate::io::{Limits, MeshFile, ReadMeshError, read_mesh_with_siblings};
@@ -74,8 +75,15 @@ pub(super) fn read_mesh_at(path: &Path, bytes: &[u8], limits: &Limits) -> Result
         }
         read_bytes(&folder.join(relative), limits).ok()
     };
-    read_mesh_with_siblings(&name_of(path), bytes, limits, &sibling)
-        .map_err(|error| error.to_string())
+    let read = || read_mesh_with_siblings(&name_of(path), bytes, limits, &sibling);
+    unless_it_panics(read)?.map_err(|error| error.to_string())
+}
+
+/// Parsers of other people may panic on damage that nobody foresaw; that must cost one file, not
+/// all the others that are read beside it.
+fn unless_it_panics<T>(read: impl FnOnce() -> T) -> Result<T, String> {
+    catch_unwind(AssertUnwindSafe(read))
+        .map_err(|_| "so damaged that its reader gave up (a fault of this program)".to_owned())
 }
 
 /// An error of the system, as it is said here.
@@ -112,6 +120,13 @@ mod tests {
             read_bytes(&folder.path().join("b"), &limits).unwrap_err(),
             "there is no such file"
         );
+    }
+
+    #[test]
+    fn a_reader_that_panics_costs_one_file() {
+        let outcome = unless_it_panics(|| -> u8 { panic!("unforeseen") });
+        assert!(outcome.unwrap_err().starts_with("so damaged"));
+        assert_eq!(unless_it_panics(|| 3), Ok(3));
     }
 
     #[test]

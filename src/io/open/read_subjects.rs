@@ -22,6 +22,9 @@ use crate::units::Seconds;
 /// A subject, or one error for each of its files that cannot be read.
 pub(super) type SubjectOrErrors = Result<Subject, Vec<OpenError>>;
 
+/// What each file of each surface holds.
+type Contents = Vec<Vec<Result<MeshFile, String>>>;
+
 /// Reads all files of all subjects, each a step, and joins them.
 pub(super) fn read_subjects(
     plans: Vec<SubjectPlan>,
@@ -42,7 +45,7 @@ pub(super) fn read_subjects(
         })
         .collect::<Result<_, Stopped>>()?;
     let mut contents = contents.into_iter();
-    let work: Vec<(SubjectPlan, Vec<Vec<Result<MeshFile, String>>>)> = plans
+    let work: Vec<(SubjectPlan, Contents)> = plans
         .into_iter()
         .map(|plan| {
             let of_plan = plan
@@ -60,7 +63,7 @@ pub(super) fn read_subjects(
 
 fn join_subject(
     plan: SubjectPlan,
-    contents: Vec<Vec<Result<MeshFile, String>>>,
+    contents: Contents,
     limits: &Limits,
     progress: &Progress,
 ) -> Result<SubjectOrErrors, Stopped> {

@@ -1,5 +1,6 @@
 //! Tests of the mesh formats together: files of other programs, round trips, damage.
 
+mod by_hand;
 mod damage;
 mod other_programs;
 mod round_trips;

@@ -162,13 +162,16 @@ fn read_points(
     Ok(())
 }
 
+/// Called with the corners of each cell and where they stand.
+type EachCell<'f> = &'f mut dyn FnMut(&[u32], Place) -> Result<(), ReadMeshError>;
+
 /// Calls `each` with the corners of every cell and where they stand.
 fn for_each_cell(
     file: &VtpFile<'_>,
     node: Node<'_, '_>,
     cells: u64,
     most_corners: u64,
-    each: &mut dyn FnMut(&[u32], Place) -> Result<(), ReadMeshError>,
+    each: EachCell<'_>,
 ) -> Result<(), ReadMeshError> {
     let place = file.place(node);
     let array = |name: &str| {

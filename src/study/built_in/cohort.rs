@@ -56,7 +56,10 @@ fn heart(design: &HeartDesign, grid: &WallGrid) -> Result<(Subject, GroundTruth)
     let motion = Motion::new(&shape, design.motion(squeeze));
     let states = design.timing.frames();
     let layers = [
-        (SurfaceKind::Endocardium, particles(grid, |p| motion.endo(p))),
+        (
+            SurfaceKind::Endocardium,
+            particles(grid, |p| motion.endo(p)),
+        ),
         (SurfaceKind::Epicardium, particles(grid, |p| motion.epi(p))),
     ];
     let place = |particle: &Material, state| design.placement * motion.at(particle, state);
@@ -104,8 +107,7 @@ fn heart(design: &HeartDesign, grid: &WallGrid) -> Result<(Subject, GroundTruth)
 ///
 /// V(t) = ½ ∬ (1 − κ(Θ, Z)) Rₑ² dΘ dZ, because r² dz = (1 − κ) Rₑ² dZ on the inner surface.
 fn squeeze_for(shape: &Shape, healthy_ejection_fraction: f64) -> (f64, f64) {
-    let [whole, reached] =
-        shape.cavity_integrals(|[height, _]| Shape::contraction_share(height));
+    let [whole, reached] = shape.cavity_integrals(|[height, _]| Shape::contraction_share(height));
     let squeeze = healthy_ejection_fraction * whole / reached;
     let [_, working] = shape.cavity_integrals(|[height, around]| {
         let z_mm = shape.cavity_tip_mm() * (1.0 - height);
@@ -140,11 +142,7 @@ fn surface(
 
 /// Landmarks at end-diastole: the outer tip, the middle of the inner rim, and the directions of
 /// septum and anterior wall.
-fn anatomy(
-    surfaces: &[SurfaceSequence],
-    grid: &WallGrid,
-    design: &HeartDesign,
-) -> Option<Anatomy> {
+fn anatomy(surfaces: &[SurfaceSequence], grid: &WallGrid, design: &HeartDesign) -> Option<Anatomy> {
     let [endo, epi] = surfaces else { return None };
     let endo = endo.frames().first()?.vertices();
     let apex = *epi.frames().first()?.vertices().first()?;

@@ -265,7 +265,9 @@ fn form(edv_ml: f64, ranges: &Ranges, patches: &[PatchSpec], draw: &mut Draw) ->
                 polar_rad: polar.to_radians(),
                 radius_rad: (radius * draw.within([0.95, 1.05])).to_radians(),
                 // Wide patches have wide borders; a small one keeps a core.
-                half_border_rad: (draw.within([0.46, 0.52]) * radius).clamp(11.0, 22.0).to_radians(),
+                half_border_rad: (draw.within([0.46, 0.52]) * radius)
+                    .clamp(11.0, 22.0)
+                    .to_radians(),
                 severity,
             })
             .collect(),

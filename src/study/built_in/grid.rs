@@ -87,7 +87,9 @@ fn even_rings(rings: usize) -> Vec<f64> {
     (0..=rings)
         .map(|ring| {
             let wanted = whole * ring as f64 / rings as f64;
-            let after = lengths.partition_point(|&l| l < wanted).clamp(1, ARC_PIECES);
+            let after = lengths
+                .partition_point(|&l| l < wanted)
+                .clamp(1, ARC_PIECES);
             let part = (wanted - lengths[after - 1]) / (lengths[after] - lengths[after - 1]);
             (after as f64 - 1.0 + part) / ARC_PIECES as f64
         })

@@ -75,7 +75,10 @@ impl Patch {
         let inner = (self.radius_rad - self.half_border_rad).max(0.0).cos();
         let x = ((cos_distance - outer) / (inner - outer)).clamp(0.0, 1.0);
         let slope = 6.0 * x * (1.0 - x) / (inner - outer);
-        (ramp(cos_distance, outer, inner), -slope * across * sin_between)
+        (
+            ramp(cos_distance, outer, inner),
+            -slope * across * sin_between,
+        )
     }
 }
 
@@ -140,8 +143,7 @@ mod tests {
         let ill = |around: f64| illness(&[PATCH, other], ChartPoint::new(0.75, around));
         for around in [0.4, 0.9, 1.3, 1.9, 2.4] {
             let step = 1e-6;
-            let slope =
-                (ill(around + step).severity - ill(around - step).severity) / (2.0 * step);
+            let slope = (ill(around + step).severity - ill(around - step).severity) / (2.0 * step);
             assert!((slope - ill(around).around_derivative).abs() < 1e-6);
         }
     }

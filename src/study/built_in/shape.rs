@@ -62,8 +62,7 @@ impl Shape {
     /// The form made as wide as its cavity needs to hold `volume_ml`.
     pub fn new(form: Form, volume_ml: f64) -> Self {
         let tip_illness = illness(&form.patches, ChartPoint::new(0.0, 0.0)).severity;
-        let tip_wall_mm =
-            form.wall_mm * form.tip_share * (1.0 - form.scar_thinning * tip_illness);
+        let tip_wall_mm = form.wall_mm * form.tip_share * (1.0 - form.scar_thinning * tip_illness);
         let soft_patches = form.patches.iter().map(Patch::softened).collect();
         let mut shape = Self {
             form,
@@ -88,7 +87,11 @@ impl Shape {
 
     /// Height of a ring of the inner surface, by its share of the eccentric angle.
     pub fn endo_height_mm(&self, eccentric_share: f64) -> f64 {
-        height(eccentric_share, self.cavity_tip_mm(), self.form.widest_share)
+        height(
+            eccentric_share,
+            self.cavity_tip_mm(),
+            self.form.widest_share,
+        )
     }
 
     /// Height of a ring of the outer surface.

@@ -173,7 +173,11 @@ fn normal_hearts_lie_in_published_ranges() {
         });
         assert!((5.5..11.0).contains(&walls[0]), "{walls:?}");
         let thickening = walls[1] / walls[0] - 1.0;
-        assert!((0.30..0.75).contains(&thickening), "{}: {thickening}", subject.id);
+        assert!(
+            (0.30..0.75).contains(&thickening),
+            "{}: {thickening}",
+            subject.id
+        );
     }
 }
 
@@ -204,7 +208,10 @@ fn patches_are_as_large_as_their_names_say() {
             inner
                 .triangles()
                 .iter()
-                .filter(|t| t.iter().all(|&v| in_patch(truth.surfaces[0].patch[v as usize])))
+                .filter(|t| {
+                    t.iter()
+                        .all(|&v| in_patch(truth.surfaces[0].patch[v as usize]))
+                })
                 .map(|t| crate::mesh::area(inner.vertices(), &[*t]))
                 .sum::<f64>()
         };
@@ -250,7 +257,11 @@ fn the_wall_keeps_its_volume_through_the_beat() {
         // The motion is exactly incompressible; flat faces, and the flat lids on rims that
         // patches warp, leave about a percent.
         for volume in &wall {
-            assert!((volume / wall[0] - 1.0).abs() < 0.02, "{}: {wall:?}", subject.id);
+            assert!(
+                (volume / wall[0] - 1.0).abs() < 0.02,
+                "{}: {wall:?}",
+                subject.id
+            );
         }
     }
 }
@@ -265,7 +276,12 @@ fn the_apex_is_still_and_the_base_descends() {
         for frame in 0..8 {
             assert!((apex(frame) - apex(0)).norm() < 1e-9);
         }
-        let rim = &subject.sequence.surface(ENDO).unwrap().faces().boundary_loops()[0];
+        let rim = &subject
+            .sequence
+            .surface(ENDO)
+            .unwrap()
+            .faces()
+            .boundary_loops()[0];
         let height = |frame: usize| {
             let points = vertices(subject, ENDO, frame);
             rim.iter()
@@ -290,7 +306,9 @@ fn turn_rad(subject: &Subject, share: f64, frame: usize) -> f64 {
     let length = (anatomy.base - anatomy.apex).norm();
     let angle = |point: &Point3| {
         let offset = point - anatomy.apex;
-        offset.dot(&anatomy.anterior).atan2(offset.dot(&anatomy.septal))
+        offset
+            .dot(&anatomy.anterior)
+            .atan2(offset.dot(&anatomy.septal))
     };
     let (before, after) = (vertices(subject, EPI, 0), vertices(subject, EPI, frame));
     let turns: Vec<f64> = before
@@ -365,7 +383,11 @@ fn a_patch_neither_thickens_nor_moves_inwards_while_the_rest_does_both() {
         let (ill, well) = (|s: f64| s > 0.93, |s: f64| s < 0.02);
         let thickenings = [mean(&ill, &thickening), mean(&well, &thickening)];
         let motions = [mean(&ill, &inward), mean(&well, &inward)];
-        assert!((0.93..1.12).contains(&thickenings[0]), "{}: {thickenings:?}", subject.id);
+        assert!(
+            (0.93..1.12).contains(&thickenings[0]),
+            "{}: {thickenings:?}",
+            subject.id
+        );
         assert!(thickenings[1] > 1.25, "{}: {thickenings:?}", subject.id);
         assert!(motions[0].abs() < 0.08, "{}: {motions:?}", subject.id);
         assert!(motions[1] > 0.2, "{}: {motions:?}", subject.id);
@@ -400,7 +422,11 @@ fn the_outer_surface_is_outside_the_inner_one_at_every_frame() {
             let inner = vertices(subject, ENDO, frame);
             // Rims lie side by side in the base; a few rings below it inside is plain.
             for point in inner[..inner.len() - 150].iter().step_by(29) {
-                assert!(capped.winding_number(outer, *point) > 0.99, "{}", subject.id);
+                assert!(
+                    capped.winding_number(outer, *point) > 0.99,
+                    "{}",
+                    subject.id
+                );
             }
             let least = extremes(&thickness_mm(subject, frame))[0];
             assert!(least > 3.0, "{}: {least} mm at frame {frame}", subject.id);

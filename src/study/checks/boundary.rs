@@ -57,6 +57,11 @@ impl Boundary {
                 counted(self.stray_edges, "edge", "edges")
             ));
         }
+        // A surface that is no part of a heart has no volume that could be wrong.
+        let caps = match surface.kind() {
+            SurfaceKind::Other => "",
+            _ => "; volumes use a flat cap there",
+        };
         match (self.loop_sizes.as_slice(), is_sheet) {
             ([], _) => Notice::info(format!("{name}: closed")),
             (rims, _) if self.sealed => Notice::info(format!(
@@ -68,13 +73,13 @@ impl Boundary {
                 "{name}: open at the base, one boundary loop of {rim} vertices"
             )),
             ([rim], false) => Notice::warning(format!(
-                "{name}: not closed, one boundary loop of {rim} vertices; volumes use a flat cap there"
+                "{name}: not closed, one boundary loop of {rim} vertices{caps}"
             )),
             ([first, second], true) if self.shortest_share >= VALVE => Notice::info(format!(
                 "{name}: open in two places, as at mitral and aortic valve: boundary loops of {first} and {second} vertices; volumes use a flat cap in each"
             )),
             (rims, _) => Notice::warning(format!(
-                "{name}: open in {} places, boundary loops of {} vertices; volumes use a flat cap in each",
+                "{name}: open in {} places, boundary loops of {} vertices{caps}",
                 rims.len(),
                 listed(rims)
             )),
@@ -176,7 +181,7 @@ mod tests {
         assert_eq!(
             Boundary::of(&surface).notice(&surface),
             Notice::warning(
-                "epicardium: open in 2 places, boundary loops of 12 and 12 vertices; volumes use a flat cap in each"
+                "epicardium: open in 2 places, boundary loops of 12 and 12 vertices; volumes use a flat cap there"
             )
         );
     }
