@@ -37,6 +37,8 @@ struct Typed {
     text: String,
     place: usize,
     opened: bool,
+    /// The pass that drew the palette last.
+    pass: u64,
 }
 
 /// Lines shown at most.
@@ -46,7 +48,13 @@ const MOST: usize = 50;
 pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
     let id = Id::unique("command palette");
-    let mut typed: Typed = ctx.data(|data| data.get_temp(id)).unwrap_or_default();
+    let pass = ctx.cumulative_pass_nr();
+    // What was typed before the palette was closed by its key is forgotten.
+    let mut typed: Typed = ctx
+        .data(|data| data.get_temp(id))
+        .filter(|typed: &Typed| typed.pass + 1 >= pass)
+        .unwrap_or_default();
+    typed.pass = pass;
     let width = 520f32.min(ctx.content_rect().width() - 2.0 * space::LARGE);
     let (up, down, enter, escape) = ctx.input_mut(|input| {
         (
