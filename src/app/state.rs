@@ -73,7 +73,7 @@ pub struct State {
     pub message: String,
     /// How finely the built-in cohort is made.
     pub built_in: BuiltInParams,
-    last_opening: u64,
+    pub(super) last_opening: u64,
 }
 
 impl Default for State {
