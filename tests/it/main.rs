@@ -1,5 +1,6 @@
 //! The doors of the program, tried from outside: one binary, one module per door.
 
+mod cli;
 mod oracles;
 mod panels;
 mod real_data;
