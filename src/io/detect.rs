@@ -74,6 +74,11 @@ pub fn read_mesh_with_siblings(
             most: limits.file_bytes,
         });
     }
+    // faces number vertices in 32 bits
+    let limits = &Limits {
+        vertices: limits.vertices.min(u32::MAX as usize),
+        ..*limits
+    };
     let ending = format_of_ending(file_name);
     let content = format_of_content(bytes);
     let format = content.or(ending).ok_or(ReadMeshError::UnknownFormat)?;

@@ -14,6 +14,8 @@ mod ply;
 mod report_csv;
 mod report_json;
 mod stl;
+#[cfg(test)]
+mod tests;
 mod text_lines;
 mod vtk_legacy;
 mod vtp;

@@ -1,23 +1,17 @@
 //! What the program is, whose method it follows, and what it is not for.
 
-use egui::{Key, RichText, Ui, Window};
+use egui::{RichText, Ui};
 
 use crate::ui::command::Command;
+use crate::ui::controls::dialog_ui;
 use crate::ui::style::{note, title_font};
 use crate::ui::theme::{colours, space};
 
 /// Draws the window; Esc or its cross closes it.
 pub fn about_ui(ui: &mut Ui, adapter: &str, commands: &mut Vec<Command>) {
-    let mut open = true;
     let ctx = ui.ctx().clone();
-    Window::new("About")
-        .open(&mut open)
-        .resizable(false)
-        .collapsible(false)
-        .pivot(egui::Align2::CENTER_CENTER)
-        .default_pos(ctx.content_rect().center())
-        .show(&ctx, |ui| text_ui(ui, adapter));
-    if !open || ctx.input(|input| input.key_pressed(Key::Escape)) {
+    let size = egui::vec2(404.0, 300.0);
+    if dialog_ui(&ctx, "About", size, false, |ui| text_ui(ui, adapter)) {
         commands.push(Command::ToggleAbout);
     }
 }

@@ -1,12 +1,12 @@
 //! The few controls that panels share: pane headers, tabs, icon buttons, choosers, progress.
 
 use egui::{
-    Align, Align2, Button, Layout, Rect, Response, RichText, Role, Sense, Stroke, StrokeKind, Ui,
-    WidgetInfo, vec2,
+    Align, Align2, Button, Color32, Context, Key, Layout, Rect, Response, RichText, Role, Sense,
+    Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
 use crate::ui::marks::{Icon, icon};
-use crate::ui::style::{medium, medium_font};
+use crate::ui::style::{heading_font, medium, medium_font};
 use crate::ui::theme::{colours, line, radius, space};
 
 /// The strip on top of a pane: what it is on the left, its choices on the right.
@@ -37,6 +37,7 @@ pub fn pane_header_ui(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnc
             .max_rect(rest)
             .layout(Layout::left_to_right(Align::Center)),
     );
+    left_ui.spacing_mut().item_spacing.x = space::LARGE;
     left_ui.shrink_clip_rect(rest.expand2(vec2(2.0, 2.0)));
     left(&mut left_ui);
 }
@@ -47,7 +48,7 @@ pub fn tab_ui(ui: &mut Ui, name: &str, in_front: bool) -> Response {
     let font = medium_font();
     let galley = ui
         .painter()
-        .layout_no_wrap(name.to_owned(), font, colours.text);
+        .layout_no_wrap(name.to_owned(), font, Color32::PLACEHOLDER);
     let size = vec2(galley.size().x, space::PANE_HEADER);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Tab, true, in_front, name));
@@ -58,7 +59,6 @@ pub fn tab_ui(ui: &mut Ui, name: &str, in_front: bool) -> Response {
     };
     let at = Align2::LEFT_CENTER.align_size_within_rect(galley.size(), rect);
     ui.painter().galley(at.min, galley, colour);
-    ui.painter().add(egui::Shape::Noop);
     if in_front {
         let y = rect.bottom() - 0.5 * line::STRONG;
         let stroke = Stroke::new(line::STRONG, colours.accent);
@@ -113,7 +113,7 @@ pub fn chooser_ui<R>(
     let colour = colours(ui).muted;
     let text = RichText::new(shown.clone());
     let gap = " ".repeat(4);
-    let button = Button::new((text, gap)).gap(0.0);
+    let button = Button::new((text, gap)).gap(0.0).truncate();
     let (response, _) = egui::containers::menu::MenuButton::from_button(button).ui(ui, |ui| {
         ui.set_min_width(180.0);
         menu(ui)
@@ -165,6 +165,39 @@ pub fn empty_pane_ui(ui: &mut Ui, heading: &str, what: &str, buttons: impl FnOnc
         ui.add_space(space::MEDIUM);
         buttons(ui);
     });
+}
+
+/// A small window over the middle of the program, with its own cross; true when Esc or the cross
+/// asks to close it.
+pub fn dialog_ui(
+    ctx: &Context,
+    title: &str,
+    size: egui::Vec2,
+    resizable: bool,
+    add: impl FnOnce(&mut Ui),
+) -> bool {
+    let room = ctx.content_rect().shrink(space::LARGE);
+    let size = size.min(room.size());
+    let mut close = false;
+    egui::Window::new(title)
+        .title_bar(false)
+        .resizable(resizable)
+        .default_size(size)
+        .default_pos(room.center() - 0.5 * size)
+        .constrain_to(room)
+        .show(ctx, |ui| {
+            egui::Sides::new().show(
+                ui,
+                |ui| ui.label(RichText::new(title).font(heading_font())),
+                |ui| {
+                    close = icon_button_ui(ui, Icon::Close, "Close", "Close (Esc)", false).clicked()
+                },
+            );
+            ui.add_space(space::SMALL);
+            add(ui);
+        });
+    let escaped = !ctx.any_popup_open() && ctx.input(|input| input.key_pressed(Key::Escape));
+    close || escaped
 }
 
 /// Seconds left in the words of the status bar: "4 s left", "2 min left".

@@ -108,7 +108,7 @@ struct Plot {
 impl Plot {
     fn new(rect: Rect, low: f64, high: f64) -> Self {
         let area = Rect::from_min_max(
-            rect.min + vec2(44.0, space::LARGE + 10.0),
+            rect.min + vec2(44.0, space::LARGE + 18.0),
             rect.max - vec2(space::LARGE + 4.0, 24.0),
         );
         Self { area, low, high }
@@ -138,7 +138,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
     let colours = colours(ui);
     let painter = ui.painter();
     let grid = Stroke::new(line::THIN, colours.grid);
-    let rows = ((plot.area.height() / 26.0) as usize).clamp(2, 6);
+    let rows = ((plot.area.height() / 34.0) as usize).clamp(2, 10);
     for tick in linear_ticks(plot.low, plot.high, rows) {
         let y = plot.y(tick);
         painter.hline(plot.area.x_range(), y, grid);
@@ -152,7 +152,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
             colours.muted,
         );
     }
-    let top = pos2(plot.area.left() - 38.0, plot.area.top() - 12.0);
+    let top = pos2(plot.area.left() - 32.0, plot.area.top() - 13.0);
     painter.text(
         top,
         Align2::LEFT_CENTER,
@@ -165,7 +165,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
         Some(beat) => (beat, "ms"),
         None => (100.0, "% R-R"),
     };
-    let columns = ((plot.area.width() / 70.0) as usize).clamp(2, 6);
+    let columns = ((plot.area.width() / 80.0) as usize).clamp(2, 6);
     for tick in linear_ticks(0.0, end, columns) {
         let x = plot.x(tick / end);
         if x < plot.area.right() - 46.0 {
@@ -195,23 +195,13 @@ fn draw_phases(ui: &Ui, view: &CurvesView, plot: &Plot) {
         places.push((plot.x(view.axis.share_at(frame as f64)), name));
     }
     for (x, name) in places {
-        let ends = [pos2(x, plot.area.top() - 6.0), pos2(x, plot.area.bottom())];
+        let ends = [pos2(x, plot.area.top()), pos2(x, plot.area.bottom())];
         let stroke = Stroke::new(line::THIN, colours.muted);
         ui.painter()
             .extend(Shape::dashed_line(&ends, stroke, 3.0, 3.0));
-        let at = pos2(x + 4.0, plot.area.top() - 8.0);
-        let clear_of_title = if x < plot.area.left() + 70.0 {
-            vec2(0.0, 8.0)
-        } else {
-            vec2(0.0, 0.0)
-        };
-        ui.painter().text(
-            at + clear_of_title,
-            Align2::LEFT_TOP,
-            name,
-            note_font(),
-            colours.muted,
-        );
+        let at = pos2(x + 4.0, plot.area.top());
+        ui.painter()
+            .text(at, Align2::LEFT_TOP, name, note_font(), colours.muted);
     }
 }
 
@@ -310,7 +300,14 @@ fn draw_now(ui: &Ui, view: &CurvesView, plot: &Plot) {
         };
         let at = pos2(x + gap, plot.y(value) - 3.0);
         let text = format!("{value:.0} {}", view.unit);
-        painter.text(at, anchor, text, medium_note_font(), colours.selection);
+        let galley = painter.layout_no_wrap(text, medium_note_font(), colours.selection);
+        let rect = anchor.anchor_size(at, galley.size());
+        painter.rect_filled(
+            rect.expand2(vec2(2.0, 0.0)),
+            3.0,
+            colours.pane.gamma_multiply(0.8),
+        );
+        painter.galley(rect.min, galley, colours.selection);
     }
 }
 
@@ -353,5 +350,45 @@ mod tests {
         let (low, high) = range(&curves).unwrap();
         assert!(low > 50.0 && low < 60.0 && high > 100.0 && high < 110.0);
         assert_eq!(range(&[]), None);
+    }
+
+    #[test]
+    fn a_click_on_the_plot_moves_through_the_beat() {
+        use egui_kittest::{Harness, kittest::Queryable as _};
+        let mut harness = Harness::builder()
+            .with_size([400.0, 250.0])
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                |ui, commands: &mut Vec<Command>| {
+                    let view = CurvesView {
+                        curves: &[Curve {
+                            kind: CurveKind::Endocardium,
+                            values: &[100.0, 60.0],
+                        }],
+                        unit: "ml",
+                        axis: BeatAxis {
+                            frame_shares: &[0.0, 0.5],
+                        },
+                        beat_ms: None,
+                        position: 0.0,
+                        end_diastole: Some(0),
+                        end_systole: Some(1),
+                        computing: false,
+                    };
+                    curves_ui(ui, &view, commands);
+                },
+                Vec::new(),
+            );
+        harness.run();
+        let rect = harness.get_by_label("Volume over the beat").rect();
+        let plot = Plot::new(rect, 0.0, 1.0);
+        let place = pos2(plot.x(0.75), rect.center().y);
+        harness.drag_at(place);
+        harness.drop_at(place);
+        harness.run();
+        let Some(Command::SetPosition(position)) = harness.state().last() else {
+            panic!("no position");
+        };
+        assert!((position - 1.5).abs() < 0.01, "{position}");
     }
 }

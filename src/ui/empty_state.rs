@@ -38,7 +38,7 @@ pub fn empty_state_ui(ui: &mut Ui, view: &EmptyStateView, commands: &mut Vec<Com
         ui.add_space(space::SMALL);
         let what = "Mesh sequences of left ventricles (OBJ, PLY, STL, VTK, VTP, glTF, CSV), a folder of them, or a study.toml";
         ui.scope(|ui| {
-            ui.set_max_width(420.0);
+            ui.set_max_width(420f32.min(ui.available_width() - 2.0 * space::HUGE));
             ui.add(egui::Label::new(RichText::new(what).weak()).wrap());
         });
         ui.add_space(space::LARGE);

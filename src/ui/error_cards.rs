@@ -1,7 +1,7 @@
 //! What went wrong, said once, beside the work and never in its way.
 
 use egui::{
-    Align2, Area, CollapsingHeader, Frame, Margin, Order, RichText, ScrollArea, Stroke, Ui, vec2,
+    Align2, Area, CollapsingHeader, Frame, Margin, Order, RichText, ScrollArea, Stroke, Ui,
 };
 
 use crate::ui::command::{Command, JobKind};
@@ -23,15 +23,22 @@ pub struct ErrorCard {
     pub retry: Option<JobKind>,
 }
 
-/// Draws the cards above the lower right corner of the window, latest lowest.
+/// Height of the bars at the foot of the window.
+const BARS: f32 = 116.0;
+
+/// Draws the cards over the lower right corner of `ui.max_rect()`, latest lowest.
 pub fn error_cards_ui(ui: &mut Ui, cards: &[ErrorCard], commands: &mut Vec<Command>) {
     if cards.is_empty() {
         return;
     }
-    let width = 380f32.min(ui.ctx().content_rect().width() - 2.0 * space::LARGE);
+    let mut room = ui.max_rect().shrink(space::LARGE);
+    // Over the whole window the cards stay clear of the time bar and the status bar.
+    room.max.y = room.max.y.min(ui.ctx().content_rect().bottom() - BARS);
+    let width = 380f32.min(room.width());
     Area::new(ui.scope_id().with("error cards"))
         .order(Order::Foreground)
-        .anchor(Align2::RIGHT_BOTTOM, vec2(-space::LARGE, -104.0))
+        .pivot(Align2::RIGHT_BOTTOM)
+        .fixed_pos(room.max)
         .show(ui.ctx(), |ui| {
             ui.set_width(width);
             ui.spacing_mut().item_spacing.y = space::MEDIUM;

@@ -1,9 +1,10 @@
 //! The load report: per subject, what was found and what was assumed; warnings first.
 
-use egui::{CollapsingHeader, Key, RichText, ScrollArea, TextEdit, Ui, Window};
+use egui::{CollapsingHeader, RichText, ScrollArea, TextEdit, Ui};
 
 use crate::study::{Notice, Severity};
 use crate::ui::command::Command;
+use crate::ui::controls::dialog_ui;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 
@@ -63,16 +64,11 @@ impl ReportSubject {
 
 /// Draws the window; Esc or its cross closes it.
 pub fn load_report_ui(ui: &mut Ui, subjects: &[ReportSubject], commands: &mut Vec<Command>) {
-    let mut open = true;
     let ctx = ui.ctx().clone();
-    Window::new("Load report")
-        .open(&mut open)
-        .default_size([560.0, 440.0])
-        .constrain_to(ctx.content_rect())
-        .collapsible(false)
-        .show(&ctx, |ui| report_ui(ui, subjects));
-    let escaped = !ctx.text_edit_focused() && ctx.input(|input| input.key_pressed(Key::Escape));
-    if !open || escaped {
+    let size = egui::vec2(600.0, 480.0);
+    if dialog_ui(&ctx, "Load report", size, true, |ui| {
+        report_ui(ui, subjects)
+    }) {
         commands.push(Command::ToggleLoadReport);
     }
 }
@@ -117,7 +113,9 @@ fn subject_ui(ui: &mut Ui, subject: &ReportSubject) {
     CollapsingHeader::new(medium(&subject.id).color(colour))
         .default_open(subject.rank() < 2)
         .show(ui, |ui| {
-            ui.label(note(&subject.summary));
+            if !subject.summary.is_empty() {
+                ui.label(note(&subject.summary));
+            }
             if let Some(error) = &subject.error {
                 ui.label(RichText::new(error).color(colours.error));
             }
@@ -148,10 +146,17 @@ fn summary_text(subjects: &[ReportSubject]) -> String {
     let warnings: usize = subjects.iter().map(ReportSubject::warnings).sum();
     let notices: usize = subjects.iter().map(|subject| subject.notices.len()).sum();
     format!(
-        "{} read · {failed} not readable · {warnings} warnings · {} remarks",
+        "{} read · {failed} not readable · {} · {}",
         subjects.len() - failed,
-        notices - warnings
+        counted(warnings, "warning"),
+        counted(notices - warnings, "remark")
     )
+}
+
+/// "1 warning", "2 warnings".
+fn counted(count: usize, what: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{plural}")
 }
 
 #[cfg(test)]
@@ -181,14 +186,14 @@ mod tests {
                 Vec::new(),
             );
         harness.run();
-        harness.get_by_label("2 read · 0 not readable · 1 warnings · 1 remarks");
+        harness.get_by_label("2 read · 0 not readable · 1 warning · 1 remark");
         let odd = harness.get_by_label("odd").rect();
         assert!(odd.top() < harness.get_by_label("good").rect().top());
         harness.get_by_label("2 degenerate triangles");
         harness.get_by_label("Only warnings and errors").click();
         harness.run();
         assert!(harness.query_by_label("good").is_none());
-        harness.key_press(Key::Escape);
+        harness.key_press(egui::Key::Escape);
         harness.run();
         assert_eq!(harness.into_state(), [Command::ToggleLoadReport]);
     }

@@ -30,7 +30,7 @@ pub fn role_mark(
             painter.line_segment([centre - vec2(arm, -arm), centre + vec2(arm, -arm)], stroke);
         }
         (LabelRole::Unknown, filled) => {
-            let side = 1.7 * radius;
+            let side = 1.8 * radius;
             let square = Rect::from_center_size(centre, vec2(side, side));
             if filled {
                 painter.rect_filled(square, 1.0, colour);

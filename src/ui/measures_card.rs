@@ -49,35 +49,38 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
         );
         return;
     }
-    egui::Frame::new()
-        .inner_margin(egui::Margin::same(space::LARGE as i8))
+    let frame = egui::Frame::new().inner_margin(egui::Margin::same(space::LARGE as i8));
+    egui::ScrollArea::vertical()
+        .id_salt("measures")
         .show(ui, |ui| {
-            ui.spacing_mut().item_spacing.y = 2.0;
-            ejection_fraction_ui(ui, view);
-            ui.add_space(space::MEDIUM);
-            let pair = format!(
-                "{} · {}",
-                number(view.end_diastolic_volume),
-                number(view.end_systolic_volume)
-            );
-            value_ui(ui, "EDV · ESV", &pair, view.volume_unit, NO_VOLUME_RANGE);
-            value_ui(
-                ui,
-                "Stroke volume",
-                &number(view.stroke_volume),
-                view.volume_unit,
-                NO_VOLUME_RANGE,
-            );
-            if view.volume_unit == "ml" {
-                value_ui(ui, "Mass", &number(view.mass_g), "g", NO_VOLUME_RANGE);
-            }
-            ui.add_space(space::SMALL);
-            phases_ui(ui, view, commands);
+            frame.show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                ejection_fraction_ui(ui, view);
+                ui.add_space(space::MEDIUM);
+                let pair = format!(
+                    "{} · {}",
+                    number(view.end_diastolic_volume),
+                    number(view.end_systolic_volume)
+                );
+                value_ui(ui, "EDV · ESV", &pair, view.volume_unit, NO_VOLUME_RANGE);
+                value_ui(
+                    ui,
+                    "Stroke volume",
+                    &number(view.stroke_volume),
+                    view.volume_unit,
+                    NO_VOLUME_RANGE,
+                );
+                if view.volume_unit == "ml" {
+                    value_ui(ui, "Mass", &number(view.mass_g), "g", NO_VOLUME_RANGE);
+                }
+                ui.add_space(space::SMALL);
+                phases_ui(ui, view, commands);
+            });
         });
 }
 
 fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
-    ui.label(note("Ejection fraction"));
+    ui.add(egui::Label::new(note("Ejection fraction")).truncate());
     let text = match view.ejection_fraction {
         Some(ef) => format!("{:.0}", 100.0 * ef),
         None if view.computing => "…".to_owned(),
@@ -93,20 +96,24 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     let mut line = LayoutJob::default();
     line.append(&text, 0.0, format(title_font(), colours.strong));
     line.append("%", space::SMALL, format(text_font(), colours.muted));
-    line.append(
-        EJECTION_FRACTION.short,
-        space::MEDIUM,
-        format(note_font(), colours.muted),
-    );
-    ui.add(egui::Label::new(line).truncate())
-        .on_hover_text(EJECTION_FRACTION.source);
+    if ui.available_width() > 150.0 {
+        line.append(
+            EJECTION_FRACTION.short,
+            space::MEDIUM,
+            format(note_font(), colours.muted),
+        );
+        ui.label(line).on_hover_text(EJECTION_FRACTION.source);
+    } else {
+        ui.label(line).on_hover_text(EJECTION_FRACTION.source);
+        ui.add(egui::Label::new(note(EJECTION_FRACTION.short)).truncate());
+    }
 }
 
 fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, hover: &str) {
-    ui.label(note(name));
+    ui.add(egui::Label::new(note(name)).truncate());
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
-        ui.spacing_mut().interact_size.y = 18.0;
+        ui.spacing_mut().interact_size.y = 16.0;
         ui.label(medium(value));
         if value != "–" {
             ui.label(RichText::new(unit).weak());
@@ -114,6 +121,7 @@ fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, hover: &str) {
     })
     .response
     .on_hover_text(hover);
+    ui.add_space(6.0);
 }
 
 /// No more digits than a volume deserves: whole numbers, one place below ten.
@@ -128,13 +136,9 @@ fn number(value: Option<f64>) -> String {
 fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     let frame =
         |frame: Option<usize>| frame.map_or("–".to_owned(), |frame| (frame + 1).to_string());
-    let source = if view.phases_stated {
-        "stated"
-    } else {
-        "by volume"
-    };
+    let stated = if view.phases_stated { " · stated" } else { "" };
     let shown = format!(
-        "ED {} · ES {} · {source}",
+        "ED {} · ES {}{stated}",
         frame(view.end_diastole),
         frame(view.end_systole)
     );

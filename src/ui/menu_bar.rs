@@ -2,14 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Align, Button, Layout, RichText, Ui};
+use egui::{Align, Button, Layout, RichText, Stroke, Ui, vec2};
 
 use crate::ui::action_state::ActionState;
 use crate::ui::actions::{ACTIONS, Menu};
 use crate::ui::command::Command;
 use crate::ui::shortcuts::shortcut_text;
 use crate::ui::style::{note, title_text_font};
-use crate::ui::theme::{colours, space};
+use crate::ui::theme::{colours, line, space};
 
 /// What the menu bar shows.
 #[derive(Clone, Debug)]
@@ -53,17 +53,16 @@ pub fn menu_bar_ui(ui: &mut Ui, view: &MenuBarView, commands: &mut Vec<Command>)
 
 fn palette_button_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
     let keys = shortcut_text(ui.ctx(), &Command::TogglePalette).unwrap_or_default();
-    let button = Button::new((note("Find a command"), note(keys))).gap(space::LARGE);
-    let fill = colours(ui).control;
-    if ui
-        .scope(|ui| {
-            let inactive = &mut ui.visuals_mut().widgets.inactive;
-            inactive.weak_bg_fill = fill;
-            ui.add(button.frame_when_inactive(true))
-        })
-        .inner
-        .clicked()
-    {
+    let colours = colours(ui);
+    let clicked = ui.scope(|ui| {
+        ui.spacing_mut().button_padding = vec2(space::MEDIUM, 3.0);
+        let button = Button::new((note("Find a command"), note(keys)))
+            .gap(space::LARGE)
+            .fill(colours.pane)
+            .stroke(Stroke::new(line::THIN, colours.line));
+        ui.add(button).clicked()
+    });
+    if clicked.inner {
         commands.push(Command::TogglePalette);
     }
 }

@@ -48,7 +48,8 @@ pub use marks::role_name;
 pub use measures_card::{MeasuresView, measures_card_ui};
 pub use menu_bar::{MenuBarView, menu_bar_ui};
 pub use pose_map::{
-    MapPoint, MapState, MapSubject, PoseMapView, PosePhase, pose_map_header_ui, pose_map_ui,
+    MapPoint, MapState, MapSubject, PoseMapView, PosePhase, pose_map_choosers_ui,
+    pose_map_header_ui, pose_map_ui,
 };
 pub use shortcut_sheet::shortcut_sheet_ui;
 pub use shortcuts::{claim_tab, pressed_commands, shortcut_text};

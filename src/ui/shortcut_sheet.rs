@@ -1,9 +1,10 @@
 //! The searchable sheet of all keys (?).
 
-use egui::{Grid, Key, ScrollArea, TextEdit, Ui, Window};
+use egui::{Grid, ScrollArea, TextEdit, Ui};
 
 use crate::ui::actions::{ACTIONS, Menu};
 use crate::ui::command::Command;
+use crate::ui::controls::dialog_ui;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 
@@ -20,16 +21,14 @@ const ELSEWHERE: [(&str, &str); 7] = [
 
 /// Draws the window; Esc or its cross closes it.
 pub fn shortcut_sheet_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let mut open = true;
     let ctx = ui.ctx().clone();
-    Window::new("Keyboard shortcuts")
-        .open(&mut open)
-        .default_size([460.0, 520.0])
-        .constrain_to(ctx.content_rect())
-        .collapsible(false)
-        .show(&ctx, sheet_ui);
-    let escaped = ctx.input(|input| input.key_pressed(Key::Escape));
-    if !open || escaped {
+    if dialog_ui(
+        &ctx,
+        "Keyboard shortcuts",
+        egui::vec2(460.0, 560.0),
+        true,
+        sheet_ui,
+    ) {
         commands.push(Command::ToggleShortcuts);
     }
 }

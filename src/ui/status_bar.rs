@@ -83,7 +83,7 @@ fn notices_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Command>) {
 }
 
 fn job_ui(ui: &mut Ui, job: &StatusJob, more: usize, commands: &mut Vec<Command>) {
-    let rest = 330.0;
+    let rest = 290.0;
     let text_width = (ui.available_width() - rest).clamp(40.0, 320.0);
     let galley_width = text_width.min(ui.available_width());
     ui.scope(|ui| {

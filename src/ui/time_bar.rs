@@ -10,7 +10,7 @@ use crate::ui::command::Command;
 use crate::ui::controls::{choice_ui, chooser_ui, focus_ring, icon_button_ui};
 use crate::ui::marks::{Icon, icon};
 use crate::ui::shortcuts::hint;
-use crate::ui::style::note_font;
+use crate::ui::style::{note_font, text_font};
 use crate::ui::theme::{Colours, colours, line, space};
 
 /// Speeds on offer, in beats per recorded beat.
@@ -60,7 +60,7 @@ pub fn time_bar_ui(ui: &mut Ui, view: &TimeBarView, commands: &mut Vec<Command>)
             }
         });
         ui.add_space(space::LARGE);
-        let readout = if width > 760.0 { 250.0 } else { 150.0 };
+        let readout = readout_width(ui, view, width > 820.0);
         let line_width = (ui.available_width() - readout - space::LARGE).max(60.0);
         line_ui(ui, view, line_width, commands);
         ui.add_space(space::LARGE);
@@ -130,6 +130,21 @@ fn speed_text(speed: f32) -> String {
         2
     };
     format!("{speed:.digits$}×")
+}
+
+/// Room for the longest readout, so that the line does not move while the beat plays.
+fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
+    let mut widest = match view.time_ms {
+        Some(_) => "8888 ms · 100 % R-R".to_owned(),
+        None => "100 % R-R".to_owned(),
+    };
+    if with_between {
+        widest += " · interpolated (linear)";
+    }
+    let galley = ui
+        .painter()
+        .layout_no_wrap(widest, text_font(), Color32::PLACEHOLDER);
+    galley.size().x + space::LARGE
 }
 
 /// "412 ms · 53 % R-R · interpolated (linear)".

@@ -7,6 +7,7 @@ use crate::render::Shading;
 use crate::ui::command::{Command, ViewMode};
 use crate::ui::controls::{choice_ui, chooser_ui, pane_header_ui, tab_ui};
 use crate::ui::shortcuts::hint;
+use crate::ui::theme::space;
 
 /// What the header of the 3D view shows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -46,16 +47,7 @@ pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut
     pane_header_ui(
         ui,
         |ui| {
-            for (mode, name) in [
-                (ViewMode::Single, "3D view"),
-                (ViewMode::SideBySide, "Side by side"),
-                (ViewMode::AllPhases, "All phases"),
-            ] {
-                if tab_ui(ui, name, view.mode == mode).clicked() {
-                    from_left.push(Command::SetViewMode(mode));
-                }
-                ui.add_space(4.0);
-            }
+            modes_ui(ui, view.mode, &mut from_left);
         },
         |ui| {
             quantity_ui(ui, view.quantity, &mut pushed);
@@ -80,6 +72,37 @@ pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut
     );
     commands.append(&mut from_left);
     commands.append(&mut pushed);
+}
+
+/// Tabs where they fit, a menu where they do not.
+fn modes_ui(ui: &mut Ui, chosen: ViewMode, commands: &mut Vec<Command>) {
+    const MODES: [(ViewMode, &str); 3] = [
+        (ViewMode::Single, "3D view"),
+        (ViewMode::SideBySide, "Side by side"),
+        (ViewMode::AllPhases, "All phases"),
+    ];
+    if ui.available_width() > 240.0 {
+        for (mode, name) in MODES {
+            if tab_ui(ui, name, chosen == mode).clicked() {
+                commands.push(Command::SetViewMode(mode));
+            }
+            ui.add_space(space::SMALL);
+        }
+        return;
+    }
+    let shown = MODES.iter().find(|(mode, _)| *mode == chosen);
+    chooser_ui(
+        ui,
+        "View",
+        shown.map_or("3D view", |(_, name)| name),
+        |ui| {
+            for (mode, name) in MODES {
+                if choice_ui(ui, name, chosen == mode) {
+                    commands.push(Command::SetViewMode(mode));
+                }
+            }
+        },
+    );
 }
 
 fn quantity_ui(ui: &mut Ui, quantity: Quantity, commands: &mut Vec<Command>) {
@@ -158,5 +181,52 @@ fn switch_ui(
         .on_disabled_hover_text("This heart has no such surface");
     if response.clicked() {
         commands.push(command);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui_kittest::{Harness, kittest::Queryable as _};
+
+    fn clicked(width: f32, names: &[&str]) -> Vec<Command> {
+        let mut harness = Harness::builder()
+            .with_size([width, 400.0])
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                |ui, commands: &mut Vec<Command>| {
+                    let view = ViewportHeaderView {
+                        shows_endocardium: Some(true),
+                        ..Default::default()
+                    };
+                    viewport_header_ui(ui, &view, commands);
+                },
+                Vec::new(),
+            );
+        harness.run();
+        for name in names {
+            harness.get_by_label(name).click();
+            harness.run();
+        }
+        harness.into_state()
+    }
+
+    #[test]
+    fn tabs_become_a_menu_where_they_do_not_fit() {
+        let wanted = [Command::SetViewMode(ViewMode::SideBySide)];
+        assert_eq!(clicked(800.0, &["Side by side"]), wanted);
+        assert_eq!(clicked(360.0, &["View: 3D view", "Side by side"]), wanted);
+    }
+
+    #[test]
+    fn a_surface_that_is_not_there_cannot_be_shown() {
+        let commands = clicked(800.0, &["Wall", "Inner"]);
+        assert_eq!(commands, [Command::ToggleEndocardium]);
+    }
+
+    #[test]
+    fn the_quantity_is_chosen_from_a_menu() {
+        let commands = clicked(800.0, &["Colour: Tissue", "Area ratio"]);
+        assert_eq!(commands, [Command::SetQuantity(Quantity::AreaRatio)]);
     }
 }

@@ -4,3 +4,5 @@ mod cli;
 mod oracles;
 mod panels;
 mod real_data;
+mod real_mesh_files;
+mod robustness;

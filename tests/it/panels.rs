@@ -150,7 +150,8 @@ fn rect(left: f32, top: f32, right: f32, bottom: f32) -> Rect {
 
 /// The whole window as `look/window_dark.png` has it.
 fn window(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
-    let whole = ui.max_rect();
+    let whole = ui.ctx().content_rect();
+    ui.set_clip_rect(whole);
     ui.painter().rect_filled(whole, 0.0, colours(ui).window);
     let (w, h, gap) = (whole.width(), whole.height(), space::PANE_GAP);
     let (left, right) = (278.0f32.min(0.22 * w), w - 476.0f32.min(0.32 * w));
@@ -412,9 +413,130 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
                 details: "p12/endo_03.obj".to_owned(),
                 retry: Some(JobKind::Open),
             }];
-            error_cards_ui(ui, &cards, commands);
+            let whole = ui.ctx().content_rect();
+            let middle = rect(0.0, 0.0, whole.right(), whole.bottom() - 140.0);
+            let mut over = ui.new_child(UiBuilder::new().max_rect(middle));
+            error_cards_ui(&mut over, &cards, commands);
         }
         Over::About => about_ui(ui, "llvmpipe", commands),
+    }
+}
+
+/// A panel alone, in a state that the window above does not show.
+fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Command>) {
+    let whole = ui.ctx().content_rect();
+    ui.set_clip_rect(whole);
+    pane(ui, whole.shrink(2.0), |ui| match name {
+        "map_hover" | "map_computing" | "map_failed" | "map_empty" | "map_first" => {
+            let state = match name {
+                "map_computing" | "map_first" => MapState::Computing {
+                    fraction: 0.42,
+                    seconds_left: Some(12.0),
+                },
+                "map_failed" => {
+                    MapState::Failed("no two subjects have corresponding vertices".to_owned())
+                }
+                "map_empty" => MapState::Empty,
+                _ => MapState::Ready,
+            };
+            let mut view = example.map(state);
+            if matches!(name, "map_first" | "map_empty") {
+                view.points = &[];
+                view.stress = None;
+            }
+            pose_map_header_ui(ui, &view, commands);
+            pose_map_ui(ui, &view, commands);
+        }
+        "activity" => {
+            let item = |title: &str, parameters: &str, duration_s, state| WorkItem {
+                kind: JobKind::PoseMap,
+                title: title.to_owned(),
+                parameters: parameters.to_owned(),
+                duration_s,
+                state,
+            };
+            let running = WorkState::Running {
+                fraction: 0.71,
+                seconds_left: Some(3.2),
+            };
+            let items = [
+                item(
+                    "Map of poses",
+                    "quasi-conformal · additive · SMACOF · 184 poses",
+                    2.4,
+                    running,
+                ),
+                item("Measures", "23 subjects", 0.08, WorkState::Done),
+                item(
+                    "Reading",
+                    "acdc_walls/study.toml",
+                    12.3,
+                    WorkState::Failed("no such folder".to_owned()),
+                ),
+                item("Map of poses", "rigid · MDS", 0.9, WorkState::Stopped),
+            ];
+            activity_ui(ui, &items, commands);
+        }
+        "empty" => empty_state_ui(ui, &EmptyStateView::default(), commands),
+        "empty_hover" => {
+            let view = EmptyStateView {
+                files_hover: true,
+                opening: false,
+            };
+            empty_state_ui(ui, &view, commands);
+        }
+        _ => {
+            let view = CohortView {
+                rows: &example.rows,
+                visible: &[],
+                search: "xyz",
+                sort: None,
+                selected: None,
+                compared: None,
+                measuring: true,
+            };
+            cohort_table_ui(ui, &view, commands);
+        }
+    });
+}
+
+/// Writes pictures of single panels where `CARDIOMORPH_GALLERY` says; for the eye.
+#[test]
+fn the_states_of_panels_are_drawn_where_it_is_asked_for() {
+    let Some(folder) = std::env::var_os("CARDIOMORPH_GALLERY").map(PathBuf::from) else {
+        println!("skipped: CARDIOMORPH_GALLERY names no folder");
+        return;
+    };
+    let names = [
+        "map_hover",
+        "map_computing",
+        "map_failed",
+        "map_empty",
+        "map_first",
+        "activity",
+        "empty",
+        "empty_hover",
+        "no_match",
+    ];
+    for (index, name) in names.into_iter().enumerate() {
+        let example = Example::new();
+        let mut harness = Harness::builder()
+            .with_size([400.0, 330.0])
+            .with_theme(egui::Theme::from_dark_mode(index % 2 == 0))
+            .with_context_setup(install)
+            .wgpu()
+            .build_ui_state(
+                |ui, commands: &mut Vec<Command>| state_ui(ui, name, &example, commands),
+                Vec::new(),
+            );
+        harness.run();
+        if name == "map_hover" {
+            // The end-systole of the last subject, up on the right.
+            harness.hover_at(pos2(347.0, 92.0));
+            harness.run_steps(40);
+        }
+        let path = folder.join(format!("state_{name}.png"));
+        harness.render().unwrap().save(path).unwrap();
     }
 }
 
@@ -441,6 +563,7 @@ fn the_gallery_is_drawn_where_it_is_asked_for() {
             let mut harness = Harness::builder()
                 .with_size([width, height])
                 .with_pixels_per_point(scale)
+                .with_theme(egui::Theme::from_dark_mode(dark))
                 .with_context_setup(move |ctx| apply(ctx, dark))
                 .wgpu()
                 .build_ui_state(

@@ -88,6 +88,8 @@ fn parse(text: &[u8], start: Option<usize>) -> Result<Document, ReadMeshError> {
             reason: format!("the extension {name} is not read; save the file without it"),
         });
     }
+    check_positions(&root)?;
+    check_channels(&root)?;
     Document::from_json(root).map_err(|error| match error {
         gltf::Error::Validation(errors) => match errors.into_iter().next() {
             Some((path, error)) => ReadMeshError::InItem {
@@ -101,6 +103,54 @@ fn parse(text: &[u8], start: Option<usize>) -> Result<Document, ReadMeshError> {
             reason: other.to_string(),
         },
     })
+}
+
+/// Checks what the crate's own validation indexes by without a check (gltf-json 1.4.1,
+/// `primitive_validate_hook`).
+fn check_positions(root: &json::Root) -> Result<(), ReadMeshError> {
+    let positions = json::validation::Checked::Valid(json::mesh::Semantic::Positions);
+    for (mesh_at, mesh) in root.meshes.iter().enumerate() {
+        for (at, primitive) in mesh.primitives.iter().enumerate() {
+            let index = primitive.attributes.get(&positions).map(json::Index::value);
+            if let Some(index) = index.filter(|&index| index >= root.accessors.len()) {
+                return Err(ReadMeshError::InItem {
+                    item: format!("meshes[{mesh_at}].primitives[{at}]"),
+                    reason: format!(
+                        "refers to accessors[{index}], but there are only {}",
+                        root.accessors.len()
+                    ),
+                });
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Checks what the crate hands out without a check: its validation of animations stops at the
+/// samplers (gltf-json 1.4.1, `Animation::validate`).
+fn check_channels(root: &json::Root) -> Result<(), ReadMeshError> {
+    for (animation_at, animation) in root.animations.iter().enumerate() {
+        for (at, channel) in animation.channels.iter().enumerate() {
+            let item = || format!("animations[{animation_at}].channels[{at}]");
+            let node = channel.target.node.value();
+            if node >= root.nodes.len() {
+                return Err(ReadMeshError::InItem {
+                    item: item(),
+                    reason: format!(
+                        "refers to nodes[{node}], but there are only {}",
+                        root.nodes.len()
+                    ),
+                });
+            }
+            if channel.target.path == json::validation::Checked::Invalid {
+                return Err(ReadMeshError::InItem {
+                    item: item(),
+                    reason: "moves neither a node nor weights".to_owned(),
+                });
+            }
+        }
+    }
+    Ok(())
 }
 
 fn byte_of(text: &[u8], line: usize, column: usize) -> usize {

@@ -12,6 +12,7 @@ use super::series_files::{is_series, read_series};
 use crate::io::{Limits, OpenError, mesh_file_endings};
 use crate::progress::{Progress, Stopped};
 use crate::study::SurfaceKind;
+use crate::study::checks::counted;
 
 /// Folders within folders that are followed.
 const DEEPEST: usize = 8;
@@ -21,6 +22,8 @@ pub(super) struct Search<'a> {
     pub(super) limits: &'a Limits,
     pub(super) progress: &'a Progress,
     seen: HashSet<PathBuf>,
+    /// Image files that were passed over.
+    images: usize,
     pub(super) plan: StudyPlan,
 }
 
@@ -68,6 +71,7 @@ impl<'a> Search<'a> {
             limits,
             progress,
             seen: HashSet::new(),
+            images: 0,
             plan: StudyPlan::default(),
         }
     }
@@ -84,7 +88,7 @@ impl<'a> Search<'a> {
                 let before = self.found();
                 self.folder(path, 0)?;
                 if self.found() == before {
-                    self.fail(None, path, nothing_here());
+                    self.fail(None, path, nothing_here(self.images));
                 }
             } else if is_toml {
                 self.manifest(path)?;
@@ -153,7 +157,7 @@ impl<'a> Search<'a> {
             match role(&file) {
                 FileRole::Mesh | FileRole::Series => usable.push(file),
                 FileRole::Table if self.is_mesh_table(&file) => usable.push(file),
-                _ => {}
+                _ => self.images += usize::from(is_image(&file)),
             }
         }
         from_sheets.retain(|(file, _)| role(file) == FileRole::Mesh);
@@ -278,7 +282,18 @@ pub(super) fn folder_name(folder: &Path) -> String {
         .unwrap_or_default()
 }
 
-fn nothing_here() -> String {
+fn is_image(path: &Path) -> bool {
+    let name = name_of(path).to_ascii_lowercase();
+    [".nii", ".nii.gz", ".dcm", ".nrrd", ".mha"]
+        .iter()
+        .any(|ending| name.ends_with(ending))
+}
+
+fn nothing_here(images: usize) -> String {
     let endings = mesh_file_endings().join(", ");
-    format!("no meshes found ({endings}, pvd, series, study.toml)")
+    let images = match images {
+        0 => String::new(),
+        count => format!("; {} not read", counted(count, "image is", "images are")),
+    };
+    format!("no meshes found ({endings}, pvd, series, study.toml){images}")
 }

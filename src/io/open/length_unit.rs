@@ -47,7 +47,11 @@ pub(super) fn length_unit(
             LengthUnit::FileUnit,
             Some(Notice::info(format!(
                 "unit of length not stated; a longest side of {side:.1} would be too {} for a left ventricle in mm, so sizes are in file units, not in ml",
-                if side < *PLAUSIBLE_MM.start() { "short" } else { "long" }
+                if side < *PLAUSIBLE_MM.start() {
+                    "short"
+                } else {
+                    "long"
+                }
             ))),
         ),
         None => (

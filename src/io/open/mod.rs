@@ -27,7 +27,7 @@ pub use find_sequences::looks_openable;
 
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
-use crate::study::checks::{AlignedCohort, counted};
+use crate::study::checks::{AlignedCohort, all_of, counted};
 use crate::study::{Notice, Study, Subject};
 use find_sequences::{Search, folder_name};
 use group_files::stem;
@@ -150,8 +150,8 @@ fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
     }
     if groups.len() == 1 {
         notices.push(Notice::info(format!(
-            "all {} subjects have the same faces: their vertices are taken to correspond",
-            subjects.len()
+            "{} have the same faces: their vertices are taken to correspond",
+            all_of(subjects.len(), "subjects")
         )));
     } else {
         let mut sizes: Vec<usize> = groups.into_values().collect();

@@ -72,7 +72,7 @@ fn a_folder_of_folders_is_a_cohort_and_other_files_are_passed_over() {
     assert_eq!(
         opened.notices,
         [Notice::info(
-            "all 2 subjects have the same faces: their vertices are taken to correspond"
+            "both subjects have the same faces: their vertices are taken to correspond"
         )]
     );
 }

@@ -11,6 +11,11 @@ use crate::study::Notice;
 /// properties are passed over.
 pub(crate) fn read_ply(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
     let header = read_header(bytes)?;
+    if let Some(strips) = header.elements.iter().find(|e| e.name == "tristrips") {
+        return Err(strips
+            .place
+            .error("triangle strips are not read; save the mesh with plain faces"));
+    }
     let draft = MeshDraft::new(limits, 0);
     match header.encoding {
         Encoding::Text => read_elements(TextBody::new(header.body.clone()), &header, draft),
@@ -36,11 +41,6 @@ fn read_elements(
             "face" => {
                 draft.expect_faces(element.count)?;
                 read_faces(&mut body, element, &mut draft)?;
-            }
-            "tristrips" => {
-                return Err(element
-                    .place
-                    .error("triangle strips are not read; save the mesh with plain faces"));
             }
             _ => pass_over(&mut body, element)?,
         }

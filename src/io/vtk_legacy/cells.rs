@@ -9,6 +9,20 @@ use crate::io::mesh_draft::Place;
 /// Called with the corners of each cell and where it stands.
 pub(super) type EachCell<'f> = &'f mut dyn FnMut(&[u32], Place) -> Result<(), ReadMeshError>;
 
+/// How many cells the first number after a keyword announces: files of version 5 count offsets,
+/// one more than cells.
+pub(super) fn cell_count(cursor: &LegacyCursor<'_>, first: u64) -> u64 {
+    if has_offsets(cursor) {
+        first.saturating_sub(1)
+    } else {
+        first
+    }
+}
+
+fn has_offsets(cursor: &LegacyCursor<'_>) -> bool {
+    cursor.rest().trim_ascii_start().starts_with(b"OFFSETS")
+}
+
 /// Reads cells after a keyword with the two numbers `first` and `second`.
 pub(super) fn read_cells(
     cursor: &mut LegacyCursor<'_>,
@@ -16,8 +30,7 @@ pub(super) fn read_cells(
     second: u64,
     each: EachCell<'_>,
 ) -> Result<(), ReadMeshError> {
-    let rest = cursor.rest().trim_ascii_start();
-    if rest.starts_with(b"OFFSETS") {
+    if has_offsets(cursor) {
         read_with_offsets(cursor, first, second, each)
     } else {
         read_with_counts(cursor, first, second, each)

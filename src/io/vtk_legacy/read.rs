@@ -1,6 +1,6 @@
 //! Reading a legacy VTK file from its first line to the end of its geometry.
 
-use super::cells::read_cells;
+use super::cells::{cell_count, read_cells};
 use super::cursor::{LegacyCursor, scalar};
 use super::skip::{skip_field, skip_metadata};
 use crate::io::binary_cursor::{Scalar, count as whole};
@@ -96,7 +96,8 @@ impl Reader<'_> {
                 self.read_points(number(1)?, kind)?;
             }
             (b"POLYGONS", false) => {
-                self.draft.expect_faces(number(1)?)?;
+                self.draft
+                    .expect_faces(cell_count(&self.cursor, number(1)?))?;
                 let draft = &mut self.draft;
                 read_cells(
                     &mut self.cursor,
@@ -144,7 +145,7 @@ impl Reader<'_> {
     }
 
     fn read_grid_cells(&mut self, first: u64, second: u64) -> Result<(), ReadMeshError> {
-        self.draft.expect_faces(first.saturating_sub(1))?;
+        self.draft.expect_faces(cell_count(&self.cursor, first))?;
         let (cells, all_corners) = (&mut self.cells, &mut self.cell_corners);
         read_cells(&mut self.cursor, first, second, &mut |corners, place| {
             all_corners.extend_from_slice(corners);

@@ -1,5 +1,7 @@
 //! Is a surface closed, and if not, where is it open?
 
+use std::collections::HashMap;
+
 use super::words::counted;
 use crate::mesh::Point3;
 use crate::study::{Notice, SurfaceKind, SurfaceSequence};
@@ -16,6 +18,8 @@ pub struct Boundary {
     pub stray_edges: usize,
     /// Length of the shortest rim over that of the longest, in frame 0.
     pub shortest_share: f64,
+    /// Whether every rim lies on another rim, point by point, in frame 0: closed in shape, but cut.
+    pub sealed: bool,
 }
 
 impl Boundary {
@@ -31,10 +35,12 @@ impl Boundary {
             .filter(|(_, n)| *n == 1)
             .count();
         let on_loops: usize = loop_sizes.iter().sum();
+        let vertices = surface.frames()[0].vertices();
         Self {
             loop_sizes,
             stray_edges: boundary_edges.saturating_sub(on_loops),
-            shortest_share: shortest_share(&loops, surface.frames()[0].vertices()),
+            shortest_share: shortest_share(&loops, vertices),
+            sealed: sealed(&loops, vertices),
         }
     }
 
@@ -53,6 +59,11 @@ impl Boundary {
         }
         match (self.loop_sizes.as_slice(), is_sheet) {
             ([], _) => Notice::info(format!("{name}: closed")),
+            (rims, _) if self.sealed => Notice::info(format!(
+                "{name}: closed in shape, but cut: its {} boundary loops of {} vertices coincide",
+                rims.len(),
+                listed(rims)
+            )),
             ([rim], true) => Notice::info(format!(
                 "{name}: open at the base, one boundary loop of {rim} vertices"
             )),
@@ -86,7 +97,22 @@ fn shortest_share(loops: &[Vec<u32>], vertices: &[Point3]) -> f64 {
     let (shortest, longest) = lengths.fold((f64::INFINITY, 0.0_f64), |(low, high), length| {
         (low.min(length), high.max(length))
     });
-    if longest > 0.0 { shortest / longest } else { 0.0 }
+    if longest > 0.0 {
+        shortest / longest
+    } else {
+        0.0
+    }
+}
+
+/// Whether each point of the rims belongs to at least two vertices of them; not for no rims.
+fn sealed(loops: &[Vec<u32>], vertices: &[Point3]) -> bool {
+    let mut counts: HashMap<[u64; 3], usize> = HashMap::new();
+    for &vertex in loops.iter().flatten() {
+        let point = vertices[vertex as usize];
+        let place = [point.x + 0.0, point.y + 0.0, point.z + 0.0].map(f64::to_bits);
+        *counts.entry(place).or_default() += 1;
+    }
+    !counts.is_empty() && counts.values().all(|&count| count > 1)
 }
 
 /// The largest three of some sizes.
@@ -138,7 +164,10 @@ mod tests {
             point.y *= share / ring;
         }
         let faces = Faces::new(points.len(), open).unwrap();
-        sequence(SurfaceKind::Epicardium, TriMesh::new(points, faces).unwrap())
+        sequence(
+            SurfaceKind::Epicardium,
+            TriMesh::new(points, faces).unwrap(),
+        )
     }
 
     #[test]
@@ -161,6 +190,27 @@ mod tests {
             found.notice(&surface),
             Notice::info(
                 "epicardium: open in two places, as at mitral and aortic valve: boundary loops of 12 and 12 vertices; volumes use a flat cap in each"
+            )
+        );
+    }
+
+    #[test]
+    fn two_halves_that_touch_along_their_rims_are_closed_in_shape() {
+        let lower = phantom::bowl(1.0, 6, 12);
+        let upper: Vec<Point3> = lower
+            .vertices()
+            .iter()
+            .map(|p| Point3::new(p.x, p.y, if p.z.abs() < 1e-9 { p.z } else { -p.z }))
+            .collect();
+        let turned = lower.triangles().iter().map(|&[a, b, c]| [a, c, b]);
+        let turned = Faces::new(upper.len(), turned.collect()).unwrap();
+        let faces = Faces::joined(&[lower.faces(), &turned]);
+        let points = [lower.vertices(), upper.as_slice()].concat();
+        let surface = sequence(SurfaceKind::Wall, TriMesh::new(points, faces).unwrap());
+        assert_eq!(
+            Boundary::of(&surface).notice(&surface),
+            Notice::info(
+                "wall: closed in shape, but cut: its 2 boundary loops of 12 and 12 vertices coincide"
             )
         );
     }

@@ -38,7 +38,7 @@ pub use stated_phases::StatedPhases;
 pub use sudden_jumps::SuddenJumps;
 pub use unused_vertices::UnusedVertices;
 pub use wall_order::WallOrder;
-pub use words::{counted, frames_phrase};
+pub use words::{all_of, counted, frames_phrase};
 
 use super::{MeshSequence, Notice, Severity, Subject, SurfaceSequence};
 

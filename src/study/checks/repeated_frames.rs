@@ -1,6 +1,6 @@
 //! Do some frames repeat others?
 
-use super::words::frames_phrase;
+use super::words::{all_of, frames_phrase};
 use crate::study::{Notice, SurfaceSequence};
 
 /// Frames with exactly the positions of an earlier frame.
@@ -35,7 +35,8 @@ impl RepeatedFrames {
         match self.pairs.as_slice() {
             [] => None,
             pairs if pairs.len() + 1 == count => Some(Notice::warning(format!(
-                "{name}: all {count} frames are identical: it does not move"
+                "{name}: {} are identical: it does not move",
+                all_of(count, "frames")
             ))),
             [(later, 0)] if later + 1 == count => Some(Notice::info(format!(
                 "{name}: the last frame repeats the first"
@@ -88,7 +89,7 @@ mod tests {
         assert_eq!(
             told(&[3.0, 3.0]),
             Some(Notice::warning(
-                "cavity: all 2 frames are identical: it does not move"
+                "cavity: both frames are identical: it does not move"
             ))
         );
         assert_eq!(told(&[3.0]), None);

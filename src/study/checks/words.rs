@@ -6,7 +6,7 @@ pub fn counted(count: usize, singular: &str, plural: &str) -> String {
     format!("{} {word}", with_thousands(count))
 }
 
-/// `frame 3`, `frames 0–4 and 7`, `all 25 frames`; empty for a still heart, of which there is no
+/// `frame 3`, `frames 0–4, 7`, `both frames`, `all 25 frames`; empty for a still heart, of which there is no
 /// other frame to tell it from.
 ///
 /// `frames` are ascending and below `frame_count`.
@@ -15,7 +15,7 @@ pub fn frames_phrase(frames: &[usize], frame_count: usize) -> String {
         return String::new();
     }
     if frames.len() == frame_count {
-        return format!("all {frame_count} frames");
+        return all_of(frame_count, "frames");
     }
     let runs: Vec<String> = frames
         .chunk_by(|a, b| a + 1 == *b)
@@ -28,6 +28,15 @@ pub fn frames_phrase(frames: &[usize], frame_count: usize) -> String {
         .collect();
     let word = if frames.len() == 1 { "frame" } else { "frames" };
     format!("{word} {}", runs.join(", "))
+}
+
+/// `both subjects`, `all 20 subjects`.
+pub fn all_of(count: usize, plural: &str) -> String {
+    if count == 2 {
+        format!("both {plural}")
+    } else {
+        format!("all {} {plural}", with_thousands(count))
+    }
 }
 
 /// `endocardium` or `endocardium, frames 0–4`: what a sentence is about.
@@ -61,7 +70,7 @@ mod tests {
         assert_eq!(frames_phrase(&[0, 1, 2, 7], 25), "frames 0–2, 7");
         assert_eq!(frames_phrase(&[3], 25), "frame 3");
         assert_eq!(frames_phrase(&[3, 4], 25), "frames 3, 4");
-        assert_eq!(frames_phrase(&[0, 1], 2), "all 2 frames");
+        assert_eq!(frames_phrase(&[0, 1], 2), "both frames");
         assert_eq!(frames_phrase(&[0], 1), "");
     }
 

@@ -34,6 +34,10 @@ pub fn draw_map(ui: &Ui, view: &PoseMapView, rect: Rect, lens: &Lens, hovered: O
             .map(|s| s.role)
             .unwrap_or_default();
         let strength = if view.selected.is_some() { 0.72 } else { 0.95 };
+        let strength = match point.phase {
+            PosePhase::Between => 0.55 * strength,
+            _ => strength,
+        };
         canvas.point(point, role, canvas.resting(role, strength), 1.0);
     }
     for path in paths(view.points).filter(|path| Some(path[0].subject) == view.compared) {
@@ -127,43 +131,53 @@ impl Canvas<'_> {
             .subjects
             .get(path[0].subject)
             .map_or("", |subject| &subject.id);
+        let places: Vec<Pos2> = path.iter().map(|point| self.place(point.at)).collect();
         let mut taken: Vec<Rect> = Vec::new();
+        taken.extend(
+            view.current
+                .map(|at| Rect::from_center_size(self.place(at), vec2(14.0, 14.0))),
+        );
         for point in path {
             let text = match point.phase {
                 PosePhase::EndDiastole => format!("{id} ED"),
                 PosePhase::EndSystole => format!("{id} ES"),
                 PosePhase::Between => continue,
             };
-            self.label(self.place(point.at), text, colour, &mut taken);
+            self.label(self.place(point.at), text, colour, &places, &mut taken);
         }
     }
 
-    /// Writes beside a point, inside the pane, where no other label stands.
-    fn label(&self, at: Pos2, text: String, colour: Color32, taken: &mut Vec<Rect>) {
+    /// Writes beside a point, inside the pane, where it hides least of the path.
+    fn label(&self, at: Pos2, text: String, colour: Color32, path: &[Pos2], taken: &mut Vec<Rect>) {
         let galley = self
             .painter
             .layout_no_wrap(text, medium_note_font(), colour);
         let size = galley.size();
-        let gap = 8.0;
+        let (gap, middle) = (9.0, -0.5 * size.y);
+        let left = -gap - size.x;
         let places = [
-            at + vec2(gap, -size.y - 2.0),
-            at + vec2(gap, 2.0),
-            at + vec2(-gap - size.x, -size.y - 2.0),
-            at + vec2(-gap - size.x, 2.0),
-        ];
+            vec2(gap, -size.y - 3.0),
+            vec2(gap, 3.0),
+            vec2(left, -size.y - 3.0),
+            vec2(left, 3.0),
+            vec2(gap, middle),
+            vec2(left, middle),
+            vec2(-0.5 * size.x, -size.y - gap),
+            vec2(-0.5 * size.x, gap),
+        ]
+        .map(|offset| Rect::from_min_size(at + offset, size));
         let inside = self.rect.shrink(4.0);
-        let fits = |place: &Pos2| {
-            let rect = Rect::from_min_size(*place, size);
-            inside.contains_rect(rect) && taken.iter().all(|other| !other.intersects(rect))
+        let free = |rect: &Rect| {
+            inside.contains_rect(*rect) && taken.iter().all(|other| !other.intersects(*rect))
         };
-        let Some(place) = places.into_iter().find(fits) else {
+        let hidden = |rect: &Rect| hidden_length(path, *rect) as i32;
+        let Some(rect) = places.into_iter().filter(free).min_by_key(hidden) else {
             return;
         };
-        let rect = Rect::from_min_size(place, size);
-        let behind = self.colours.pane.gamma_multiply(0.75);
+        let behind = self.colours.pane.gamma_multiply(0.7);
         self.painter
             .rect_filled(rect.expand2(vec2(3.0, 0.0)), 3.0, behind);
-        self.painter.galley(place, galley, colour);
+        self.painter.galley(rect.min, galley, colour);
         taken.push(rect);
     }
 
@@ -174,6 +188,20 @@ impl Canvas<'_> {
         self.painter
             .circle_stroke(at, 6.5, Stroke::new(line::MARK, self.colours.selection));
     }
+}
+
+/// How much of a path, in points, lies within a rectangle; the path is closed.
+fn hidden_length(path: &[Pos2], rect: Rect) -> f32 {
+    let mut hidden = 0.0;
+    for (index, from) in path.iter().enumerate() {
+        let to = path[(index + 1) % path.len()];
+        let steps = ((to - *from).length() / 2.0).ceil().clamp(1.0, 400.0);
+        let inside = (0..steps as usize)
+            .filter(|step| rect.contains(from.lerp(to, *step as f32 / steps)))
+            .count();
+        hidden += 2.0 * inside as f32;
+    }
+    hidden
 }
 
 fn draw_grid(painter: &Painter, rect: Rect, lens: &Lens, colours: &Colours) {
@@ -213,6 +241,9 @@ pub fn legend_ui(ui: &mut Ui, view: &PoseMapView, height: f32) {
             }
         },
         |ui| {
+            if ui.available_width() < 80.0 {
+                return;
+            }
             let text = if view.left_out.is_empty() { "axes have no unit" } else { view.left_out };
             let what = "Only distances between points mean something: they stand for the distances \
                         between poses. Filled marks are end-diastole, open ones end-systole.";

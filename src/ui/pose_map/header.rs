@@ -18,32 +18,48 @@ pub fn pose_map_header_ui(ui: &mut Ui, view: &PoseMapView, commands: &mut Vec<Co
         |ui| {
             ui.add(egui::Label::new(medium("Poses")).truncate());
         },
-        |ui| {
-            if let Some(stress) = view.stress
-                && wide
-            {
-                ui.label(note(format!("stress {stress:.2}"))).on_hover_text(
-                    "Kruskal's stress 1: how far distances on the map are from those between poses. \
-                     Below 0.1 is good, above 0.2 the map misleads.",
-                );
-            }
-            method_ui(ui, view.params, commands);
-            metric_ui(ui, view.params, commands);
-        },
+        |ui| pose_map_choosers_ui(ui, view, wide, commands),
     );
+}
+
+/// Draws the choosers of metric and method, and the stress, from right to left: for a header that
+/// has its own title. A narrow strip keeps only one chooser.
+pub fn pose_map_choosers_ui(
+    ui: &mut Ui,
+    view: &PoseMapView,
+    wide: bool,
+    commands: &mut Vec<Command>,
+) {
+    if let Some(stress) = view.stress
+        && wide
+    {
+        ui.label(note(format!("stress {stress:.2}"))).on_hover_text(
+            "Kruskal's stress 1: how far distances on the map are from those between poses. \
+                     Below 0.1 is good, above 0.2 the map misleads.",
+        );
+    }
+    if wide {
+        method_ui(ui, view.params, commands);
+    }
+    metric_ui(ui, view.params, !wide, commands);
 }
 
 fn method_ui(ui: &mut Ui, params: PoseMapParams, commands: &mut Vec<Command>) {
     chooser_ui(ui, "Method", method_name(params.method), |ui| {
-        for method in [MapMethod::ClassicalMds, MapMethod::Smacof] {
-            if choice_ui(ui, method_name(method), params.method == method) {
-                commands.push(Command::SetPoseMap(PoseMapParams { method, ..params }));
-            }
-        }
+        methods_ui(ui, params, commands);
     });
 }
 
-fn metric_ui(ui: &mut Ui, params: PoseMapParams, commands: &mut Vec<Command>) {
+fn methods_ui(ui: &mut Ui, params: PoseMapParams, commands: &mut Vec<Command>) {
+    for method in [MapMethod::ClassicalMds, MapMethod::Smacof] {
+        if choice_ui(ui, method_name(method), params.method == method) {
+            commands.push(Command::SetPoseMap(PoseMapParams { method, ..params }));
+        }
+    }
+}
+
+/// The metric and its form; in a narrow pane the method, too.
+fn metric_ui(ui: &mut Ui, params: PoseMapParams, with_method: bool, commands: &mut Vec<Command>) {
     let mut wanted = params;
     let metric = &mut wanted.distances.metric;
     chooser_ui(ui, "Metric", metric_name(metric.kind), |ui| {
@@ -84,6 +100,11 @@ fn metric_ui(ui: &mut Ui, params: PoseMapParams, commands: &mut Vec<Command>) {
             };
         }
         ui.checkbox(&mut metric.area_weights, "Count by area");
+        if with_method {
+            ui.separator();
+            ui.label(note("Method"));
+            methods_ui(ui, params, commands);
+        }
     });
     if wanted != params {
         commands.push(Command::SetPoseMap(wanted));

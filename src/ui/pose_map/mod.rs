@@ -7,7 +7,7 @@ mod lens;
 #[cfg(test)]
 mod tests;
 
-pub use header::pose_map_header_ui;
+pub use header::{pose_map_choosers_ui, pose_map_header_ui};
 
 use egui::{Key, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
@@ -266,7 +266,7 @@ fn over_map_ui(ui: &mut Ui, view: &PoseMapView, rect: Rect, commands: &mut Vec<C
             } => {
                 progress_bar_ui(
                     ui,
-                    (width - 220.0).max(30.0),
+                    (width - 190.0).max(30.0),
                     *fraction,
                     "Computing the map",
                 );

@@ -37,9 +37,15 @@ pub struct ColourBarView<'a> {
 const HEIGHT: f32 = 10.0;
 const CAP: f32 = 8.0;
 
-/// Draws the bar in the lower left corner.
-pub fn colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView, commands: &mut Vec<Command>) {
+/// Draws the bar in the lower left corner and returns where it ends.
+pub fn colour_bar_ui(
+    ui: &mut Ui,
+    inner: Rect,
+    view: &ColourBarView,
+    commands: &mut Vec<Command>,
+) -> f32 {
     let width = (inner.width() * 0.3).clamp(120.0, 230.0);
+    let text_width = (inner.width() * 0.42).clamp(width, 330.0);
     let top = inner.bottom() - 46.0;
     let bar = Rect::from_min_size(
         pos2(inner.left() + CAP, top),
@@ -54,7 +60,7 @@ pub fn colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView, commands: &
     }
     let below = Rect::from_min_size(
         pos2(inner.left(), bar.bottom() + 18.0),
-        vec2(width + 60.0, 18.0),
+        vec2(text_width, 18.0),
     );
     let mut line_ui = ui.new_child(UiBuilder::new().max_rect(below));
     line_ui.horizontal(|ui| {
@@ -63,10 +69,11 @@ pub fn colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView, commands: &
         if view.typed {
             let accent = colours(ui).selection;
             ui.label(RichText::new("· typed limits").small().color(accent));
-        } else if !view.note.is_empty() {
+        } else if !view.note.is_empty() && text_width > 200.0 {
             ui.add(egui::Label::new(note(format!("· {}", view.note))).truncate());
         }
     });
+    inner.left() + text_width
 }
 
 fn rgb([r, g, b]: [u8; 3]) -> Color32 {

@@ -35,8 +35,8 @@ struct Face {
     towards_viewer: f32,
 }
 
-/// Draws the cube in the lower right corner.
-pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Command>) {
+/// Draws the cube in the lower right corner and returns where it begins.
+pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Command>) -> f32 {
     let side = 4.0 * HALF * 0.92;
     let rect = Rect::from_min_max(inner.max - Vec2::splat(side), inner.max);
     let faces = visible_faces(view, rect.center());
@@ -71,6 +71,7 @@ pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Com
         _ => "Which way the heart is turned; its anatomical orientation is not known".to_owned(),
     };
     response.on_hover_text(hint);
+    rect.left()
 }
 
 /// The faces turned towards the viewer, at most three.
@@ -150,7 +151,7 @@ fn draw_face(ui: &Ui, face: &Face, pointed: bool, known: bool, colours: &Colours
     ui.painter()
         .add(Shape::convex_polygon(face.corners.to_vec(), fill, edge));
     if known && face.towards_viewer > 0.34 {
-        let strength = ((face.towards_viewer - 0.34) / 0.25).clamp(0.3, 1.0);
+        let strength = ((face.towards_viewer - 0.34) / 0.25).clamp(0.55, 1.0);
         let short = if face.towards_viewer > 0.8 {
             face.name
         } else {

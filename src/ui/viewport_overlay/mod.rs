@@ -35,7 +35,8 @@ pub struct ViewportOverlayView<'a> {
     pub cube: Option<CubeView>,
 }
 
-/// Draws over `ui.max_rect()`, which the 3D picture fills.
+/// Draws over `ui.max_rect()`, which the 3D picture fills. Two pictures side by side need a `ui`
+/// each, with its own `id_salt`.
 pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &mut Vec<Command>) {
     let whole = ui.max_rect();
     let inner = whole.shrink(space::LARGE + space::SMALL);
@@ -44,19 +45,18 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     }
     title_ui(ui, inner, view);
     let tall = inner.height() > 180.0;
+    let mut free = inner.x_range();
     if let Some(bar) = &view.colour_bar {
-        colour_bar::colour_bar_ui(ui, inner, bar, commands);
-    }
-    if let Some(scale) = &view.scale_bar
-        && inner.width() > 240.0
-    {
-        scale_bar::scale_bar_ui(ui, inner, scale);
+        free.min = colour_bar::colour_bar_ui(ui, inner, bar, commands);
     }
     if let Some(cube) = &view.cube
         && tall
         && inner.width() > 200.0
     {
-        cube::cube_ui(ui, inner, cube, commands);
+        free.max = cube::cube_ui(ui, inner, cube, commands);
+    }
+    if let Some(scale) = &view.scale_bar {
+        scale_bar::scale_bar_ui(ui, inner, free, scale);
     }
 }
 
@@ -94,5 +94,75 @@ fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView) {
             painter.rect_filled(rect, 4.0, colours.control);
             painter.galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::command::AnatomicalView;
+    use egui_kittest::{Harness, kittest::Queryable as _};
+
+    fn harness() -> Harness<'static, Vec<Command>> {
+        Harness::builder()
+            .with_size([700.0, 500.0])
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                |ui, commands: &mut Vec<Command>| {
+                    let view = ViewportOverlayView {
+                        title: "P-041",
+                        colour_bar: Some(ColourBarView {
+                            title: "Displacement",
+                            unit: "mm",
+                            map: [[0, 0, 0], [255, 255, 255]].into(),
+                            limits: [0.0, 12.0],
+                            logarithmic: false,
+                            below: [0, 0, 80],
+                            above: [80, 0, 0],
+                            note: "fixed for all subjects",
+                            typed: false,
+                        }),
+                        cube: Some(CubeView {
+                            world_from_camera: glam::Quat::IDENTITY,
+                            base: glam::Vec3::Y,
+                            septal: glam::Vec3::NEG_X,
+                            anterior: glam::Vec3::Z,
+                            known: true,
+                        }),
+                        ..Default::default()
+                    };
+                    viewport_overlay_ui(ui, &view, commands);
+                },
+                Vec::new(),
+            )
+    }
+
+    #[test]
+    fn a_click_on_a_face_of_the_cube_looks_from_there() {
+        let mut harness = harness();
+        harness.run();
+        harness.get_by_label("Orientation cube").click();
+        harness.run();
+        let wanted = Command::ViewFrom(AnatomicalView::Anterior);
+        assert_eq!(harness.into_state(), [wanted]);
+    }
+
+    #[test]
+    fn limits_are_typed_where_they_are_read() {
+        let mut harness = harness();
+        harness.run();
+        harness.get_by_label("Upper limit: 12").click();
+        harness.run();
+        harness.get_by_label("To value").focus();
+        harness.run();
+        harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+        harness.get_by_label("To value").type_text("8,5");
+        harness.run();
+        harness.get_by_label("Use").click();
+        harness.run();
+        assert_eq!(
+            harness.into_state(),
+            [Command::SetColourLimits(Some([0.0, 8.5]))]
+        );
     }
 }

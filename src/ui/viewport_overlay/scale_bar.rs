@@ -1,6 +1,6 @@
 //! A bar of a round length.
 
-use egui::{Align2, Rect, Stroke, Ui, pos2};
+use egui::{Align2, Rangef, Rect, Stroke, Ui, pos2};
 
 use crate::ui::nice_numbers::{digits_for, nice_below};
 use crate::ui::style::note_font;
@@ -18,17 +18,19 @@ pub struct ScaleBarView<'a> {
 /// Longest bar in points.
 const LONGEST: f64 = 110.0;
 
-/// Draws the bar at the middle of the lower edge.
-pub fn scale_bar_ui(ui: &Ui, inner: Rect, view: &ScaleBarView) {
+/// Draws the bar at the middle of the lower edge, or as near to it as `free`, the part of the edge
+/// that nothing else takes, allows.
+pub fn scale_bar_ui(ui: &Ui, inner: Rect, free: Rangef, view: &ScaleBarView) {
     let length = nice_below(LONGEST / view.points_per_unit);
     let points = (length * view.points_per_unit) as f32;
-    if !(points.is_finite() && points > 8.0) {
+    if !(points.is_finite() && points > 8.0 && points + 8.0 < free.span()) {
         return;
     }
     let colours = colours(ui);
     let stroke = Stroke::new(line::MARK, colours.muted);
     let y = inner.bottom() - 16.0;
-    let x = inner.center().x;
+    let reach = free.shrink(0.5 * points + 4.0);
+    let x = inner.center().x.clamp(reach.min, reach.max);
     let (left, right) = (x - 0.5 * points, x + 0.5 * points);
     ui.painter().hline(left..=right, y, stroke);
     for end in [left, right] {
