@@ -18,8 +18,11 @@ pub const PANES: [(Pane, &str); 6] = [
 /// Shares of the window's width: cohort, 3D view, results.
 const COLUMN_SHARES: [f32; 3] = [0.175, 0.53, 0.295];
 
-/// Shares of the right column's height: map, measures, curves.
-const RIGHT_SHARES: [f32; 3] = [0.46, 0.265, 0.275];
+/// Shares of the right column's height: map, and below it measures beside curves.
+const RIGHT_SHARES: [f32; 2] = [0.57, 0.43];
+
+/// Shares of the width below the map: measures, curves.
+const BELOW_SHARES: [f32; 2] = [0.42, 0.58];
 
 /// A pane that can be written into a saved layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -66,7 +69,10 @@ impl Default for Layout {
         };
         let left = tabs(&[Pane::Cohort, Pane::Activity]);
         let middle = tabs(&[Pane::Viewport]);
-        let right = [Pane::PoseMap, Pane::Measures, Pane::Curves].map(|pane| tabs(&[pane]));
+        let map = tabs(&[Pane::PoseMap]);
+        let below = [Pane::Measures, Pane::Curves].map(|pane| tabs(&[pane]));
+        let below = insert_linear(&mut tiles, LinearDir::Horizontal, &below, &BELOW_SHARES);
+        let right = [map, below];
         let right = insert_linear(&mut tiles, LinearDir::Vertical, &right, &RIGHT_SHARES);
         let columns = [left, middle, right];
         let root = insert_linear(&mut tiles, LinearDir::Horizontal, &columns, &COLUMN_SHARES);
