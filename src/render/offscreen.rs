@@ -173,9 +173,8 @@ impl Headless {
         Ok(picture)
     }
 
-    /// Gives the device and queue away.
-    #[cfg(test)]
-    pub(super) fn into_gpu(self) -> (wgpu::Device, wgpu::Queue) {
+    /// Gives the device and queue away, for a renderer driven as a window drives it.
+    pub fn into_gpu(self) -> (wgpu::Device, wgpu::Queue) {
         (self.device, self.queue)
     }
 
