@@ -198,7 +198,7 @@ fn fs_colour(in: Varying) -> @location(0) vec4<f32> {
     }
     var light_base = linear_of(base);
     if from_inside && !by_numbers {
-        light_base *= vec3<f32>(0.74, 0.60, 0.60);
+        light_base *= vec3<f32>(0.60, 0.46, 0.46);
     }
     let translucent = surface.colour.a < 1.0;
     let open_to_light = select(occlusion_at(in.clip.xy, eye_distance(in.q)), 1.0, translucent);
