@@ -82,7 +82,8 @@ impl Headless {
     /// # Errors
     /// If there is no adapter (the text says what to install), or it gives no device.
     pub fn new() -> Result<Self, RenderError> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let instance =
+            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
         let adapter = finished(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
             .map_err(|reason| RenderError::NoAdapter(reason.to_string()))?;
         let info = adapter.get_info();
