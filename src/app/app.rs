@@ -165,9 +165,7 @@ impl App {
         }
         let dropped: Vec<PathBuf> = ctx.input(|input| {
             let files = input.raw.dropped_files.iter();
-            files
-                .map(|file| file.path().to_owned())
-                .collect()
+            files.map(|file| file.path().to_owned()).collect()
         });
         if !dropped.is_empty() {
             self.queue.push(Command::Open(dropped));
@@ -246,10 +244,9 @@ impl App {
         let state = &mut self.state;
         if let Some(subject) = state.document.selected() {
             let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
-            let (position, on) =
-                state
-                    .play
-                    .advance(subject, state.document.position, elapsed_s);
+            let (position, on) = state
+                .play
+                .advance(subject, state.document.position, elapsed_s);
             state.document.position = position;
             state.play.playing = on;
         }

@@ -108,10 +108,13 @@ fn state_phase(state: &mut State, moment: &Moment, frame: Option<usize>, diastol
     if frame.is_some_and(|frame| frame >= count) {
         return;
     }
-    let stated = state
-        .document
-        .selected()
-        .map(|s| if diastole { s.end_diastole } else { s.end_systole });
+    let stated = state.document.selected().map(|s| {
+        if diastole {
+            s.end_diastole
+        } else {
+            s.end_systole
+        }
+    });
     if stated.is_none_or(|stated| stated == frame) {
         return;
     }

@@ -44,12 +44,7 @@ impl Background {
     /// Takes in what finished since the last frame.
     pub fn poll(&mut self, state: &mut State) {
         for problem in self.pictures.poll() {
-            push_card(
-                &mut state.errors,
-                "A heart cannot be drawn",
-                problem,
-                None,
-            );
+            push_card(&mut state.errors, "A heart cannot be drawn", problem, None);
         }
         self.engine.poll();
         // Results first: they belong to the study that is on screen until now.

@@ -32,8 +32,8 @@ pub fn camera_command(
         if delta == egui::Vec2::ZERO {
             return None;
         }
-        let pan = ui.input(|input| input.modifiers.shift)
-            || !response.dragged_by(PointerButton::Primary);
+        let pan =
+            ui.input(|input| input.modifiers.shift) || !response.dragged_by(PointerButton::Primary);
         let to = response.interact_pointer_pos()?;
         let camera = if pan {
             cell.camera.panned(vector(delta), size(cell))
@@ -43,8 +43,7 @@ pub fn camera_command(
         return Some(command(cell, camera, true));
     }
     let at = response.hover_pos()?;
-    let (scroll, pinch) =
-        ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+    let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
     let factor = (scroll * ZOOM_PER_POINT).exp() * pinch;
     if factor == 1.0 {
         return None;
@@ -59,10 +58,7 @@ pub fn camera_command(
 }
 
 fn turned(state: &State, cell: &Cell, from: Pos2, to: Pos2) -> Camera {
-    let (from, to) = (
-        vector(from - cell.rect.min),
-        vector(to - cell.rect.min),
-    );
+    let (from, to) = (vector(from - cell.rect.min), vector(to - cell.rect.min));
     if state.document.free_camera {
         return cell.camera.rolled(from, to, size(cell));
     }

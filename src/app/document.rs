@@ -176,9 +176,9 @@ impl Document {
     /// Selects a subject at the same share of the beat, so that hearts with other frame counts
     /// stay in phase.
     pub fn select_subject(&mut self, subject: usize) {
-        let phase = self.selected().map_or(0.0, |shown| {
-            phase_of(shown, self.position)
-        });
+        let phase = self
+            .selected()
+            .map_or(0.0, |shown| phase_of(shown, self.position));
         self.subject = subject;
         self.position = self
             .selected()
@@ -186,11 +186,7 @@ impl Document {
     }
 
     /// Replaces the selected subject by an edited copy in a study of another revision.
-    pub fn edit_subject(
-        &mut self,
-        revision: Revision,
-        edit: impl FnOnce(&mut Subject),
-    ) {
+    pub fn edit_subject(&mut self, revision: Revision, edit: impl FnOnce(&mut Subject)) {
         let Some(subject) = self.selected() else {
             return;
         };
@@ -242,7 +238,11 @@ pub fn position_at_phase(subject: &Subject, phase: f64) -> f64 {
     };
     let position = frame as f64 + part;
     // The end of the last interval is the start of the next beat.
-    if position >= count as f64 { 0.0 } else { position }
+    if position >= count as f64 {
+        0.0
+    } else {
+        position
+    }
 }
 
 #[cfg(test)]
@@ -260,14 +260,20 @@ mod tests {
             for step in 0..50 {
                 let position = f64::from(step) / 10.0;
                 let back = position_at_phase(&subject, phase_of(&subject, position));
-                assert!((back - position).abs() < 1e-9, "{position} came back as {back}");
+                assert!(
+                    (back - position).abs() < 1e-9,
+                    "{position} came back as {back}"
+                );
             }
         }
     }
 
     #[test]
     fn selecting_another_heart_keeps_the_phase() {
-        let study = study_of(vec![subject_with_frames("a", 8), subject_with_frames("b", 4)]);
+        let study = study_of(vec![
+            subject_with_frames("a", 8),
+            subject_with_frames("b", 4),
+        ]);
         let mut document = Document::new(study_ref(study));
         document.position = 4.0;
         document.select_subject(1);

@@ -5,9 +5,7 @@ use std::sync::Arc;
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::pose_distances::PoseDistanceParams;
-use crate::engine::{
-    AnalysisRequest, Cache, Engine, ExportFile, PoseMapParams, metric_words, run,
-};
+use crate::engine::{AnalysisRequest, Cache, Engine, ExportFile, PoseMapParams, metric_words, run};
 use crate::io::{distances_csv, frames_csv, poses_csv, subjects_csv, summary_json};
 use crate::picture::figure::{
     FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,
@@ -34,7 +32,13 @@ pub fn figure_name(state: &State) -> String {
         .map_or_else(|| "figure".to_owned(), |subject| subject.id.clone());
     let safe: String = id
         .chars()
-        .map(|c| if c.is_alphanumeric() || "-_.".contains(c) { c } else { '_' })
+        .map(|c| {
+            if c.is_alphanumeric() || "-_.".contains(c) {
+                c
+            } else {
+                '_'
+            }
+        })
         .collect();
     format!("{safe}_frame_{}.png", state.document.frame())
 }
@@ -91,7 +95,10 @@ fn figure(state: &State, viewport: &Viewport, shown: &ShownHeart, dark: bool) ->
         frame: super::document::nearest_frame(shown.position, prepared.frame_count),
     };
     let words = vec![
-        ("Software", concat!("Cardiomorph ", env!("CARGO_PKG_VERSION")).to_owned()),
+        (
+            "Software",
+            concat!("Cardiomorph ", env!("CARGO_PKG_VERSION")).to_owned(),
+        ),
         ("Subject", shown.subject.id.clone()),
         ("Position", format!("{:.3} frames", shown.position)),
         ("Colour", format!("{:?}", settings.quantity)),
@@ -199,7 +206,10 @@ fn tables(
         ("frames.csv", frames_csv(study, measures)),
         ("distances.csv", distances_csv(study, &mds.distances)),
         ("poses_mds.csv", poses_csv(study, poses, &mds.embedding)),
-        ("poses_smacof.csv", poses_csv(study, poses, &smacof.embedding)),
+        (
+            "poses_smacof.csv",
+            poses_csv(study, poses, &smacof.embedding),
+        ),
         ("summary.json", summary + "\n"),
     ];
     Ok(tables

@@ -99,7 +99,11 @@ impl HeartFrame {
         }
         let middle = 0.5 * (low + high);
         Self {
-            middle: if middle.is_finite() { middle } else { Vec3::ZERO },
+            middle: if middle.is_finite() {
+                middle
+            } else {
+                Vec3::ZERO
+            },
             world_from_heart: world_from_heart(&prepared.axes),
         }
     }

@@ -50,7 +50,11 @@ pub fn oriented_like(map: PoseMap, previous: &PoseMap) -> PoseMap {
         (dot.hypot(cross), cross.atan2(dot), mirror)
     };
     let (plain, mirrored) = (turn(1.0), turn(-1.0));
-    let (_, angle, mirror) = if mirrored.0 > plain.0 { mirrored } else { plain };
+    let (_, angle, mirror) = if mirrored.0 > plain.0 {
+        mirrored
+    } else {
+        plain
+    };
     let (sin, cos) = angle.sin_cos();
     let mut map = map;
     for point in map.embedding.coordinates.chunks_exact_mut(2) {

@@ -65,7 +65,10 @@ pub fn pixels(rect: Rect, pixels_per_point: f32) -> [u32; 2] {
     let span = |low: f32, high: f32| {
         ((high * pixels_per_point).round() - (low * pixels_per_point).round()).max(1.0) as u32
     };
-    [span(rect.left(), rect.right()), span(rect.top(), rect.bottom())]
+    [
+        span(rect.left(), rect.right()),
+        span(rect.top(), rect.bottom()),
+    ]
 }
 
 impl CallbackTrait for HeartPaint {

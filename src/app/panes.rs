@@ -147,8 +147,7 @@ impl Panes<'_> {
             empty_state_ui(ui, &view, self.commands);
             return;
         }
-        self.viewport
-            .ui(ui, self.state, self.meter, self.commands);
+        self.viewport.ui(ui, self.state, self.meter, self.commands);
     }
 }
 

@@ -174,6 +174,9 @@ mod tests {
             words(Quantity::Displacement),
             "cavity · vertex 7 · moved 2.5 mm"
         );
-        assert_eq!(words(Quantity::AreaRatio), "cavity · vertex 7 · area × 0.84");
+        assert_eq!(
+            words(Quantity::AreaRatio),
+            "cavity · vertex 7 · area × 0.84"
+        );
     }
 }

@@ -159,7 +159,11 @@ impl Pictures {
     }
 
     /// The fixed colour ranges of a study; the ones before while new ones are computed.
-    pub fn cohort_limits(&mut self, study: &Arc<Study>, reference_frames: &[usize]) -> CohortLimits {
+    pub fn cohort_limits(
+        &mut self,
+        study: &Arc<Study>,
+        reference_frames: &[usize],
+    ) -> CohortLimits {
         let same = self.limits.as_ref().is_some_and(|limits| {
             limits.key.0 == study.revision && limits.key.1 == reference_frames
         });

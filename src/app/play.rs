@@ -76,7 +76,11 @@ pub fn pose_at(position: f64, frame_count: usize) -> GeometryPose {
     GeometryPose {
         from,
         to: (from + 1) % count,
-        blend: if is_between(position) { eased as f32 } else { part.round() as f32 },
+        blend: if is_between(position) {
+            eased as f32
+        } else {
+            part.round() as f32
+        },
     }
 }
 
@@ -96,12 +100,18 @@ mod tests {
     fn a_beat_lasts_as_long_as_it_was_recorded() {
         let mut subject = subject_with_frames("a", 8);
         subject.timing.rr = Some(Seconds(0.8));
-        let clock = PlayClock { playing: true, ..PlayClock::default() };
+        let clock = PlayClock {
+            playing: true,
+            ..PlayClock::default()
+        };
         let mut position = 0.0;
         for _ in 0..8 {
             position = clock.advance(&subject, position, 0.05).0;
         }
-        assert!((position - 4.0).abs() < 1e-9, "half a beat after 0.4 s, not {position}");
+        assert!(
+            (position - 4.0).abs() < 1e-9,
+            "half a beat after 0.4 s, not {position}"
+        );
         for _ in 0..8 {
             position = clock.advance(&subject, position, 0.05).0;
         }
@@ -111,21 +121,32 @@ mod tests {
     #[test]
     fn half_speed_takes_twice_as_long() {
         let subject = subject_with_frames("a", 10);
-        let clock = PlayClock { playing: true, speed: 0.5, repeat: true };
+        let clock = PlayClock {
+            playing: true,
+            speed: 0.5,
+            repeat: true,
+        };
         assert!((clock.advance(&subject, 0.0, 0.4).0 - 2.0).abs() < 1e-9);
     }
 
     #[test]
     fn without_repeat_play_ends_on_the_last_frame() {
         let subject = subject_with_frames("a", 4);
-        let clock = PlayClock { playing: true, speed: 1.0, repeat: false };
+        let clock = PlayClock {
+            playing: true,
+            speed: 1.0,
+            repeat: false,
+        };
         assert_eq!(clock.advance(&subject, 2.9, 0.5), (3.0, false));
     }
 
     #[test]
     fn a_heart_with_one_frame_does_not_play() {
         let subject = subject_with_frames("a", 1);
-        let clock = PlayClock { playing: true, ..PlayClock::default() };
+        let clock = PlayClock {
+            playing: true,
+            ..PlayClock::default()
+        };
         assert_eq!(clock.advance(&subject, 0.0, 0.5), (0.0, false));
     }
 
@@ -141,7 +162,9 @@ mod tests {
 
     #[test]
     fn easing_goes_forward_and_never_stops() {
-        let blends: Vec<f32> = (0..100).map(|i| pose_at(f64::from(i) / 100.0, 8).blend).collect();
+        let blends: Vec<f32> = (0..100)
+            .map(|i| pose_at(f64::from(i) / 100.0, 8).blend)
+            .collect();
         assert!(blends.windows(2).all(|pair| pair[1] - pair[0] > 0.004));
         let last = pose_at(7.5, 8);
         assert_eq!((last.from, last.to), (7, 0));

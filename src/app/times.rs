@@ -165,7 +165,9 @@ mod tests {
         for ms in 1..=20 {
             times.begin_frame(true);
             times.add(Duration::from_millis(ms));
-            times.prepare_meter().fetch_add(1_000_000, Ordering::Relaxed);
+            times
+                .prepare_meter()
+                .fetch_add(1_000_000, Ordering::Relaxed);
         }
         times.begin_frame(true);
         let frames = times.frames().unwrap();

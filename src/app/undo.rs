@@ -158,7 +158,12 @@ mod tests {
         let mut history = History::default();
         for step in 0..50 {
             let now_s = f64::from(step) * 2.0;
-            history.record(document(f64::from(step)), Some(Gesture::Camera), true, now_s);
+            history.record(
+                document(f64::from(step)),
+                Some(Gesture::Camera),
+                true,
+                now_s,
+            );
         }
         history.end_drag();
         history.record(document(50.0), Some(Gesture::Camera), true, 100.1);

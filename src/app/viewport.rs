@@ -121,7 +121,10 @@ impl Viewport {
     /// The camera of a heart on screen, as last drawn; fitted to a square where it never was.
     pub fn camera(&self, state: &State, shown: &ShownHeart) -> Camera {
         let look = state.document.look;
-        let fit = self.fits.iter().find(|fit| Arc::ptr_eq(&fit.heart, &shown.heart));
+        let fit = self
+            .fits
+            .iter()
+            .find(|fit| Arc::ptr_eq(&fit.heart, &shown.heart));
         let fitted = fit.map_or_else(
             || {
                 let rotation = look.rotation(&shown.heart.prepared.axes);
@@ -162,8 +165,7 @@ impl Viewport {
         meter: &Arc<AtomicU64>,
         commands: &mut Vec<Command>,
     ) {
-        let (area, response) =
-            ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D viewport"));
         let cameras = self.cameras(state, area);
         let cells: Vec<Cell> = self
@@ -230,7 +232,8 @@ impl Viewport {
         } else {
             ROOM.map(|room| room.min(0.12 * rect.height()))
         };
-        let inner = (rect.size() - egui::vec2(2.0 * room[0], 2.0 * room[1])).max(egui::Vec2::splat(1.0));
+        let inner =
+            (rect.size() - egui::vec2(2.0 * room[0], 2.0 * room[1])).max(egui::Vec2::splat(1.0));
         let camera = self.tightly_fitted(heart, rotation, inner.x / inner.y);
         Camera {
             half_height: camera.half_height * rect.height().max(1.0) / inner.y,
@@ -309,7 +312,11 @@ impl Viewport {
         commands: &mut Vec<Command>,
     ) {
         let whole_beat = self.mode == ViewMode::AllPhases;
-        let shown = if whole_beat { &cells[..cells.len().min(1)] } else { cells };
+        let shown = if whole_beat {
+            &cells[..cells.len().min(1)]
+        } else {
+            cells
+        };
         for (place, cell) in shown.iter().enumerate() {
             let rect = if whole_beat { area } else { cell.rect };
             let last = place + 1 == shown.len();
@@ -370,14 +377,20 @@ fn frame_label(ui: &Ui, state: &State, cell: &Cell) {
     };
     let colours = colours(ui);
     let here = state.document.subject == cell.heart.index && state.document.frame() == frame;
-    let colour = if here { colours.selection } else { colours.muted };
+    let colour = if here {
+        colours.selection
+    } else {
+        colours.muted
+    };
     let at = cell.rect.left_top() + egui::vec2(10.0, 4.0);
     let font = egui::FontId::proportional(type_size::NOTE);
-    ui.painter().text(at, egui::Align2::LEFT_TOP, text, font, colour);
+    ui.painter()
+        .text(at, egui::Align2::LEFT_TOP, text, font, colour);
     if here {
         let rect = cell.rect.shrink(2.0);
         let stroke = Stroke::new(line::THIN, colours.selection);
         let radius = f32::from(radius::CONTROL);
-        ui.painter().rect_stroke(rect, radius, stroke, egui::StrokeKind::Inside);
+        ui.painter()
+            .rect_stroke(rect, radius, stroke, egui::StrokeKind::Inside);
     }
 }

@@ -29,7 +29,10 @@ fn window(options: AppOptions) -> Harness<'static, App> {
 fn wait(harness: &mut Harness<'_, App>, what: &str, done: impl Fn(&App) -> bool) {
     let begin = Instant::now();
     while !done(harness.state()) {
-        assert!(begin.elapsed() < Duration::from_secs(30), "waited for {what}");
+        assert!(
+            begin.elapsed() < Duration::from_secs(30),
+            "waited for {what}"
+        );
         harness.step();
         std::thread::sleep(Duration::from_millis(3));
     }
@@ -105,10 +108,16 @@ fn the_built_in_cohort_opens_and_is_measured_and_mapped() {
     assert_eq!(state.measures().unwrap().len(), 23);
     assert_eq!(state.map().unwrap().embedding.len(), 184);
     let normal = state.measures_of(0).unwrap().ef.unwrap();
-    assert!((0.5..0.75).contains(&normal), "a normal heart has EF {normal}");
+    assert!(
+        (0.5..0.75).contains(&normal),
+        "a normal heart has EF {normal}"
+    );
     assert!(state.errors.is_empty(), "{:?}", state.errors);
     harness.run();
-    assert!(harness.get_all_by_label("N01").count() >= 1, "the table names it");
+    assert!(
+        harness.get_all_by_label("N01").count() >= 1,
+        "the table names it"
+    );
     harness.get_by_label("3D viewport");
 }
 
@@ -141,11 +150,21 @@ fn a_click_on_the_map_is_followed_by_table_picture_and_time_bar() {
     give(&mut harness, Command::TogglePlay);
     harness.run();
     let position = harness.state().state().document.position;
-    assert_eq!(harness.state().hearts_on_screen(), [(pose.subject, position)]);
-    let id = harness.state().state().document.selected().unwrap().id.clone();
-    let row = harness.get_all_by_label(&id).find(|node| {
-        node.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)
-    });
+    assert_eq!(
+        harness.state().hearts_on_screen(),
+        [(pose.subject, position)]
+    );
+    let id = harness
+        .state()
+        .state()
+        .document
+        .selected()
+        .unwrap()
+        .id
+        .clone();
+    let row = harness
+        .get_all_by_label(&id)
+        .find(|node| node.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True));
     assert!(row.is_some(), "the row of {id} is selected");
 }
 

@@ -9,11 +9,13 @@ pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
     let document = &state.document;
     let visible = document.visibility;
     let has = |kinds: &[SurfaceKind]| {
-        document.selected().is_some_and(|subject: &std::sync::Arc<Subject>| {
-            kinds
-                .iter()
-                .any(|kind| subject.sequence.surface(*kind).is_some())
-        })
+        document
+            .selected()
+            .is_some_and(|subject: &std::sync::Arc<Subject>| {
+                kinds
+                    .iter()
+                    .any(|kind| subject.sequence.surface(*kind).is_some())
+            })
     };
     let inner = has(&[
         SurfaceKind::Endocardium,

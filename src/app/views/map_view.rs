@@ -7,7 +7,7 @@ use crate::app::play::pose_at;
 use crate::app::state::State;
 use crate::engine::{AnalysisError, AnalysisOutcome, PoseMap, Showing};
 use crate::study::Revision;
-use crate::ui::{MapPoint, MapState, MapSubject, PosePhase, PoseMapView, ViewMode};
+use crate::ui::{MapPoint, MapState, MapSubject, PoseMapView, PosePhase, ViewMode};
 
 /// Points and subjects of the map with what they were made from.
 #[derive(Debug, Default)]
