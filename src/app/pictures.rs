@@ -219,7 +219,7 @@ mod tests {
                 break heart;
             }
             assert!(begin.elapsed() < Duration::from_secs(5));
-            std::thread::yield_now();
+            std::hint::spin_loop();
         };
         assert_eq!(heart.prepared.frame_count, 3);
         assert!(heart.frame.middle.length() < 1e-3);

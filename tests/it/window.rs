@@ -1,6 +1,7 @@
 //! The window driven with no display: what a person does, and what must follow in every view.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
@@ -58,6 +59,20 @@ fn mapped_window() -> Harness<'static, App> {
     });
     harness.run();
     harness
+}
+
+/// A file let go over the window.
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
 }
 
 fn give(harness: &mut Harness<'_, App>, command: Command) {
@@ -299,12 +314,15 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
 }
 
 #[test]
-fn a_broken_file_gives_its_error_and_leaves_the_study_open() {
+fn a_broken_file_let_go_over_the_window_gives_its_error_and_leaves_the_study_open() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("broken.obj");
     std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").unwrap();
     let mut harness = cohort_window();
-    harness.state_mut().push(Command::Open(vec![path]));
+    harness
+        .input_mut()
+        .dropped_files
+        .push(Arc::new(Dropped(path)));
     wait(&mut harness, "the error card", |app| {
         !app.state().errors.is_empty()
     });
