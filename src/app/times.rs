@@ -31,27 +31,28 @@ pub struct Times {
 enum Moment {
     #[default]
     Ahead,
-    Drawn,
+    Drawn(Duration),
     Seen,
 }
 
 impl Moment {
     /// It was drawn; whether this was the first time.
-    fn draw(&mut self) -> bool {
+    fn draw(&mut self, elapsed: Duration) -> bool {
         let first = *self == Self::Ahead;
         if first {
-            *self = Self::Drawn;
+            *self = Self::Drawn(elapsed);
         }
         first
     }
 
-    /// A frame begins, so the one before was handed to the screen; whether it is seen now first.
-    fn see(&mut self) -> bool {
-        let now = *self == Self::Drawn;
-        if now {
-            *self = Self::Seen;
-        }
-        now
+    /// A frame begins, so the one before was handed to the screen: when it was drawn, if it is
+    /// seen now first.
+    fn see(&mut self) -> Option<Duration> {
+        let Self::Drawn(at) = *self else {
+            return None;
+        };
+        *self = Self::Seen;
+        Some(at)
     }
 }
 
@@ -88,12 +89,18 @@ impl Times {
 
     /// A frame begins: takes in the one before.
     pub fn begin_frame(&mut self, playing: bool) {
+        let seen = [
+            ("first picture", self.first_picture.see()),
+            ("finished map", self.finished_map.see()),
+        ];
         let elapsed_s = self.started.elapsed().as_secs_f64();
-        if self.first_picture.see() {
-            self.say(&format!("first picture after {elapsed_s:.3} s"));
-        }
-        if self.finished_map.see() {
-            self.say(&format!("finished map after {elapsed_s:.3} s"));
+        for (what, drawn) in seen {
+            if let Some(drawn) = drawn {
+                self.say(&format!(
+                    "{what} after {elapsed_s:.3} s ({:.3} s of it on the graphics card)",
+                    elapsed_s - drawn.as_secs_f64()
+                ));
+            }
         }
         let prepare = Duration::from_nanos(self.prepare_ns.swap(0, Ordering::Relaxed));
         let frame = std::mem::take(&mut self.this_frame) + prepare;
@@ -117,8 +124,9 @@ impl Times {
 
     /// What this frame draws; whether another frame is needed to tell when it was seen.
     pub fn drawn(&mut self, picture: bool, map: bool) -> bool {
-        let picture = picture && self.first_picture.draw();
-        let map = map && self.finished_map.draw();
+        let elapsed = self.started.elapsed();
+        let picture = picture && self.first_picture.draw(elapsed);
+        let map = map && self.finished_map.draw(elapsed);
         (picture || map) && self.print
     }
 
