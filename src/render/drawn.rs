@@ -15,6 +15,8 @@ pub(super) struct Drawn {
     pub vertices: u32,
     pub instances: u32,
     pub translucent: bool,
+    /// Translucent layers that a ray usually meets in it.
+    pub layers: usize,
 }
 
 impl Drawn {

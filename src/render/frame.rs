@@ -30,11 +30,12 @@ pub(super) struct Frame<'a> {
     pub kept_occlusion: Option<&'a wgpu::TextureView>,
 }
 
-/// Layers worth taking: a closed wall has four (outer and inner sides, front and back), each further surface may add two.
+/// Layers worth taking: those that a ray usually meets, and one more for folds.
 fn layer_count(drawn: &[Drawn]) -> usize {
-    match drawn.iter().filter(|drawn| drawn.translucent).count() {
+    let films = drawn.iter().filter(|drawn| drawn.translucent);
+    match films.map(|drawn| drawn.layers).sum() {
         0 => 0,
-        translucent => (2 + 2 * translucent).min(MOST_LAYERS),
+        layers => MOST_LAYERS.min(layers + 1),
     }
 }
 

@@ -82,7 +82,8 @@ impl Headless {
     /// # Errors
     /// If there is no adapter (the text says what to install), or it gives no device.
     pub fn new() -> Result<Self, RenderError> {
-        let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
+        let instance =
+            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
         let adapter = finished(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
             .map_err(|reason| RenderError::NoAdapter(reason.to_string()))?;
         let info = adapter.get_info();
@@ -173,9 +174,8 @@ impl Headless {
         Ok(picture)
     }
 
-    /// Gives the device and queue away.
-    #[cfg(test)]
-    pub(super) fn into_gpu(self) -> (wgpu::Device, wgpu::Queue) {
+    /// Gives the device and queue away, for a renderer driven as a window drives it.
+    pub fn into_gpu(self) -> (wgpu::Device, wgpu::Queue) {
         (self.device, self.queue)
     }
 

@@ -45,6 +45,21 @@ pub(super) fn sound_triangles(geometry: &Geometry) -> Vec<[u32; 3]> {
         .collect()
 }
 
+/// Edges of one triangle only, where an open surface ends; in a fixed order.
+pub(super) fn rim_edges(triangles: &[[u32; 3]]) -> Vec<[u32; 2]> {
+    let mut edges: Vec<[u32; 2]> = triangles
+        .iter()
+        .flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]])
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .collect();
+    edges.sort_unstable();
+    edges
+        .chunk_by(|a, b| a == b)
+        .filter(|same| same.len() == 1 && same[0][0] != same[0][1])
+        .map(|same| same[0])
+        .collect()
+}
+
 /// Vertices that every pose has.
 pub(super) fn vertex_count(geometry: &Geometry) -> usize {
     geometry.positions.iter().map(Vec::len).min().unwrap_or(0)
@@ -119,6 +134,15 @@ mod tests {
         let texels = shape_texels(&geometry, &triangles);
         assert_eq!(texels.len(), 3);
         assert!((unpacked(texels[0][3]) - Vec3::Z).length() < 1e-4);
+    }
+
+    #[test]
+    fn the_rim_of_two_triangles_is_their_outline() {
+        assert_eq!(
+            rim_edges(&[[0, 1, 2], [2, 1, 3]]),
+            [[0, 1], [0, 2], [1, 3], [2, 3]]
+        );
+        assert!(rim_edges(&[[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]]).is_empty());
     }
 
     #[test]

@@ -14,6 +14,8 @@ pub(super) enum Kind {
     Surface,
     /// A surface corner by corner, with edges.
     EdgedSurface,
+    /// Where a surface ends.
+    Rim,
     /// Line segments.
     Lines,
     /// Discs.
@@ -31,13 +33,13 @@ pub(super) enum Stage {
     Colour,
 }
 
-const KINDS: usize = 4;
+const KINDS: usize = 5;
 const STAGES: usize = 3;
 
 /// The whole shader text of a kind.
 pub(super) fn shader_text(kind: Kind) -> String {
     let own = match kind {
-        Kind::Surface | Kind::EdgedSurface => surface_pass::SHADER,
+        Kind::Surface | Kind::EdgedSurface | Kind::Rim => surface_pass::SHADER,
         Kind::Lines => line_pass::SHADER,
         Kind::Points => point_pass::SHADER,
     };
@@ -176,12 +178,13 @@ fn scene_pipeline(
     stage: Stage,
 ) -> wgpu::RenderPipeline {
     let own = match kind {
-        Kind::Surface | Kind::EdgedSurface => &layouts.surface,
+        Kind::Surface | Kind::EdgedSurface | Kind::Rim => &layouts.surface,
         Kind::Lines | Kind::Points => &layouts.mark,
     };
     let (entry, buffers) = match kind {
         Kind::Surface => ("vs_indexed", vec![]),
         Kind::EdgedSurface => ("vs_corners", vec![Some(surface_pass::CORNERS)]),
+        Kind::Rim => ("vs_rim", vec![Some(surface_pass::RIM)]),
         Kind::Lines => ("vs_segment", vec![Some(line_pass::SEGMENTS)]),
         Kind::Points => ("vs_disc", point_pass::DISCS.map(Some).to_vec()),
     };
@@ -236,6 +239,7 @@ fn scene_pipeline(
         fragment: match stage {
             Stage::OpaqueDepth => None,
             Stage::PeelDepth => Some(fragment("fs_peel", &[])),
+            Stage::Colour if kind == Kind::Rim => Some(fragment("fs_rim", &under)),
             Stage::Colour => Some(fragment("fs_colour", &under)),
         },
         multiview_mask: None,

@@ -255,15 +255,15 @@ impl Renderer {
         for surface in &scene.surfaces {
             let place = (uniforms, blocks.len() as u32);
             let known = (&self.layouts, &self.nothing);
-            if let Some((draw, block)) = surface_pass::drawn(gpu, uploads, known, surface, place) {
-                if !draw.translucent {
+            if let Some((draws, block)) = surface_pass::drawn(gpu, uploads, known, surface, place) {
+                if surface.opacity >= 1.0 {
                     let bounds = uploads.geometry(gpu, &surface.geometry).bounds;
                     opaque = opaque
                         .into_iter()
                         .chain(bounds)
                         .reduce(super::Bounds::joined);
                 }
-                drawn.push(draw);
+                drawn.extend(draws);
                 push_block(&mut blocks, &block);
             }
         }

@@ -103,7 +103,7 @@ pub struct Surface {
     pub shading: Shading,
     /// Edges on top, if any.
     pub wireframe: Option<Wireframe>,
-    /// Strength of the dark line where the surface turns away, `0..=1`.
+    /// Strength of the line where the surface turns away and of the one where it ends, `0..=1`.
     pub silhouette: f32,
     /// Whether a click can hit it.
     pub pickable: bool,

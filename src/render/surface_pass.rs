@@ -19,6 +19,13 @@ pub(super) const CORNERS: wgpu::VertexBufferLayout<'static> = wgpu::VertexBuffer
     attributes: &wgpu::vertex_attr_array![0 => Uint32],
 };
 
+/// Both vertices of an edge where the surface ends.
+pub(super) const RIM: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 8,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![0 => Uint32, 1 => Uint32],
+};
+
 /// Stand-ins for numbers and colours that a surface does not have.
 pub(super) struct Nothing {
     numbers: wgpu::TextureView,
@@ -55,7 +62,7 @@ pub(super) fn drawn(
     (layouts, nothing): (&Layouts, &Nothing),
     surface: &Surface,
     (uniforms, offset): (&wgpu::Buffer, u32),
-) -> Option<(Drawn, SurfaceUniform)> {
+) -> Option<(Vec<Drawn>, SurfaceUniform)> {
     if surface.opacity.is_nan() || surface.opacity <= 0.0 {
         return None;
     }
@@ -87,6 +94,23 @@ pub(super) fn drawn(
         ],
     });
     let edged = surface.wireframe.is_some();
+    let translucent = surface.opacity < 1.0;
+    let rim = geometry
+        .rim
+        .buffer
+        .clone()
+        .filter(|_| surface.silhouette > 0.0);
+    let rim = rim.map(|edges| Drawn {
+        kind: Kind::Rim,
+        group: group.clone(),
+        offset,
+        indices: None,
+        buffers: vec![edges],
+        vertices: 6,
+        instances: geometry.rim.count,
+        translucent,
+        layers: 0,
+    });
     let draw = Drawn {
         kind: if edged {
             Kind::EdgedSurface
@@ -99,9 +123,11 @@ pub(super) fn drawn(
         buffers: if edged { vec![indices.clone()] } else { vec![] },
         vertices: geometry.index_count,
         instances: 1,
-        translucent: surface.opacity < 1.0,
+        translucent,
+        // An open sheet is met in front and at the back; a closed wall has an outer and an inner side at each.
+        layers: if geometry.rim.count > 0 { 2 } else { 4 },
     };
-    Some((draw, uniform))
+    Some((std::iter::once(draw).chain(rim).collect(), uniform))
 }
 
 /// One draw's block in the view's uniform buffer, placed by its offset.

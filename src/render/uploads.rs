@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use super::cache::Cache;
-use super::packing::{scalar_texels, shape_texels, sound_triangles, vertex_count};
+use super::packing::{rim_edges, scalar_texels, shape_texels, sound_triangles, vertex_count};
 use super::{Bounds, Geometry, Lines, Points, Rgba, VertexScalars};
 
 /// Texels in rows.
@@ -24,6 +24,8 @@ pub(super) struct GeometryUpload {
     pub vertex_count: u32,
     pub pose_count: u32,
     pub bounds: Option<Bounds>,
+    /// Edges where the surface ends.
+    pub rim: InstancesUpload,
 }
 
 /// Numbers on the card.
@@ -159,6 +161,7 @@ fn upload_geometry(gpu: Gpu<'_>, geometry: &Geometry) -> GeometryUpload {
         vertex_count: vertex_count(geometry) as u32,
         pose_count: geometry.positions.len() as u32,
         bounds: Bounds::of_geometry(geometry),
+        rim: instances(gpu, &rim_edges(&triangles), false),
     }
 }
 

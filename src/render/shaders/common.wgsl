@@ -65,6 +65,26 @@ fn nearer(q: vec3<f32>, by: f32) -> vec3<f32> {
     return eye + (q - eye) * (1.0 - min(by / d, 0.5));
 }
 
+// Cuts the end `b` of a segment off where it comes too close to the eye.
+fn before_eye(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
+    if view.projection.w > 0.5 {
+        return b;
+    }
+    let least = 2.0 * view.projection.z;
+    let da = eye_distance(a);
+    let db = eye_distance(b);
+    if db >= least || da <= db {
+        return b;
+    }
+    return mix(b, a, (least - db) / (da - db));
+}
+
+// Pixels from the middle of the picture, y up.
+fn on_screen(q: vec3<f32>) -> vec2<f32> {
+    let spread = select(max(eye_distance(q), 1e-20), 1.0, view.projection.w > 0.5);
+    return q.xy * view.projection.xy / spread * 0.5 * view.size.xy;
+}
+
 // Distance from the eye plane of a stored depth.
 fn distance_of_depth(depth: f32) -> f32 {
     if view.projection.w > 0.5 {
@@ -96,7 +116,7 @@ fn matte(base: vec3<f32>, n: vec3<f32>, v: vec3<f32>, occlusion: f32, scatter: f
     let sky = mix(vec3<f32>(0.15, 0.125, 0.12), vec3<f32>(0.36, 0.37, 0.39), 0.5 + 0.5 * n.y);
     // Light that bounced between folds of the same colour keeps occluded places warm instead of grey.
     let bounced = vec3<f32>(occlusion) / (vec3<f32>(1.0) - base * 0.55 * (1.0 - occlusion));
-    let direct = mix(1.0, occlusion, 0.55);
+    let direct = mix(1.0, occlusion, 0.75);
     let h = normalize(key + v);
     let gloss = 0.045 * pow(max(dot(n, h), 0.0), 14.0) + 0.02 * pow(1.0 - head, 3.0);
     return base * (sky * bounced + (0.74 * wrapped + 0.26 * head) * direct) + vec3<f32>(gloss * direct);

@@ -15,26 +15,6 @@ struct Varying {
     @location(0) across: f32,
 }
 
-// Cuts the end `b` of a segment off where it comes too close to the eye.
-fn before_eye(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
-    if view.projection.w > 0.5 {
-        return b;
-    }
-    let least = 2.0 * view.projection.z;
-    let da = eye_distance(a);
-    let db = eye_distance(b);
-    if db >= least || da <= db {
-        return b;
-    }
-    return mix(b, a, (least - db) / (da - db));
-}
-
-// Pixels from the middle of the picture, y up.
-fn on_screen(q: vec3<f32>) -> vec2<f32> {
-    let spread = select(max(eye_distance(q), 1e-20), 1.0, view.projection.w > 0.5);
-    return q.xy * view.projection.xy / spread * 0.5 * view.size.xy;
-}
-
 @vertex
 fn vs_segment(@builtin(vertex_index) i: u32, @location(0) from_point: vec3<f32>, @location(1) to_point: vec3<f32>) -> Varying {
     let whole_a = in_camera(from_point);

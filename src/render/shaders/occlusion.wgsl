@@ -79,7 +79,7 @@ fn fs_gather(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
         let fade = max(1.0 - apart / (reach * reach), 0.0);
         sum += fade * rise / sqrt(apart + 1e-4 * reach * reach);
     }
-    let open = clamp(1.0 - 2.6 * sum / f32(SAMPLES), 0.0, 1.0);
+    let open = clamp(1.0 - 3.0 * sum / f32(SAMPLES), 0.0, 1.0);
     return vec4<f32>(open, distance, 0.0, 0.0);
 }
 

@@ -1,4 +1,4 @@
-// Surfaces: two poses blended in the vertex stage, matte light, colours from numbers, edges.
+// Surfaces: two poses blended in the vertex stage, matte light, colours from numbers, edges, open rims.
 
 struct Surface {
     // rgb: sRGB; a: opacity.
@@ -9,7 +9,7 @@ struct Surface {
     wire: vec4<f32>,
     // x: low; y: high; z: 1 if logarithmic; w: 1 if coloured by numbers.
     limits: vec4<f32>,
-    // x: edge width in logical pixels; y: silhouette; z: 1 if flat; w: blend of poses.
+    // x: edge width in logical pixels; y: silhouette and rim; z: 1 if flat; w: blend of poses.
     options: vec4<f32>,
     // x, y: first texel of the poses from and to; z: width of the texture; w: colours in the map.
     texels: vec4<u32>,
@@ -115,6 +115,54 @@ fn covered(d: f32, width: f32) -> f32 {
     return clamp(0.5 * width + 0.5 - d, 0.0, 1.0) * min(width, 1.0);
 }
 
+// The edge of a film stands off the background, as the edge of glass does.
+fn film_edge(colour: vec3<f32>) -> vec3<f32> {
+    return mix(colour * 0.45, mix(colour, vec3<f32>(1.0), 0.45), view.options.w);
+}
+
+// Half the width of a rim in logical pixels.
+const RIM_HALF_WIDTH: f32 = 0.7;
+
+// Where a surface ends, a thin line shows its cut edge.
+@vertex
+fn vs_rim(@builtin(vertex_index) i: u32, @location(0) from_vertex: u32, @location(1) to_vertex: u32) -> Varying {
+    let from_end = placed(from_vertex);
+    let to_end = placed(to_vertex);
+    let a = before_eye(to_end.q, from_end.q);
+    let b = before_eye(from_end.q, to_end.q);
+    let along = on_screen(b) - on_screen(a);
+    let dir = select(vec2<f32>(1.0, 0.0), along / max(length(along), 1e-9), length(along) > 1e-6);
+    // Corners 0 1 2, 2 1 3, a little longer than the edge so that neighbours leave no notch.
+    let corner = select(i, 5u - i, i >= 3u) + select(0u, 1u, i >= 3u);
+    let at_end = corner >= 2u;
+    let half_width = RIM_HALF_WIDTH * view.options.x;
+    let side = select(-1.0, 1.0, (corner & 1u) == 1u);
+    let offset = (vec2<f32>(-dir.y, dir.x) * side + dir * select(-0.5, 0.5, at_end)) * half_width;
+    var out = from_end;
+    if at_end {
+        out = to_end;
+    }
+    let middle = select(a, b, at_end);
+    out.q = nearer(middle, half_width * pixel_length(eye_distance(middle)));
+    let clip = clip_of(out.q);
+    out.clip = vec4<f32>(clip.xy + offset * 2.0 / view.size.xy * view.crop.xy * clip.w, clip.zw);
+    return out;
+}
+
+@fragment
+fn fs_rim(in: Varying) -> @location(0) vec4<f32> {
+    var base = surface.colour.rgb;
+    if surface.limits.w > 0.5 {
+        base = mapped(in.number);
+    }
+    let strength = surface.options.y;
+    if surface.colour.a < 1.0 {
+        let opacity = mix(surface.colour.a, 1.0, 0.5 * strength);
+        return vec4<f32>(film_edge(base * 0.8), 1.0) * opacity;
+    }
+    return vec4<f32>(mix(base, mix(base, vec3<f32>(1.0), 0.30), strength), 1.0);
+}
+
 @fragment
 fn fs_peel(in: Varying) -> @builtin(sample_mask) u32 {
     return samples_left(in.clip);
@@ -150,13 +198,14 @@ fn fs_colour(in: Varying) -> @location(0) vec4<f32> {
     }
     var light_base = linear_of(base);
     if from_inside && !by_numbers {
-        light_base *= vec3<f32>(0.74, 0.60, 0.60);
+        light_base *= vec3<f32>(0.60, 0.46, 0.46);
     }
     let translucent = surface.colour.a < 1.0;
     let open_to_light = select(occlusion_at(in.clip.xy, eye_distance(in.q)), 1.0, translucent);
     let lit = matte(light_base, n, v, open_to_light, select(1.0, 0.3, by_numbers));
 
-    var colour = srgb_of(lit);
+    // A film lets some of its light through to what is behind it.
+    var colour = srgb_of(lit * select(1.0, 0.82, translucent));
     var opacity = surface.colour.a;
     if translucent {
         // A thin film seen aslant is longer to pass: Beer and Lambert give 1 - (1 - a)^(1 / cos).
@@ -164,8 +213,8 @@ fn fs_colour(in: Varying) -> @location(0) vec4<f32> {
     }
     let ppp = view.options.x;
     let rim_line = covered(rim_pixels, 2.6 * ppp) * surface.options.y;
-    // Dark on opaque surfaces; on films the side away from the background, as the edge of glass shows.
-    let rim_colour = select(colour * 0.25, mix(colour * 0.45, mix(colour, vec3<f32>(1.0), 0.45), view.options.w), translucent);
+    // Dark on opaque surfaces.
+    let rim_colour = select(colour * 0.25, film_edge(colour), translucent);
     colour = mix(colour, rim_colour, rim_line);
     if translucent {
         opacity = mix(opacity, 1.0, 0.5 * rim_line);

@@ -1,0 +1,118 @@
+//! What a picture costs the processor: sending 8 poses × 40,962 vertices, and recording the draws while they play.
+
+use std::hint::black_box;
+use std::sync::Arc;
+
+use cardiomorph::mesh::{phantom, vertex_normals};
+use cardiomorph::render::{
+    Camera, Geometry, GeometryPose, Headless, Renderer, Scene, Shading, Surface, SurfaceColour,
+    ViewId, pick,
+};
+use criterion::{Criterion, criterion_group, criterion_main};
+
+const POSES: usize = 8;
+
+/// A sphere of 40,962 vertices that shrinks over its poses.
+fn geometry() -> Geometry {
+    let sphere = phantom::sphere(6, 1.0);
+    let normals: Vec<[f32; 3]> = vertex_normals(sphere.vertices(), sphere.triangles())
+        .iter()
+        .map(|n| [n.x as f32, n.y as f32, n.z as f32])
+        .collect();
+    let at = |scale: f64| {
+        let scaled = sphere.vertices().iter().map(|p| p.coords * scale);
+        scaled
+            .map(|p| [p.x as f32, p.y as f32, p.z as f32])
+            .collect()
+    };
+    Geometry {
+        triangles: sphere.triangles().to_vec(),
+        positions: (0..POSES)
+            .map(|pose| at(1.0 - 0.05 * pose as f64))
+            .collect(),
+        normals: vec![normals; POSES],
+    }
+}
+
+fn scene(geometry: &Geometry) -> Scene {
+    let surface = |opacity, silhouette| Surface {
+        geometry: Arc::new(geometry.clone()),
+        pose: GeometryPose::default(),
+        colour: SurfaceColour::Uniform([0.7, 0.3, 0.3]),
+        opacity,
+        shading: Shading::Smooth,
+        wireframe: None,
+        silhouette,
+        pickable: true,
+    };
+    Scene {
+        surfaces: vec![surface(1.0, 0.5)],
+        lines: Vec::new(),
+        points: Vec::new(),
+        background: [0.1, 0.1, 0.1, 1.0],
+    }
+}
+
+fn render(criterion: &mut Criterion) {
+    let geometry = geometry();
+    let camera = Camera::default();
+    let mut played = scene(&geometry);
+    let size = glam::Vec2::new(640.0, 480.0);
+    criterion.bench_function("pick on 81,920 triangles", |bencher| {
+        bencher.iter(|| black_box(pick(&played, &camera, 0.5 * size, size)));
+    });
+    let (device, queue) = match Headless::new() {
+        Ok(headless) => headless.into_gpu(),
+        Err(error) => {
+            eprintln!("skipped: {error}");
+            return;
+        }
+    };
+    let mut renderer = Renderer::new(&device, wgpu::TextureFormat::Rgba8Unorm);
+    let encoder = || device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    // Small pictures: the card's own time is not what is measured here.
+    let mut prepare = |scene: &Scene| {
+        let mut encoder = encoder();
+        let view = ViewId(0);
+        renderer.prepare(
+            &device,
+            &queue,
+            &mut encoder,
+            view,
+            scene,
+            &camera,
+            [8, 8],
+            1.0,
+        );
+        encoder.finish()
+    };
+    let mut group = criterion.benchmark_group("8 poses × 40,962 vertices");
+    group.sample_size(20);
+    group.bench_function("send and record", |bencher| {
+        bencher.iter_batched(
+            || scene(&geometry),
+            |fresh| {
+                black_box(prepare(&fresh));
+                queue.submit([]);
+                // Let the copies run now, or staging memory piles up over the iterations.
+                device.poll(wgpu::PollType::wait_indefinitely()).ok();
+            },
+            criterion::BatchSize::PerIteration,
+        );
+    });
+    group.bench_function("record while playing", |bencher| {
+        bencher.iter(|| {
+            let pose = &mut played.surfaces[0].pose;
+            pose.blend = (pose.blend + 0.01) % 1.0;
+            pose.to = 1;
+            black_box(prepare(&played))
+        });
+    });
+    group.bench_function("nothing changed", |bencher| {
+        bencher.iter(|| black_box(prepare(&played)));
+    });
+    group.finish();
+}
+
+criterion_group!(benches, render);
+criterion_main!(benches);
