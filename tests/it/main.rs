@@ -17,6 +17,4 @@ mod real_mesh_files;
 #[cfg(test)]
 mod robustness;
 #[cfg(test)]
-mod scratch;
-#[cfg(test)]
 mod window;
