@@ -9,7 +9,7 @@ use crate::cli::work::run_work;
 use crate::io::write_study;
 use crate::study::built_in::{BuiltInParams, cohort};
 
-pub(super) fn demo(args: DemoArgs) -> Result<(), CliError> {
+pub(super) fn demo(args: &DemoArgs) -> Result<(), CliError> {
     let params = BuiltInParams {
         seed: args.seed,
         vertices: args.vertices,

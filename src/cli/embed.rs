@@ -149,12 +149,12 @@ fn checked_distances(rows: &[Vec<f64>]) -> Result<DistanceMatrix, String> {
         .fold(0.0_f64, |most, d| most.max(d.abs()));
     let slack = 1e-6 * largest;
     let mut upper = Vec::with_capacity(size * size.saturating_sub(1) / 2);
-    for i in 0..size {
-        if rows[i][i].abs() > slack {
-            return Err(format!("row {i}: the diagonal is {}, not 0", rows[i][i]));
+    for (i, row) in rows.iter().enumerate() {
+        if row[i].abs() > slack {
+            return Err(format!("row {i}: the diagonal is {}, not 0", row[i]));
         }
-        for j in i + 1..size {
-            let (there, back) = (rows[i][j], rows[j][i]);
+        for (j, other) in rows.iter().enumerate().skip(i + 1) {
+            let (there, back) = (row[j], other[i]);
             if (there - back).abs() > slack {
                 return Err(format!("row {i}, column {j}: {there}, but back {back}"));
             }

@@ -12,7 +12,7 @@ use crate::cli::{analyze, demo, embed, figure, info, measure, metric};
 pub fn run(command: Command) -> ExitCode {
     hear_ctrl_c();
     exit_code(match command {
-        Command::Demo(args) => demo::demo(args),
+        Command::Demo(args) => demo::demo(&args),
         Command::Info(args) => info::info(&args),
         Command::Analyze(args) => analyze::analyze(&args),
         Command::Measure(args) => measure::measure(&args),

@@ -56,7 +56,7 @@ mod tests {
             path: path.clone(),
             bytes: b"subject,frame\n".to_vec(),
         };
-        assert_eq!(write_files(&[file]).unwrap(), [path.clone()]);
+        assert_eq!(write_files(&[file]).unwrap(), std::slice::from_ref(&path));
         assert_eq!(fs::read(&path).unwrap(), b"subject,frame\n");
         let names: Vec<_> = fs::read_dir(path.parent().unwrap()).unwrap().collect();
         assert_eq!(names.len(), 1, "nothing passing is left behind");

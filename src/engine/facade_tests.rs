@@ -151,7 +151,7 @@ fn an_export_is_written_whole_or_not_at_all() {
         written = engine.take_exported();
         written.is_some()
     });
-    assert_eq!(*written.unwrap(), [path.clone()]);
+    assert_eq!(*written.unwrap(), std::slice::from_ref(&path));
     assert!(path.is_file());
     engine.start_export("Figure", "", |_| Err("no adapter".to_owned()));
     until(&mut engine, |engine| !engine.busy());

@@ -1,6 +1,7 @@
 //! Which way a heart is turned in a picture: its axes, the six views, and the orientation cube.
 
 use crate::mesh::{Point3, Vector3};
+use crate::picture::openings::openings;
 use crate::study::{Subject, SurfaceKind, SurfaceSequence};
 
 /// The six directions to look from.
@@ -134,19 +135,13 @@ fn camera_rotation(towards_viewer: Vector3, up: Vector3) -> glam::Quat {
     glam::DQuat::from_mat3(&glam::DMat3::from_cols(x, y, z)).as_quat()
 }
 
-/// From the middle of the surface to the middle of its longest boundary loop at frame 0.
+/// From the middle of the surface to the middle of its widest opening at frame 0.
 fn towards_opening(surface: &SurfaceSequence) -> Option<Vector3> {
     let mesh = &surface.frames()[0];
-    let opening = mesh
-        .faces()
-        .boundary_loops()
+    let widest = openings(surface)
         .into_iter()
-        .max_by_key(Vec::len)?;
-    let rim: Vec<Point3> = opening
-        .iter()
-        .map(|&vertex| mesh.vertices()[vertex as usize])
-        .collect();
-    (mean(&rim) - mean(mesh.vertices())).try_normalize(0.0)
+        .max_by(|a, b| a.area.total_cmp(&b.area))?;
+    (widest.centre - mean(mesh.vertices())).try_normalize(0.0)
 }
 
 /// The direction of greatest extent, pointing to the end whose cross-section is wider.

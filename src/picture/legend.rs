@@ -68,9 +68,9 @@ impl ColourLegend {
             note,
             ticks: ticks(limits),
             map: colour_map(quantity)?,
-            // A thousandth of the range: rounding to f32 is not a value out of range.
-            below: extremes[0] < limits.low - 1e-3 * (limits.high - limits.low),
-            above: extremes[1] > limits.high + 1e-3 * (limits.high - limits.low),
+            // As the renderer compares, so that an end colour on the heart is always explained.
+            below: extremes[0] < limits.low,
+            above: extremes[1] > limits.high,
             limits,
         })
     }

@@ -6,6 +6,7 @@ pub mod figure;
 mod fit;
 mod legend;
 mod limits;
+mod openings;
 mod prepared;
 mod quantity;
 mod scale_bar;

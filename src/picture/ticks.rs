@@ -19,7 +19,7 @@ pub fn nice_ceiling(value: f64) -> f64 {
 
 /// Round values from `low` to `high`, both inside the range, about `wanted` of them.
 pub fn nice_ticks(low: f64, high: f64, wanted: usize) -> Vec<f64> {
-    if !(high > low) || !low.is_finite() || !high.is_finite() {
+    if low.is_nan() || high.is_nan() || high <= low || (high - low).is_infinite() {
         return Vec::new();
     }
     let step = nice_ceiling((high - low) / wanted.max(1) as f64);

@@ -2,45 +2,89 @@
 //! side. Only drawn, never measured.
 
 use crate::mesh::Point3;
+use crate::picture::openings::{Opening, openings};
 use crate::study::SurfaceSequence;
 
-/// A ring between two rims.
+/// Rings between the rims of two surfaces.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct WallRim {
-    /// Vertices of the inner side's rim, in order.
+    /// Vertices of the inner side's rims, in order, ring after ring.
     pub inner: Vec<u32>,
-    /// Vertices of the outer side's rim, in order and in the same direction.
+    /// Vertices of the outer side's rims, each in the direction of its partner.
     pub outer: Vec<u32>,
     /// Faces over the inner vertices followed by the outer ones.
     pub triangles: Vec<[u32; 3]>,
 }
 
-/// The ring between the two sides' rims at frame 0; `None` unless each side has exactly one.
+/// The rings between the two sides' rims at frame 0; `None` unless both sides have equally many
+/// openings. Openings that lie next to each other belong together.
 ///
-/// Rims that have equally many vertices are joined vertex by vertex; others are laced: from the
-/// nearest pair on, the side whose next vertex is nearer goes ahead.
+/// Rims are laced: from the nearest pair of vertices on, the side whose next vertex is nearer goes
+/// ahead, so the sides need not have equally many vertices.
 pub(crate) fn wall_rim(inner: &SurfaceSequence, outer: &SurfaceSequence) -> Option<WallRim> {
-    let (inner_mesh, outer_mesh) = (&inner.frames()[0], &outer.frames()[0]);
-    let inner_rim = only_loop(inner)?;
-    let outer_rim = only_loop(outer)?;
-    let place = |rim: &[u32], vertices: &[Point3]| -> Vec<Point3> {
-        rim.iter().map(|&v| vertices[v as usize]).collect()
-    };
-    let inner_points = place(&inner_rim, inner_mesh.vertices());
-    let outer_points = place(&outer_rim, outer_mesh.vertices());
-    let order = matching_order(&inner_points, &outer_points);
-    let outer_rim: Vec<u32> = order.iter().map(|&i| outer_rim[i]).collect();
-    let outer_points: Vec<Point3> = order.iter().map(|&i| outer_points[i]).collect();
-    Some(WallRim {
-        triangles: laced(&inner_points, &outer_points),
-        inner: inner_rim,
-        outer: outer_rim,
-    })
+    let (inner_openings, mut outer_openings) = (openings(inner), openings(outer));
+    if inner_openings.is_empty() || inner_openings.len() != outer_openings.len() {
+        return None;
+    }
+    let mut rings = Vec::new();
+    for opening in inner_openings {
+        let distance = |other: &Opening| (other.centre - opening.centre).norm_squared();
+        let nearest = (0..outer_openings.len()).min_by(|&a, &b| {
+            distance(&outer_openings[a]).total_cmp(&distance(&outer_openings[b]))
+        })?;
+        let other = outer_openings.swap_remove(nearest);
+        rings.push(ring(inner, &opening.rim, outer, &other.rim));
+    }
+    Some(joined(rings))
 }
 
-fn only_loop(surface: &SurfaceSequence) -> Option<Vec<u32>> {
-    let mut loops = surface.faces().boundary_loops();
-    (loops.len() == 1).then(|| loops.remove(0))
+fn ring(
+    inner: &SurfaceSequence,
+    inner_rim: &[u32],
+    outer: &SurfaceSequence,
+    outer_rim: &[u32],
+) -> WallRim {
+    let place = |rim: &[u32], surface: &SurfaceSequence| -> Vec<Point3> {
+        let vertices = surface.frames()[0].vertices();
+        rim.iter().map(|&v| vertices[v as usize]).collect()
+    };
+    let inner_points = place(inner_rim, inner);
+    let outer_points = place(outer_rim, outer);
+    let order = matching_order(&inner_points, &outer_points);
+    let outer_points: Vec<Point3> = order.iter().map(|&i| outer_points[i]).collect();
+    WallRim {
+        triangles: laced(&inner_points, &outer_points),
+        inner: inner_rim.to_vec(),
+        outer: order.iter().map(|&i| outer_rim[i]).collect(),
+    }
+}
+
+/// One rim of several rings: all inner vertices first, then all outer ones.
+fn joined(rings: Vec<WallRim>) -> WallRim {
+    let inner_count: usize = rings.iter().map(|ring| ring.inner.len()).sum();
+    let mut all = WallRim {
+        inner: Vec::new(),
+        outer: Vec::new(),
+        triangles: Vec::new(),
+    };
+    for ring in rings {
+        let (inner_start, outer_start) = (all.inner.len(), inner_count + all.outer.len());
+        let own_inner = ring.inner.len();
+        let moved = |vertex: u32| {
+            let vertex = vertex as usize;
+            let place = if vertex < own_inner {
+                inner_start + vertex
+            } else {
+                outer_start + vertex - own_inner
+            };
+            place as u32
+        };
+        all.triangles
+            .extend(ring.triangles.iter().map(|face| face.map(moved)));
+        all.inner.extend(ring.inner);
+        all.outer.extend(ring.outer);
+    }
+    all
 }
 
 /// Indices into `outer` that start at the point nearest to `inner[0]` and run the way `inner`
@@ -143,6 +187,39 @@ mod tests {
     #[test]
     fn rims_of_different_counts_are_laced() {
         ring_is_whole(&wall_rim(&bowl(20.0, 13), &bowl(30.0, 32)).unwrap());
+    }
+
+    #[test]
+    fn two_valves_make_two_rings() {
+        // A sphere that is cut open at both poles.
+        let open = |radius: f64| {
+            let sphere = phantom::sphere(3, radius);
+            let kept: Vec<[u32; 3]> = sphere
+                .triangles()
+                .iter()
+                .filter(|face| {
+                    let low = |v: u32| sphere.vertices()[v as usize].z.abs() < 0.8 * radius;
+                    face.iter().all(|&v| low(v))
+                })
+                .copied()
+                .collect();
+            let faces = Faces::new(sphere.vertices().len(), kept).unwrap();
+            let mesh = TriMesh::new(sphere.shared_vertices(), faces).unwrap();
+            SurfaceSequence::new(SurfaceKind::Endocardium, vec![mesh]).unwrap()
+        };
+        let (inner, outer) = (open(20.0), open(30.0));
+        let rim = wall_rim(&inner, &outer).unwrap();
+        let count = rim.inner.len() + rim.outer.len();
+        let faces = Faces::new(count, rim.triangles.clone()).unwrap();
+        assert_eq!(faces.boundary_loops().len(), 4);
+        let (a, b) = (inner.frames()[0].vertices(), outer.frames()[0].vertices());
+        for face in &rim.triangles {
+            let heights = face.map(|v| match rim.inner.get(v as usize) {
+                Some(&vertex) => a[vertex as usize].z,
+                None => b[rim.outer[v as usize - rim.inner.len()] as usize].z,
+            });
+            assert!(heights.iter().all(|z| z.signum() == heights[0].signum()));
+        }
     }
 
     #[test]

@@ -3,6 +3,8 @@
 //! Modules are marked as tests so that helpers beside the tests may fail loudly.
 
 #[cfg(test)]
+mod cli;
+#[cfg(test)]
 mod clinical_oracles;
 #[cfg(test)]
 mod oracles;

@@ -3,6 +3,7 @@
 use crate::picture::figure::canvas::Canvas;
 use crate::picture::figure::content::FigureContent;
 use crate::picture::figure::cube::draw_cube;
+use crate::picture::figure::plan::Plan;
 use crate::picture::figure::text::{FigureFonts, Weight};
 use crate::picture::legend::ColourLegend;
 use crate::picture::scale_bar::ScaleBar;
@@ -74,87 +75,6 @@ pub fn drawn_figure(
     pen.header(content);
     pen.footer(content, camera, frame.heart_height as f32);
     canvas
-}
-
-/// Where blocks stand; everything in pixels.
-struct Plan {
-    size: [f32; 2],
-    margin: f32,
-    title: f32,
-    text: f32,
-    line: f32,
-    bar_width: f32,
-    cube: f32,
-    /// Facts stand below the moment instead of at the right.
-    facts_below: bool,
-    /// The scale bar stands above the colour bar instead of beside it.
-    scale_above: bool,
-    heading: Vec<String>,
-    imprint: Vec<String>,
-    header_height: f32,
-    footer_height: f32,
-}
-
-impl Plan {
-    fn of(size: [u32; 2], scale: f32, content: &FigureContent, fonts: &FigureFonts) -> Self {
-        let size = size.map(|pixels| pixels as f32);
-        let (margin, title, text) = (22.0 * scale, 26.0 * scale, 15.0 * scale);
-        let line = 1.4 * text;
-        let room = size[0] - 2.0 * margin;
-        let measure = |words: &str| fonts.width(words, Weight::Regular, text);
-        let facts = measure(&content.volumes).max(fonts.width(
-            &content.ejection_fraction,
-            Weight::SemiBold,
-            title,
-        ));
-        let left =
-            measure(&content.moment).max(fonts.width(&content.title, Weight::SemiBold, title));
-        let facts_below = left + facts + margin > room;
-        let cube = if content.cube.is_empty() {
-            0.0
-        } else {
-            92.0 * scale
-        };
-        let bar_width = (300.0 * scale).min(room - cube - margin).min(0.6 * room);
-        let heading = content.legend.as_ref().map_or_else(Vec::new, |legend| {
-            let words = format!("{} ({})", legend.heading(), legend.note);
-            fonts.wrapped(&words, Weight::Regular, text, bar_width)
-        });
-        let scale_above =
-            content.legend.is_some() && bar_width + cube + 2.0 * margin + 130.0 * scale > room;
-        let imprint = fonts.wrapped(&content.footer, Weight::Regular, 0.87 * text, room);
-        let header_lines = if facts_below && !content.ejection_fraction.is_empty() {
-            2.0
-        } else {
-            1.0
-        };
-        let legend_height = if content.legend.is_some() {
-            0.9 * text + line * (1.0 + heading.len() as f32)
-        } else {
-            0.0
-        };
-        let scale_height = 1.9 * text;
-        let blocks = if scale_above {
-            legend_height + scale_height + 0.5 * margin
-        } else {
-            legend_height.max(scale_height)
-        };
-        Self {
-            header_height: margin + title + line * header_lines + 0.4 * margin,
-            footer_height: blocks.max(cube) + 1.1 * line * imprint.len() as f32 + 1.4 * margin,
-            size,
-            margin,
-            title,
-            text,
-            line,
-            bar_width,
-            cube,
-            facts_below,
-            scale_above,
-            heading,
-            imprint,
-        }
-    }
 }
 
 /// Draws the blocks of one figure.

@@ -6,6 +6,7 @@ mod cube;
 mod layout;
 mod make;
 mod picture_file;
+mod plan;
 mod text;
 
 pub use canvas::Canvas;
