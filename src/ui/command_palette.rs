@@ -37,6 +37,8 @@ struct Typed {
     text: String,
     place: usize,
     opened: bool,
+    /// The pass that drew the palette last.
+    pass: u64,
 }
 
 /// Lines shown at most.
@@ -46,16 +48,15 @@ const MOST: usize = 50;
 pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
     let id = Id::unique("command palette");
-    let mut typed: Typed = ctx.data(|data| data.get_temp(id)).unwrap_or_default();
+    let pass = ctx.cumulative_pass_nr();
+    // What was typed before the palette was closed by its key is forgotten.
+    let mut typed: Typed = ctx
+        .data(|data| data.get_temp(id))
+        .filter(|typed: &Typed| typed.pass + 1 >= pass)
+        .unwrap_or_default();
+    typed.pass = pass;
     let width = 520f32.min(ctx.content_rect().width() - 2.0 * space::LARGE);
-    let (up, down, enter, escape) = ctx.input_mut(|input| {
-        (
-            input.consume_key(Modifiers::NONE, Key::ArrowUp),
-            input.consume_key(Modifiers::NONE, Key::ArrowDown),
-            input.consume_key(Modifiers::NONE, Key::Enter),
-            input.consume_key(Modifiers::NONE, Key::Escape),
-        )
-    });
+    let [up, down, enter, escape] = taken_keys(&ctx);
     let mut chosen = None;
     let area = Area::new(id)
         .order(Order::Foreground)
@@ -100,6 +101,14 @@ pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut
     } else {
         ctx.data_mut(|data| data.insert_temp(id, typed));
     }
+}
+
+/// Takes the keys that move through the list before the text field hears them.
+fn taken_keys(ctx: &egui::Context) -> [bool; 4] {
+    ctx.input_mut(|input| {
+        [Key::ArrowUp, Key::ArrowDown, Key::Enter, Key::Escape]
+            .map(|key| input.consume_key(Modifiers::NONE, key))
+    })
 }
 
 fn search_ui(ui: &mut Ui, typed: &mut Typed) {

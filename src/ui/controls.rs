@@ -190,7 +190,8 @@ pub fn dialog_ui(
                 ui,
                 |ui| ui.label(RichText::new(title).font(heading_font())),
                 |ui| {
-                    close = icon_button_ui(ui, Icon::Close, "Close", "Close (Esc)", false).clicked()
+                    close =
+                        icon_button_ui(ui, Icon::Close, "Close", "Close (Esc)", false).clicked();
                 },
             );
             ui.add_space(space::SMALL);

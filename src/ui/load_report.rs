@@ -67,7 +67,7 @@ pub fn load_report_ui(ui: &mut Ui, subjects: &[ReportSubject], commands: &mut Ve
     let ctx = ui.ctx().clone();
     let size = egui::vec2(600.0, 480.0);
     if dialog_ui(&ctx, "Load report", size, true, |ui| {
-        report_ui(ui, subjects)
+        report_ui(ui, subjects);
     }) {
         commands.push(Command::ToggleLoadReport);
     }

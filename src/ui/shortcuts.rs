@@ -41,7 +41,9 @@ pub fn pressed_commands(ctx: &Context) -> Vec<Command> {
             shortcut.logical_key,
             Key::Space | Key::ArrowLeft | Key::ArrowRight
         );
-        if (typing && plain) || ((on_control || popup) && moves) {
+        // A text field undoes its own typing.
+        let undoes = shortcut.logical_key == Key::Z;
+        if (typing && (plain || undoes)) || ((on_control || popup) && moves) {
             continue;
         }
         if ctx.input_mut(|input| input.consume_shortcut(&shortcut)) {
@@ -152,5 +154,32 @@ mod tests {
             input.events[0],
             egui::Event::Key { key: Key::Tab, .. }
         ));
+    }
+
+    #[test]
+    fn a_text_field_keeps_the_keys_that_it_types_with() {
+        let ctx = Context::default();
+        let key = |key, modifiers| egui::Event::Key {
+            key,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers,
+        };
+        let mut text = String::new();
+        let mut commands = Vec::new();
+        let keys = vec![key(Key::W, NONE), key(Key::Z, CTRL), key(Key::K, CTRL)];
+        for events in [Vec::new(), keys] {
+            let input = egui::RawInput {
+                events,
+                ..Default::default()
+            };
+            let output = ctx.run_ui(input, |ui| {
+                commands.extend(pressed_commands(ui.ctx()));
+                ui.text_edit_singleline(&mut text).request_focus();
+            });
+            output.drop_without_applying_deltas();
+        }
+        assert_eq!(commands, [Command::TogglePalette]);
     }
 }

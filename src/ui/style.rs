@@ -147,7 +147,7 @@ fn spacing(style: &mut Style) {
     spacing.button_padding = vec2(space::MEDIUM, 3.0);
     spacing.interact_size = vec2(space::HUGE, space::HUGE);
     spacing.window_margin = Margin::same(space::LARGE as i8);
-    spacing.menu_margin = Margin::same(space::SMALL as i8);
+    spacing.menu_margin = Margin::same(6);
     spacing.icon_width = 14.0;
     spacing.icon_width_inner = 8.0;
     spacing.icon_spacing = 6.0;

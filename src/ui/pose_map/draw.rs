@@ -230,13 +230,14 @@ pub fn legend_ui(ui: &mut Ui, view: &PoseMapView, height: f32) {
     let inner = strip.shrink2(vec2(space::LARGE, 0.0));
     let mut row = ui.new_child(UiBuilder::new().max_rect(inner));
     row.set_height(height);
+    let wide = inner.width() > 240.0;
     egui::Sides::new().height(height).shrink_right().truncate().show(
         &mut row,
         |ui| {
             for role in [LabelRole::Normal, LabelRole::Abnormal, LabelRole::Unknown] {
                 let count = view.subjects.iter().filter(|subject| subject.role == role).count();
                 if count > 0 {
-                    legend_entry_ui(ui, role, count);
+                    legend_entry_ui(ui, role, count, wide);
                 }
             }
         },
@@ -252,7 +253,7 @@ pub fn legend_ui(ui: &mut Ui, view: &PoseMapView, height: f32) {
     );
 }
 
-fn legend_entry_ui(ui: &mut Ui, role: LabelRole, count: usize) {
+fn legend_entry_ui(ui: &mut Ui, role: LabelRole, count: usize, wide: bool) {
     let colours = colours(ui);
     ui.spacing_mut().item_spacing.x = space::SMALL;
     let (mark, _) = ui.allocate_exact_size(vec2(10.0, 12.0), Sense::hover());
@@ -264,14 +265,20 @@ fn legend_entry_ui(ui: &mut Ui, role: LabelRole, count: usize) {
         colours.role(role),
         role != LabelRole::Unknown,
     );
-    let text = format!("{} {count}", role_name(role));
+    let name = format!("{} {count}", role_name(role));
+    let text = if wide {
+        name.clone()
+    } else {
+        count.to_string()
+    };
     let galley = ui
         .painter()
         .layout_no_wrap(text, note_font(), colours.muted);
-    let (rect, _) = ui.allocate_exact_size(galley.size(), Sense::hover());
+    let (rect, response) = ui.allocate_exact_size(galley.size(), Sense::hover());
     let at = Align2::LEFT_CENTER
         .align_size_within_rect(galley.size(), rect)
         .min;
     ui.painter().galley(pos2(at.x, at.y), galley, colours.muted);
+    response.on_hover_text(name);
     ui.add_space(space::MEDIUM);
 }

@@ -125,7 +125,8 @@ fn tick_text(value: f64) -> String {
     let digits: usize = match magnitude {
         m if m >= 100.0 => 0,
         m if m >= 10.0 => 1,
-        m if m >= 1.0 || m < 1e-12 => 2,
+        m if m >= 1.0 => 2,
+        m if m < 1e-12 => 0,
         _ => 3,
     };
     let text = format!("{value:.digits$}");
@@ -252,7 +253,7 @@ mod tests {
     #[test]
     fn ticks_carry_three_figures_at_most() {
         for (value, text) in [
-            (0.7071, "0.707"),
+            (0.7123, "0.712"),
             (1.0, "1"),
             (12.5, "12.5"),
             (0.0, "0"),

@@ -81,51 +81,7 @@ fn visible_faces(view: &CubeView, centre: Pos2) -> Vec<Face> {
         let camera = camera_from_world * world;
         (centre + HALF * vec2(camera.x, -camera.y), camera.z)
     };
-    let sides = [
-        (
-            view.base,
-            view.septal,
-            view.anterior,
-            AnatomicalView::Base,
-            "base",
-        ),
-        (
-            -view.base,
-            view.septal,
-            view.anterior,
-            AnatomicalView::Apex,
-            "apex",
-        ),
-        (
-            view.septal,
-            view.base,
-            view.anterior,
-            AnatomicalView::Septal,
-            "septal",
-        ),
-        (
-            -view.septal,
-            view.base,
-            view.anterior,
-            AnatomicalView::Lateral,
-            "lateral",
-        ),
-        (
-            view.anterior,
-            view.base,
-            view.septal,
-            AnatomicalView::Anterior,
-            "anterior",
-        ),
-        (
-            -view.anterior,
-            view.base,
-            view.septal,
-            AnatomicalView::Inferior,
-            "inferior",
-        ),
-    ];
-    sides
+    sides(view)
         .into_iter()
         .filter_map(|(out, u, v, view, name)| {
             let (middle, towards_viewer) = on_screen(out);
@@ -138,6 +94,20 @@ fn visible_faces(view: &CubeView, centre: Pos2) -> Vec<Face> {
             })
         })
         .collect()
+}
+
+/// Outward direction, the two directions along it, and what each face is.
+#[rustfmt::skip]
+fn sides(cube: &CubeView) -> [(Vec3, Vec3, Vec3, AnatomicalView, &'static str); 6] {
+    let CubeView { base, septal, anterior, .. } = *cube;
+    [
+        (base, septal, anterior, AnatomicalView::Base, "base"),
+        (-base, septal, anterior, AnatomicalView::Apex, "apex"),
+        (septal, base, anterior, AnatomicalView::Septal, "septal"),
+        (-septal, base, anterior, AnatomicalView::Lateral, "lateral"),
+        (anterior, base, septal, AnatomicalView::Anterior, "anterior"),
+        (-anterior, base, septal, AnatomicalView::Inferior, "inferior"),
+    ]
 }
 
 fn draw_face(ui: &Ui, face: &Face, pointed: bool, known: bool, colours: &Colours) {

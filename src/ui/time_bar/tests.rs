@@ -1,0 +1,80 @@
+//! What the time bar does under the pointer.
+
+use super::*;
+use egui_kittest::{Harness, kittest::Queryable as _};
+
+fn harness() -> Harness<'static, Vec<Command>> {
+    Harness::builder()
+        .with_size([1000.0, 60.0])
+        .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+        .build_ui_state(
+            |ui, commands: &mut Vec<Command>| {
+                let view = TimeBarView {
+                    playing: false,
+                    speed: 1.0,
+                    looping: true,
+                    position: 0.5,
+                    axis: BeatAxis {
+                        frame_shares: &[0.0, 0.25, 0.5, 0.75],
+                    },
+                    end_diastole: Some(0),
+                    end_systole: Some(2),
+                    time_ms: Some(100.0),
+                    between: Some("interpolated (linear)"),
+                };
+                time_bar_ui(ui, &view, commands);
+            },
+            Vec::new(),
+        )
+}
+
+#[test]
+fn buttons_push_what_they_say() {
+    let mut harness = harness();
+    harness.run();
+    harness.get_by_label("100 ms · 12 % R-R · interpolated (linear)");
+    for name in ["Play", "Next frame", "Previous frame", "Loop"] {
+        harness.get_by_label(name).click();
+        harness.run();
+    }
+    assert_eq!(
+        harness.into_state(),
+        [
+            Command::TogglePlay,
+            Command::StepFrame(1),
+            Command::StepFrame(-1),
+            Command::ToggleLoop
+        ]
+    );
+}
+
+#[test]
+fn a_click_near_a_frame_lands_on_it_and_a_drag_moves_freely() {
+    let mut harness = harness();
+    harness.run();
+    let rail = harness
+        .get_by_label("Position in the beat")
+        .rect()
+        .shrink2(vec2(8.0, 0.0));
+    let near = pos2(egui::lerp(rail.x_range(), 0.5) + 4.0, rail.center().y);
+    harness.drag_at(near);
+    harness.drop_at(near);
+    harness.run();
+    assert_eq!(harness.state().last(), Some(&Command::SetPosition(2.0)));
+    harness.drag_at(near);
+    harness.step();
+    harness.hover_at(near + vec2(30.0, 0.0));
+    harness.step();
+    harness.drop_at(near + vec2(30.0, 0.0));
+    harness.run();
+    let Some(Command::SetPosition(position)) = harness.state().last() else {
+        panic!("no position");
+    };
+    assert!(*position > 2.05 && *position < 2.5, "{position}");
+}
+
+#[test]
+fn speeds_are_written_without_needless_digits() {
+    assert_eq!(speed_text(1.0), "1.0×");
+    assert_eq!(speed_text(0.25), "0.25×");
+}

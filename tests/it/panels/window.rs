@@ -1,0 +1,239 @@
+//! The whole window laid out by hand, panel by panel.
+
+use std::sync::Arc;
+
+use cardiomorph::picture::Quantity;
+use cardiomorph::study::LabelRole;
+use cardiomorph::ui::theme::{colours, space};
+use cardiomorph::ui::*;
+use egui::{Frame, Margin, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
+
+use super::example::Example;
+
+/// A pane of the window: a rounded frame on the window's colour.
+pub fn pane(ui: &mut Ui, rect: Rect, add: impl FnOnce(&mut Ui)) {
+    let colours = colours(ui);
+    let frame = Frame::new()
+        .fill(colours.pane)
+        .stroke(Stroke::new(1.0, colours.line))
+        .corner_radius(6);
+    let mut child = ui.new_child(UiBuilder::new().max_rect(rect).id_salt(format!("{rect:?}")));
+    frame.inner_margin(Margin::ZERO).show(&mut child, |ui| {
+        ui.set_min_size(rect.size() - vec2(2.0, 2.0));
+        ui.set_max_size(rect.size() - vec2(2.0, 2.0));
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.scope(|ui| {
+            ui.reset_style();
+            add(ui);
+        });
+    });
+}
+
+pub fn rect(left: f32, top: f32, right: f32, bottom: f32) -> Rect {
+    Rect::from_min_max(pos2(left, top), pos2(right, bottom))
+}
+
+/// The whole window as `look/window_dark.png` has it.
+pub fn window(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
+    let whole = ui.ctx().content_rect();
+    ui.set_clip_rect(whole);
+    ui.painter().rect_filled(whole, 0.0, colours(ui).window);
+    let (w, h, gap) = (whole.width(), whole.height(), space::PANE_GAP);
+    let (left, right) = (278.0f32.min(0.22 * w), w - 476.0f32.min(0.32 * w));
+    let (top, foot, bar) = (36.0, h - 72.0, h - 140.0);
+    let mut menu = ui.new_child(UiBuilder::new().max_rect(rect(4.0, 4.0, w - 4.0, 32.0)));
+    let view = MenuBarView {
+        study_name: Some("Built-in cohort"),
+        subject_count: example.rows.len(),
+        pose_count: example.points.len(),
+        recent: &[],
+        actions: &example.actions,
+    };
+    menu_bar_ui(&mut menu, &view, commands);
+    pane(ui, rect(gap, top, left, bar - gap), |ui| {
+        cohort(ui, example, commands);
+    });
+    pane(ui, rect(left + gap, top, right, bar - gap), |ui| {
+        viewport(ui, example, commands);
+    });
+    let middle = 0.5 * (top + bar) - 40.0;
+    pane(ui, rect(right + gap, top, w - gap, middle), |ui| {
+        let view = example.map(MapState::Ready);
+        pose_map_header_ui(ui, &view, commands);
+        pose_map_ui(ui, &view, commands);
+    });
+    pane(
+        ui,
+        rect(right + gap, middle + gap, w - gap, bar - gap),
+        |ui| measures(ui, example, commands),
+    );
+    pane(ui, rect(gap, bar, w - gap, foot + 34.0 - gap), |ui| {
+        time(ui, example, commands);
+    });
+    let mut status = ui.new_child(UiBuilder::new().max_rect(rect(0.0, foot + 34.0, w, h)));
+    let view = StatusBarView {
+        job: Some(StatusJob {
+            kind: JobKind::PoseMap,
+            text: "Quasi-conformal distances of 184 poses",
+            fraction: 0.71,
+            seconds_left: Some(3.4),
+        }),
+        adapter: "llvmpipe, software Vulkan",
+        notice_count: 5,
+        warning_count: 2,
+        ..Default::default()
+    };
+    status_bar_ui(&mut status, &view, commands);
+}
+
+pub fn cohort(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
+    let sort = Some(CohortSort {
+        column: CohortColumn::Subject,
+        descending: false,
+    });
+    let visible = visible_rows(&example.rows, "", sort);
+    pane_header_ui(
+        ui,
+        |ui| {
+            tab_ui(ui, "Cohort", true);
+            tab_ui(ui, "Activity", false);
+        },
+        |ui| {
+            ui.weak(example.rows.len().to_string());
+        },
+    );
+    let view = CohortView {
+        rows: &example.rows,
+        visible: &visible,
+        search: "",
+        sort,
+        selected: Some(9),
+        compared: None,
+        measuring: false,
+    };
+    cohort_table_ui(ui, &view, commands);
+}
+
+pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
+    let view = ViewportHeaderView {
+        quantity: Quantity::AreaRatio,
+        shows_endocardium: Some(true),
+        shows_epicardium: Some(true),
+        ..Default::default()
+    };
+    viewport_header_ui(ui, &view, commands);
+    let picture = ui.available_rect_before_wrap();
+    // Where the renderer draws, something like a heart.
+    let colours = colours(ui);
+    let size = picture.height() * 0.32;
+    ui.painter().circle_filled(
+        picture.center(),
+        size,
+        colours.epicardium.gamma_multiply(0.25),
+    );
+    ui.painter()
+        .circle_filled(picture.center(), size * 0.7, colours.endocardium);
+    let map: Arc<[[u8; 3]]> = (0..256)
+        .map(|i| [43 + (i as u8 / 2), 108, 176 - i as u8 / 2])
+        .collect();
+    let view = ViewportOverlayView {
+        title: &example.rows[9].id,
+        subtitle: "MINF · frame 3 of 8",
+        role: LabelRole::Abnormal,
+        badge: Some("interpolated (linear)"),
+        colour_bar: Some(ColourBarView {
+            title: "Area relative to end-diastole",
+            unit: "",
+            map,
+            limits: [0.5, 2.0],
+            logarithmic: true,
+            below: [20, 40, 90],
+            above: [110, 20, 20],
+            note: "fixed for all subjects",
+            typed: false,
+        }),
+        scale_bar: Some(ScaleBarView {
+            points_per_unit: 4.3,
+            unit: "mm",
+        }),
+        cube: Some(CubeView {
+            world_from_camera: glam::Quat::from_euler(glam::EulerRot::YXZ, 0.7, -0.45, 0.0),
+            base: glam::Vec3::Y,
+            septal: glam::Vec3::NEG_X,
+            anterior: glam::Vec3::Z,
+            known: true,
+        }),
+    };
+    let mut over = ui.new_child(UiBuilder::new().max_rect(picture));
+    viewport_overlay_ui(&mut over, &view, commands);
+}
+
+pub fn measures(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
+    pane_header_ui(
+        ui,
+        |ui| {
+            tab_ui(ui, "Volume", true);
+            tab_ui(ui, "Measures", false);
+        },
+        |ui| {
+            ui.weak("P-050");
+        },
+    );
+    let whole = ui.available_rect_before_wrap();
+    let split = whole.left() + 0.64 * whole.width();
+    let mut plot = ui.new_child(
+        UiBuilder::new().max_rect(Rect::from_min_max(whole.min, pos2(split, whole.bottom()))),
+    );
+    let view = CurvesView {
+        curves: &[
+            Curve {
+                kind: CurveKind::Endocardium,
+                values: &example.volumes,
+            },
+            Curve {
+                kind: CurveKind::Epicardium,
+                values: &example.outer,
+            },
+        ],
+        unit: "ml",
+        axis: example.axis(),
+        beat_ms: Some(920.0),
+        position: 2.4,
+        end_diastole: Some(0),
+        end_systole: Some(4),
+        computing: false,
+    };
+    curves_ui(&mut plot, &view, commands);
+    let mut card = ui.new_child(
+        UiBuilder::new().max_rect(Rect::from_min_max(pos2(split, whole.top()), whole.max)),
+    );
+    let view = MeasuresView {
+        subject: Some("P-050"),
+        ejection_fraction: Some(0.365),
+        end_diastolic_volume: Some(104.0),
+        end_systolic_volume: Some(66.0),
+        stroke_volume: Some(38.0),
+        volume_unit: "ml",
+        mass_g: Some(92.4),
+        end_diastole: Some(0),
+        end_systole: Some(4),
+        current_frame: 2,
+        ..Default::default()
+    };
+    measures_card_ui(&mut card, &view, commands);
+}
+
+pub fn time(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
+    let view = TimeBarView {
+        playing: false,
+        speed: 1.0,
+        looping: true,
+        position: 2.4,
+        axis: example.axis(),
+        end_diastole: Some(0),
+        end_systole: Some(4),
+        time_ms: Some(276.0),
+        between: Some("interpolated (linear)"),
+    };
+    time_bar_ui(ui, &view, commands);
+}
