@@ -21,6 +21,4 @@ mod real_mesh_files;
 #[cfg(test)]
 mod robustness;
 #[cfg(test)]
-mod scratch;
-#[cfg(test)]
 mod window;

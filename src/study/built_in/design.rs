@@ -146,7 +146,7 @@ const PATIENTS: [(Abnormality, &[PatchSpec]); 14] = [
     // the anterior descending artery's whole territory
     (Abnormality::VeryLargePatch, &[[58.0, 40.0, 62.0, 1.0]]),
     // inferior and lateral walls
-    (Abnormality::VeryLargePatch, &[[240.0, 66.0, 60.0, 0.95]]),
+    (Abnormality::VeryLargePatch, &[[240.0, 66.0, 65.0, 0.95]]),
     // anterior and inferolateral
     (
         Abnormality::TwoPatches,
@@ -263,10 +263,10 @@ fn form(edv_ml: f64, ranges: &Ranges, patches: &[PatchSpec], draw: &mut Draw) ->
             .map(|&[around, polar, radius, severity]| Patch {
                 around_rad: (around + draw.around(6.0)).to_radians(),
                 polar_rad: polar.to_radians(),
-                radius_rad: (radius * draw.within([0.95, 1.05])).to_radians(),
+                radius_rad: (radius * draw.within([0.88, 0.96])).to_radians(),
                 // Wide patches have wide borders; a small one keeps a core.
-                half_border_rad: (draw.within([0.46, 0.52]) * radius)
-                    .clamp(11.0, 22.0)
+                half_border_rad: (draw.within([0.64, 0.72]) * radius)
+                    .clamp(13.0, 26.0)
                     .to_radians(),
                 severity,
             })
