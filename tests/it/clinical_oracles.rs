@@ -1,6 +1,9 @@
 //! Volumes, areas, mass and ejection fraction against trimesh, scipy and the definitions.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot read its input fails")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that cannot read its input fails"
+)]
 
 use std::path::{Path, PathBuf};
 

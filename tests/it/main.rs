@@ -11,8 +11,6 @@ mod golden;
 #[cfg(test)]
 mod oracles;
 #[cfg(test)]
-mod panels;
-#[cfg(test)]
 mod real_data;
 #[cfg(test)]
 mod real_measures;

@@ -1,6 +1,9 @@
 //! Volumes and ejection fractions of real ventricles against the tables that came with them.
 
-#![allow(clippy::unwrap_used, reason = "a test that cannot read its input fails")]
+#![allow(
+    clippy::unwrap_used,
+    reason = "a test that cannot read its input fails"
+)]
 
 use std::collections::HashMap;
 use std::path::PathBuf;
