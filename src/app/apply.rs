@@ -80,7 +80,7 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::StateEndSystole(_)
         | C::TogglePlay
         | C::SetSpeed(_)
-        | C::ToggleLoop => apply_beat::apply(state, command, moment),
+        | C::ToggleLoop => apply_beat::apply(state, &command, moment),
 
         C::SetViewMode(_)
         | C::SetCamera { .. }

@@ -10,17 +10,15 @@ use super::undo::Gesture;
 use super::views::visible_subjects;
 
 /// Carries out a command about subjects or time.
-pub fn apply(state: &mut State, command: Command, moment: &Moment) {
-    match command {
+pub fn apply(state: &mut State, command: &Command, moment: &Moment) {
+    match *command {
         Command::SelectPose {
             subject,
             frame,
             play,
         } => select_pose(state, moment, subject, frame, play),
-        Command::SelectSubject(subject) => {
-            if subject < state.document.study().subjects.len() {
-                change(state, moment, None, |d| d.select_subject(subject));
-            }
+        Command::SelectSubject(subject) if subject < state.document.study().subjects.len() => {
+            change(state, moment, None, |d| d.select_subject(subject));
         }
         Command::StepSubject(step) => step_subject(state, moment, step),
         Command::CompareWith(subject) => {

@@ -26,14 +26,14 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) {
         let visible = &mut d.visibility;
         match command {
             Command::SetViewMode(mode) => d.view_mode = mode,
-            Command::SetCamera { camera, .. } => {
-                if camera.half_height.is_finite() && camera.half_height > 0.0 {
-                    d.look = Look {
-                        direction: Direction::Turned(camera.world_from_camera),
-                        offset: camera.target,
-                        half_height: Some(camera.half_height),
-                    };
-                }
+            Command::SetCamera { camera, .. }
+                if camera.half_height.is_finite() && camera.half_height > 0.0 =>
+            {
+                d.look = Look {
+                    direction: Direction::Turned(camera.world_from_camera),
+                    offset: camera.target,
+                    half_height: Some(camera.half_height),
+                };
             }
             Command::ViewFrom(side) => d.look.direction = Direction::From(side),
             Command::FrameAll => {

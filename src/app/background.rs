@@ -134,10 +134,10 @@ impl Background {
 
     fn tell_failures(&mut self, state: &mut State) {
         let failures = [
-            failure(self.engine.opening()),
-            failure(self.engine.measures()),
-            failure(self.engine.pose_map()),
-            failure(self.engine.export()),
+            failure(&self.engine.opening()),
+            failure(&self.engine.measures()),
+            failure(&self.engine.pose_map()),
+            failure(&self.engine.export()),
         ];
         let kinds = [
             (JobKind::Open, "Opening failed"),
@@ -158,7 +158,7 @@ impl Background {
     }
 }
 
-fn failure<T, E: std::fmt::Display>(showing: Showing<'_, T, E>) -> Option<String>
+fn failure<T, E: std::fmt::Display>(showing: &Showing<'_, T, E>) -> Option<String>
 where
     JobError<E>: std::fmt::Display,
 {

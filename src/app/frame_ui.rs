@@ -112,7 +112,7 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
         state,
         cohort: drawing.cohort,
         beat,
-        map: drawing.map.view(state, drawing.engine.pose_map()),
+        map: drawing.map.view(state, &drawing.engine.pose_map()),
         measures: measures_view(state, measuring),
         activity: &activity,
         measuring,

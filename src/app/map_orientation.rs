@@ -4,6 +4,9 @@ use std::collections::HashMap;
 
 use crate::engine::PoseMap;
 
+/// A pose on the new map and on the old.
+type Pair = ([f64; 2], [f64; 2]);
+
 /// `map`, moved, turned and, if that fits better, mirrored, so that poses lie as near as possible
 /// to where `previous` shows them. Distances stay as they are.
 ///
@@ -15,7 +18,7 @@ pub fn oriented_like(map: PoseMap, previous: &PoseMap) -> PoseMap {
         return map;
     }
     let place: HashMap<_, _> = previous.distances.poses.iter().copied().zip(0..).collect();
-    let pairs: Vec<([f64; 2], [f64; 2])> = map
+    let pairs: Vec<Pair> = map
         .distances
         .poses
         .iter()
@@ -32,7 +35,7 @@ pub fn oriented_like(map: PoseMap, previous: &PoseMap) -> PoseMap {
         return map;
     }
     let count = pairs.len() as f64;
-    let middle = |side: fn(&([f64; 2], [f64; 2])) -> [f64; 2]| {
+    let middle = |side: fn(&Pair) -> [f64; 2]| {
         let sum = pairs.iter().map(side).fold([0.0, 0.0], |sum, point| {
             [sum[0] + point[0], sum[1] + point[1]]
         });

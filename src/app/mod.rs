@@ -1,5 +1,9 @@
 //! The window's door: state, commands, undo, and the glue between engine, panels and renderer.
 
+#[expect(
+    clippy::module_inception,
+    reason = "the room's main type carries the room's name"
+)]
 mod app;
 mod apply;
 mod apply_beat;

@@ -9,14 +9,17 @@ use crate::engine::{AnalysisError, AnalysisOutcome, PoseMap, Showing};
 use crate::study::Revision;
 use crate::ui::{MapPoint, MapState, MapSubject, PoseMapView, PosePhase, ViewMode};
 
+/// The study, its map and its measures.
+type MadeFrom = (
+    Revision,
+    Option<Arc<PoseMap>>,
+    Option<Arc<Vec<SubjectMeasures>>>,
+);
+
 /// Points and subjects of the map with what they were made from.
 #[derive(Debug, Default)]
 pub struct MapData {
-    made_from: Option<(
-        Revision,
-        Option<Arc<PoseMap>>,
-        Option<Arc<Vec<SubjectMeasures>>>,
-    )>,
+    made_from: Option<MadeFrom>,
     subjects: Vec<MapSubject>,
     points: Vec<MapPoint>,
     left_out: String,
@@ -45,7 +48,7 @@ impl MapData {
     pub fn view<'a>(
         &'a self,
         state: &State,
-        showing: Showing<'_, AnalysisOutcome, AnalysisError>,
+        showing: &Showing<'_, AnalysisOutcome, AnalysisError>,
     ) -> PoseMapView<'a> {
         let document = &state.document;
         PoseMapView {
@@ -146,7 +149,7 @@ fn left_out(state: &State, map: &PoseMap) -> String {
     lines.join("\n")
 }
 
-fn map_state(state: &State, showing: Showing<'_, AnalysisOutcome, AnalysisError>) -> MapState {
+fn map_state(state: &State, showing: &Showing<'_, AnalysisOutcome, AnalysisError>) -> MapState {
     if state.document.study().subjects.is_empty() {
         return MapState::Empty;
     }
