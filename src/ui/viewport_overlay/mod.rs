@@ -100,7 +100,7 @@ fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ui::command::AnatomicalView;
+    use crate::picture::AnatomicalView;
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     fn harness() -> Harness<'static, Vec<Command>> {
