@@ -143,16 +143,10 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     );
     chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
         let here = view.current_frame;
-        if ui
-            .button(format!("Frame {} is end-diastole", here))
-            .clicked()
-        {
+        if ui.button(format!("Frame {here} is end-diastole")).clicked() {
             commands.push(Command::StateEndDiastole(Some(here)));
         }
-        if ui
-            .button(format!("Frame {} is end-systole", here))
-            .clicked()
-        {
+        if ui.button(format!("Frame {here} is end-systole")).clicked() {
             commands.push(Command::StateEndSystole(Some(here)));
         }
         ui.separator();

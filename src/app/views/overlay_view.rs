@@ -96,6 +96,7 @@ fn colour_bar(legend: &ColourLegend) -> ColourBarView<'_> {
         map: legend.map.colours.clone(),
         limits: [f64::from(legend.limits.low), f64::from(legend.limits.high)],
         logarithmic: legend.limits.logarithmic,
+        ticks: &legend.ticks,
         below: bytes(legend.map.below),
         above: bytes(legend.map.above),
         note: legend.note,

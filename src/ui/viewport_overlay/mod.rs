@@ -117,6 +117,7 @@ mod tests {
                             map: [[0, 0, 0], [255, 255, 255]].into(),
                             limits: [0.0, 12.0],
                             logarithmic: false,
+                            ticks: &[],
                             below: [0, 0, 80],
                             above: [80, 0, 0],
                             note: "fixed for all subjects",
