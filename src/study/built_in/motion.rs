@@ -41,7 +41,7 @@ const SHORTENING_FROM: f64 = 0.45;
 /// base up by some millimetres, and an ill place thickens by a few percent.
 const TETHERED: f64 = 0.4;
 
-/// A particle with all that its path needs; times enter only in [`Material::at`].
+/// A particle with all that its path needs; times enter only in [`Motion::at`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Material {
     radius2: f64,
