@@ -1,6 +1,6 @@
 //! Ambient occlusion of opaque surfaces at half size: distances, gathering, blur.
 
-use super::pipelines::{COMMON, Layouts, layout, texture_entry};
+use super::pipelines::{COMMON, Layouts, PLAIN, layout, texture_entry};
 use super::targets::{OCCLUSION, Scratch};
 
 /// How occlusion and distance share a texel.
@@ -25,7 +25,7 @@ pub(super) struct OcclusionPass {
 
 impl OcclusionPass {
     pub fn new(device: &wgpu::Device, layouts: &Layouts) -> Self {
-        let depth = texture_entry(0, wgpu::TextureSampleType::Depth, true);
+        let depth = texture_entry(0, PLAIN, true);
         let depth_layout = layout(device, "occlusion depth", &[depth]);
         let before_layout = layout(
             device,

@@ -113,7 +113,6 @@ pub(super) fn layout(
 
 impl Layouts {
     pub fn new(device: &wgpu::Device) -> Self {
-        let depth = wgpu::TextureSampleType::Depth;
         let whole = wgpu::TextureSampleType::Uint;
         Self {
             view: layout(device, "view", &[uniform_entry(0, false)]),
@@ -131,7 +130,7 @@ impl Layouts {
             peel: layout(
                 device,
                 "peel",
-                &[texture_entry(0, depth, true), texture_entry(1, depth, true)],
+                &[texture_entry(0, PLAIN, true), texture_entry(1, PLAIN, true)],
             ),
             occlusion: layout(device, "occlusion", &[texture_entry(2, whole, false)]),
         }

@@ -1,6 +1,6 @@
 // Ambient occlusion at half size from the depth of opaque surfaces: how much of the sky a place sees.
 
-@group(1) @binding(0) var depth_map: texture_depth_multisampled_2d;
+@group(1) @binding(0) var depth_map: texture_multisampled_2d<f32>;
 @group(1) @binding(1) var before: texture_2d<u32>;
 
 const SAMPLES: i32 = 14;
@@ -17,7 +17,7 @@ fn vs_whole(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
 fn fs_distance(@builtin(position) place: vec4<f32>) -> @location(0) u32 {
     let size = vec2<i32>(textureDimensions(depth_map));
     let pixel = min(vec2<i32>(place.xy) * 2, size - 1);
-    let depth = textureLoad(depth_map, pixel, 0);
+    let depth = textureLoad(depth_map, pixel, 0).x;
     // Openness is not known yet, so that the distance keeps all its bits.
     return select(OPEN_AND_FAR, bitcast<u32>(distance_of_depth(depth)), depth > 0.0);
 }

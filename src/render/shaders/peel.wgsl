@@ -1,7 +1,8 @@
 // Depth peeling: keeps what lies behind the layer taken before and in front of what is opaque.
 
-@group(2) @binding(0) var depth_taken: texture_depth_multisampled_2d;
-@group(2) @binding(1) var depth_opaque: texture_depth_multisampled_2d;
+// Depths are read as plain numbers: wgpu cannot say `textureLoad` of depth textures in OpenGL's language.
+@group(2) @binding(0) var depth_taken: texture_multisampled_2d<f32>;
+@group(2) @binding(1) var depth_opaque: texture_multisampled_2d<f32>;
 
 // Depths are compared with this relative slack: 16 units in the last place of f32, so that the layer
 // taken before is not met again. At 400 mm that is 0.8 µm.
@@ -21,8 +22,8 @@ fn samples_left(place: vec4<f32>) -> u32 {
     var left = 0u;
     for (var i = 0; i < 4; i++) {
         let z = place.z + dot(slope, offsets[i]);
-        let taken = textureLoad(depth_taken, pixel, i);
-        let hidden = textureLoad(depth_opaque, pixel, i);
+        let taken = textureLoad(depth_taken, pixel, i).x;
+        let hidden = textureLoad(depth_opaque, pixel, i).x;
         if z < taken - slack && z > hidden {
             left |= 1u << u32(i);
         }
@@ -37,7 +38,7 @@ fn samples_before(place: vec4<f32>) -> u32 {
     let pixel = vec2<i32>(place.xy);
     var left = 0u;
     for (var i = 0; i < 4; i++) {
-        if place.z + dot(slope, offsets[i]) > textureLoad(depth_opaque, pixel, i) {
+        if place.z + dot(slope, offsets[i]) > textureLoad(depth_opaque, pixel, i).x {
             left |= 1u << u32(i);
         }
     }
