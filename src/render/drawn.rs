@@ -1,5 +1,6 @@
 //! One thing to draw, with all that the card needs for it.
 
+use super::Bounds;
 use super::pipelines::{Kind, Pipelines, Stage};
 
 /// One surface, set of lines or set of points, ready to be drawn in any pass.
@@ -15,6 +16,8 @@ pub(super) struct Drawn {
     pub vertices: u32,
     pub instances: u32,
     pub translucent: bool,
+    /// Where a surface lies at all its poses.
+    pub bounds: Option<Bounds>,
     /// Translucent layers that a ray usually meets in it.
     pub layers: usize,
 }

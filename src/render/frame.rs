@@ -3,6 +3,7 @@
 //! 1. Depth of opaque surfaces, then ambient occlusion from it, then depth of opaque lines and points.
 //! 2. For each translucent layer, nearest first: its depth (behind the layer before, in front of what
 //!    is opaque), then its light under what is already there.
+//!    Where a device cannot read samples, films are laid over each other whole instead, nearest first.
 //! 3. Light of opaque things under the layers, and the average of the four samples.
 //!
 //! Layers are found sample by sample, so translucency is exact to the number of layers and does not
@@ -13,7 +14,7 @@
 use super::drawn::Drawn;
 use super::occlusion_pass::OcclusionPass;
 use super::pipelines::{Layouts, Pipelines, Stage};
-use super::targets::Scratch;
+use super::targets::{Means, Scratch};
 
 /// Layers taken at most; what lies behind eight translucent layers adds less than one step of eight-bit colour at opacity 0.5.
 const MOST_LAYERS: usize = 8;
@@ -23,19 +24,25 @@ pub(super) struct Frame<'a> {
     pub device: &'a wgpu::Device,
     pub layouts: &'a Layouts,
     pub pipelines: &'a Pipelines,
-    pub occlusion: &'a OcclusionPass,
+    /// `None` on devices that cannot find it.
+    pub occlusion: Option<&'a OcclusionPass>,
+    pub means: Means,
+    /// Towards the viewer.
+    pub backward: glam::Vec3,
+    /// Whether a further layer is taken, for folds.
+    pub folds: bool,
     pub view: &'a wgpu::BindGroup,
     pub drawn: &'a [Drawn],
     /// Occlusion of the whole picture found before, in the place of this tile's own.
     pub kept_occlusion: Option<&'a wgpu::TextureView>,
 }
 
-/// Layers worth taking: those that a ray usually meets, and one more for folds.
-fn layer_count(drawn: &[Drawn]) -> usize {
+/// Layers worth taking: those that a ray usually meets, and one more for folds where wanted.
+fn layer_count(drawn: &[Drawn], folds: bool) -> usize {
     let films = drawn.iter().filter(|drawn| drawn.translucent);
     match films.map(|drawn| drawn.layers).sum() {
         0 => 0,
-        layers => MOST_LAYERS.min(layers + 1),
+        layers => MOST_LAYERS.min(layers + usize::from(folds)),
     }
 }
 
@@ -50,17 +57,21 @@ impl Frame<'_> {
         let mut draws = 0;
         let opaque_surface = |drawn: &Drawn| drawn.is_surface() && !drawn.translucent;
         draws += self.depth(encoder, &scratch.depth, Some(0.0), opaque_surface);
-        if draws > 0 && self.kept_occlusion.is_none() {
-            self.occlusion
-                .encode(self.device, encoder, self.view, scratch);
+        if let Some(occlusion) = self.occlusion
+            && draws > 0
+            && self.kept_occlusion.is_none()
+        {
+            occlusion.encode(self.device, encoder, self.view, scratch);
         }
         draws += self.depth(encoder, &scratch.depth, None, |drawn| {
             !drawn.is_surface() && !drawn.translucent
         });
-        let layers = layer_count(self.drawn);
-        if layers > 0 {
-            draws += self.layers(encoder, scratch, layers);
-        }
+        let layers = layer_count(self.drawn, self.folds);
+        draws += match self.means {
+            _ if layers == 0 => 0,
+            Means::Peeled => self.layers(encoder, scratch, layers),
+            Means::Plain => self.films(encoder, scratch),
+        };
         draws += self.opaque(encoder, scratch, resolved, layers == 0);
         draws
     }
@@ -103,8 +114,6 @@ impl Frame<'_> {
             })
         });
         let occlusion = self.occlusion_group(scratch);
-        // Before the first layer, everything behind the near plane is still to be taken.
-        self.depth(encoder, &layers[1], Some(1.0), |_| false);
         let mut draws = 0;
         for layer in 0..count {
             let (depth, taken) = (&layers[layer % 2], &groups[(layer + 1) % 2]);
@@ -115,13 +124,43 @@ impl Frame<'_> {
             });
             pass.set_bind_group(0, self.view, &[]);
             pass.set_bind_group(2, taken, &[]);
-            draws += self.draw(&mut pass, Stage::PeelDepth, |drawn| drawn.translucent);
+            let stage = if layer == 0 {
+                Stage::FirstDepth
+            } else {
+                Stage::PeelDepth
+            };
+            draws += self.draw(&mut pass, stage, |drawn| drawn.translucent);
             drop(pass);
             let mut pass = self.colour_pass(encoder, &scratch.colour, depth, layer == 0, None);
             pass.set_bind_group(2, &occlusion, &[]);
             draws += self.draw(&mut pass, Stage::Colour, |drawn| drawn.translucent);
         }
         draws
+    }
+
+    /// Films whole, nearest first: right between films, not within one.
+    fn films(&self, encoder: &mut wgpu::CommandEncoder, scratch: &Scratch) -> u64 {
+        let occlusion = self.occlusion_group(scratch);
+        let (colour, depth) = (&scratch.colour, &scratch.depth);
+        let mut pass = self.colour_pass(encoder, colour, depth, true, None);
+        pass.set_bind_group(2, &occlusion, &[]);
+        let mut films: Vec<&Drawn> = self
+            .drawn
+            .iter()
+            .filter(|drawn| drawn.translucent)
+            .collect();
+        // Of films about one place, the widest is met first.
+        let farness = |film: &Drawn| {
+            let bounds = film.bounds.as_ref();
+            bounds.map_or(f32::INFINITY, |b| {
+                -b.centre().dot(self.backward) - b.radius()
+            })
+        };
+        films.sort_by(|a, b| farness(a).total_cmp(&farness(b)));
+        for film in &films {
+            film.draw(&mut pass, self.pipelines, Stage::Film);
+        }
+        films.len() as u64
     }
 
     fn opaque(

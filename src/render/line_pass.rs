@@ -54,6 +54,7 @@ pub(super) fn drawn(
         vertices: 6 + 2 * 3 * triangles,
         instances: segments.count,
         translucent: lines.colour[3] < 1.0,
+        bounds: None,
         layers: 1,
     };
     Some((draw, uniform))

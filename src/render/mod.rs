@@ -21,8 +21,10 @@ mod surface_pass;
 mod targets;
 #[cfg(test)]
 mod tests;
+mod trial;
 mod uniforms;
 mod uploads;
+mod watch;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Projected, Ray};

@@ -3,9 +3,15 @@
 use super::pipelines::{COMMON, Layouts, PLAIN, layout, texture_entry};
 use super::targets::{OCCLUSION, Scratch};
 
+/// How occlusion and distance share a texel.
+pub(super) const TEXEL: &str = include_str!("shaders/occlusion_texel.wgsl");
+
+/// What a texel holds where nothing occludes and nothing lies: the bits of 1e30 and full openness.
+const OPEN_AND_FAR: u32 = 0x7149_f2ff;
+
 /// The whole shader text.
 pub(super) fn shader_text() -> String {
-    [COMMON, include_str!("shaders/occlusion.wgsl")].join("\n")
+    [COMMON, TEXEL, include_str!("shaders/occlusion.wgsl")].join("\n")
 }
 
 /// Pipelines of the three steps.
@@ -19,12 +25,12 @@ pub(super) struct OcclusionPass {
 
 impl OcclusionPass {
     pub fn new(device: &wgpu::Device, layouts: &Layouts) -> Self {
-        let depth = texture_entry(0, wgpu::TextureSampleType::Depth, true);
+        let depth = texture_entry(0, PLAIN, true);
         let depth_layout = layout(device, "occlusion depth", &[depth]);
         let before_layout = layout(
             device,
             "occlusion before",
-            &[texture_entry(1, PLAIN, false)],
+            &[texture_entry(1, wgpu::TextureSampleType::Uint, false)],
         );
         let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
             label: Some("occlusion"),
@@ -75,7 +81,10 @@ impl OcclusionPass {
                     depth_slice: None,
                     resolve_target: None,
                     ops: wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(wgpu::Color::WHITE),
+                        load: wgpu::LoadOp::Clear(wgpu::Color {
+                            r: f64::from(OPEN_AND_FAR),
+                            ..wgpu::Color::BLACK
+                        }),
                         store: wgpu::StoreOp::Store,
                     },
                 })],

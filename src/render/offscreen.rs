@@ -1,13 +1,10 @@
 //! Pictures without a window, at any size up to 8192 × 8192.
 
-use std::future::Future;
-use std::pin::pin;
-use std::task::{Context, Poll, Waker};
-
 use super::renderer::{Renderer, ViewId};
 use super::targets::COLOUR;
 use super::uniforms::{Shot, Tile};
 use super::uploads::Gpu;
+use super::watch::{Watch, finished};
 use super::{Camera, Rgba, Scene};
 
 /// Greatest width and height of a picture, in pixels.
@@ -40,6 +37,9 @@ pub enum RenderError {
         /// Pixels down.
         height: u32,
     },
+    /// The driver refused a part of it.
+    #[error("the graphics adapter could not draw the picture: {0}")]
+    Draw(String),
     /// The picture could not be fetched from the card.
     #[error("the picture could not be read back from the graphics adapter: {0}")]
     ReadBack(String),
@@ -82,8 +82,11 @@ impl Headless {
     /// # Errors
     /// If there is no adapter (the text says what to install), or it gives no device.
     pub fn new() -> Result<Self, RenderError> {
-        let instance =
-            wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle_from_env());
+        Self::of(wgpu::InstanceDescriptor::new_without_display_handle_from_env())
+    }
+
+    pub(super) fn of(interfaces: wgpu::InstanceDescriptor) -> Result<Self, RenderError> {
+        let instance = wgpu::Instance::new(interfaces);
         let adapter = finished(instance.request_adapter(&wgpu::RequestAdapterOptions::default()))
             .map_err(|reason| RenderError::NoAdapter(reason.to_string()))?;
         let info = adapter.get_info();
@@ -156,6 +159,7 @@ impl Headless {
         let shot = |tile, occlusion_of| Shot {
             tile,
             pixels_per_point,
+            folds: true,
             occlusion_of,
         };
         if whole.iter().all(|&side| side <= self.largest_tile) {
@@ -181,6 +185,7 @@ impl Headless {
 
     /// Draws one tile and reads it back: premultiplied rows without gaps.
     fn draw(&mut self, scene: &Scene, camera: &Camera, shot: Shot) -> Result<Vec<u8>, RenderError> {
+        let watch = Watch::begin(&self.device);
         let mut encoder = self
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -190,12 +195,22 @@ impl Headless {
         };
         let view = ViewId::default();
         self.renderer
-            .draw(gpu, &mut encoder, view, (scene, camera), shot);
+            .draw(gpu, &mut encoder, view, (scene, camera), shot)
+            .map_err(RenderError::Draw)?;
         let Some(texture) = self.renderer.picture(view) else {
             return Err(RenderError::ReadBack("nothing was drawn".into()));
         };
         let texture = texture.clone();
-        read_back(&self.device, &self.queue, encoder, &texture)
+        let rows = read_back(&self.device, &self.queue, encoder, &texture);
+        watch.end().map_err(RenderError::Draw)?;
+        rows
+    }
+
+    /// The same with films drawn by these means.
+    #[cfg(test)]
+    pub(super) fn with_means(mut self, means: super::targets::Means) -> Self {
+        self.renderer = self.renderer.with_means(means);
+        self
     }
 
     /// What a window of this format shows of a picture, for tests of the way through `prepare` and `blit`.
@@ -341,18 +356,6 @@ fn over_background(front: [u8; 4], background: Rgba) -> [u8; 4] {
     let byte = |x: f32| (x.clamp(0.0, 1.0) * 255.0).round() as u8;
     let part = |i: usize| byte((front[i] + behind * background[i]) / opacity);
     [part(0), part(1), part(2), byte(opacity)]
-}
-
-/// The answer of a future that native drivers answer at once.
-fn finished<T>(future: impl Future<Output = T>) -> T {
-    let mut future = pin!(future);
-    let mut context = Context::from_waker(Waker::noop());
-    loop {
-        if let Poll::Ready(answer) = future.as_mut().poll(&mut context) {
-            return answer;
-        }
-        std::hint::spin_loop();
-    }
 }
 
 #[cfg(test)]

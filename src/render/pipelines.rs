@@ -27,14 +27,18 @@ pub(super) enum Kind {
 pub(super) enum Stage {
     /// The nearest opaque depth.
     OpaqueDepth,
+    /// The nearest depth of films before what is opaque.
+    FirstDepth,
     /// The nearest depth behind the layer taken before.
     PeelDepth,
     /// Light where the depth is the one found before, under what is already there.
     Colour,
+    /// Light of a whole film before what is opaque, under what is already there; needs no depths but those.
+    Film,
 }
 
 const KINDS: usize = 5;
-const STAGES: usize = 3;
+const STAGES: usize = 5;
 
 /// The whole shader text of a kind.
 pub(super) fn shader_text(kind: Kind) -> String {
@@ -109,7 +113,6 @@ pub(super) fn layout(
 
 impl Layouts {
     pub fn new(device: &wgpu::Device) -> Self {
-        let depth = wgpu::TextureSampleType::Depth;
         let whole = wgpu::TextureSampleType::Uint;
         Self {
             view: layout(device, "view", &[uniform_entry(0, false)]),
@@ -127,9 +130,9 @@ impl Layouts {
             peel: layout(
                 device,
                 "peel",
-                &[texture_entry(0, depth, true), texture_entry(1, depth, true)],
+                &[texture_entry(0, PLAIN, true), texture_entry(1, PLAIN, true)],
             ),
-            occlusion: layout(device, "occlusion", &[texture_entry(2, PLAIN, false)]),
+            occlusion: layout(device, "occlusion", &[texture_entry(2, whole, false)]),
         }
     }
 }
@@ -190,8 +193,10 @@ fn scene_pipeline(
     };
     let groups: &[Option<&wgpu::BindGroupLayout>] = match stage {
         Stage::OpaqueDepth => &[Some(&layouts.view), Some(own)],
-        Stage::PeelDepth => &[Some(&layouts.view), Some(own), Some(&layouts.peel)],
-        Stage::Colour => &[Some(&layouts.view), Some(own), Some(&layouts.occlusion)],
+        Stage::FirstDepth | Stage::PeelDepth => {
+            &[Some(&layouts.view), Some(own), Some(&layouts.peel)]
+        }
+        Stage::Colour | Stage::Film => &[Some(&layouts.view), Some(own), Some(&layouts.occlusion)],
     };
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: None,
@@ -224,10 +229,10 @@ fn scene_pipeline(
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH,
-            depth_write_enabled: Some(stage != Stage::Colour),
+            depth_write_enabled: Some(!matches!(stage, Stage::Colour | Stage::Film)),
             depth_compare: Some(match stage {
                 Stage::Colour => wgpu::CompareFunction::Equal,
-                Stage::OpaqueDepth | Stage::PeelDepth => wgpu::CompareFunction::Greater,
+                _ => wgpu::CompareFunction::Greater,
             }),
             stencil: wgpu::StencilState::default(),
             bias: wgpu::DepthBiasState::default(),
@@ -238,9 +243,10 @@ fn scene_pipeline(
         },
         fragment: match stage {
             Stage::OpaqueDepth => None,
+            Stage::FirstDepth => Some(fragment("fs_first", &[])),
             Stage::PeelDepth => Some(fragment("fs_peel", &[])),
-            Stage::Colour if kind == Kind::Rim => Some(fragment("fs_rim", &under)),
-            Stage::Colour => Some(fragment("fs_colour", &under)),
+            Stage::Colour | Stage::Film if kind == Kind::Rim => Some(fragment("fs_rim", &under)),
+            Stage::Colour | Stage::Film => Some(fragment("fs_colour", &under)),
         },
         multiview_mask: None,
         cache: None,

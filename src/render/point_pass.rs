@@ -78,6 +78,7 @@ pub(super) fn drawn(
         } else {
             shared[3] < 1.0
         },
+        bounds: None,
         layers: 1,
     };
     Some((draw, uniform))

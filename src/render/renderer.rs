@@ -9,10 +9,11 @@ use super::identity::same_scene;
 use super::occlusion_pass::OcclusionPass;
 use super::pipelines::{Layouts, Pipelines, Stage};
 use super::surface_pass::Nothing;
-use super::targets::{Resolved, Scratch};
+use super::targets::{Means, Resolved, Scratch};
 use super::uniforms::{Shot, Tile, UNIFORM_STRIDE, ViewUniform};
 use super::uploads::{Gpu, Uploads};
-use super::{Camera, Scene, line_pass, point_pass, surface_pass};
+use super::watch::Watch;
+use super::{Camera, Scene, line_pass, point_pass, surface_pass, trial};
 
 /// Names one of several pictures that are kept at the same time, such as two views side by side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -54,8 +55,15 @@ struct View {
 pub struct Renderer {
     layouts: Layouts,
     pipelines: Pipelines,
-    occlusion: OcclusionPass,
+    /// `None` where the device refuses it.
+    occlusion: Option<OcclusionPass>,
     blit: BlitPass,
+    target_format: wgpu::TextureFormat,
+    /// Found when first drawing where the interface does not promise it.
+    means: Option<Result<Means, String>>,
+    /// Whether the processor draws.
+    software: bool,
+    failure: Option<String>,
     nothing: Nothing,
     uploads: Uploads,
     scratch: Vec<Scratch>,
@@ -68,11 +76,26 @@ pub struct Renderer {
 impl Renderer {
     /// A renderer whose pictures go into a pass of this format (`RenderState::target_format` in a window).
     pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat) -> Self {
+        let info = device.adapter_info();
+        let promised = info.backend != wgpu::Backend::Gl;
+        let watch = Watch::begin(device);
         let layouts = Layouts::new(device);
+        let blit = BlitPass::new(device, target_format);
+        let nothing = Nothing::new(device);
+        let means = match watch.end() {
+            Err(reason) => Some(Err(reason)),
+            Ok(()) => promised.then_some(Ok(Means::Peeled)),
+        };
+        let watch = Watch::begin(device);
+        let occlusion = OcclusionPass::new(device, &layouts);
         Self {
-            occlusion: OcclusionPass::new(device, &layouts),
-            blit: BlitPass::new(device, target_format),
-            nothing: Nothing::new(device),
+            occlusion: watch.end().is_ok().then_some(occlusion),
+            blit,
+            target_format,
+            means,
+            software: info.device_type == wgpu::DeviceType::Cpu,
+            failure: None,
+            nothing,
             pipelines: Pipelines::default(),
             uploads: Uploads::default(),
             scratch: Vec::new(),
@@ -106,6 +129,7 @@ impl Renderer {
         let shot = Shot {
             tile: Tile::all(size.map(|n| n.clamp(1, most))),
             pixels_per_point,
+            folds: !self.software,
             occlusion_of: None,
         };
         let unchanged = self.views.get(&view).and_then(|view| view.shown.as_ref());
@@ -115,8 +139,13 @@ impl Renderer {
             return false;
         }
         let gpu = Gpu { device, queue };
-        self.draw(gpu, encoder, view, (scene, camera), shot);
-        true
+        self.failure = self.draw(gpu, encoder, view, (scene, camera), shot).err();
+        self.failure.is_none()
+    }
+
+    /// What the driver said when it refused the last picture that was to be prepared.
+    pub fn failure(&self) -> Option<&str> {
+        self.failure.as_deref()
     }
 
     /// Lays a view's last picture over its background into the pass's viewport.
@@ -155,7 +184,13 @@ impl Renderer {
         });
     }
 
-    /// Draws whatever was drawn before.
+    /// A renderer that draws films by these means, whether or not its device can.
+    pub(super) fn with_means(mut self, means: Means) -> Self {
+        self.means = Some(Ok(means));
+        self
+    }
+
+    /// Draws whatever was drawn before. If the driver refuses anything, it says what, and nothing is recorded.
     pub(super) fn draw(
         &mut self,
         gpu: Gpu<'_>,
@@ -163,24 +198,50 @@ impl Renderer {
         id: ViewId,
         (scene, camera): (&Scene, &Camera),
         shot: Shot,
-    ) {
+    ) -> Result<(), String> {
+        let format = self.target_format;
+        let means = self
+            .means
+            .get_or_insert_with(|| trial::means(gpu, format))
+            .clone()?;
+        let watch = Watch::begin(gpu.device);
         let (tile, pixels_per_point) = (shot.tile, shot.pixels_per_point);
         let count = scene.surfaces.len() + scene.lines.len() + scene.points.len();
         let mut view = self.view(gpu.device, id, tile, count);
         let (drawn, blocks, reach) =
             self.collect(gpu, scene, pixels_per_point, &view.draw_uniforms);
+        let occlusion = self.occlusion.as_ref().filter(|_| means == Means::Peeled);
+        let reach = occlusion.map_or(0.0, |_| reach);
         gpu.queue.write_buffer(&view.draw_uniforms, 0, &blocks);
         let uniform = ViewUniform::new(camera, shot, reach, scene.background);
         gpu.queue
             .write_buffer(&view.view_uniform, 0, bytemuck::bytes_of(&uniform));
         self.blit.set_background(gpu, &view.blit, scene.background);
-        self.prepare_pipelines(gpu.device, &drawn);
-        let mut scratch = self.take_scratch(gpu.device, tile.size);
+        prepare_pipelines(
+            &mut self.pipelines,
+            (gpu.device, &self.layouts),
+            &drawn,
+            means,
+        );
+        let mut scratch = take_scratch(&mut self.scratch, gpu.device, tile.size, means);
+        scratch.last_used = self.redraws + 1;
+        if means == Means::Peeled && drawn.iter().any(|drawn| drawn.translucent) {
+            scratch.layers(gpu.device);
+        }
+        if let Err(reason) = watch.end() {
+            self.pipelines = Pipelines::default();
+            self.scratch.clear();
+            self.uploads.forget();
+            return Err(reason);
+        }
         let frame = Frame {
             device: gpu.device,
             layouts: &self.layouts,
             pipelines: &self.pipelines,
-            occlusion: &self.occlusion,
+            occlusion,
+            means,
+            backward: camera.backward(),
+            folds: shot.folds,
             view: &view.view_group,
             drawn: &drawn,
             kept_occlusion: self
@@ -201,6 +262,7 @@ impl Renderer {
             shot,
         });
         self.views.insert(id, view);
+        Ok(())
     }
 
     /// Takes a view out, with textures of the right size and room for its draws.
@@ -290,29 +352,35 @@ impl Renderer {
         let reach = opaque.map_or(0.0, |bounds| OCCLUSION_REACH * bounds.radius());
         (drawn, blocks, reach)
     }
+}
 
-    fn prepare_pipelines(&mut self, device: &wgpu::Device, drawn: &[Drawn]) {
-        for draw in drawn {
-            let depth = if draw.translucent {
-                Stage::PeelDepth
-            } else {
-                Stage::OpaqueDepth
-            };
-            for stage in [depth, Stage::Colour] {
-                self.pipelines
-                    .prepare(device, &self.layouts, draw.kind, stage);
-            }
+fn prepare_pipelines(
+    pipelines: &mut Pipelines,
+    (device, layouts): (&wgpu::Device, &Layouts),
+    drawn: &[Drawn],
+    means: Means,
+) {
+    for draw in drawn {
+        let stages: &[Stage] = match (draw.translucent, means) {
+            (false, _) => &[Stage::OpaqueDepth, Stage::Colour],
+            (true, Means::Peeled) => &[Stage::FirstDepth, Stage::PeelDepth, Stage::Colour],
+            (true, Means::Plain) => &[Stage::Film],
+        };
+        for &stage in stages {
+            pipelines.prepare(device, layouts, draw.kind, stage);
         }
     }
+}
 
-    fn take_scratch(&mut self, device: &wgpu::Device, size: [u32; 2]) -> Scratch {
-        let found = self.scratch.iter().position(|scratch| scratch.size == size);
-        let mut scratch = match found {
-            Some(place) => self.scratch.swap_remove(place),
-            None => Scratch::new(device, size),
-        };
-        scratch.last_used = self.redraws + 1;
-        scratch
+fn take_scratch(
+    kept: &mut Vec<Scratch>,
+    device: &wgpu::Device,
+    size: [u32; 2],
+    means: Means,
+) -> Scratch {
+    match kept.iter().position(|scratch| scratch.size == size) {
+        Some(place) => kept.swap_remove(place),
+        None => Scratch::new(device, size, means),
     }
 }
 

@@ -8,6 +8,7 @@ use super::{Surface, SurfaceColour};
 
 /// The shader's own part.
 pub(super) const SHADER: &str = concat!(
+    include_str!("shaders/occlusion_texel.wgsl"),
     include_str!("shaders/occlusion_read.wgsl"),
     include_str!("shaders/surface.wgsl")
 );
@@ -109,6 +110,7 @@ pub(super) fn drawn(
         vertices: 6,
         instances: geometry.rim.count,
         translucent,
+        bounds: geometry.bounds,
         layers: 0,
     });
     let draw = Drawn {
@@ -124,6 +126,7 @@ pub(super) fn drawn(
         vertices: geometry.index_count,
         instances: 1,
         translucent,
+        bounds: geometry.bounds,
         // An open sheet is met in front and at the back; a closed wall has an outer and an inner side at each.
         layers: if geometry.rim.count > 0 { 2 } else { 4 },
     };

@@ -2,14 +2,24 @@
 
 use super::uniforms::Tile;
 
+/// How films are drawn, by what the device can do.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Means {
+    /// Layer by layer, which reads the samples of depths; with occlusion.
+    Peeled,
+    /// Whole, without occlusion: for OpenGL before 4.0, OpenGL ES before 3.2.
+    Plain,
+}
+
 /// Samples a pixel. WebGPU promises 4 for all formats used here.
 pub(super) const SAMPLES: u32 = 4;
 /// Premultiplied, gamma-encoded.
 pub(super) const COLOUR: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 /// Reverse-Z keeps its precision at all distances.
 pub(super) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// Occlusion and distance.
-pub(super) const OCCLUSION: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Float;
+/// Bits of a distance with occlusion in the lowest eight (occlusion_texel.wgsl): unlike pairs of floats,
+/// whole numbers can be drawn into on OpenGL too.
+pub(super) const OCCLUSION: wgpu::TextureFormat = wgpu::TextureFormat::R32Uint;
 
 /// Textures needed only while a picture is drawn; views of the same size share them.
 pub(super) struct Scratch {
@@ -22,13 +32,16 @@ pub(super) struct Scratch {
 }
 
 impl Scratch {
-    pub fn new(device: &wgpu::Device, size: [u32; 2]) -> Self {
+    pub fn new(device: &wgpu::Device, size: [u32; 2], means: Means) -> Self {
         let half = size.map(|n| n.div_ceil(2));
         let occlusion = || target(device, half, OCCLUSION, 1);
         Self {
             size,
-            colour: target(device, size, COLOUR, SAMPLES),
-            depth: target(device, size, DEPTH, SAMPLES),
+            colour: unread_target(device, size, COLOUR, SAMPLES),
+            depth: match means {
+                Means::Peeled => target(device, size, DEPTH, SAMPLES),
+                Means::Plain => unread_target(device, size, DEPTH, SAMPLES),
+            },
             occlusion: [occlusion(), occlusion()],
             layers: None,
             last_used: 0,
@@ -83,6 +96,17 @@ fn target(
     samples: u32,
 ) -> wgpu::TextureView {
     let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+    texture(device, size, format, samples, usage)
+        .create_view(&wgpu::TextureViewDescriptor::default())
+}
+
+fn unread_target(
+    device: &wgpu::Device,
+    size: [u32; 2],
+    format: wgpu::TextureFormat,
+    samples: u32,
+) -> wgpu::TextureView {
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
     texture(device, size, format, samples, usage)
         .create_view(&wgpu::TextureViewDescriptor::default())
 }

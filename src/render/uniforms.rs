@@ -36,6 +36,8 @@ pub(super) struct Shot {
     pub tile: Tile,
     /// Physical pixels per logical pixel.
     pub pixels_per_point: f32,
+    /// Whether a layer more than usual is taken of films, for folds.
+    pub folds: bool,
     /// Size of the smaller picture of the whole whose occlusion is used; `None` to find it anew for this tile.
     pub occlusion_of: Option<[u32; 2]>,
 }
@@ -217,6 +219,7 @@ mod tests {
         let shot = Shot {
             tile,
             pixels_per_point: 1.0,
+            folds: true,
             occlusion_of: None,
         };
         let view = ViewUniform::new(&camera, shot, 0.0, [1.0; 4]);

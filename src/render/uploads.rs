@@ -66,6 +66,14 @@ pub(super) struct Gpu<'a> {
 }
 
 impl Uploads {
+    /// Lets go of everything.
+    pub fn forget(&mut self) {
+        *self = Self {
+            count: self.count,
+            ..Self::default()
+        };
+    }
+
     pub fn geometry(&mut self, gpu: Gpu<'_>, geometry: &Arc<Geometry>) -> Arc<GeometryUpload> {
         let count = &mut self.count;
         self.geometries.get(geometry, self.now, |geometry| {

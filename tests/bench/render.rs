@@ -1,12 +1,12 @@
-//! What a picture costs the processor: sending 8 poses × 40,962 vertices, and recording the draws while they play.
+//! What a picture costs: sending 8 poses × 40,962 vertices, recording the draws while they play, and drawing in software.
 
 use std::hint::black_box;
 use std::sync::Arc;
 
 use cardiomorph::mesh::{phantom, vertex_normals};
 use cardiomorph::render::{
-    Camera, Geometry, GeometryPose, Headless, Renderer, Scene, Shading, Surface, SurfaceColour,
-    ViewId, pick,
+    Bounds, Camera, Geometry, GeometryPose, Headless, Renderer, Scene, Shading, Surface,
+    SurfaceColour, ViewId, pick,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -114,5 +114,82 @@ fn render(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, render);
+/// An open wall, as of a ventricle: an opaque inside, a translucent outside.
+fn wall() -> Scene {
+    let surface = |radius, opacity| {
+        let bowl = phantom::bowl(radius, 24, 48);
+        let single = |v: [f64; 3]| v.map(|x| x as f32);
+        let normals = vertex_normals(bowl.vertices(), bowl.triangles());
+        let positions = bowl.vertices().iter().map(|p| single(p.coords.into()));
+        Surface {
+            geometry: Arc::new(Geometry {
+                triangles: bowl.triangles().to_vec(),
+                positions: vec![positions.collect()],
+                normals: vec![normals.into_iter().map(|n| single(n.into())).collect()],
+            }),
+            pose: GeometryPose::default(),
+            colour: SurfaceColour::Uniform([0.7, 0.3, 0.3]),
+            opacity,
+            shading: Shading::Smooth,
+            wireframe: None,
+            silhouette: 0.6,
+            pickable: true,
+        }
+    };
+    Scene {
+        surfaces: vec![surface(0.75, 1.0), surface(1.0, 0.22)],
+        lines: Vec::new(),
+        points: Vec::new(),
+        background: [0.1, 0.1, 0.1, 1.0],
+    }
+}
+
+/// Time until a picture is there, as a window sees it; on a software adapter all of it is the processor's.
+fn picture(criterion: &mut Criterion) {
+    let headless = match Headless::new() {
+        Ok(headless) => headless,
+        Err(error) => {
+            eprintln!("skipped: {error}");
+            return;
+        }
+    };
+    let mut group = criterion.benchmark_group(format!("1280 × 800 on {}", headless.adapter_name()));
+    group.sample_size(10);
+    let (device, queue) = headless.into_gpu();
+    let mut renderer = Renderer::new(&device, wgpu::TextureFormat::Rgba8Unorm);
+    let both = wall();
+    let mut inside = both.clone();
+    inside.surfaces.truncate(1);
+    let level = Camera::default().look_from(glam::Vec3::new(0.0, 1.0, 0.3), glam::Vec3::Z);
+    let Some(bounds) = Bounds::of_scene(&both) else {
+        return;
+    };
+    let mut turn = 0.0;
+    for (name, scene) in [("inside alone", inside), ("inside and outside", both)] {
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| {
+                turn += 0.01;
+                let camera = level.turned(glam::Vec3::Z, turn, 0.0).fitted(&bounds, 1.6);
+                let descriptor = wgpu::CommandEncoderDescriptor::default();
+                let mut encoder = device.create_command_encoder(&descriptor);
+                let (view, size) = (ViewId(0), [1280, 800]);
+                renderer.prepare(
+                    &device,
+                    &queue,
+                    &mut encoder,
+                    view,
+                    &scene,
+                    &camera,
+                    size,
+                    1.0,
+                );
+                queue.submit([encoder.finish()]);
+                device.poll(wgpu::PollType::wait_indefinitely()).ok();
+            });
+        });
+    }
+    group.finish();
+}
+
+criterion_group!(benches, render, picture);
 criterion_main!(benches);

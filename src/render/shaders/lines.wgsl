@@ -55,6 +55,11 @@ fn vs_segment(@builtin(vertex_index) i: u32, @location(0) from_point: vec3<f32>,
 }
 
 @fragment
+fn fs_first(in: Varying) -> @builtin(sample_mask) u32 {
+    return samples_before(in.clip);
+}
+
+@fragment
 fn fs_peel(in: Varying) -> @builtin(sample_mask) u32 {
     return samples_left(in.clip);
 }

@@ -1,10 +1,9 @@
 // Ambient occlusion at half size from the depth of opaque surfaces: how much of the sky a place sees.
 
-@group(1) @binding(0) var depth_map: texture_depth_multisampled_2d;
-@group(1) @binding(1) var before: texture_2d<f32>;
+@group(1) @binding(0) var depth_map: texture_multisampled_2d<f32>;
+@group(1) @binding(1) var before: texture_2d<u32>;
 
 const SAMPLES: i32 = 14;
-const FAR: f32 = 1e30;
 // Where the first of four samples lies in the first pixel of a texel, in texels.
 const SAMPLE_AT = vec2<f32>(0.1875, 0.0625);
 
@@ -15,16 +14,17 @@ fn vs_whole(@builtin(vertex_index) i: u32) -> @builtin(position) vec4<f32> {
 
 // Distance of the surface at a half-size texel, or FAR.
 @fragment
-fn fs_distance(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
+fn fs_distance(@builtin(position) place: vec4<f32>) -> @location(0) u32 {
     let size = vec2<i32>(textureDimensions(depth_map));
     let pixel = min(vec2<i32>(place.xy) * 2, size - 1);
-    let depth = textureLoad(depth_map, pixel, 0);
-    return vec4<f32>(1.0, select(FAR, distance_of_depth(depth), depth > 0.0), 0.0, 0.0);
+    let depth = textureLoad(depth_map, pixel, 0).x;
+    // Openness is not known yet, so that the distance keeps all its bits.
+    return select(OPEN_AND_FAR, bitcast<u32>(distance_of_depth(depth)), depth > 0.0);
 }
 
 fn distance_at(texel: vec2<i32>) -> f32 {
     let size = vec2<i32>(textureDimensions(before));
-    return textureLoad(before, clamp(texel, vec2<i32>(0), size - 1), 0).y;
+    return distance_of(textureLoad(before, clamp(texel, vec2<i32>(0), size - 1), 0).x);
 }
 
 // Where a half-size texel at a distance lies, in camera axes.
@@ -47,11 +47,11 @@ fn step_along(texel: vec2<i32>, here: vec3<f32>, distance: f32, dir: vec2<i32>) 
 }
 
 @fragment
-fn fs_gather(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
+fn fs_gather(@builtin(position) place: vec4<f32>) -> @location(0) u32 {
     let texel = vec2<i32>(place.xy);
     let distance = distance_at(texel);
     if distance >= FAR {
-        return vec4<f32>(1.0, FAR, 0.0, 0.0);
+        return OPEN_AND_FAR;
     }
     let here = camera_place(vec2<f32>(texel) + SAMPLE_AT, distance);
     let along_x = step_along(texel, here, distance, vec2<i32>(1, 0));
@@ -80,16 +80,17 @@ fn fs_gather(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
         sum += fade * rise / sqrt(apart + 1e-4 * reach * reach);
     }
     let open = clamp(1.0 - 3.0 * sum / f32(SAMPLES), 0.0, 1.0);
-    return vec4<f32>(open, distance, 0.0, 0.0);
+    return occlusion_texel(open, distance);
 }
 
 @fragment
-fn fs_blur(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
+fn fs_blur(@builtin(position) place: vec4<f32>) -> @location(0) u32 {
     let texel = vec2<i32>(place.xy);
     let size = vec2<i32>(textureDimensions(before));
-    let here = textureLoad(before, texel, 0).xy;
-    if here.y >= FAR {
-        return vec4<f32>(1.0, FAR, 0.0, 0.0);
+    let here = textureLoad(before, texel, 0).x;
+    let distance = distance_of(here);
+    if distance >= FAR {
+        return OPEN_AND_FAR;
     }
     var sum = 0.0;
     var weights = 0.0;
@@ -99,11 +100,12 @@ fn fs_blur(@builtin(position) place: vec4<f32>) -> @location(0) vec4<f32> {
             if any(at < vec2<i32>(0)) || any(at >= size) {
                 continue;
             }
-            let near = textureLoad(before, at, 0).xy;
-            let weight = exp2(-6.0 * abs(near.y - here.y) / max(view.options.y, 1e-20));
-            sum += near.x * weight;
+            let near = textureLoad(before, at, 0).x;
+            let apart = abs(distance_of(near) - distance) / max(view.options.y, 1e-20);
+            let weight = exp2(-6.0 * apart);
+            sum += openness_of(near) * weight;
             weights += weight;
         }
     }
-    return vec4<f32>(sum / weights, here.y, 0.0, 0.0);
+    return occlusion_texel(sum / weights, distance);
 }

@@ -37,6 +37,11 @@ fn vs_disc(@builtin(vertex_index) i: u32, @location(0) centre: vec3<f32>, @locat
 }
 
 @fragment
+fn fs_first(in: Varying) -> @builtin(sample_mask) u32 {
+    return samples_before(in.clip);
+}
+
+@fragment
 fn fs_peel(in: Varying) -> @builtin(sample_mask) u32 {
     return samples_left(in.clip);
 }

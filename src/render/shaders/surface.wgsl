@@ -164,6 +164,11 @@ fn fs_rim(in: Varying) -> @location(0) vec4<f32> {
 }
 
 @fragment
+fn fs_first(in: Varying) -> @builtin(sample_mask) u32 {
+    return samples_before(in.clip);
+}
+
+@fragment
 fn fs_peel(in: Varying) -> @builtin(sample_mask) u32 {
     return samples_left(in.clip);
 }

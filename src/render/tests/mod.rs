@@ -1,6 +1,7 @@
 //! Pictures of small scenes, measured pixel by pixel.
 
 mod marks;
+mod opengl;
 mod pictures;
 mod shaders;
 mod upkeep;
@@ -16,7 +17,12 @@ pub(super) const BACKGROUND: Rgba = [26.0 / 255.0, 51.0 / 255.0, 77.0 / 255.0, 1
 
 /// A headless renderer, or a message that this test is skipped.
 pub(super) fn headless() -> Option<Headless> {
-    match Headless::new() {
+    found(Headless::new())
+}
+
+/// What there is, or a message that this test is skipped.
+pub(super) fn found(headless: Result<Headless, RenderError>) -> Option<Headless> {
+    match headless {
         Ok(headless) => Some(headless),
         Err(error) => {
             // Not captured by the test runner, so that a skipped test is seen.

@@ -1,0 +1,74 @@
+//! Finds by a trial what an OpenGL driver can do, since its version alone does not tell.
+
+use std::sync::Arc;
+
+use super::targets::Means;
+use super::uniforms::{Shot, Tile};
+use super::uploads::Gpu;
+use super::watch::Watch;
+use super::{
+    Camera, Geometry, GeometryPose, Lines, Points, Renderer, Scene, Shading, Surface,
+    SurfaceColour, ViewId,
+};
+
+/// The best means that draw a small picture without complaint, or what the driver said against the last.
+pub(super) fn means(gpu: Gpu<'_>, format: wgpu::TextureFormat) -> Result<Means, String> {
+    works(gpu, format, Means::Peeled).or_else(|_| works(gpu, format, Means::Plain))
+}
+
+fn works(gpu: Gpu<'_>, format: wgpu::TextureFormat, means: Means) -> Result<Means, String> {
+    let mut renderer = Renderer::new(gpu.device, format).with_means(means);
+    let watch = Watch::begin(gpu.device);
+    let descriptor = wgpu::CommandEncoderDescriptor::default();
+    let mut encoder = gpu.device.create_command_encoder(&descriptor);
+    let shot = Shot {
+        tile: Tile::all([8, 8]),
+        pixels_per_point: 1.0,
+        folds: true,
+        occlusion_of: None,
+    };
+    let view = (&scene(), &Camera::default());
+    renderer.draw(gpu, &mut encoder, ViewId(0), view, shot)?;
+    gpu.queue.submit([encoder.finish()]);
+    watch.end().map(|()| means)
+}
+
+/// One of everything, opaque and translucent.
+fn scene() -> Scene {
+    let corners = vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]];
+    let geometry = Arc::new(Geometry {
+        triangles: vec![[0, 1, 2]],
+        positions: vec![corners.clone()],
+        normals: vec![vec![[0.0, 0.0, 1.0]; 3]],
+    });
+    let surface = |opacity| Surface {
+        geometry: Arc::clone(&geometry),
+        pose: GeometryPose::default(),
+        colour: SurfaceColour::Uniform([0.5; 3]),
+        opacity,
+        shading: Shading::Smooth,
+        wireframe: None,
+        silhouette: 0.5,
+        pickable: false,
+    };
+    let (lines, points) = (Arc::new(vec![corners.clone()]), Arc::new(corners));
+    let marks = [1.0, 0.5].map(|opacity| [0.5, 0.5, 0.5, opacity]);
+    Scene {
+        surfaces: [1.0, 0.5].map(surface).into(),
+        lines: marks
+            .map(|colour| Lines {
+                strips: Arc::clone(&lines),
+                colour,
+                width: 2.0,
+            })
+            .into(),
+        points: marks
+            .map(|colour| Points {
+                positions: Arc::clone(&points),
+                colours: Arc::new(vec![colour]),
+                diameter: 3.0,
+            })
+            .into(),
+        background: [0.0, 0.0, 0.0, 1.0],
+    }
+}
