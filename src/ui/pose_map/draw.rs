@@ -40,12 +40,18 @@ pub fn draw_map(ui: &Ui, view: &PoseMapView, rect: Rect, lens: &Lens, hovered: O
         };
         canvas.point(point, role, canvas.resting(role, strength), 1.0);
     }
-    for path in paths(view.points).filter(|path| Some(path[0].subject) == view.compared) {
-        canvas.chosen(view, path, colours.strong);
-    }
-    for path in paths(view.points).filter(|path| Some(path[0].subject) == view.selected) {
-        canvas.chosen(view, path, colours.selection);
-    }
+    // The selected path lies on top, and its names choose their places first.
+    let compared = || paths(view.points).filter(|path| Some(path[0].subject) == view.compared);
+    let selected = || paths(view.points).filter(|path| Some(path[0].subject) == view.selected);
+    compared().for_each(|path| canvas.chosen(view, path, colours.strong));
+    selected().for_each(|path| canvas.chosen(view, path, colours.selection));
+    let mut taken: Vec<Rect> = Vec::new();
+    taken.extend(
+        view.current
+            .map(|at| Rect::from_center_size(canvas.place(at), vec2(14.0, 14.0))),
+    );
+    selected().for_each(|path| canvas.names(view, path, colours.selection, &mut taken));
+    compared().for_each(|path| canvas.names(view, path, colours.strong, &mut taken));
     if let Some(current) = view.current {
         canvas.current(current);
     }
@@ -127,23 +133,22 @@ impl Canvas<'_> {
         for point in path {
             self.point(point, role, colour, 1.35);
         }
+    }
+
+    /// Names end-diastole and end-systole of a path, where there is room.
+    fn names(&self, view: &PoseMapView, path: &[MapPoint], colour: Color32, taken: &mut Vec<Rect>) {
         let id = view
             .subjects
             .get(path[0].subject)
             .map_or("", |subject| &subject.id);
         let places: Vec<Pos2> = path.iter().map(|point| self.place(point.at)).collect();
-        let mut taken: Vec<Rect> = Vec::new();
-        taken.extend(
-            view.current
-                .map(|at| Rect::from_center_size(self.place(at), vec2(14.0, 14.0))),
-        );
         for point in path {
             let text = match point.phase {
                 PosePhase::EndDiastole => format!("{id} ED"),
                 PosePhase::EndSystole => format!("{id} ES"),
                 PosePhase::Between => continue,
             };
-            self.label(self.place(point.at), text, colour, &places, &mut taken);
+            self.label(self.place(point.at), text, colour, &places, taken);
         }
     }
 
