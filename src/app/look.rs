@@ -2,9 +2,8 @@
 
 use glam::{Quat, Vec3};
 
-use crate::picture::{self, HeartAxes, PreparedSubject};
+use crate::picture::{AnatomicalView, HeartAxes, PreparedSubject};
 use crate::render::Camera;
-use crate::ui::AnatomicalView;
 
 /// Which way the camera looks.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -54,7 +53,7 @@ impl Look {
     pub fn rotation(&self, axes: &HeartAxes) -> Quat {
         match self.direction {
             Direction::Home => axes.home(),
-            Direction::From(side) => axes.view(picture_view(side)),
+            Direction::From(side) => axes.view(side),
             Direction::Turned(heart_from_camera) => {
                 (world_from_heart(axes) * heart_from_camera).normalize()
             }
@@ -75,18 +74,7 @@ impl Look {
 }
 
 fn world_from_heart(axes: &HeartAxes) -> Quat {
-    axes.view(picture::AnatomicalView::Anterior)
-}
-
-fn picture_view(side: AnatomicalView) -> picture::AnatomicalView {
-    match side {
-        AnatomicalView::Anterior => picture::AnatomicalView::Anterior,
-        AnatomicalView::Inferior => picture::AnatomicalView::Inferior,
-        AnatomicalView::Septal => picture::AnatomicalView::Septal,
-        AnatomicalView::Lateral => picture::AnatomicalView::Lateral,
-        AnatomicalView::Apex => picture::AnatomicalView::Apex,
-        AnatomicalView::Base => picture::AnatomicalView::Base,
-    }
+    axes.view(AnatomicalView::Anterior)
 }
 
 impl HeartFrame {

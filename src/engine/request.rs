@@ -161,7 +161,7 @@ mod tests {
         let request = AnalysisRequest::PoseMap(PoseMapParams::default());
         assert_eq!(
             request.parameters(),
-            "quasi-conformal, additive form, μ = 1, scale-free corners, λ = 0.0001, SMACOF"
+            "quasi-conformal, additive form, μ = 0.001, scale-free corners, λ = 3, SMACOF"
         );
         let mut metric = MetricParams {
             kind: MetricKind::Rigid,

@@ -97,7 +97,7 @@ impl SurfaceSequence {
         };
         let faces = Arc::clone(first.faces());
         let mut shared = Vec::with_capacity(frames.len());
-        for (frame, mesh) in frames.iter().enumerate() {
+        for (frame, mesh) in frames.into_iter().enumerate() {
             let differs = || SequenceError::TopologyChanges {
                 frame,
                 vertices: mesh.vertices().len(),

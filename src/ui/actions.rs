@@ -2,8 +2,9 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
+use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
-use crate::ui::command::{AnatomicalView, Command, Pane, ThemeChoice, ViewMode};
+use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
 
 /// A menu of the bar; also the group in the sheet of shortcuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -51,7 +51,8 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
         return;
     }
     search_ui(ui, view, commands);
-    let columns = Columns::within(ui.available_rect_before_wrap().x_range());
+    let labelled = view.rows.iter().any(|row| row.label.is_some());
+    let columns = Columns::within(ui.available_rect_before_wrap().x_range(), labelled);
     header_ui(ui, view, &columns, commands);
     if view.visible.is_empty() {
         ui.add_space(space::LARGE);
@@ -97,14 +98,19 @@ struct Columns {
 }
 
 impl Columns {
-    fn within(across: egui::Rangef) -> Self {
+    /// Without labels their column is empty, and names take its room.
+    fn within(across: egui::Rangef, labelled: bool) -> Self {
         let inner = across.shrink(space::LARGE);
         let from = inner.min + 22.0;
         let to = inner.max;
         Self {
             mark: inner.min + 6.0,
             subject: from,
-            label: from + ((to - 40.0 - from) * 0.56).max(68.0),
+            label: if labelled {
+                from + ((to - 40.0 - from) * 0.56).max(68.0)
+            } else {
+                to - 40.0
+            },
             ejection_fraction: to,
         }
     }
@@ -129,6 +135,9 @@ fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut V
     let readable = ["Role", "Subject", "Label", "EF %"];
     for (index, column) in CohortColumn::ALL.into_iter().enumerate() {
         let [left, right] = columns.span(column);
+        if right <= left {
+            continue;
+        }
         let rect = Rect::from_min_max(pos2(left, row.top()), pos2(right, row.bottom()));
         let id = ui.scope_id().with(("sort", index));
         let response = ui.interact(rect, id, Sense::click());
@@ -246,8 +255,11 @@ fn row_ui(
         colours.text
     };
     cell(ui, columns, CohortColumn::Subject, y, &row.id, id_colour);
-    let label = row.label.as_deref().unwrap_or("–");
-    cell(ui, columns, CohortColumn::Label, y, label, colours.muted);
+    let [left, right] = columns.span(CohortColumn::Label);
+    if left < right {
+        let label = row.label.as_deref().unwrap_or("–");
+        cell(ui, columns, CohortColumn::Label, y, label, colours.muted);
+    }
     let (text, colour) = match row.ejection_fraction {
         Some(ef) => (format!("{:.0}", 100.0 * ef), id_colour),
         None if view.measuring => ("…".to_owned(), colours.muted),

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::engine::PoseMapParams;
-use crate::picture::Quantity;
+use crate::picture::{AnatomicalView, Quantity};
 use crate::render::{Camera, Shading};
 
 /// What the 3D view shows at once.
@@ -16,23 +16,6 @@ pub enum ViewMode {
     SideBySide,
     /// Every pose of one heart.
     AllPhases,
-}
-
-/// The six directions to look from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum AnatomicalView {
-    /// From the front.
-    Anterior,
-    /// From behind, onto the inferior wall.
-    Inferior,
-    /// Onto the septum.
-    Septal,
-    /// Onto the free wall.
-    Lateral,
-    /// From the apex.
-    Apex,
-    /// From the base.
-    Base,
 }
 
 /// A tile of the window.

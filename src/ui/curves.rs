@@ -66,7 +66,7 @@ pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
         Sense::click_and_drag(),
     );
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Volume over the beat"));
-    let plot = Plot::new(rect, low, high);
+    let plot = Plot::new(rect, numbers_width(ui, low, high), low, high);
     draw_axes(ui, view, &plot);
     draw_phases(ui, view, &plot);
     for curve in view.curves {
@@ -106,9 +106,11 @@ struct Plot {
 }
 
 impl Plot {
-    fn new(rect: Rect, low: f64, high: f64) -> Self {
+    /// `numbers_width` is left free beside the numbers' margin.
+    fn new(rect: Rect, numbers_width: f32, low: f64, high: f64) -> Self {
+        let left = (numbers_width + space::LARGE + 8.0).max(44.0);
         let area = Rect::from_min_max(
-            rect.min + vec2(44.0, space::LARGE + 18.0),
+            rect.min + vec2(left, space::LARGE + 18.0),
             rect.max - vec2(space::LARGE + 4.0, 24.0),
         );
         Self { area, low, high }
@@ -134,6 +136,21 @@ impl Plot {
     }
 }
 
+/// How wide the longest number beside the axis is.
+fn numbers_width(ui: &Ui, low: f64, high: f64) -> f32 {
+    let longest = tick_text(high, low, high);
+    let galley = ui
+        .painter()
+        .layout_no_wrap(longest, note_font(), Color32::PLACEHOLDER);
+    galley.size().x
+}
+
+/// Whole numbers, one decimal place where the axis is short.
+fn tick_text(tick: f64, low: f64, high: f64) -> String {
+    let digits = usize::from(high - low < 5.0);
+    format!("{tick:.digits$}")
+}
+
 fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
     let colours = colours(ui);
     let painter = ui.painter();
@@ -143,11 +160,10 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
         let y = plot.y(tick);
         painter.hline(plot.area.x_range(), y, grid);
         let at = pos2(plot.area.left() - 6.0, y);
-        let digits = usize::from(plot.high - plot.low < 5.0);
         painter.text(
             at,
             Align2::RIGHT_CENTER,
-            format!("{tick:.digits$}"),
+            tick_text(tick, plot.low, plot.high),
             note_font(),
             colours.muted,
         );

@@ -134,8 +134,7 @@ fn number(value: Option<f64>) -> String {
 }
 
 fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
-    let frame =
-        |frame: Option<usize>| frame.map_or("–".to_owned(), |frame| (frame + 1).to_string());
+    let frame = |frame: Option<usize>| frame.map_or("–".to_owned(), |frame| frame.to_string());
     let stated = if view.phases_stated { " · stated" } else { "" };
     let shown = format!(
         "ED {} · ES {}{stated}",
@@ -144,16 +143,10 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     );
     chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
         let here = view.current_frame;
-        if ui
-            .button(format!("Frame {} is end-diastole", here + 1))
-            .clicked()
-        {
+        if ui.button(format!("Frame {here} is end-diastole")).clicked() {
             commands.push(Command::StateEndDiastole(Some(here)));
         }
-        if ui
-            .button(format!("Frame {} is end-systole", here + 1))
-            .clicked()
-        {
+        if ui.button(format!("Frame {here} is end-systole")).clicked() {
             commands.push(Command::StateEndSystole(Some(here)));
         }
         ui.separator();
@@ -203,9 +196,9 @@ mod tests {
         harness.run();
         harness.get_by_label_contains("36");
         harness.get_by_label("104 · 66");
-        harness.get_by_label_contains("ED 1 · ES 4").click();
+        harness.get_by_label_contains("ED 0 · ES 3").click();
         harness.run();
-        harness.get_by_label("Frame 5 is end-systole").click();
+        harness.get_by_label("Frame 4 is end-systole").click();
         harness.run();
         assert_eq!(harness.into_state(), [Command::StateEndSystole(Some(4))]);
     }

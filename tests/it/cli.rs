@@ -1,11 +1,5 @@
 //! The headless door from outside: options, exit codes, columns, keys, and the same bytes for any number of threads.
 
-#![expect(
-    clippy::unwrap_used,
-    clippy::print_stdout,
-    reason = "helpers of tests may fail as tests do"
-)]
-
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};

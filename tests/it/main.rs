@@ -19,4 +19,6 @@ mod real_mesh_files;
 #[cfg(test)]
 mod robustness;
 #[cfg(test)]
+mod screenshots;
+#[cfg(test)]
 mod window;

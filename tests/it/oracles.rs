@@ -1,8 +1,4 @@
 //! Metrics and maps against numbers from independent programs, see the folders of `tests/oracles`.
-#![expect(
-    clippy::unwrap_used,
-    reason = "a stored oracle that cannot be read is a failed test"
-)]
 
 use std::path::{Path, PathBuf};
 

@@ -4,7 +4,7 @@ use crate::app::document::nearest_frame;
 use crate::app::play::is_between;
 use crate::app::stage::OnStage;
 use crate::app::state::State;
-use crate::picture::{ColourLegend, HeartAxes, PreparedSubject};
+use crate::picture::{ColourLegend, HeartAxes, PreparedSubject, frame_words};
 use crate::render::Camera;
 use crate::study::LabelRole;
 use crate::ui::{ColourBarView, CubeView, ScaleBarView, ViewMode, ViewportOverlayView};
@@ -40,7 +40,7 @@ impl OverlayData {
             };
         }
         let mut parts: Vec<String> = subject.label.iter().cloned().collect();
-        parts.push(format!("frame {frame} of 0–{}", count - 1));
+        parts.push(frame_words(frame, count));
         parts.extend(phase.map(str::to_owned));
         Self {
             title: subject.id.clone(),
@@ -96,6 +96,7 @@ fn colour_bar(legend: &ColourLegend) -> ColourBarView<'_> {
         map: legend.map.colours.clone(),
         limits: [f64::from(legend.limits.low), f64::from(legend.limits.high)],
         logarithmic: legend.limits.logarithmic,
+        ticks: &legend.ticks,
         below: bytes(legend.map.below),
         above: bytes(legend.map.above),
         note: legend.note,

@@ -2,6 +2,7 @@
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::picture::axes::CubeFace;
+use crate::picture::frame_words::frame_words;
 use crate::picture::legend::ColourLegend;
 use crate::study::Subject;
 use crate::units::LengthUnit;
@@ -67,7 +68,7 @@ impl FigureContent {
     }
 }
 
-/// `MINF · frame 3 of 8 · ES · 312 ms · 37 % R-R`; frames are numbered from 0 as everywhere.
+/// `MINF · frame 3 (0–7) · ES · 312 ms · 37 % R-R`.
 fn moment(shown: FigureSubject<'_>) -> String {
     let FigureSubject {
         subject,
@@ -77,7 +78,7 @@ fn moment(shown: FigureSubject<'_>) -> String {
     let count = subject.sequence.frame_count();
     let mut parts: Vec<String> = subject.label.iter().cloned().collect();
     if count > 1 {
-        parts.push(format!("frame {frame} of 0–{}", count - 1));
+        parts.push(frame_words(frame, count));
     }
     let diastole = measures
         .and_then(|m| m.end_diastole)
@@ -156,7 +157,7 @@ mod tests {
         assert_eq!(content.title, "P-041");
         assert_eq!(
             content.moment,
-            "MINF · frame 3 of 0–7 · ES · 300 ms · 38 % R-R"
+            "MINF · frame 3 (0–7) · ES · 300 ms · 38 % R-R"
         );
         assert_eq!(content.ejection_fraction, "EF 36 %");
         assert_eq!(content.volumes, "EDV 104 · ESV 66 ml");
@@ -172,7 +173,7 @@ mod tests {
             frame: 0,
         };
         let content = FigureContent::of(shown, None, Vec::new());
-        assert_eq!(content.moment, "frame 0 of 0–1");
+        assert_eq!(content.moment, "frame 0 (0–1)");
         assert_eq!(content.ejection_fraction, "");
         assert_eq!(content.volumes, "");
     }

@@ -39,9 +39,9 @@ const SHORTENING_FROM: f64 = 0.45;
 /// Share of the shortening that muscle which does not work goes without; the rest it is made
 /// to follow by the sheets that it is woven into. With it an ill column of the wall holds the
 /// base up by some millimetres, and an ill place thickens by a few percent.
-const TETHERED: f64 = 0.6;
+const TETHERED: f64 = 0.4;
 
-/// A particle with all that its path needs; times enter only in [`Material::at`].
+/// A particle with all that its path needs; times enter only in [`Motion::at`].
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Material {
     radius2: f64,

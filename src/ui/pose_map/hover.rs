@@ -26,7 +26,7 @@ fn point_ui(ui: &mut Ui, view: &PoseMapView, point: &MapPoint) {
         PosePhase::EndSystole => " · end-systole",
         PosePhase::Between => "",
     };
-    ui.label(RichText::new(format!("{} · frame {}{phase}", subject.id, point.frame + 1)).strong());
+    ui.label(RichText::new(format!("{} · frame {}{phase}", subject.id, point.frame)).strong());
     let label = subject.label.as_deref().unwrap_or("no label");
     ui.label(format!("{label}, counts as {}", role_name(subject.role)));
     if let Some(ef) = subject.ejection_fraction {

@@ -7,6 +7,7 @@ use egui::{
     UiBuilder, pos2, vec2,
 };
 
+use crate::picture::Tick;
 use crate::ui::command::Command;
 use crate::ui::style::{note, note_font};
 use crate::ui::theme::{colours, line, space};
@@ -24,6 +25,8 @@ pub struct ColourBarView<'a> {
     pub limits: [f64; 2],
     /// Whether the range is divided by ratios.
     pub logarithmic: bool,
+    /// Marks between the limits.
+    pub ticks: &'a [Tick],
     /// Colour of values below the range.
     pub below: [u8; 3],
     /// Colour of values above the range.
@@ -45,7 +48,7 @@ pub fn colour_bar_ui(
     commands: &mut Vec<Command>,
 ) -> f32 {
     let width = (inner.width() * 0.3).clamp(120.0, 230.0);
-    let text_width = (inner.width() * 0.42).clamp(width, 330.0);
+    let text_width = (inner.width() * 0.46).clamp(width, 380.0);
     let top = inner.bottom() - 46.0;
     let bar = Rect::from_min_size(
         pos2(inner.left() + CAP, top),
@@ -109,16 +112,6 @@ fn draw_gradient(ui: &Ui, bar: Rect, view: &ColourBarView) {
     }
 }
 
-/// Value at a share of the bar.
-fn value_at(view: &ColourBarView, share: f64) -> f64 {
-    let [low, high] = view.limits;
-    if view.logarithmic && low > 0.0 && high > 0.0 {
-        low * (high / low).powf(share)
-    } else {
-        low + share * (high - low)
-    }
-}
-
 /// Three figures, without needless zeros: `0.71`, `1`, `12.5`.
 fn tick_text(value: f64) -> String {
     let magnitude = value.abs();
@@ -137,18 +130,26 @@ fn tick_text(value: f64) -> String {
     }
 }
 
+/// Marks with their numbers, as many as have room beside each other and beside the limits.
 fn draw_ticks(ui: &Ui, bar: Rect, view: &ColourBarView) {
+    const ROOM: f32 = 36.0;
     let colours = colours(ui);
-    for share in [0.25, 0.5, 0.75] {
-        let x = egui::lerp(bar.x_range(), share as f32);
+    let mut free_from = bar.left() + ROOM;
+    for tick in view.ticks {
+        let x = egui::lerp(bar.x_range(), tick.position);
         let stroke = Stroke::new(line::THIN, colours.muted);
         ui.painter()
             .vline(x, bar.bottom()..=bar.bottom() + 3.0, stroke);
-        if share == 0.5 || bar.width() > 150.0 {
+        if x >= free_from && x <= bar.right() - ROOM {
             let at = pos2(x, bar.bottom() + 4.0);
-            let text = tick_text(value_at(view, share));
-            ui.painter()
-                .text(at, Align2::CENTER_TOP, text, note_font(), colours.muted);
+            ui.painter().text(
+                at,
+                Align2::CENTER_TOP,
+                &tick.text,
+                note_font(),
+                colours.muted,
+            );
+            free_from = x + ROOM;
         }
     }
 }

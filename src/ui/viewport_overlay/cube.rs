@@ -3,7 +3,8 @@
 use egui::{Align2, Color32, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use glam::{Quat, Vec3};
 
-use crate::ui::command::{AnatomicalView, Command};
+use crate::picture::AnatomicalView;
+use crate::ui::command::Command;
 use crate::ui::style::note_font;
 use crate::ui::theme::{Colours, colours, line};
 
@@ -122,17 +123,10 @@ fn draw_face(ui: &Ui, face: &Face, pointed: bool, known: bool, colours: &Colours
         .add(Shape::convex_polygon(face.corners.to_vec(), fill, edge));
     if known && face.towards_viewer > 0.34 {
         let strength = ((face.towards_viewer - 0.34) / 0.25).clamp(0.55, 1.0);
-        let short = if face.towards_viewer > 0.8 {
-            face.name
-        } else {
-            &face.name[..1]
-        };
-        let text = if matches!(face.view, AnatomicalView::Base | AnatomicalView::Apex) {
-            face.name.to_owned()
-        } else if face.towards_viewer > 0.8 {
-            short.to_owned()
-        } else {
-            short.to_uppercase()
+        let text = match face.view {
+            AnatomicalView::Base | AnatomicalView::Apex => face.name.to_owned(),
+            // The words are wider than a face; the hover text says them.
+            _ => face.name[..1].to_uppercase(),
         };
         let colour = colours.text.gamma_multiply(strength);
         ui.painter().text(

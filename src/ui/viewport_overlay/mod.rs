@@ -100,7 +100,7 @@ fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ui::command::AnatomicalView;
+    use crate::picture::AnatomicalView;
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     fn harness() -> Harness<'static, Vec<Command>> {
@@ -117,6 +117,7 @@ mod tests {
                             map: [[0, 0, 0], [255, 255, 255]].into(),
                             limits: [0.0, 12.0],
                             logarithmic: false,
+                            ticks: &[],
                             below: [0, 0, 80],
                             above: [80, 0, 0],
                             note: "fixed for all subjects",

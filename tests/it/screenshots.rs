@@ -1,0 +1,127 @@
+//! Makes the pictures of the README: `CARDIOMORPH_SCREENSHOTS=screenshots cargo test --release --test it screenshots`.
+//!
+//! Without that variable nothing is drawn; `golden` is the test of how the window looks.
+
+use std::path::{Path, PathBuf};
+use std::process::Command as Program;
+use std::time::{Duration, Instant};
+
+use cardiomorph::app::{App, AppOptions};
+use cardiomorph::picture::Quantity;
+use cardiomorph::study::built_in::BuiltInParams;
+use cardiomorph::ui::{Command, ThemeChoice, ViewMode};
+use egui_kittest::Harness;
+
+/// One picture of the window: its name, and what a person did before it was taken.
+struct Shot {
+    name: &'static str,
+    pixels_per_point: f32,
+    commands: Vec<Command>,
+}
+
+fn folder() -> Option<PathBuf> {
+    std::env::var_os("CARDIOMORPH_SCREENSHOTS")
+        .map(|folder| Path::new(env!("CARGO_MANIFEST_DIR")).join(folder))
+}
+
+fn settle(harness: &mut Harness<'_, App>) {
+    let begin = Instant::now();
+    while harness.state().state().map().is_none()
+        || harness.state().hearts_on_screen().is_empty()
+        || harness.state().busy()
+    {
+        assert!(begin.elapsed() < Duration::from_secs(120), "no picture");
+        harness.step();
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    harness.run();
+}
+
+fn take(shot: Shot, folder: &Path) {
+    let mut harness: Harness<'_, App> = Harness::builder()
+        .with_size([1600.0, 1000.0])
+        .with_pixels_per_point(shot.pixels_per_point)
+        .with_max_steps(64)
+        .wgpu()
+        .build_eframe(|cc| App::new(cc, AppOptions::built_in(BuiltInParams::default())).unwrap());
+    settle(&mut harness);
+    for command in shot.commands {
+        harness.state_mut().push(command);
+        harness.step();
+    }
+    harness.remove_cursor();
+    harness.run();
+    settle(&mut harness);
+    let picture = harness.render().unwrap();
+    picture.save(folder.join(shot.name)).unwrap();
+}
+
+fn pose(subject: usize, frame: usize) -> Command {
+    Command::SelectPose {
+        subject,
+        frame,
+        play: false,
+    }
+}
+
+#[test]
+fn screenshots_are_taken_when_asked_for() {
+    let Some(folder) = folder() else {
+        return;
+    };
+    std::fs::create_dir_all(&folder).unwrap();
+    let dark = Command::SetTheme(ThemeChoice::Dark);
+    let light = Command::SetTheme(ThemeChoice::Light);
+    // P07 has a very large patch, P05 a large one; frame 3 is end-systole.
+    let shots = [
+        Shot {
+            name: "window_dark.png",
+            pixels_per_point: 1.0,
+            commands: vec![dark.clone(), pose(13, 3)],
+        },
+        Shot {
+            name: "window_light.png",
+            pixels_per_point: 2.0,
+            commands: vec![light.clone(), pose(3, 3)],
+        },
+        Shot {
+            name: "side_by_side.png",
+            pixels_per_point: 1.0,
+            commands: vec![
+                dark,
+                pose(15, 3),
+                Command::SetQuantity(Quantity::AreaRatio),
+                Command::SetViewMode(ViewMode::SideBySide),
+                Command::CompareWith(Some(2)),
+            ],
+        },
+        Shot {
+            name: "all_phases.png",
+            pixels_per_point: 1.0,
+            commands: vec![
+                light,
+                pose(4, 3),
+                Command::SetQuantity(Quantity::Displacement),
+                Command::SetViewMode(ViewMode::AllPhases),
+            ],
+        },
+    ];
+    for shot in shots {
+        take(shot, &folder);
+    }
+    let figure = Program::new(env!("CARGO_BIN_EXE_cardiomorph"))
+        .args([
+            "figure",
+            "--subject",
+            "P07",
+            "--frame",
+            "3",
+            "--colour",
+            "area-ratio",
+        ])
+        .args(["--theme", "light", "--size", "1600x1200", "--out"])
+        .arg(folder.join("figure.png"))
+        .status()
+        .unwrap();
+    assert!(figure.success());
+}
