@@ -49,6 +49,9 @@ fn one_pair(criterion: &mut Criterion) {
             return;
         };
         let mut scratch = PairScratch::default();
+        // The peers print theirs beside it: so both are seen to do the same work.
+        let distance = metric.pair(&a, &b, &mut scratch).distance();
+        eprintln!("distance at {vertices} vertices: {distance:.12}");
         criterion.bench_function(&format!("quasi_conformal_pair_{vertices}"), |bencher| {
             bencher.iter(|| metric.pair(&a, &b, &mut scratch).distance());
         });

@@ -1,17 +1,30 @@
 #!/bin/sh
 # Times our metric and maps and their peers in the same minutes, and prints the ratios.
-# Usage: tests/bench/peers/run.sh [FOLDER FOR THE PYTHON ENVIRONMENT]
-# Needs cargo, python3 with venv, and the network once (numpy and scikit-learn).
+# Usage: tests/bench/peers/run.sh [FOLDER THAT SHALL HOLD THE PYTHON ENVIRONMENT]
+# Needs cargo, python3 (3.11 or later, with venv) and, the first time, the network (NumPy, SciPy, scikit-learn).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 target=${CARGO_TARGET_DIR:-$root/target}
-environment=${1:-$target/peers}
-if [ ! -x "$environment/bin/python" ]; then
-    python3 -m venv "$environment"
+mkdir -p "$target"
+target=$(cd "$target" && pwd)
+mkdir -p "${1:-$target}"
+environment=$(cd "${1:-$target}" && pwd)/peers
+python=$environment/bin/python
+packages='numpy==2.4.6 scipy==1.17.1 scikit-learn==1.9.1'
+
+if ! "$python" -c 'import numpy, scipy, sklearn' 2>/dev/null; then
+    python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' || {
+        echo "run.sh: python3 3.11 or later is needed, not $(python3 --version 2>&1)" >&2
+        exit 1
+    }
+    # Begun anew, for an environment that was broken off half-way holds no pip.
+    python3 -m venv --clear "$environment"
+    # shellcheck disable=SC2086 # several words on purpose
+    "$python" -m pip install --quiet --disable-pip-version-check $packages
 fi
-"$environment/bin/python" -c 'import numpy, sklearn' 2>/dev/null ||
-    "$environment/bin/pip" install --quiet numpy==2.4.6 scikit-learn==1.9.1
+
 cd "$root"
-cargo bench --bench metric --bench map
-exec "$environment/bin/python" "$here/peers.py" "$target/criterion"
+begun=$(date +%s)
+CARGO_TARGET_DIR=$target cargo bench --bench metric --bench map -- --quiet --noplot
+exec "$python" -B "$here/peers.py" "$target/criterion" "$begun"
