@@ -291,21 +291,24 @@ fn an_idle_window_asks_for_no_repaint() {
 
 #[test]
 fn a_running_map_can_be_cancelled_and_asked_for_again() {
+    // So many vertices that the map takes a second, whatever the machine.
     let mut harness = window(AppOptions::built_in(BuiltInParams {
         vertices: 6_000,
         ..BuiltInParams::default()
     }));
-    wait_for_heart(&mut harness);
-    wait(&mut harness, "the bar of the map", |app| app.busy());
+    wait(&mut harness, "the map", |app| {
+        app.state().map().is_some() && !app.busy()
+    });
+    let before = harness.state().state().map().unwrap().clone();
+    let mut other = harness.state().state().document.map;
+    other.distances.metric.mu *= 2.0;
+    harness.state_mut().push(Command::SetPoseMap(other));
+    harness.step();
+    harness.step();
+    assert!(harness.state().busy(), "other settings make another map");
     harness.state_mut().push(Command::Cancel(JobKind::PoseMap));
-    let begin = Instant::now();
     wait(&mut harness, "the end of the work", |app| !app.busy());
-    assert!(
-        begin.elapsed() < Duration::from_millis(1500),
-        "cancel took {:?}",
-        begin.elapsed()
-    );
-    assert!(harness.state().state().map().is_none());
+    assert_eq!(harness.state().state().map(), Some(&before));
     assert!(harness.state().state().errors.is_empty());
     harness.state_mut().push(Command::Retry(JobKind::PoseMap));
     harness.step();
