@@ -127,7 +127,7 @@ fn what_the_driver_refuses_is_told_and_ends_nothing() {
     // No card has a buffer of this size.
     let _ = device.create_buffer(&wgpu::BufferDescriptor {
         label: None,
-        size: u64::MAX / 2 & !3,
+        size: (u64::MAX / 2) & !3,
         usage: wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
