@@ -80,6 +80,8 @@ pub struct App {
     times: Times,
     queue: Vec<Command>,
     played_at_s: Option<f64>,
+    /// What the driver refused, so that it is told once.
+    refused: Option<String>,
 }
 
 impl App {
@@ -124,6 +126,7 @@ impl App {
             times: Times::new(options.started),
             queue: Vec::new(),
             played_at_s: None,
+            refused: None,
         })
     }
 
@@ -149,6 +152,18 @@ impl App {
             .iter()
             .map(|shown| (shown.index, shown.position))
             .collect()
+    }
+
+    fn tell_refusal(&mut self, refused: Option<String>) {
+        if let Some(reason) = refused.as_ref().filter(|_| refused != self.refused) {
+            super::errors::push_card(
+                &mut self.state.errors,
+                "The heart could not be drawn",
+                reason,
+                None,
+            );
+        }
+        self.refused = refused;
     }
 
     fn take_in(&mut self, ctx: &Context) {
@@ -267,10 +282,11 @@ fn give_keyboard_back(ctx: &Context) {
 }
 
 impl eframe::App for App {
-    fn logic(&mut self, ctx: &Context, _frame: &mut eframe::Frame) {
+    fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.times.begin_frame(self.state.play.playing);
         let begin = Instant::now();
         self.take_in(ctx);
+        self.tell_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
         self.play(ctx);
         self.background.request(&self.state);

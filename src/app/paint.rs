@@ -25,6 +25,13 @@ pub fn install(state: &RenderState) {
         .insert(Drawing { renderer, views: 0 });
 }
 
+/// What the driver refused of the last picture, if it did.
+pub fn failure(state: &RenderState) -> Option<String> {
+    let renderer = state.renderer.read();
+    let drawing: &Drawing = renderer.callback_resources.get()?;
+    drawing.renderer.failure().map(str::to_owned)
+}
+
 /// What the status bar says of the device.
 pub fn adapter_name(state: &RenderState) -> String {
     let info = state.adapter.get_info();

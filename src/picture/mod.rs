@@ -26,5 +26,5 @@ pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;
 pub use scene::{HeartScene, SceneSettings, subject_scene};
-pub use ticks::{logarithmic_ticks, nice_ceiling, nice_ticks};
+pub use ticks::{logarithmic_ticks, nice_ceiling, nice_floor, nice_ticks, tick_text};
 pub use tokens::{PictureTheme, srgb};

@@ -1,6 +1,6 @@
 //! A bar of a round length, so that size can be read off a picture.
 
-use crate::picture::ticks::nice_ceiling;
+use crate::picture::ticks::{nice_floor, tick_text};
 use crate::render::Camera;
 use crate::units::LengthUnit;
 
@@ -26,37 +26,16 @@ impl ScaleBar {
     ) -> Option<Self> {
         let per_pixel = f64::from(2.0 * camera.half_height / picture_height);
         let most = per_pixel * f64::from(most_pixels);
-        if !(most > 0.0 && most.is_finite()) {
+        let length = nice_floor(most);
+        if length <= 0.0 {
             return None;
         }
-        // The largest round length not above `most` is a tenth of the ceiling's next steps down.
-        let above = nice_ceiling(most * (1.0 + 1e-9));
-        let length = [1.0, 0.5, 0.4, 0.2]
-            .iter()
-            .map(|share| share * above)
-            .find(|&length| length <= most * (1.0 + 1e-9) && is_round(length))?;
         let symbol = unit.length_symbol();
         Some(Self {
             length,
             pixels: (length / per_pixel) as f32,
-            text: format!("{} {symbol}", trimmed(length)),
+            text: format!("{} {symbol}", tick_text(length, length)),
         })
-    }
-}
-
-fn is_round(length: f64) -> bool {
-    let mantissa = length / 10_f64.powf((length.log10() + 1e-9).floor());
-    [1.0, 2.0, 5.0]
-        .iter()
-        .any(|nice| (mantissa - nice).abs() < 1e-6)
-}
-
-fn trimmed(length: f64) -> String {
-    if length >= 1.0 {
-        format!("{length:.0}")
-    } else {
-        let decimals = (-(length.log10() + 1e-9).floor()) as usize;
-        format!("{length:.decimals$}")
     }
 }
 

@@ -17,6 +17,19 @@ pub fn nice_ceiling(value: f64) -> f64 {
     nice.copied().unwrap_or(10.0) * decade
 }
 
+/// The greatest of …, 0.1, 0.2, 0.5, 1, 2, 5, 10, … that is not above `most`; 0 if `most` is not
+/// a positive number.
+pub fn nice_floor(most: f64) -> f64 {
+    if !(most > 0.0 && most.is_finite()) {
+        return 0.0;
+    }
+    let decade = 10_f64.powf(most.log10().floor());
+    // A whole power may come out a hair above `most` by rounding.
+    let share = most / decade * (1.0 + 1e-9);
+    let nice = NICE.iter().rev().find(|&&step| step <= share);
+    nice.copied().unwrap_or(0.5) * decade
+}
+
 /// Round values from `low` to `high`, both inside the range, about `wanted` of them.
 pub fn nice_ticks(low: f64, high: f64, wanted: usize) -> Vec<f64> {
     if low.is_nan() || high.is_nan() || high <= low || (high - low).is_infinite() {
@@ -48,7 +61,7 @@ pub fn logarithmic_ticks(low: f64, high: f64, wanted: usize) -> Vec<f64> {
 }
 
 /// A number with as many decimals as the step between ticks needs.
-pub(crate) fn tick_text(value: f64, step: f64) -> String {
+pub fn tick_text(value: f64, step: f64) -> String {
     let decimals = if step > 0.0 && step < 1.0 {
         (-step.log10() - 1e-6).ceil().clamp(0.0, 6.0) as usize
     } else {
@@ -77,6 +90,20 @@ pub(crate) fn ratio_text(value: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_greatest_round_number_below_is_one_two_or_five() {
+        for (most, nice) in [
+            (1.0, 1.0),
+            (37.0, 20.0),
+            (0.07, 0.05),
+            (1000.0, 1000.0),
+            (0.9, 0.5),
+        ] {
+            assert!((nice_floor(most) - nice).abs() < 1e-12, "{most}");
+        }
+        assert!(nice_floor(f64::NAN).abs() < 1e-12);
+    }
 
     #[test]
     fn ceilings_are_one_two_or_five_times_a_power_of_ten() {

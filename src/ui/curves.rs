@@ -4,10 +4,10 @@ use egui::{
     Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
+use crate::picture::nice_ticks;
 use crate::ui::beat_axis::BeatAxis;
 use crate::ui::command::Command;
 use crate::ui::controls::empty_pane_ui;
-use crate::ui::nice_numbers::linear_ticks;
 use crate::ui::style::{medium_note_font, note_font};
 use crate::ui::theme::{Colours, colours, line, space};
 
@@ -156,7 +156,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
     let painter = ui.painter();
     let grid = Stroke::new(line::THIN, colours.grid);
     let rows = ((plot.area.height() / 34.0) as usize).clamp(2, 10);
-    for tick in linear_ticks(plot.low, plot.high, rows) {
+    for tick in nice_ticks(plot.low, plot.high, rows) {
         let y = plot.y(tick);
         painter.hline(plot.area.x_range(), y, grid);
         let at = pos2(plot.area.left() - 6.0, y);
@@ -182,7 +182,7 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
         None => (100.0, "% R-R"),
     };
     let columns = ((plot.area.width() / 80.0) as usize).clamp(2, 6);
-    for tick in linear_ticks(0.0, end, columns) {
+    for tick in nice_ticks(0.0, end, columns) {
         let x = plot.x(tick / end);
         if x < plot.area.right() - 46.0 {
             painter.text(

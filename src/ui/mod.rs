@@ -18,7 +18,6 @@ mod load_report;
 mod marks;
 mod measures_card;
 mod menu_bar;
-mod nice_numbers;
 mod normal_ranges;
 mod pose_map;
 mod shortcut_sheet;

@@ -2,9 +2,9 @@
 
 use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, UiBuilder, pos2, vec2};
 
+use crate::picture::nice_floor;
 use crate::study::LabelRole;
 use crate::ui::marks::{role_mark, role_name};
-use crate::ui::nice_numbers::nice_below;
 use crate::ui::pose_map::lens::Lens;
 use crate::ui::pose_map::{MapPoint, MapState, PoseMapView, PosePhase};
 use crate::ui::style::{medium_note_font, note, note_font};
@@ -210,7 +210,7 @@ fn hidden_length(path: &[Pos2], rect: Rect) -> f32 {
 }
 
 fn draw_grid(painter: &Painter, rect: Rect, lens: &Lens, colours: &Colours) {
-    let step = nice_below(110.0 / lens.points_per_unit) * lens.points_per_unit;
+    let step = nice_floor(110.0 / lens.points_per_unit) * lens.points_per_unit;
     if !(step.is_finite() && step > 12.0) {
         return;
     }

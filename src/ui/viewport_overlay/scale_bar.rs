@@ -2,7 +2,7 @@
 
 use egui::{Align2, Rangef, Rect, Stroke, Ui, pos2};
 
-use crate::ui::nice_numbers::{digits_for, nice_below};
+use crate::picture::{nice_floor, tick_text};
 use crate::ui::style::note_font;
 use crate::ui::theme::{colours, line};
 
@@ -21,7 +21,7 @@ const LONGEST: f64 = 110.0;
 /// Draws the bar at the middle of the lower edge, or as near to it as `free`, the part of the edge
 /// that nothing else takes, allows.
 pub fn scale_bar_ui(ui: &Ui, inner: Rect, free: Rangef, view: &ScaleBarView) {
-    let length = nice_below(LONGEST / view.points_per_unit);
+    let length = nice_floor(LONGEST / view.points_per_unit);
     let points = (length * view.points_per_unit) as f32;
     if !(points.is_finite() && points > 8.0 && points + 8.0 < free.span()) {
         return;
@@ -36,8 +36,7 @@ pub fn scale_bar_ui(ui: &Ui, inner: Rect, free: Rangef, view: &ScaleBarView) {
     for end in [left, right] {
         ui.painter().vline(end, y - 6.0..=y, stroke);
     }
-    let digits = digits_for(length);
-    let text = format!("{length:.digits$} {}", view.unit);
+    let text = format!("{} {}", tick_text(length, length), view.unit);
     ui.painter().text(
         pos2(x, y + 3.0),
         Align2::CENTER_TOP,
