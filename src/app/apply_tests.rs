@@ -169,7 +169,7 @@ fn opening_another_study_can_be_taken_back() {
 #[test]
 fn what_reaches_beyond_the_state_comes_back_as_effects() {
     let mut state = two_hearts();
-    let path = std::path::PathBuf::from("/tmp/figure.png");
+    let path = std::path::PathBuf::from("figure.png");
     assert_eq!(
         give(&mut state, Command::ExportFigure(Some(path.clone()))),
         [Effect::WriteFigure(path)]

@@ -22,6 +22,13 @@ use crate::study::{Revision, Study};
 
 type AnalysisSlot = Slot<(Revision, AnalysisRequest), AnalysisOutcome, AnalysisError>;
 
+/// Whether a request that was stopped or has failed begins anew.
+#[derive(Clone, Copy)]
+enum Asking {
+    Once,
+    Again,
+}
+
 /// All background work of one window.
 ///
 /// Calls return at once. Every frame: [`Self::poll`], then request what the visible state needs;
@@ -106,58 +113,22 @@ impl Engine {
 
     /// Asks for the measures of every subject.
     pub fn request_measures(&mut self, study: &Arc<Study>) {
-        let request = AnalysisRequest::Measures;
-        let start = starter(
-            &self.jobs,
-            &self.wake,
-            &self.cache,
-            &mut self.log,
-            study,
-            request,
-        );
-        self.measures.request((study.revision, request), start);
+        self.ask(study, AnalysisRequest::Measures, Asking::Once);
     }
 
     /// Asks for the map of all poses.
     pub fn request_pose_map(&mut self, study: &Arc<Study>, params: PoseMapParams) {
-        let request = AnalysisRequest::PoseMap(params);
-        let start = starter(
-            &self.jobs,
-            &self.wake,
-            &self.cache,
-            &mut self.log,
-            study,
-            request,
-        );
-        self.pose_map.request((study.revision, request), start);
+        self.ask(study, AnalysisRequest::PoseMap(params), Asking::Once);
     }
 
     /// Computes again what was stopped or failed; free if nothing was.
     pub fn retry_measures(&mut self, study: &Arc<Study>) {
-        let request = AnalysisRequest::Measures;
-        let start = starter(
-            &self.jobs,
-            &self.wake,
-            &self.cache,
-            &mut self.log,
-            study,
-            request,
-        );
-        self.measures.retry((study.revision, request), start);
+        self.ask(study, AnalysisRequest::Measures, Asking::Again);
     }
 
     /// Computes again what was stopped or failed; free if nothing was.
     pub fn retry_pose_map(&mut self, study: &Arc<Study>, params: PoseMapParams) {
-        let request = AnalysisRequest::PoseMap(params);
-        let start = starter(
-            &self.jobs,
-            &self.wake,
-            &self.cache,
-            &mut self.log,
-            study,
-            request,
-        );
-        self.pose_map.retry((study.revision, request), start);
+        self.ask(study, AnalysisRequest::PoseMap(params), Asking::Again);
     }
 
     /// Opens again what was stopped or failed; free if nothing was opened.
@@ -261,6 +232,31 @@ impl Engine {
         self.log.running()
     }
 
+    fn ask(&mut self, study: &Arc<Study>, request: AnalysisRequest, asking: Asking) {
+        let (kind, slot) = match request {
+            AnalysisRequest::Measures => (WorkKind::Measures, &mut self.measures),
+            AnalysisRequest::PoseDistances(_) | AnalysisRequest::PoseMap(_) => {
+                (WorkKind::PoseMap, &mut self.pose_map)
+            }
+        };
+        let (jobs, wake, log) = (&self.jobs, &self.wake, &mut self.log);
+        let (work_study, cache) = (Arc::clone(study), Arc::clone(&self.cache));
+        // Called only where work really has to begin.
+        let start = || {
+            let job = Job::spawn(jobs, Arc::clone(wake), move |progress: &Progress| {
+                run(&work_study, &request, &cache, progress)
+            });
+            let watch = Arc::clone(job.watch());
+            log.record(kind, request.name(), request.parameters(), watch);
+            job
+        };
+        let key = (study.revision, request);
+        match asking {
+            Asking::Once => slot.request(key, start),
+            Asking::Again => slot.retry(key, start),
+        }
+    }
+
     fn ticket(&mut self) -> u64 {
         self.tickets += 1;
         self.tickets
@@ -269,32 +265,4 @@ impl Engine {
 
 fn next_revision(revisions: &AtomicU64) -> Revision {
     Revision(revisions.fetch_add(1, Ordering::Relaxed))
-}
-
-/// What a slot calls when it really has to begin: a job that answers `request`, entered in the log.
-fn starter<'a>(
-    jobs: &'a Workers,
-    wake: &'a Wake,
-    cache: &'a Arc<Cache>,
-    log: &'a mut ActivityLog,
-    study: &'a Arc<Study>,
-    request: AnalysisRequest,
-) -> impl FnOnce() -> Job<AnalysisOutcome, AnalysisError> + 'a {
-    move || {
-        let kind = match request {
-            AnalysisRequest::Measures => WorkKind::Measures,
-            AnalysisRequest::PoseDistances(_) | AnalysisRequest::PoseMap(_) => WorkKind::PoseMap,
-        };
-        let (study, cache) = (Arc::clone(study), Arc::clone(cache));
-        let job = Job::spawn(jobs, Arc::clone(wake), move |progress: &Progress| {
-            run(&study, &request, &cache, progress)
-        });
-        log.record(
-            kind,
-            request.name(),
-            request.parameters(),
-            Arc::clone(job.watch()),
-        );
-        job
-    }
 }

@@ -1,5 +1,8 @@
 //! The window driven with no display: what a person does, and what must follow in every view.
 
+#[cfg(test)]
+mod around;
+
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -314,111 +317,4 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
     harness.step();
     harness.step();
     assert!(harness.state().busy(), "asked for again, it runs again");
-}
-
-#[test]
-fn a_broken_file_let_go_over_the_window_gives_its_error_and_leaves_the_study_open() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("broken.obj");
-    std::fs::write(&path, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n").unwrap();
-    let mut harness = cohort_window();
-    harness
-        .input_mut()
-        .dropped_files
-        .push(Arc::new(Dropped(path)));
-    wait(&mut harness, "the error card", |app| {
-        !app.state().errors.is_empty()
-    });
-    harness.run();
-    let card = harness.state().state().errors[0].clone();
-    assert!(card.title.contains("broken.obj"), "{card:?}");
-    assert!(card.message.contains("line 4"), "{card:?}");
-    assert_eq!(harness.state().state().document.study().subjects.len(), 23);
-    harness.get_by_label_contains("broken.obj");
-    harness.get_by_label("Dismiss").click();
-    harness.run();
-    assert!(harness.state().state().errors.is_empty());
-}
-
-#[test]
-fn a_frame_stated_as_end_systole_is_measured_again_and_taken_back() {
-    let mut harness = mapped_window();
-    let before = harness.state().state().measures_of(0).unwrap().clone();
-    let stated = (before.end_systole.unwrap() + 2) % 8;
-    give(&mut harness, Command::StateEndSystole(Some(stated)));
-    wait(&mut harness, "new measures", |app| {
-        app.state().measures_of(0).unwrap().end_systole == Some(stated)
-    });
-    assert!(harness.state().state().measures_of(0).unwrap().ef < before.ef);
-    give(&mut harness, Command::Undo);
-    wait(&mut harness, "the old measures", |app| {
-        app.state().measures_of(0) == Some(&before)
-    });
-}
-
-#[test]
-fn the_views_show_one_two_and_all_hearts() {
-    let mut harness = cohort_window();
-    for (mode, count) in [
-        (ViewMode::SideBySide, 2),
-        (ViewMode::AllPhases, 8),
-        (ViewMode::Single, 1),
-    ] {
-        give(&mut harness, Command::SetViewMode(mode));
-        wait(&mut harness, "the hearts", |app| {
-            app.hearts_on_screen().len() == count
-        });
-    }
-}
-
-#[test]
-fn panes_close_and_come_back() {
-    let mut harness = cohort_window();
-    harness.run();
-    assert!(harness.query_by_label("Pose map").is_some() || harness.state().busy());
-    give(&mut harness, Command::TogglePane(Pane::Measures));
-    harness.run_steps(2);
-    assert!(harness.query_by_label("Ejection fraction").is_none());
-    give(&mut harness, Command::ResetLayout);
-    harness.run_steps(2);
-    assert!(harness.query_by_label("Ejection fraction").is_some());
-}
-
-#[test]
-fn the_palette_and_the_sheets_open_by_key_and_close_by_escape() {
-    let mut harness = cohort_window();
-    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::K);
-    harness.run_steps(4);
-    assert!(harness.state().state().sheets.palette);
-    harness.key_press(egui::Key::Escape);
-    harness.run_steps(4);
-    assert!(!harness.state().state().sheets.palette);
-    harness.key_press_modifiers(egui::Modifiers::SHIFT, egui::Key::Questionmark);
-    harness.run_steps(4);
-    assert!(harness.state().state().sheets.shortcuts);
-    harness.key_press(egui::Key::Escape);
-    harness.run_steps(4);
-    assert!(!harness.state().state().sheets.shortcuts);
-}
-
-#[test]
-fn with_nothing_to_open_the_window_says_how_to_begin() {
-    let mut harness = window(AppOptions::empty());
-    harness.run();
-    harness.get_by_label("Open a beating heart");
-    assert!(harness.state().hearts_on_screen().is_empty());
-}
-
-#[test]
-fn tables_are_written_by_a_job() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut harness = mapped_window();
-    let path: PathBuf = folder.path().join("report");
-    give(&mut harness, Command::ExportTables(Some(path.clone())));
-    wait(&mut harness, "the tables", |app| {
-        app.state().message.starts_with("Wrote")
-    });
-    let table = std::fs::read_to_string(path.join("measures.csv")).unwrap();
-    assert_eq!(table.lines().count(), 24);
-    assert!(path.join("poses_mds.csv").exists());
 }
