@@ -6,6 +6,7 @@ use crate::analysis::embedding::{Embedding, MapMethod};
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
+use crate::engine::activity::WorkKind;
 use crate::progress::Stopped;
 
 /// Settings of the map of all poses.
@@ -49,6 +50,14 @@ pub enum AnalysisOutcome {
 }
 
 impl AnalysisRequest {
+    /// The kind of work that it is.
+    pub fn kind(&self) -> WorkKind {
+        match self {
+            Self::Measures => WorkKind::Measures,
+            Self::PoseDistances(_) | Self::PoseMap(_) => WorkKind::PoseMap,
+        }
+    }
+
     /// What the activity list calls it.
     pub fn name(&self) -> &'static str {
         match self {
