@@ -58,6 +58,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("alignment", &[]),
     ("measures", &[]),
     ("metrics", &[]),
+    ("geodesics", &["metrics"]),
     ("pose_distances", &["alignment", "metrics"]),
     ("embedding", &["pose_distances", "alignment"]),
 ];
