@@ -74,8 +74,11 @@ impl AnalysisRequest {
             Self::PoseDistances(params) => metric_words(&params.metric),
             Self::PoseMap(params) => {
                 let method = match params.method {
-                    MapMethod::ClassicalMds => "classical MDS",
-                    MapMethod::Smacof => "SMACOF",
+                    MapMethod::ClassicalMds => "classical MDS".to_owned(),
+                    MapMethod::Smacof => "SMACOF".to_owned(),
+                    MapMethod::Isomap { neighbours } => {
+                        format!("Isomap of {neighbours} neighbours")
+                    }
                 };
                 format!("{}, {method}", metric_words(&params.distances.metric))
             }
