@@ -59,6 +59,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("measures", &[]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
+    ("transport", &["alignment", "metrics", "geodesics"]),
     ("pose_distances", &["alignment", "metrics"]),
     ("embedding", &["pose_distances", "alignment"]),
 ];

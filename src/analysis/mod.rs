@@ -6,3 +6,4 @@ pub mod geodesics;
 pub mod measures;
 pub mod metrics;
 pub mod pose_distances;
+pub mod transport;
