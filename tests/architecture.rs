@@ -60,6 +60,20 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("metrics", &[]),
     ("pose_distances", &["alignment", "metrics"]),
     ("embedding", &["pose_distances", "alignment"]),
+    (
+        "experiments",
+        &[
+            "alignment",
+            "measures",
+            "metrics",
+            "geodesics",
+            "transport",
+            "pose_distances",
+            "embedding",
+            "deformations",
+            "classification",
+        ],
+    ),
 ];
 
 /// Words from outside with the only rooms that may say them.

@@ -2,6 +2,7 @@
 
 pub mod alignment;
 pub mod embedding;
+pub mod experiments;
 pub mod measures;
 pub mod metrics;
 pub mod pose_distances;
