@@ -5,6 +5,7 @@ pub mod classification;
 pub mod deformations;
 pub mod embedding;
 pub mod geodesics;
+pub mod experiments;
 pub mod measures;
 pub mod metrics;
 pub mod pose_distances;
