@@ -1,7 +1,9 @@
-//! Linear algebra that several questions share: symmetric eigenvalues, whole and leading.
+//! Mathematics that several questions share: symmetric eigenvalues, numbers side by side.
 
 mod lanczos;
+mod lanes;
 mod symmetric_eigen;
 
 pub use lanczos::{LeadingEigenError, leading_eigen};
+pub use lanes::{Arithmetic, LANES, Lanes};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};
