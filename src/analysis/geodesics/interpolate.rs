@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::analysis::metrics::{Form, Metric, MetricKind, PathEnergy};
-use crate::mesh::{Faces, Point3};
+use crate::mesh::{Faces, Point3, crossing_faces};
 use crate::progress::Progress;
 use crate::study::MeshSequence;
 
@@ -83,6 +83,7 @@ impl GeodesicSolver {
             inner.coordinates = straight;
             found = energy.energy(&inner.coordinates);
         }
+        let mut stopped = inner.stopped;
         let step_lengths = (energy.step_energies().iter())
             .map(|energy| (0.5 * energy).max(0.0).sqrt())
             .collect();
@@ -92,15 +93,22 @@ impl GeodesicSolver {
                 .map(|pose| pose.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect()),
         );
         poses.push(end.to_vec());
+        let mut self_intersections = 0;
+        for pose in &poses[1..poses.len() - 1] {
+            match crossing_faces(pose, self.faces.triangles(), || !progress.stop_requested()) {
+                Some(count) => self_intersections += count,
+                None => stopped = true,
+            }
+        }
         Ok(GeodesicPath {
             poses,
             energy_linear,
             energy: found,
             step_lengths,
             iterations: inner.iterations,
-            self_intersections: 0,
+            self_intersections,
             converged: inner.converged,
-            stopped: inner.stopped,
+            stopped,
         })
     }
 
