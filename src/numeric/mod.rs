@@ -1,7 +1,13 @@
-//! Linear algebra that several questions share: symmetric eigenvalues, whole and leading.
+//! Linear algebra and search that several questions share: symmetric eigenvalues, whole and
+//! leading; sparse solves; minimisation.
 
 mod lanczos;
+mod lbfgs;
+mod line_search;
+mod sparse_cholesky;
 mod symmetric_eigen;
 
 pub use lanczos::{LeadingEigenError, leading_eigen};
+pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
+pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};
