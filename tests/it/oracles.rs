@@ -4,6 +4,8 @@
 mod maps;
 #[cfg(test)]
 mod paths;
+#[cfg(test)]
+mod transport;
 
 use std::path::{Path, PathBuf};
 
@@ -66,7 +68,11 @@ impl Case {
     }
 
     fn mesh(&self) -> (Vec<Point3>, Faces) {
-        let file = self.value["inputs"]["mesh"]["obj"].as_str().unwrap();
+        self.input_mesh("mesh")
+    }
+
+    fn input_mesh(&self, key: &str) -> (Vec<Point3>, Faces) {
+        let file = self.value["inputs"][key]["obj"].as_str().unwrap();
         mesh_of(&self.folder.join(file))
     }
 }
