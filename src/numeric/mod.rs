@@ -1,9 +1,15 @@
-//! Linear algebra that several questions share: symmetric eigenvalues, whole and leading, and sparse solutions.
+//! Linear algebra and search that several questions share: symmetric eigenvalues, whole and
+//! leading; sparse solves and inverses; minimisation.
 
 mod lanczos;
+mod lbfgs;
+mod line_search;
+mod sparse_cholesky;
 mod sparse_inverse;
 mod symmetric_eigen;
 
 pub use lanczos::{LeadingEigenError, leading_eigen};
+pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
+pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use sparse_inverse::{LowerColumns, NotPositive, SparseInverse};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};

@@ -6,8 +6,10 @@
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 3.2.3 and 3.3.1.
 
 mod interpolate;
+mod minimise;
 mod params;
 mod result;
+mod stiffness;
 
 pub use interpolate::{GeodesicSolver, geodesic, interpolated_sequence};
 pub use params::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};

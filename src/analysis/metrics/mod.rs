@@ -22,6 +22,7 @@ mod fields;
 mod metric;
 mod pair;
 mod params;
+mod path_energy;
 mod pose;
 mod products;
 mod rigid;
@@ -30,6 +31,7 @@ pub use metric::{Metric, MetricError, PairNorms, PairScratch};
 pub use params::{
     CheckedMetricParams, Corners, Form, MetricKind, MetricParams, ParamError, Regulariser,
 };
+pub use path_energy::PathEnergy;
 pub use pose::PreparedPose;
 pub use rigid::{RigidField, rigid_part};
 
