@@ -1,13 +1,15 @@
-//! Linear algebra and search that several questions share: symmetric eigenvalues, whole and
-//! leading; sparse solves; minimisation.
+//! Mathematics that several questions share: symmetric eigenvalues, whole and leading; sparse
+//! solves; minimisation; numbers side by side.
 
 mod lanczos;
+mod lanes;
 mod lbfgs;
 mod line_search;
 mod sparse_cholesky;
 mod symmetric_eigen;
 
 pub use lanczos::{LeadingEigenError, leading_eigen};
+pub use lanes::{Arithmetic, LANES, Lanes};
 pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
 pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};
