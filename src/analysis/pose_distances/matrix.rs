@@ -240,4 +240,6 @@ fn aligned_distance(
 }
 
 #[cfg(test)]
+mod known_tests;
+#[cfg(test)]
 mod tests;
