@@ -1,7 +1,8 @@
-//! Linear algebra and search that several questions share: symmetric eigenvalues, whole and
-//! leading; sparse solves and inverses; minimisation.
+//! Mathematics that several questions share: symmetric eigenvalues, sparse solutions, minimisation,
+//! numbers side by side.
 
 mod lanczos;
+mod lanes;
 mod lbfgs;
 mod line_search;
 mod sparse_cholesky;
@@ -9,6 +10,7 @@ mod sparse_inverse;
 mod symmetric_eigen;
 
 pub use lanczos::{LeadingEigenError, leading_eigen};
+pub use lanes::{Arithmetic, LANES, Lanes};
 pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
 pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use sparse_inverse::{LowerColumns, NotPositive, SparseInverse};

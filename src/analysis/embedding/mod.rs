@@ -6,6 +6,7 @@ mod flattest;
 mod isomap;
 mod lle;
 mod local_weights;
+mod neighbour_graph;
 mod neighbours;
 mod orientation;
 mod parts;
@@ -16,7 +17,7 @@ mod stress;
 
 pub use classical::classical_mds;
 pub use embed::{EmbeddingError, embed};
-pub use isomap::isomap;
+pub use isomap::{isomap, isomap_of_neighbours, shortest_ways};
 pub use lle::{CheckedLleParams, LleParamError, LleParams, lle, lle_of_weights};
 pub use local_weights::LocalWeights;
 pub use neighbours::Neighbours;

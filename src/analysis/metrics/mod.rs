@@ -17,7 +17,9 @@
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 2.3.6–2.3.7 and 3.2.
 
 mod connectivity;
+mod corner;
 mod curvature;
+mod face_charge;
 mod fields;
 mod metric;
 mod pair;
