@@ -48,6 +48,11 @@ fn checked(args: &TransferArgs) -> Result<CheckedTransportParams, CliError> {
         metric: args.metric.params(),
         in_betweens: args.in_betweens.unwrap_or(default.in_betweens),
         keep_norm: args.keep_norm == Switch::On,
+        geodesics: args.geodesics.into(),
+        most_vertices: match args.coarse_vertices {
+            Some(vertices) => Some(vertices).filter(|&vertices| vertices > 0),
+            None => default.most_vertices,
+        },
         ..default
     };
     let checked = params.check();
@@ -71,7 +76,10 @@ fn only_subject(path: &Path) -> Result<Arc<Subject>, CliError> {
 fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
     let (points, found) = if path.is_dir() {
         let sequence = &only_subject(path)?.sequence;
-        (sequence.pose(0).unwrap_or_default(), sequence.joined_faces())
+        (
+            sequence.pose(0).unwrap_or_default(),
+            sequence.joined_faces(),
+        )
     } else {
         let mesh = read(path)?;
         (mesh.vertices().to_vec(), Faces::clone(mesh.faces()))
