@@ -2,7 +2,8 @@
 
 use egui::{Rect, Ui, vec2};
 
-use crate::ui::command::{Command, JobKind};
+use crate::engine::WorkKind;
+use crate::ui::command::Command;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::status_bar::progress_text;
 use crate::ui::style::note;
@@ -33,7 +34,7 @@ pub enum MapState {
 #[derive(Clone, Copy, Debug)]
 pub struct MapWords {
     /// What Cancel and Retry mean.
-    pub job: JobKind,
+    pub job: WorkKind,
     /// Heading where there is nothing to map.
     pub empty: &'static str,
     /// What would fill the pane.
@@ -82,7 +83,7 @@ pub fn without_map_ui(
 fn cancel_ui(
     ui: &mut Ui,
     name: impl Into<egui::WidgetText>,
-    job: JobKind,
+    job: WorkKind,
     commands: &mut Vec<Command>,
 ) {
     let button = ui.button(name.into());
@@ -91,7 +92,7 @@ fn cancel_ui(
     }
 }
 
-fn retry_ui(ui: &mut Ui, name: &str, job: JobKind, commands: &mut Vec<Command>) {
+fn retry_ui(ui: &mut Ui, name: &str, job: WorkKind, commands: &mut Vec<Command>) {
     if ui.button(name).clicked() {
         commands.push(Command::Retry(job));
     }

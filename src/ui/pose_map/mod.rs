@@ -10,8 +10,8 @@ pub use header::{pose_map_choosers_ui, pose_map_header_ui};
 
 use egui::Ui;
 
-use crate::engine::PoseMapParams;
-use crate::ui::command::{Command, JobKind};
+use crate::engine::{PoseMapParams, WorkKind};
+use crate::ui::command::Command;
 use crate::ui::map_ground::{
     MapState, MapSubject, MapWords, ground_ui, over_map_ui, without_map_ui,
 };
@@ -69,7 +69,7 @@ pub struct PoseMapView<'a> {
 }
 
 const WORDS: MapWords = MapWords {
-    job: JobKind::PoseMap,
+    job: WorkKind::PoseMap,
     empty: "No poses",
     what: "Every pose of every heart becomes a point here; near points deform alike.",
     none: "No map",
