@@ -141,7 +141,8 @@ fn significant(value: f64) -> String {
     }
     let digits = 1 - value.abs().log10().floor() as i32;
     if digits > 4 {
-        return format!("{value:.1e}").replace("e-", " · 10⁻").replacen("10⁻", "10^−", 1);
+        // Past four zeros people count them wrongly.
+        return format!("{value:.0e}").replace("e-", "e−");
     }
     format!("{value:.*}", digits.max(0) as usize)
 }
@@ -203,6 +204,6 @@ mod tests {
         assert_eq!(significant(1.416), "1.4");
         assert_eq!(significant(23.4), "23");
         assert_eq!(significant(0.0), "0");
-        assert_eq!(significant(1.2e-7), "1.2 · 10^−7");
+        assert_eq!(significant(1.2e-7), "1e−7");
     }
 }
