@@ -59,9 +59,13 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("measures", &[]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
-    ("pose_distances", &["alignment", "metrics"]),
+    (
+        "pose_distances",
+        &["alignment", "metrics", "transport"],
+    ),
     ("embedding", &["pose_distances", "alignment"]),
     ("classification", &["embedding", "pose_distances"]),
+    ("deformations", &["embedding", "pose_distances"]),
 ];
 
 /// Words from outside with the only rooms that may say them.
