@@ -97,22 +97,28 @@ fn role_of(view: &DeformationMapView, point: &DeformationPoint) -> crate::study:
 }
 
 /// Draws what the map keeps and how well, for the header: short where there is little room.
-pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView) {
-    let long = note_parts(view).join(" · ");
-    if long.is_empty() {
-        return;
-    }
-    let short = view
-        .neighbours
-        .map(|neighbours| format!("k {neighbours}"))
-        .unwrap_or_default();
-    let text = if ui.available_width() > 250.0 {
-        &long
-    } else {
-        &short
+///
+/// `kept` points of the width are for what stands on the left.
+pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
+    let parts = note_parts(view);
+    let long = parts.join(" · ");
+    let room = ui.available_width() - kept;
+    let width = |text: &str| {
+        let font = crate::ui::style::note_font();
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), font, egui::Color32::PLACEHOLDER);
+        galley.size().x
     };
-    ui.add(egui::Label::new(note(text)).truncate())
-        .on_hover_text(format!("{long}\n\n{WHAT}"));
+    // The last part goes first where there is no room.
+    let fitting = (1..=parts.len())
+        .rev()
+        .map(|count| parts[..count].join(" · "))
+        .find(|text| width(text) <= room);
+    if let Some(text) = fitting {
+        ui.label(note(text))
+            .on_hover_text(format!("{long}\n\n{WHAT}"));
+    }
 }
 
 const WHAT: &str = "Locally linear embedding: every heart is written as a mixture of its \

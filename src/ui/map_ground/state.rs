@@ -28,6 +28,8 @@ pub enum MapState {
     Stopped,
     /// It could not be computed, and why.
     Failed(String),
+    /// This study has no such map, and why; trying again would change nothing.
+    Unanswerable(String),
 }
 
 /// The words of one map, and the work that makes it.
@@ -77,6 +79,7 @@ pub fn without_map_ui(
         MapState::Failed(why) => empty_pane_ui(ui, words.none, why, |ui| {
             retry_ui(ui, "Retry", words.job, commands);
         }),
+        MapState::Unanswerable(why) => empty_pane_ui(ui, words.none, why, |_| {}),
     }
 }
 
@@ -132,6 +135,9 @@ pub fn over_map_ui(
                 let colour = colours(ui).error;
                 retry_ui(ui, "Retry", words.job, commands);
                 ui.add(egui::Label::new(egui::RichText::new(why).small().color(colour)).truncate());
+            }
+            MapState::Unanswerable(why) => {
+                ui.add(egui::Label::new(note(why)).truncate());
             }
             _ => {
                 ui.label(note("Stopped; this is the map before"));

@@ -39,8 +39,7 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
         sentence_ui(ui, form_sentence(form));
     }
     let mut scale_free = metric.corners == Corners::ScaleFree;
-    let size = egui::Checkbox::new(&mut scale_free, "Size does not matter");
-    let size = ui.add_enabled(forms, size);
+    let size = ui.checkbox(&mut scale_free, "Size does not matter");
     if size.on_hover_text(corners_sentence(metric.corners)).clicked() {
         metric.corners = if scale_free {
             Corners::ScaleFree
