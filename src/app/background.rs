@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use crate::engine::{AnalysisRequest, DeformationMapSettings, Engine, JobError, OpenSource, Showing, Wake, WorkKind};
+use crate::analysis::classification::ClassesParams;
+use crate::engine::{AnalysisRequest, ClassesSettings, DeformationMapSettings, Engine, JobError, OpenSource, Showing, Wake, WorkKind};
 use crate::io::Opened;
 use crate::picture::reference_frame;
 use crate::study::Study;
@@ -227,7 +228,10 @@ fn wanted(state: &State, kind: WorkKind) -> Option<AnalysisRequest> {
         WorkKind::Measures => Some(AnalysisRequest::Measures),
         WorkKind::PoseMap => Some(AnalysisRequest::PoseMap(state.document.map)),
         WorkKind::DeformationMap => Some(AnalysisRequest::DeformationMap(deformations(state))),
-        WorkKind::Classes => Some(AnalysisRequest::Classes(deformations(state))),
+        WorkKind::Classes => Some(AnalysisRequest::Classes(ClassesSettings {
+            deformations: deformations(state),
+            classes: ClassesParams::default(),
+        })),
         _ => None,
     }
 }
