@@ -59,10 +59,8 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("measures", &[]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
-    (
-        "pose_distances",
-        &["alignment", "metrics", "transport"],
-    ),
+    ("transport", &["alignment", "metrics", "geodesics"]),
+    ("pose_distances", &["alignment", "metrics", "transport"]),
     ("embedding", &["pose_distances", "alignment"]),
     ("classification", &["embedding", "pose_distances"]),
     ("deformations", &["embedding", "pose_distances"]),

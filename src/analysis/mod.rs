@@ -8,3 +8,4 @@ pub mod geodesics;
 pub mod measures;
 pub mod metrics;
 pub mod pose_distances;
+pub mod transport;

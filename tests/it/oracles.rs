@@ -2,6 +2,8 @@
 
 #[cfg(test)]
 mod maps;
+#[cfg(test)]
+mod transport;
 
 use std::path::{Path, PathBuf};
 
@@ -64,7 +66,11 @@ impl Case {
     }
 
     fn mesh(&self) -> (Vec<Point3>, Faces) {
-        let file = self.value["inputs"]["mesh"]["obj"].as_str().unwrap();
+        self.input_mesh("mesh")
+    }
+
+    fn input_mesh(&self, key: &str) -> (Vec<Point3>, Faces) {
+        let file = self.value["inputs"][key]["obj"].as_str().unwrap();
         let text = std::fs::read_to_string(self.folder.join(file)).unwrap();
         let (mut points, mut triangles) = (Vec::new(), Vec::new());
         for line in text.lines() {
