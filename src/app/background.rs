@@ -3,7 +3,10 @@
 use std::sync::Arc;
 
 use crate::analysis::classification::ClassesParams;
-use crate::engine::{AnalysisRequest, ClassesSettings, DeformationMapSettings, Engine, JobError, OpenSource, Showing, Wake, WorkKind};
+use crate::engine::{
+    AnalysisRequest, ClassesSettings, DeformationMapSettings, Engine, JobError, OpenSource,
+    Showing, Wake, WorkKind,
+};
 use crate::io::Opened;
 use crate::picture::reference_frame;
 use crate::study::Study;

@@ -77,8 +77,7 @@ impl Morph {
 /// Mean and root mean square distance from it.
 fn centre_and_spread(places: impl Iterator<Item = [f64; 2]> + Clone) -> ([f64; 2], f64) {
     let count = places.clone().count().max(1) as f64;
-    let centre =
-        [0, 1].map(|axis| places.clone().map(|place| place[axis]).sum::<f64>() / count);
+    let centre = [0, 1].map(|axis| places.clone().map(|place| place[axis]).sum::<f64>() / count);
     let squares = places.map(|place| {
         let offset = [0, 1].map(|axis| place[axis] - centre[axis]);
         offset[0] * offset[0] + offset[1] * offset[1]
@@ -100,7 +99,10 @@ mod tests {
         let turned = [(0, [3.0, 1.0]), (1, [1.0, 1.0])];
         let mut other = Morph::between(shown.into_iter(), &turned, 10.0);
         assert_eq!(other.place(0, turned[0].1, 10.0), [1.0, 1.0]);
-        assert_eq!(other.place(0, turned[0].1, 10.0 + 0.5 * MORPH_S), [2.0, 1.0]);
+        assert_eq!(
+            other.place(0, turned[0].1, 10.0 + 0.5 * MORPH_S),
+            [2.0, 1.0]
+        );
         assert!(other.moves(10.0 + 0.9 * MORPH_S));
         assert!(!other.moves(10.0 + MORPH_S));
         assert_eq!(other.place(0, turned[0].1, 10.0), [3.0, 1.0]);

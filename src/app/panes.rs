@@ -328,12 +328,7 @@ impl Behavior<PaneTile> for Panes<'_> {
 }
 
 /// How wide the names of the open tabs of a container are, with the air around them.
-fn tabs_width(
-    ui: &Ui,
-    tiles: &Tiles<PaneTile>,
-    tabbed: &HashSet<TileId>,
-    tabs: &Tabs,
-) -> f32 {
+fn tabs_width(ui: &Ui, tiles: &Tiles<PaneTile>, tabbed: &HashSet<TileId>, tabs: &Tabs) -> f32 {
     let open = tabs.children.iter().filter(|child| tabbed.contains(child));
     open.filter_map(|child| tiles.get_pane(child))
         .map(|pane| {

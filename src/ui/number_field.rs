@@ -57,7 +57,7 @@ pub fn number_field_ui<T>(
             .text(at, egui::Align2::LEFT_CENTER, field.unit, font, colour);
         let mut edit = TextEdit::singleline(&mut typed.text)
             .desired_width(FIELD)
-            .horizontal_align(Align::RIGHT)
+            .align(egui::Align2::RIGHT_CENTER)
             .margin(vec2(6.0, 2.0));
         if let Some(hint) = field.automatic {
             edit = edit.hint_text(note(hint));
@@ -169,7 +169,10 @@ fn read(text: &str, may_be_empty: bool) -> Result<Option<f64>, String> {
 /// A whole number from a field, or why it is none.
 pub fn whole(value: f64, most: u32) -> Result<u32, String> {
     if value.fract() != 0.0 || value < 0.0 {
-        return Err(format!("must be a whole number, not {}", number_text(value)));
+        return Err(format!(
+            "must be a whole number, not {}",
+            number_text(value)
+        ));
     }
     if value > f64::from(most) {
         return Err(format!("must be at most {most}"));

@@ -298,7 +298,10 @@ mod tests {
         let mut data = DeformationData::default();
         let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
         show(&mut state, map(square));
-        assert!(!data.refresh(&state, 1.0, true), "the first map is there at once");
+        assert!(
+            !data.refresh(&state, 1.0, true),
+            "the first map is there at once"
+        );
         assert_eq!(data.points[2].at, [2.0, 2.0]);
         let turned = [square[1], square[2], square[3], square[0]];
         show(&mut state, map(turned));
@@ -309,7 +312,10 @@ mod tests {
         assert!(!data.refresh(&state, 2.31, true));
         assert_eq!(data.points[2].at, [0.0, 2.0]);
         show(&mut state, map(square));
-        assert!(!data.refresh(&state, 3.0, false), "no motion where none is wanted");
+        assert!(
+            !data.refresh(&state, 3.0, false),
+            "no motion where none is wanted"
+        );
         assert_eq!(data.points[2].at, [2.0, 2.0]);
     }
 

@@ -142,7 +142,15 @@ impl Columns {
     fn head_ui(&self, ui: &Ui, head: Rect) {
         let muted = colours(ui).muted;
         let y = head.center().y;
-        write(ui, self.name, y, "Left out one by one", note_font(), muted, false);
+        write(
+            ui,
+            self.name,
+            y,
+            "Left out one by one",
+            note_font(),
+            muted,
+            false,
+        );
         for (at, text) in [
             (self.correct.or(self.share), "right"),
             (self.chance, "chance"),
@@ -173,7 +181,15 @@ fn rule_ui(ui: &mut Ui, row: Rect, rule: &RuleView, columns: &Columns) {
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
     let colours = colours(ui);
     let y = row.center().y;
-    write(ui, columns.name, y, rule.name, note_font(), colours.text, false);
+    write(
+        ui,
+        columns.name,
+        y,
+        rule.name,
+        note_font(),
+        colours.text,
+        false,
+    );
     let share = 100.0 * rule.correct as f64 / rule.of.max(1) as f64;
     let cells = [
         (

@@ -25,9 +25,8 @@ pub fn draw_map(ui: &Ui, view: &DeformationMapView, ground: &Ground, pointed: Op
         }
     }
     let dimmed = !matches!(view.state, MapState::Ready | MapState::Empty);
-    let chosen = |point: &&DeformationPoint| {
-        [view.selected, view.compared].contains(&Some(point.subject))
-    };
+    let chosen =
+        |point: &&DeformationPoint| [view.selected, view.compared].contains(&Some(point.subject));
     let strength = match (dimmed, view.selected.is_some()) {
         (true, _) => 0.35,
         (false, true) => 0.8,
@@ -35,9 +34,7 @@ pub fn draw_map(ui: &Ui, view: &DeformationMapView, ground: &Ground, pointed: Op
     };
     for point in view.points.iter().filter(|point| !chosen(point)) {
         let role = role_of(view, point);
-        let colour = colours
-            .pane
-            .lerp_to_gamma(colours.role(role), strength);
+        let colour = colours.pane.lerp_to_gamma(colours.role(role), strength);
         let at = ground.on_screen(point.at);
         role_mark(&painter, at, 4.5, role, colour, true);
     }
@@ -66,7 +63,12 @@ pub fn draw_map(ui: &Ui, view: &DeformationMapView, ground: &Ground, pointed: Op
         if let Some(point) = view.points.iter().find(|p| Some(p.subject) == subject)
             && let Some(subject) = view.subjects.get(point.subject)
         {
-            labels.beside(ground.on_screen(point.at), subject.id.clone(), colour, &others);
+            labels.beside(
+                ground.on_screen(point.at),
+                subject.id.clone(),
+                colour,
+                &others,
+            );
         }
     }
     if let Some(point) = pointed.and_then(|index| view.points.get(index)) {
@@ -154,12 +156,7 @@ fn significant(value: f64) -> String {
 }
 
 /// Counts of roles on the left; clusters and their switch on the right.
-pub fn legend_ui(
-    ui: &mut Ui,
-    view: &DeformationMapView,
-    height: f32,
-    commands: &mut Vec<Command>,
-) {
+pub fn legend_ui(ui: &mut Ui, view: &DeformationMapView, height: f32, commands: &mut Vec<Command>) {
     let (strip, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let inner = strip.shrink2(vec2(space::LARGE, 0.0));
     let mut row = ui.new_child(UiBuilder::new().max_rect(inner));

@@ -77,11 +77,7 @@ fn words(view: &DeformationMapView) -> MapWords {
 const LEGEND: f32 = 26.0;
 
 /// Draws the map with its legend and, below, how well classes can be told apart.
-pub fn deformation_map_ui(
-    ui: &mut Ui,
-    view: &DeformationMapView,
-    commands: &mut Vec<Command>,
-) {
+pub fn deformation_map_ui(ui: &mut Ui, view: &DeformationMapView, commands: &mut Vec<Command>) {
     let words = words(view);
     if view.points.is_empty() {
         without_map_ui(ui, &view.state, &words, commands);

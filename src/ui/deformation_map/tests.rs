@@ -6,16 +6,21 @@ use super::*;
 use crate::study::LabelRole;
 
 fn subjects() -> Vec<MapSubject> {
-    [LabelRole::Normal, LabelRole::Abnormal, LabelRole::Unknown, LabelRole::Abnormal]
-        .into_iter()
-        .enumerate()
-        .map(|(index, role)| MapSubject {
-            id: format!("P{index}"),
-            role,
-            ejection_fraction: Some(0.5),
-            ..MapSubject::default()
-        })
-        .collect()
+    [
+        LabelRole::Normal,
+        LabelRole::Abnormal,
+        LabelRole::Unknown,
+        LabelRole::Abnormal,
+    ]
+    .into_iter()
+    .enumerate()
+    .map(|(index, role)| MapSubject {
+        id: format!("P{index}"),
+        role,
+        ejection_fraction: Some(0.5),
+        ..MapSubject::default()
+    })
+    .collect()
 }
 
 fn points() -> Vec<DeformationPoint> {
@@ -115,7 +120,11 @@ fn arrows_and_enter_play_a_heart_without_the_pointer() {
     harness.run();
     harness.get_by_label("Deformation map").focus();
     harness.run();
-    for key in [egui::Key::ArrowRight, egui::Key::ArrowRight, egui::Key::Enter] {
+    for key in [
+        egui::Key::ArrowRight,
+        egui::Key::ArrowRight,
+        egui::Key::Enter,
+    ] {
         harness.key_press(key);
         harness.run();
     }

@@ -17,13 +17,20 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
     let mut wanted = view.poses;
     let metric = &mut wanted.distances.metric;
     let kind = metric.kind;
-    choice_row_ui(ui, "Kind", "What a change of shape costs", metric_name(kind), true, |ui| {
-        for kind in METRICS {
-            if choice_ui(ui, metric_name(kind), metric.kind == kind) {
-                metric.kind = kind;
+    choice_row_ui(
+        ui,
+        "Kind",
+        "What a change of shape costs",
+        metric_name(kind),
+        true,
+        |ui| {
+            for kind in METRICS {
+                if choice_ui(ui, metric_name(kind), metric.kind == kind) {
+                    metric.kind = kind;
+                }
             }
-        }
-    });
+        },
+    );
     sentence_ui(ui, &metric_sentence(&view.poses.distances.metric));
     let forms = has_forms(kind);
     let what = "How the terms of angle and curvature are put together";
@@ -40,7 +47,10 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
     }
     let mut scale_free = metric.corners == Corners::ScaleFree;
     let size = ui.checkbox(&mut scale_free, "Size does not matter");
-    if size.on_hover_text(corners_sentence(metric.corners)).clicked() {
+    if size
+        .on_hover_text(corners_sentence(metric.corners))
+        .clicked()
+    {
         metric.corners = if scale_free {
             Corners::ScaleFree
         } else {

@@ -46,7 +46,11 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
         if choice_ui(ui, "no heart: compare as they are", now.is_none()) {
             choose(None);
         }
-        if choice_ui(ui, "the mean heart of the cohort", now == Some(Reference::Mean)) {
+        if choice_ui(
+            ui,
+            "the mean heart of the cohort",
+            now == Some(Reference::Mean),
+        ) {
             choose(Some(Reference::Mean));
         }
         ui.separator();
@@ -65,7 +69,9 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
         ui,
         match transfer {
             None => "Shapes and motions both count: hearts are laid onto each other as they are",
-            Some(_) => "Only motions count: each is carried onto that heart first, which takes longer",
+            Some(_) => {
+                "Only motions count: each is carried onto that heart first, which takes longer"
+            }
         },
     );
 }

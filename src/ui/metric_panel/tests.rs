@@ -80,7 +80,10 @@ fn kind_and_form_are_chosen_and_say_what_they_ignore() {
     choose(&mut harness, "Kind: Quasi-conformal", "Isometric");
     harness.get_by_label_contains("Isometric: ignores");
     let metric = harness.state().poses.distances.metric;
-    assert_eq!((metric.kind, metric.form), (MetricKind::Isometric, Form::Frozen));
+    assert_eq!(
+        (metric.kind, metric.form),
+        (MetricKind::Isometric, Form::Frozen)
+    );
     assert_eq!(harness.state().commands.len(), 2);
 }
 
@@ -102,7 +105,11 @@ fn a_weight_is_typed_and_a_wrong_one_is_refused_with_a_reason() {
 fn motions_are_carried_onto_the_mean_or_a_subject() {
     let mut harness = harness(Scene::default());
     harness.run();
-    choose(&mut harness, "Transfer onto: no heart", "the mean heart of the cohort");
+    choose(
+        &mut harness,
+        "Transfer onto: no heart",
+        "the mean heart of the cohort",
+    );
     let transfer = |harness: &Harness<'_, Scene>| harness.state().poses.distances.transfer;
     assert_eq!(transfer(&harness), Some(CohortTransferParams::default()));
     choose(&mut harness, "Transfer onto: the mean heart", "P2");

@@ -132,13 +132,7 @@ impl Canvas<'_> {
     }
 
     /// Names end-diastole and end-systole of a path, where there is room.
-    fn names(
-        &self,
-        view: &PoseMapView,
-        path: &[MapPoint],
-        colour: Color32,
-        labels: &mut Labels,
-    ) {
+    fn names(&self, view: &PoseMapView, path: &[MapPoint], colour: Color32, labels: &mut Labels) {
         let id = view
             .subjects
             .get(path[0].subject)

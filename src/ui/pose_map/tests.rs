@@ -129,9 +129,7 @@ fn zooming_keeps_what_is_under_the_pointer() {
     let before = lens.on_screen(rect, points()[3].at);
     lens.zoom_about(before - rect.center(), 3.0);
     assert!((lens.on_screen(rect, points()[3].at) - before).length() < 1e-3);
-    assert!(
-        (lens.points_per_unit - 3.0 * fitted(300.0, 200.0).points_per_unit).abs() < 1e-9
-    );
+    assert!((lens.points_per_unit - 3.0 * fitted(300.0, 200.0).points_per_unit).abs() < 1e-9);
 }
 
 #[test]

@@ -84,7 +84,15 @@ fn draw_time(
     let length = (top - bottom).length();
     let outward = away_from_middle(eye, edge);
     let name_at = top + vec2(0.0, -6.0);
-    write(painter, name_at, Align2::CENTER_BOTTOM, "time, % R-R", colours, taken, eye.rect);
+    write(
+        painter,
+        name_at,
+        Align2::CENTER_BOTTOM,
+        "time, % R-R",
+        colours,
+        taken,
+        eye.rect,
+    );
     for percent in [0, 25, 50, 75, 100] {
         if length < 60.0 && percent % 100 != 0 || length < 24.0 {
             continue;
@@ -93,7 +101,15 @@ fn draw_time(
         painter.line_segment([at, at + 4.0 * outward], stroke);
         let text = percent.to_string();
         let place = at + 7.0 * outward;
-        write(painter, place, Align2::RIGHT_CENTER, &text, colours, taken, eye.rect);
+        write(
+            painter,
+            place,
+            Align2::RIGHT_CENTER,
+            &text,
+            colours,
+            taken,
+            eye.rect,
+        );
     }
 }
 
@@ -121,7 +137,15 @@ fn name_floor_axis(
     let outward = (middle.to_vec2() - floor).normalized();
     let name = ["x", "y"][axis];
     let place = middle + 13.0 * outward;
-    write(painter, place, Align2::CENTER_CENTER, name, colours, taken, eye.rect);
+    write(
+        painter,
+        place,
+        Align2::CENTER_CENTER,
+        name,
+        colours,
+        taken,
+        eye.rect,
+    );
 }
 
 /// Writes where nothing is written yet, within the pane.

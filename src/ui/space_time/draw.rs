@@ -29,9 +29,8 @@ pub fn draw(ui: &Ui, view: &SpaceTimeView, eye: &Eye, pointed: Option<usize>) {
     draw_axes(&painter, eye, colours);
     draw_now(&painter, view, eye, colours);
     let dimmed = !matches!(view.state, MapState::Ready | MapState::Empty);
-    let chosen = |curve: &SpaceTimeCurve| {
-        [view.selected, view.compared].contains(&Some(curve.subject))
-    };
+    let chosen =
+        |curve: &SpaceTimeCurve| [view.selected, view.compared].contains(&Some(curve.subject));
     let mut pieces = Vec::new();
     for curve in view.curves.iter().filter(|curve| !chosen(curve)) {
         let role = colours.role(view.role(curve));
@@ -78,7 +77,11 @@ fn add_curve(
     curve: &SpaceTimeCurve,
     colour: &dyn Fn(f32) -> Color32,
 ) {
-    let seen: Vec<(Pos2, f32)> = curve.points.iter().map(|p| eye.see(p.at, p.share)).collect();
+    let seen: Vec<(Pos2, f32)> = curve
+        .points
+        .iter()
+        .map(|p| eye.see(p.at, p.share))
+        .collect();
     for pair in seen.windows(2) {
         let depth = 0.5 * (pair[0].1 + pair[1].1);
         let stroke = Stroke::new(line::THIN, colour(depth));
@@ -154,7 +157,7 @@ fn draw_chosen(
         role_mark(painter, place, radius, role, colour, filled);
     }
     if let Some(place) = place_at(curve, view.share).map(|at| eye.see(at, view.share).0) {
-        let behind = crate::ui::theme::Colours::of(painter.ctx().global_style().visuals.dark_mode);
+        let behind = Colours::of(painter.ctx().global_style().visuals.dark_mode);
         painter.circle_filled(place, 6.5, behind.pane);
         painter.circle_filled(place, 4.5, colour);
         painter.circle_stroke(place, 6.5, Stroke::new(line::MARK, colour));
@@ -165,7 +168,9 @@ fn draw_chosen(
 fn place_at(curve: &SpaceTimeCurve, share: f64) -> Option<[f64; 2]> {
     let count = curve.points.len();
     let after = curve.points.partition_point(|point| point.share <= share);
-    let from = curve.points.get(after.checked_sub(1).unwrap_or(count.checked_sub(1)?))?;
+    let from = curve
+        .points
+        .get(after.checked_sub(1).unwrap_or(count.checked_sub(1)?))?;
     let to = curve.points.get(after % count)?;
     let end = if after >= count { 1.0 } else { to.share };
     let part = if after > 0 && end > from.share {

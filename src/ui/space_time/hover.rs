@@ -46,5 +46,7 @@ fn curve_ui(ui: &mut Ui, view: &SpaceTimeView, hit: Hit) {
         ));
     }
     ui.label(note("Click to play this heart from this pose"));
-    ui.label(note("Drag to turn, scroll to zoom, double click to turn back"));
+    ui.label(note(
+        "Drag to turn, scroll to zoom, double click to turn back",
+    ));
 }

@@ -83,9 +83,8 @@ pub fn space_time_ui(ui: &mut Ui, view: &SpaceTimeView, commands: &mut Vec<Comma
     }
     let size = ui.available_size().max(vec2(60.0, 60.0));
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    response.widget_info(|| {
-        WidgetInfo::labeled(Role::Canvas, true, "Curves through poses and time")
-    });
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Curves through poses and time"));
     let eye = Eye::new(turned(ui, &response), rect, view.curves);
     let pointed = response
         .hover_pos()
@@ -170,7 +169,11 @@ struct Hit {
 fn nearest(view: &SpaceTimeView, eye: &Eye, place: Pos2) -> Option<Hit> {
     let mut best: Option<(f32, Hit)> = None;
     for (curve, track) in view.curves.iter().enumerate() {
-        let seen: Vec<(Pos2, f32)> = track.points.iter().map(|p| eye.see(p.at, p.share)).collect();
+        let seen: Vec<(Pos2, f32)> = track
+            .points
+            .iter()
+            .map(|p| eye.see(p.at, p.share))
+            .collect();
         let segments = seen.len().saturating_sub(1).max(1);
         for segment in 0..segments {
             let from = seen[segment];

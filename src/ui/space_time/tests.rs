@@ -105,11 +105,12 @@ fn a_drag_turns_the_plot_and_a_double_click_turns_it_back() {
 fn arrows_turn_and_plus_zooms_while_the_plot_has_the_keyboard() {
     let mut harness = harness(MapState::Ready);
     harness.run();
-    let apart = |harness: &Harness<'_, Vec<Command>>| {
-        (place(harness, 1) - place(harness, 2)).length()
-    };
+    let apart =
+        |harness: &Harness<'_, Vec<Command>>| (place(harness, 1) - place(harness, 2)).length();
     let (before, middle) = (place(&harness, 1), apart(&harness));
-    harness.get_by_label("Curves through poses and time").focus();
+    harness
+        .get_by_label("Curves through poses and time")
+        .focus();
     harness.run();
     harness.key_press(egui::Key::Plus);
     harness.run();
