@@ -58,6 +58,12 @@ pub enum JobKind {
     PoseMap,
     /// Writing tables or a figure.
     Export,
+    /// Poses between the frames of a beat.
+    InBetweens,
+    /// A beat carried over to another heart.
+    Transfer,
+    /// Where two poses differ.
+    Contribution,
 }
 
 /// One request of the user.
@@ -90,6 +96,21 @@ pub enum Command {
     SetPosition(f64),
     /// Whole frames forward or back.
     StepFrame(i32),
+    /// Poses forward or back, those between frames included.
+    StepPose(i32),
+    /// How many poses are computed between two frames; 0 blends frames straight.
+    SetInBetweens(u16),
+    /// Play one subject's beat on another one's heart, beside the original.
+    CarryBeat {
+        /// Whose motion.
+        from: usize,
+        /// On whose heart.
+        onto: usize,
+    },
+    /// Play the selected subject's beat on the heart beside it.
+    CarryBeatBeside,
+    /// Show the heart beside with its own beat again.
+    StopCarrying,
     /// Jump to end-diastole.
     GoToEndDiastole,
     /// Jump to end-systole.

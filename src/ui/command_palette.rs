@@ -20,6 +20,8 @@ pub struct CommandPaletteView<'a> {
     pub actions: &'a ActionState,
     /// All subjects in the order of the study.
     pub subjects: &'a [CohortRow],
+    /// The selected subject, whose beat can be played on others.
+    pub selected: Option<usize>,
 }
 
 /// One line of the palette.
@@ -145,8 +147,22 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         enabled: true,
         command: Command::SelectSubject(index),
     });
+    let beat = view.selected.and_then(|from| Some((from, view.subjects.get(from)?)));
+    let carried = beat.into_iter().flat_map(|(from, row)| {
+        let others = view.subjects.iter().enumerate();
+        others
+            .filter(move |(onto, _)| *onto != from)
+            .map(move |(onto, other)| Offer {
+                name: format!("Play this beat on {}", other.id),
+                where_it_stands: format!("Beat of {}", row.id),
+                keys: String::new(),
+                enabled: other.correspondence == row.correspondence,
+                command: Command::CarryBeat { from, onto },
+            })
+    });
     let mut scored: Vec<(i32, Offer)> = actions
         .chain(subjects)
+        .chain(carried)
         .filter_map(|offer| Some((fuzzy_score(&offer.name, text)?, offer)))
         .collect();
     if !text.trim().is_empty() {

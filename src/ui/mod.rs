@@ -24,6 +24,7 @@ mod shortcut_sheet;
 mod shortcuts;
 mod status_bar;
 mod style;
+mod subject_drag;
 pub mod theme;
 mod time_bar;
 mod viewport_header;
@@ -54,6 +55,9 @@ pub use shortcut_sheet::shortcut_sheet_ui;
 pub use shortcuts::{claim_tab, pressed_commands, shortcut_text};
 pub use status_bar::{StatusBarView, StatusJob, status_bar_ui};
 pub use style::{apply, choose, install};
+pub use subject_drag::{
+    DraggedSubject, SubjectTarget, dragged_subject, dragged_subject_ui, subject_target_ui,
+};
 pub use time_bar::{TimeBarView, time_bar_ui};
 pub use viewport_header::{ViewportHeaderView, quantity_name, viewport_header_ui};
 pub use viewport_overlay::{
