@@ -58,8 +58,10 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("alignment", &[]),
     ("measures", &[]),
     ("metrics", &[]),
+    ("geodesics", &["metrics"]),
     ("pose_distances", &["alignment", "metrics"]),
     ("embedding", &["pose_distances", "alignment"]),
+    ("classification", &["embedding", "pose_distances"]),
 ];
 
 /// Words from outside with the only rooms that may say them.

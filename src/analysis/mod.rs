@@ -1,7 +1,9 @@
 //! Questions asked of a study, one folder each: pure, stoppable, seeded.
 
 pub mod alignment;
+pub mod classification;
 pub mod embedding;
+pub mod geodesics;
 pub mod measures;
 pub mod metrics;
 pub mod pose_distances;

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use crate::engine::OpenSource;
+use crate::engine::WorkKind;
 use crate::study::Revision;
-use crate::ui::{Command, JobKind, Pane, ThemeChoice};
+use crate::ui::{Command, Pane, ThemeChoice};
 
 use super::document::Document;
 use super::state::State;
@@ -40,9 +41,9 @@ pub enum Effect {
     /// Write all tables.
     WriteTables(PathBuf),
     /// Stop background work.
-    Stop(JobKind),
+    Stop(WorkKind),
     /// Begin stopped or failed work again.
-    Retry(JobKind),
+    Retry(WorkKind),
     /// Light or dark.
     SetTheme(ThemeChoice),
     /// Show or hide a tile.

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 
-use crate::engine::{Engine, Showing};
+use crate::engine::{Engine, Showing, WorkKind};
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{self, Command, CommandPaletteView, StatusBarView};
 
@@ -106,13 +106,14 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
 fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
     let state = drawing.state;
     let activity = activity_rows(drawing.engine.activities());
-    let measuring = matches!(drawing.engine.measures(), Showing::Computing { .. });
+    let showing = |kind| drawing.engine.showing(kind);
+    let measuring = matches!(showing(WorkKind::Measures), Showing::Computing { .. });
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
         state,
         cohort: drawing.cohort,
         beat,
-        map: drawing.map.view(state, &drawing.engine.pose_map()),
+        map: drawing.map.view(state, &showing(WorkKind::PoseMap)),
         measures: measures_view(state, measuring),
         activity: &activity,
         measuring,

@@ -96,9 +96,7 @@ mod tests {
             embedding: Embedding {
                 dimensions: 2,
                 coordinates: points.concat(),
-                stress: None,
-                eigenvalues: None,
-                iterations: None,
+                ..Embedding::default()
             },
         }
     }

@@ -6,6 +6,7 @@ use crate::analysis::embedding::{Embedding, MapMethod};
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
+use crate::engine::activity::WorkKind;
 use crate::progress::Stopped;
 
 /// Settings of the map of all poses.
@@ -49,6 +50,14 @@ pub enum AnalysisOutcome {
 }
 
 impl AnalysisRequest {
+    /// The kind of work that it is.
+    pub fn kind(&self) -> WorkKind {
+        match self {
+            Self::Measures => WorkKind::Measures,
+            Self::PoseDistances(_) | Self::PoseMap(_) => WorkKind::PoseMap,
+        }
+    }
+
     /// What the activity list calls it.
     pub fn name(&self) -> &'static str {
         match self {
@@ -65,8 +74,11 @@ impl AnalysisRequest {
             Self::PoseDistances(params) => metric_words(&params.metric),
             Self::PoseMap(params) => {
                 let method = match params.method {
-                    MapMethod::ClassicalMds => "classical MDS",
-                    MapMethod::Smacof => "SMACOF",
+                    MapMethod::ClassicalMds => "classical MDS".to_owned(),
+                    MapMethod::Smacof => "SMACOF".to_owned(),
+                    MapMethod::Isomap { neighbours } => {
+                        format!("Isomap of {neighbours} neighbours")
+                    }
                 };
                 format!("{}, {method}", metric_words(&params.distances.metric))
             }

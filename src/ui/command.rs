@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::engine::PoseMapParams;
+use crate::engine::{PoseMapParams, WorkKind};
 use crate::picture::{AnatomicalView, Quantity};
 use crate::render::{Camera, Shading};
 
@@ -45,25 +45,6 @@ pub enum ThemeChoice {
     Dark,
     /// Light.
     Light,
-}
-
-/// A kind of background work, for Cancel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum JobKind {
-    /// Reading files.
-    Open,
-    /// Clinical measures.
-    Measures,
-    /// Distances and the map of poses.
-    PoseMap,
-    /// Writing tables or a figure.
-    Export,
-    /// Poses between the frames of a beat.
-    InBetweens,
-    /// A beat carried over to another heart.
-    Transfer,
-    /// Where two poses differ.
-    Contribution,
 }
 
 /// One request of the user.
@@ -159,9 +140,9 @@ pub enum Command {
     /// How poses are compared and mapped.
     SetPoseMap(PoseMapParams),
     /// Compute what was cancelled or failed again.
-    Retry(JobKind),
+    Retry(WorkKind),
     /// Stop background work.
-    Cancel(JobKind),
+    Cancel(WorkKind),
     /// Close an error card.
     DismissError(usize),
     /// Filter the cohort table.

@@ -37,7 +37,7 @@ pub use activity::{WorkItem, WorkState, activity_ui};
 pub use beat_axis::BeatAxis;
 pub use cohort_rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
 pub use cohort_table::{CohortView, cohort_table_ui};
-pub use command::{Command, JobKind, Pane, ThemeChoice, ViewMode};
+pub use command::{Command, Pane, ThemeChoice, ViewMode};
 pub use command_palette::{CommandPaletteView, command_palette_ui};
 pub use controls::{empty_pane_ui, pane_header_ui, tab_ui};
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};

@@ -2,6 +2,8 @@
 
 mod classical;
 mod embed;
+mod isomap;
+mod lle;
 mod orientation;
 mod pca;
 mod result;
@@ -10,6 +12,8 @@ mod stress;
 
 pub use classical::classical_mds;
 pub use embed::{EmbeddingError, embed};
+pub use isomap::isomap;
+pub use lle::{CheckedLleParams, LleParamError, LleParams, lle};
 pub use pca::pca;
 pub use result::{Embedding, MapMethod};
 pub use smacof::{CheckedSmacofParams, SmacofParamError, SmacofParams, smacof};

@@ -71,9 +71,8 @@ pub fn pca(
     Ok(Embedding {
         dimensions,
         coordinates: oriented(coordinates, dimensions),
-        stress: None,
         eigenvalues: Some(eigen.values.iter().map(|v| v.max(0.0) / degrees).collect()),
-        iterations: None,
+        ..Embedding::default()
     })
 }
 

@@ -1,16 +1,16 @@
 //! All pairs of poses, in parallel, with the same bits for any number of threads.
 
-use std::collections::HashMap;
-
 use rayon::prelude::*;
 
-use crate::analysis::alignment::{SizeScale, cross_covariance, rotation_from_covariance};
+use crate::analysis::alignment::{
+    LeftOut, SizeScale, comparable_subjects, cross_covariance, rotation_from_covariance,
+};
 use crate::analysis::metrics::{Metric, PairScratch, PreparedPose};
 use crate::mesh::Point3;
 use crate::progress::{Progress, Stopped};
-use crate::study::{CorrespondenceKey, Study, Subject};
+use crate::study::{Study, Subject};
 
-use super::{CheckedPoseDistanceParams, DistanceMatrix, LeftOut, PoseDistances, PoseId};
+use super::{CheckedPoseDistanceParams, DistanceMatrix, PoseDistances, PoseId};
 
 /// Rows and columns of a block of pairs that one thread does in one go: its 16 poses of some
 /// 0.4 MB fit into the cache that cores share, and each is used eight times while it is there.
@@ -27,8 +27,7 @@ const BLOCK: usize = 8;
 ///    distance depend on the whole cohort and not be the least of the pair.
 /// 3. **Metric.** √((⟨⟨X, X⟩⟩ at A + ⟨⟨X, X⟩⟩ at B) / 2), X = B − A.
 ///
-/// The largest group counts subjects; of equal ones that of the first subject is taken. Subjects
-/// of other groups, and those that have no size, are left out with a reason.
+/// Which subjects take part is said by [`comparable_subjects`].
 ///
 /// # Errors
 /// If stopped; the flag is heard once per pose and per pair.
@@ -37,30 +36,18 @@ pub fn pose_distances(
     params: &CheckedPoseDistanceParams,
     progress: &Progress,
 ) -> Result<PoseDistances, Stopped> {
-    let Some(group) = largest_group(study) else {
-        return Ok(PoseDistances {
-            poses: Vec::new(),
-            distances: DistanceMatrix::empty(),
-            left_out: Vec::new(),
-        });
-    };
-    let mut left_out = Vec::new();
+    let (comparable, mut left_out) = comparable_subjects(study);
     let mut sources = Vec::new();
-    for (index, subject) in study.subjects.iter().enumerate() {
-        match usable(subject, group) {
-            Ok(scale) => sources.extend((0..subject.sequence.frame_count()).map(|frame| Source {
-                pose: PoseId {
-                    subject: index,
-                    frame,
-                },
-                subject,
-                scale,
-            })),
-            Err(reason) => left_out.push(LeftOut {
-                subject: index,
-                reason,
-            }),
-        }
+    for member in comparable {
+        let frames = 0..member.subject.sequence.frame_count();
+        sources.extend(frames.map(|frame| Source {
+            pose: PoseId {
+                subject: member.index,
+                frame,
+            },
+            subject: member.subject,
+            scale: member.scale,
+        }));
     }
     let metric = sources.first().map(|source| {
         let faces = source.subject.sequence.joined_faces();
@@ -97,56 +84,6 @@ struct Source<'a> {
     pose: PoseId,
     subject: &'a Subject,
     scale: SizeScale,
-}
-
-/// The key that most subjects have, and the first of them.
-#[derive(Clone, Copy)]
-struct Group<'a> {
-    key: CorrespondenceKey,
-    first: &'a Subject,
-}
-
-fn largest_group(study: &Study) -> Option<Group<'_>> {
-    let mut counts: HashMap<CorrespondenceKey, usize> = HashMap::new();
-    for subject in &study.subjects {
-        *counts.entry(subject.sequence.correspondence()).or_default() += 1;
-    }
-    let count = |subject: &Subject| counts.get(&subject.sequence.correspondence());
-    // `max_by_key` would take the last of equals.
-    let first = (study.subjects.iter()).reduce(|best, next| {
-        if count(next) > count(best) {
-            next
-        } else {
-            best
-        }
-    })?;
-    Some(Group {
-        key: first.sequence.correspondence(),
-        first,
-    })
-}
-
-fn usable(subject: &Subject, group: Group<'_>) -> Result<SizeScale, String> {
-    let sequence = &subject.sequence;
-    if sequence.correspondence() != group.key {
-        return Err(format!(
-            "its vertices ({} with {} faces) do not correspond with those of {} ({} with {} faces)",
-            sequence.vertex_count(),
-            sequence.face_count(),
-            group.first.id,
-            group.first.sequence.vertex_count(),
-            group.first.sequence.face_count(),
-        ));
-    }
-    let end_diastole = subject.end_diastole.unwrap_or(0);
-    let points = sequence.pose(end_diastole).ok_or_else(|| {
-        format!(
-            "end-diastole is said to be frame {end_diastole}, but there are {} frames",
-            sequence.frame_count()
-        )
-    })?;
-    SizeScale::of_end_diastole(&points)
-        .ok_or_else(|| format!("its size at end-diastole (frame {end_diastole}) is not measurable"))
 }
 
 /// One entry per source: `None` where lengths overflow.

@@ -4,6 +4,7 @@ mod matrix;
 mod params;
 mod result;
 
+pub use crate::analysis::alignment::LeftOut;
 pub use matrix::pose_distances;
 pub use params::{CheckedPoseDistanceParams, PoseDistanceParams};
-pub use result::{DistanceMatrix, LeftOut, PoseDistances, PoseId};
+pub use result::{DistanceMatrix, PoseDistances, PoseId};

@@ -115,6 +115,7 @@ fn method_name(method: MapMethod) -> &'static str {
     match method {
         MapMethod::ClassicalMds => "MDS",
         MapMethod::Smacof => "SMACOF",
+        MapMethod::Isomap { .. } => "Isomap",
     }
 }
 

@@ -11,9 +11,9 @@ pub use header::{pose_map_choosers_ui, pose_map_header_ui};
 
 use egui::{Key, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
-use crate::engine::PoseMapParams;
+use crate::engine::{PoseMapParams, WorkKind};
 use crate::study::LabelRole;
-use crate::ui::command::{Command, JobKind};
+use crate::ui::command::Command;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::pose_map::lens::Lens;
 use crate::ui::status_bar::progress_text;
@@ -235,13 +235,13 @@ fn progress_ui(ui: &mut Ui, fraction: f32, seconds_left: Option<f64>, commands: 
         .on_hover_text("Stop computing the map")
         .clicked()
     {
-        commands.push(Command::Cancel(JobKind::PoseMap));
+        commands.push(Command::Cancel(WorkKind::PoseMap));
     }
 }
 
 fn retry_ui(ui: &mut Ui, name: &str, commands: &mut Vec<Command>) {
     if ui.button(name).clicked() {
-        commands.push(Command::Retry(JobKind::PoseMap));
+        commands.push(Command::Retry(WorkKind::PoseMap));
     }
 }
 
@@ -276,7 +276,7 @@ fn over_map_ui(ui: &mut Ui, view: &PoseMapView, rect: Rect, commands: &mut Vec<C
                     .on_hover_text("Stop computing the map")
                     .clicked()
                 {
-                    commands.push(Command::Cancel(JobKind::PoseMap));
+                    commands.push(Command::Cancel(WorkKind::PoseMap));
                 }
             }
             MapState::Failed(why) => {

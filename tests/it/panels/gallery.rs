@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use cardiomorph::engine::WorkKind;
 use cardiomorph::study::Notice;
 use cardiomorph::ui::*;
 use egui::{Ui, UiBuilder, pos2};
@@ -68,7 +69,7 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
                 message: "line 812: face refers to vertex 9041, but only 9000 are defined"
                     .to_owned(),
                 details: "p12/endo_03.obj".to_owned(),
-                retry: Some(JobKind::Open),
+                retry: Some(WorkKind::Open),
             }];
             let whole = ui.ctx().content_rect();
             let middle = rect(0.0, 0.0, whole.right(), whole.bottom() - 140.0);
@@ -106,7 +107,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
         }
         "activity" => {
             let item = |title: &str, parameters: &str, duration_s, state| WorkItem {
-                kind: JobKind::PoseMap,
+                kind: WorkKind::PoseMap,
                 title: title.to_owned(),
                 parameters: parameters.to_owned(),
                 duration_s,

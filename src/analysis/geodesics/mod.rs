@@ -1,0 +1,14 @@
+//! Which poses lie between two poses, when the way costs what the metric says?
+//!
+//! The path from one pose to another that minimises the path energy
+//! E = Σ_i ⟨⟨X_i, X_i⟩⟩ at M_i + ⟨⟨X_i, X_i⟩⟩ at M_{i+1}, with X_i = M_{i+1} − M_i.
+//!
+//! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 3.2.3 and 3.3.1.
+
+mod interpolate;
+mod params;
+mod result;
+
+pub use interpolate::{GeodesicSolver, geodesic, interpolated_sequence};
+pub use params::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
+pub use result::{GeodesicError, GeodesicPath};
