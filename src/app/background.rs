@@ -7,6 +7,7 @@ use crate::io::Opened;
 use crate::picture::reference_frame;
 use crate::study::Study;
 
+use super::background_beats::AskedBeats;
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
@@ -41,6 +42,8 @@ pub struct Background {
     pub pictures: Pictures,
     /// Asks for files.
     pub dialogs: Dialogs,
+    /// What the answers about beats belong to.
+    beats: AskedBeats,
     /// The failures that have a card already, so that each is told once.
     told: [Option<String>; FAILURES.len()],
 }
@@ -55,6 +58,7 @@ impl Background {
             engine: Engine::start(Arc::clone(wake))?,
             pictures: Pictures::start(Arc::clone(wake))?,
             dialogs: Dialogs::start(Arc::clone(wake))?,
+            beats: AskedBeats::default(),
             told: [const { None }; FAILURES.len()],
         })
     }
@@ -67,6 +71,7 @@ impl Background {
         self.engine.poll();
         // Results first: they belong to the study that is on screen until now.
         self.take_results(state);
+        self.beats.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
         }
@@ -94,13 +99,16 @@ impl Background {
                 self.engine.request(study, request);
             }
         }
+        self.beats.request(state, &mut self.engine);
     }
 
     /// Begins stopped or failed work again.
     pub fn retry(&mut self, state: &State, kind: WorkKind) {
         if kind == WorkKind::Open {
             self.engine.retry_open();
-        } else if let Some(request) = wanted(state, kind) {
+        } else if let Some(request) =
+            wanted(state, kind).or_else(|| self.beats.retry(state, kind))
+        {
             self.engine.retry(state.document.study(), request);
         }
     }

@@ -9,7 +9,7 @@ mod overlay_view;
 mod report_view;
 mod status_view;
 
-pub use beat_view::{BeatData, measures_view};
+pub use beat_view::{BeatData, measures_view, straight_because};
 pub use cohort_view::{CohortData, visible_subjects};
 pub use header_view::viewport_header_view;
 pub use map_view::MapData;
