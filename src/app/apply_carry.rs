@@ -211,7 +211,7 @@ mod tests {
         give(&mut state, Command::StepPose(1));
         assert_eq!(state.document.position, 1.0, "without in-betweens, frame by frame");
         let paths = straight_paths(&subject, 3);
-        state.results.in_betweens.put(&subject, &params, None, &paths);
+        state.results.in_betweens.put(&subject, &params, 0, &paths);
         for position in [1.25, 1.5, 1.75, 2.0] {
             give(&mut state, Command::StepPose(1));
             assert_eq!(state.document.position, position);

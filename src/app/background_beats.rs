@@ -1,5 +1,6 @@
 //! Background work on beats: poses between frames, carried beats, differences of two poses.
 
+use std::slice;
 use std::sync::Arc;
 
 use crate::analysis::geodesics::GeodesicParams;
@@ -85,10 +86,13 @@ impl AskedBeats {
     pub fn take(&mut self, state: &mut State, engine: &Engine) {
         if let Some(asked) = &self.in_betweens
             && let Showing::Ready(outcome) = engine.showing(WorkKind::InBetweens)
-            && let Some(paths) = outcome.in_betweens()
         {
             let store = &mut state.results.in_betweens;
-            store.put(&asked.subject, &asked.params, asked.interval, paths);
+            if let (Some(first), Some(path)) = (asked.interval, outcome.interval()) {
+                store.put(&asked.subject, &asked.params, first, slice::from_ref(path));
+            } else if let Some(paths) = outcome.in_betweens() {
+                store.put(&asked.subject, &asked.params, 0, paths);
+            }
         }
         self.take_carried(state, engine);
         self.take_contribution(state, engine);

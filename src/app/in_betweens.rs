@@ -22,26 +22,18 @@ pub fn interval_count(subject: &Subject) -> usize {
     }
 }
 
-/// The path of one interval among those that were computed together.
-#[derive(Clone, Debug)]
-struct PathOf {
-    together: Arc<Vec<GeodesicPath>>,
-    place: usize,
-}
-
 /// The poses between the frames of one beat, as far as they were computed.
 #[derive(Clone, Debug)]
 pub struct InBetweens {
     subject: Arc<Subject>,
     params: GeodesicParams,
-    paths: Vec<Option<PathOf>>,
+    paths: Vec<Option<Arc<GeodesicPath>>>,
 }
 
 impl InBetweens {
     /// The path of an interval, ends included; `None` while it is not computed.
     pub fn path(&self, interval: usize) -> Option<&GeodesicPath> {
-        let path = self.paths.get(interval)?.as_ref()?;
-        path.together.get(path.place)
+        self.paths.get(interval)?.as_deref()
     }
 
     /// The poses within every interval; empty where they are not computed.
@@ -96,13 +88,13 @@ impl InBetweenStore {
             .find(|beat| Arc::ptr_eq(&beat.subject, subject) && beat.params == *params)
     }
 
-    /// Takes in paths: of all intervals, or of the one named. Says whether anything is new.
+    /// Takes in the paths of intervals from `first` on. Says whether anything is new.
     pub fn put(
         &mut self,
         subject: &Arc<Subject>,
         params: &GeodesicParams,
-        interval: Option<usize>,
-        paths: &Arc<Vec<GeodesicPath>>,
+        first: usize,
+        paths: &[Arc<GeodesicPath>],
     ) -> bool {
         let known = self.get(subject, params);
         let mut beat = known.map_or_else(
@@ -113,16 +105,10 @@ impl InBetweenStore {
             },
             |beat| InBetweens::clone(beat),
         );
-        let first = interval.unwrap_or(0);
         let mut news = false;
-        let places = beat.paths.iter_mut().skip(first).take(paths.len());
-        for (place, slot) in places.enumerate() {
-            let same = slot
-                .as_ref()
-                .is_some_and(|path| Arc::ptr_eq(&path.together, paths));
-            if !same {
-                let together = Arc::clone(paths);
-                *slot = Some(PathOf { together, place });
+        for (slot, path) in beat.paths.iter_mut().skip(first).zip(paths) {
+            if !slot.as_ref().is_some_and(|known| Arc::ptr_eq(known, path)) {
+                *slot = Some(Arc::clone(path));
                 news = true;
             }
         }
@@ -224,7 +210,7 @@ pub(super) mod tests {
     use crate::app::testing::subject_with_frames;
 
     /// Paths with `count` poses within every interval, on the straight line.
-    pub fn straight_paths(subject: &Subject, count: usize) -> Arc<Vec<GeodesicPath>> {
+    pub fn straight_paths(subject: &Subject, count: usize) -> Vec<Arc<GeodesicPath>> {
         let frames = subject.sequence.frame_count();
         let path = |interval: usize| {
             let start = subject.sequence.pose(interval).unwrap();
@@ -234,7 +220,7 @@ pub(super) mod tests {
                 let pairs = start.iter().zip(&end);
                 pairs.map(|(a, b)| a + share * (b - a)).collect()
             };
-            GeodesicPath {
+            Arc::new(GeodesicPath {
                 poses: (0..count + 2).map(pose).collect(),
                 energy_linear: 2.0,
                 energy: 1.0,
@@ -243,9 +229,9 @@ pub(super) mod tests {
                 self_intersections: 0,
                 converged: true,
                 stopped: false,
-            }
+            })
         };
-        Arc::new((0..interval_count(subject)).map(path).collect())
+        (0..interval_count(subject)).map(path).collect()
     }
 
     #[test]
@@ -254,14 +240,13 @@ pub(super) mod tests {
         let params = GeodesicParams::default();
         let mut store = InBetweenStore::default();
         let all = straight_paths(&subject, 3);
-        let second = Arc::new(vec![all[2].clone()]);
-        assert!(store.put(&subject, &params, Some(2), &second));
+        assert!(store.put(&subject, &params, 2, &all[2..3]));
         let beat = store.get(&subject, &params).unwrap();
         assert!(!beat.complete());
         assert_eq!(beat.positions(), [2.25, 2.5, 2.75]);
         assert_eq!(beat.inner_poses().map_lengths(), [0, 0, 3, 0]);
-        assert!(store.put(&subject, &params, None, &all));
-        assert!(!store.put(&subject, &params, None, &all), "nothing is new");
+        assert!(store.put(&subject, &params, 0, &all));
+        assert!(!store.put(&subject, &params, 0, &all), "nothing is new");
         let beat = store.get(&subject, &params).unwrap();
         assert!(beat.complete());
         assert_eq!(beat.positions().len(), 12);
@@ -290,7 +275,7 @@ pub(super) mod tests {
             .map(|_| Arc::new(subject_with_frames("a", 3)))
             .collect();
         for subject in &subjects {
-            store.put(subject, &params, None, &straight_paths(subject, 1));
+            store.put(subject, &params, 0, &straight_paths(subject, 1));
         }
         let kept = subjects.iter().filter(|s| store.get(s, &params).is_some());
         assert_eq!(kept.count(), MOST_BEATS);
@@ -302,9 +287,12 @@ pub(super) mod tests {
         let subject = Arc::new(subject_with_frames("a", 3));
         let params = GeodesicParams::default();
         let mut store = InBetweenStore::default();
-        let mut paths = Vec::clone(&straight_paths(&subject, 3));
-        paths[1].self_intersections = 2;
-        store.put(&subject, &params, None, &Arc::new(paths));
+        let mut paths = straight_paths(&subject, 3);
+        paths[1] = Arc::new(GeodesicPath {
+            self_intersections: 2,
+            ..GeodesicPath::clone(&paths[1])
+        });
+        store.put(&subject, &params, 0, &paths);
         let beat = store.get(&subject, &params).unwrap();
         assert_eq!(between_words(Some(beat), 1.0, ""), BetweenWords::default());
         let words = between_words(Some(beat), 0.25, "");

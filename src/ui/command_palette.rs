@@ -252,10 +252,10 @@ mod tests {
             has_study: true,
             ..Default::default()
         };
-        let subjects = [CohortRow {
-            id: "P-041".to_owned(),
+        let subjects = ["P-041", "N-007"].map(|id| CohortRow {
+            id: id.to_owned(),
             ..Default::default()
-        }];
+        });
         let mut harness = Harness::builder()
             .with_size([800.0, 600.0])
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
@@ -264,6 +264,7 @@ mod tests {
                     let view = CommandPaletteView {
                         actions: &state,
                         subjects: &subjects,
+                        selected: Some(0),
                     };
                     if commands.is_empty() {
                         command_palette_ui(ui, &view, commands);
@@ -302,6 +303,16 @@ mod tests {
             commands,
             [Command::TogglePalette, Command::SelectSubject(0)]
         );
+    }
+
+    #[test]
+    fn a_beat_is_played_on_a_heart_by_its_name() {
+        let commands = chosen_by(|harness| {
+            type_text(harness, "beat on n007");
+            harness.key_press(Key::Enter);
+        });
+        let carried = Command::CarryBeat { from: 0, onto: 1 };
+        assert_eq!(commands, [Command::TogglePalette, carried]);
     }
 
     #[test]
