@@ -2,8 +2,11 @@
 
 pub mod alignment;
 pub mod classification;
+pub mod deformations;
 pub mod embedding;
 pub mod geodesics;
+pub mod experiments;
 pub mod measures;
 pub mod metrics;
 pub mod pose_distances;
+pub mod transport;

@@ -97,6 +97,10 @@ pub enum EmbedMethod {
     Mds,
     /// Stress majorisation
     Smacof,
+    /// Shortest ways from neighbour to neighbour
+    Isomap,
+    /// Locally linear embedding; points only
+    Lle,
     /// Principal components; points only
     Pca,
 }

@@ -2,9 +2,13 @@
 
 mod classical;
 mod embed;
+mod flattest;
 mod isomap;
 mod lle;
+mod local_weights;
+mod neighbours;
 mod orientation;
+mod parts;
 mod pca;
 mod result;
 mod smacof;
@@ -13,7 +17,9 @@ mod stress;
 pub use classical::classical_mds;
 pub use embed::{EmbeddingError, embed};
 pub use isomap::isomap;
-pub use lle::{CheckedLleParams, LleParamError, LleParams, lle};
+pub use lle::{CheckedLleParams, LleParamError, LleParams, lle, lle_of_weights};
+pub use local_weights::LocalWeights;
+pub use neighbours::Neighbours;
 pub use pca::pca;
 pub use result::{Embedding, MapMethod};
 pub use smacof::{CheckedSmacofParams, SmacofParamError, SmacofParams, smacof};

@@ -55,7 +55,9 @@ impl GeodesicSolver {
         let poses = (0..=steps)
             .map(|i| {
                 let t = i as f64 / steps as f64;
-                (start.iter().zip(end)).map(|(a, b)| a + (b - a) * t).collect()
+                (start.iter().zip(end))
+                    .map(|(a, b)| a + (b - a) * t)
+                    .collect()
             })
             .collect();
         Ok(GeodesicPath {

@@ -23,6 +23,7 @@ mod metric;
 mod pair;
 mod params;
 mod pose;
+mod products;
 mod rigid;
 
 pub use metric::{Metric, MetricError, PairNorms, PairScratch};

@@ -1,16 +1,26 @@
 //! All pairs of poses, in parallel, with the same bits for any number of threads.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
+
 use rayon::prelude::*;
 
 use crate::analysis::alignment::{
-    LeftOut, SizeScale, comparable_subjects, cross_covariance, rotation_from_covariance,
+    LeftOut, comparable_subjects, cross_covariance, rotation_from_covariance,
 };
 use crate::analysis::metrics::{Metric, PairScratch, PreparedPose};
-use crate::mesh::Point3;
+use crate::analysis::transport::transfer_cohort;
 use crate::progress::{Progress, Stopped};
-use crate::study::{Study, Subject};
+use crate::study::Study;
 
-use super::{CheckedPoseDistanceParams, DistanceMatrix, PoseDistances, PoseId};
+use super::known::KnownRows;
+use super::source::{Source, carried_sources, own_sources, poses_of};
+use super::{
+    CheckedPoseDistanceParams, DistanceMatrix, KnownDistances, PoseDistanceError, PoseDistances,
+    PoseId,
+};
+
+/// Share of the whole time that carrying motions onto one heart takes.
+const TRANSFER_SHARE: f32 = 0.8;
 
 /// Rows and columns of a block of pairs that one thread does in one go: its 16 poses of some
 /// 0.4 MB fit into the cache that cores share, and each is used eight times while it is there.
@@ -18,47 +28,103 @@ const BLOCK: usize = 8;
 
 /// One-step distances of all poses of the largest group of corresponding subjects.
 ///
-/// 1. **Size.** Coordinates are divided by one scale per sequence ([`SizeScale`]): the largest box
-///    side at end-diastole, as stated by the subject, else frame 0.
-/// 2. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
-///    the first, of least squares over vertices. So a distance depends on its two poses alone: moving
-///    an input, or adding a subject, changes no other number, and `metric --align rigid` gives the same
-///    one. Aligning all poses to a mean would be cheaper by little, and would make every
-///    distance depend on the whole cohort and not be the least of the pair.
-/// 3. **Metric.** √((⟨⟨X, X⟩⟩ at A + ⟨⟨X, X⟩⟩ at B) / 2), X = B − A.
+/// 1. **Size.** Coordinates are divided by one scale per sequence
+///    ([`SizeScale`](crate::analysis::alignment::SizeScale)): the largest box side at end-diastole, as
+///    stated by the subject, else frame 0.
+/// 2. **Transfer**, if asked for: every motion is carried onto one heart ([`transfer_cohort`]).
+/// 3. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
+///    the first, of least squares over vertices. So a distance depends on its two poses alone (and on
+///    the heart that they were carried onto): moving an input, or adding a subject, changes no other
+///    number, and `metric --align rigid` gives the same one. Aligning all poses to a mean would be
+///    cheaper by little, and would make every distance depend on the whole cohort and not be the
+///    least of the pair.
+/// 4. **Metric.** √((⟨⟨X, X⟩⟩ at A + ⟨⟨X, X⟩⟩ at B) / 2), X = B − A.
 ///
 /// Which subjects take part is said by [`comparable_subjects`].
 ///
 /// # Errors
-/// If stopped; the flag is heard once per pose and per pair.
+/// If stopped, or the heart that all motions were to be carried onto is not usable. The flag is
+/// heard once per pose and per pair.
 pub fn pose_distances(
     study: &Study,
     params: &CheckedPoseDistanceParams,
     progress: &Progress,
-) -> Result<PoseDistances, Stopped> {
-    let (comparable, mut left_out) = comparable_subjects(study);
-    let mut sources = Vec::new();
-    for member in comparable {
-        let frames = 0..member.subject.sequence.frame_count();
-        sources.extend(frames.map(|frame| Source {
-            pose: PoseId {
-                subject: member.index,
-                frame,
+) -> Result<PoseDistances, PoseDistanceError> {
+    Ok(pose_distances_knowing(study, params, None, progress)?.distances)
+}
+
+/// Distances and how much work they were.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComputedDistances {
+    /// The answer, the same bits as without anything known.
+    pub distances: PoseDistances,
+    /// Pairs that were computed; the others were known.
+    pub new_pairs: usize,
+}
+
+/// [`pose_distances`], given an earlier answer to the same settings on another state of the study:
+/// only pairs with a pose that is not among its poses are computed.
+///
+/// # Errors
+/// As [`pose_distances`].
+pub fn pose_distances_knowing(
+    study: &Study,
+    params: &CheckedPoseDistanceParams,
+    known: Option<&KnownDistances<'_>>,
+    progress: &Progress,
+) -> Result<ComputedDistances, PoseDistanceError> {
+    let (comparable, left_out) = comparable_subjects(study);
+    let known = known.filter(|known| known.hold(study, params.transfer.as_ref()));
+    let all = poses_of(&comparable);
+    let rows = KnownRows::of(known, study, &all);
+    if rows.all_known() {
+        return Ok(ComputedDistances {
+            distances: PoseDistances {
+                distances: assembled(&all, &rows),
+                poses: all,
+                left_out,
             },
-            subject: member.subject,
-            scale: member.scale,
-        }));
+            new_pairs: 0,
+        });
     }
-    let metric = sources.first().map(|source| {
-        let faces = source.subject.sequence.joined_faces();
-        Metric::new(&faces, params.metric)
-    });
+    let Some(transfer) = &params.transfer else {
+        let sources = own_sources(&comparable);
+        return compared(study, params, known, sources, left_out, progress);
+    };
+    let carrying = progress.part("carrying all motions onto one heart", 0.0, TRANSFER_SHARE);
+    let cohort = transfer_cohort(study, &params.metric, transfer, &carrying)?;
+    let sources = carried_sources(&cohort);
+    let left_out = cohort.left_out.clone();
+    let comparing = progress.part("comparing poses", TRANSFER_SHARE, 1.0);
+    compared(study, params, known, sources, left_out, &comparing)
+}
+
+/// Prepares poses and computes the pairs that are not known.
+fn compared(
+    study: &Study,
+    params: &CheckedPoseDistanceParams,
+    known: Option<&KnownDistances<'_>>,
+    sources: Vec<Source<'_>>,
+    mut left_out: Vec<LeftOut>,
+    progress: &Progress,
+) -> Result<ComputedDistances, PoseDistanceError> {
+    let Some(first) = sources.first() else {
+        return Ok(ComputedDistances {
+            distances: PoseDistances {
+                poses: Vec::new(),
+                distances: DistanceMatrix::empty(),
+                left_out,
+            },
+            new_pairs: 0,
+        });
+    };
+    let faces = (study.subjects.get(first.pose.subject))
+        .map(|subject| subject.sequence.joined_faces())
+        .unwrap_or_default();
+    let metric = Metric::new(&faces, params.metric);
     let pairs = sources.len() * sources.len().saturating_sub(1) / 2;
     progress.expect_steps(sources.len() + pairs);
-    let prepared = match &metric {
-        Some(metric) => prepare(metric, &sources, progress)?,
-        None => Vec::new(),
-    };
+    let prepared = prepare(&metric, &sources, progress)?;
     leave_out_unprepared(&sources, &prepared, &mut left_out);
     let (poses, prepared): (Vec<PoseId>, Vec<PreparedPose>) = (sources.iter().zip(prepared))
         .filter(|(source, _)| {
@@ -68,22 +134,16 @@ pub fn pose_distances(
         })
         .filter_map(|(source, prepared)| Some((source.pose, prepared?)))
         .unzip();
-    let distances = match &metric {
-        Some(metric) => all_pairs(metric, &prepared, progress)?,
-        None => DistanceMatrix::empty(),
-    };
-    Ok(PoseDistances {
-        poses,
-        distances,
-        left_out,
+    let rows = KnownRows::of(known, study, &poses);
+    let (distances, new_pairs) = all_pairs(&metric, &prepared, &rows, progress)?;
+    Ok(ComputedDistances {
+        distances: PoseDistances {
+            poses,
+            distances,
+            left_out,
+        },
+        new_pairs,
     })
-}
-
-/// A pose before anything is computed of it.
-struct Source<'a> {
-    pose: PoseId,
-    subject: &'a Subject,
-    scale: SizeScale,
 }
 
 /// One entry per source: `None` where lengths overflow.
@@ -96,11 +156,7 @@ fn prepare(
         .par_iter()
         .map(|source| {
             progress.step()?;
-            let points = source.subject.sequence.pose(source.pose.frame);
-            let normalised: Vec<Point3> = (points.unwrap_or_default().iter())
-                .map(|point| source.scale.normalised(point))
-                .collect();
-            Ok(metric.prepare(&normalised).ok())
+            Ok(metric.prepare(&source.normalised()).ok())
         })
         .collect()
 }
@@ -125,23 +181,38 @@ fn leave_out_unprepared(
     left_out.sort_by_key(|left| left.subject);
 }
 
+/// The matrix of poses of which every pair is known.
+fn assembled(poses: &[PoseId], rows: &KnownRows<'_>) -> DistanceMatrix {
+    let count = poses.len();
+    let upper = (0..count)
+        .flat_map(|i| (i + 1..count).map(move |j| rows.distance(i, j).unwrap_or(0.0)))
+        .collect();
+    DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty)
+}
+
 /// Every pair once, block by block; blocks are placed by number, whoever did them.
 fn all_pairs(
     metric: &Metric,
     poses: &[PreparedPose],
+    known: &KnownRows<'_>,
     progress: &Progress,
-) -> Result<DistanceMatrix, Stopped> {
+) -> Result<(DistanceMatrix, usize), Stopped> {
     let count = poses.len();
     let blocks = count.div_ceil(BLOCK);
     let tasks: Vec<[usize; 2]> = (0..blocks)
         .flat_map(|row| (row..blocks).map(move |column| [row, column]))
         .collect();
+    let computed = AtomicUsize::new(0);
     let done: Vec<Vec<f64>> = tasks
         .par_iter()
         .map_init(PairScratch::default, |scratch, &task| {
             block_pairs(task, count)
                 .map(|(i, j)| {
                     progress.step()?;
+                    if let Some(distance) = known.distance(i, j) {
+                        return Ok(distance);
+                    }
+                    computed.fetch_add(1, Ordering::Relaxed);
                     Ok(aligned_distance(metric, &poses[i], &poses[j], scratch))
                 })
                 .collect()
@@ -153,7 +224,8 @@ fn all_pairs(
             upper[i * count - i * (i + 1) / 2 + j - i - 1] = value;
         }
     }
-    Ok(DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty))
+    let matrix = DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty);
+    Ok((matrix, computed.into_inner()))
 }
 
 /// Pairs i < j with i in one block of rows and j in one of columns.

@@ -1,10 +1,15 @@
 //! How far is every pose of every heart from every other?
 
+mod error;
+mod known;
 mod matrix;
 mod params;
 mod result;
+mod source;
 
 pub use crate::analysis::alignment::LeftOut;
-pub use matrix::pose_distances;
-pub use params::{CheckedPoseDistanceParams, PoseDistanceParams};
+pub use error::PoseDistanceError;
+pub use known::KnownDistances;
+pub use matrix::{ComputedDistances, pose_distances, pose_distances_knowing};
+pub use params::{CheckedPoseDistanceParams, PoseDistanceParamError, PoseDistanceParams};
 pub use result::{DistanceMatrix, PoseDistances, PoseId};
