@@ -8,7 +8,7 @@ pub use colour_bar::ColourBarView;
 pub use cube::CubeView;
 pub use scale_bar::ScaleBarView;
 
-use egui::{Align2, Rect, RichText, Ui, UiBuilder, vec2};
+use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
 
 use crate::study::LabelRole;
 use crate::ui::command::Command;
@@ -108,9 +108,9 @@ fn title_ui(
         if rect.left() > inner.left() + 120.0 {
             painter.rect_filled(rect, 4.0, colours.control);
             painter.galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
+            let response = ui.interact(rect, ui.scope_id().with("badge"), egui::Sense::hover());
+            response.widget_info(|| WidgetInfo::labeled(Role::Label, true, badge));
             if !view.badge_note.is_empty() {
-                let id = ui.scope_id().with("badge");
-                let response = ui.interact(rect, id, egui::Sense::hover());
                 response.on_hover_text(view.badge_note);
             }
         }
