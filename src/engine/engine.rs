@@ -10,7 +10,8 @@ use crate::engine::cache::Cache;
 use crate::engine::export::{ExportFile, write_files};
 use crate::engine::job::{Job, Wake};
 use crate::engine::open::{OpenSource, open};
-use crate::engine::request::{AnalysisError, AnalysisOutcome, AnalysisRequest};
+use crate::engine::outcome::AnalysisOutcome;
+use crate::engine::request::{AnalysisError, AnalysisRequest};
 use crate::engine::run::run;
 use crate::engine::slot::{Showing, Slot};
 use crate::engine::workers::Workers;
@@ -138,7 +139,13 @@ impl Engine {
     /// An answer that was computed before, asked for or as a step to another, if it is still kept.
     /// Starts nothing.
     pub fn known(&self, study: &Study, request: &AnalysisRequest) -> Option<AnalysisOutcome> {
-        self.cache.get(study.revision, request)
+        self.cache.get(study, request)
+    }
+
+    /// Poses between frames are found beginning with this interval, and from it on through the
+    /// beat: the one on screen. Work under way turns to it after the interval that it is at.
+    pub fn look_at_interval(&self, interval: usize) {
+        self.cache.look_at_interval(interval);
     }
 
     /// Makes files with `make` and writes them: all of them, or, if it fails or is stopped while

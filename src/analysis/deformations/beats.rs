@@ -65,11 +65,7 @@ pub(super) fn beats(study: &Study, poses: &[PoseId]) -> Vec<Beat> {
 
 /// Shares of the beat since the first of `frames`. Frames share the beat evenly where the stated
 /// times do not ascend within one beat.
-fn times(
-    subject: Option<&Subject>,
-    frames: impl Iterator<Item = usize>,
-    count: usize,
-) -> Vec<f64> {
+fn times(subject: Option<&Subject>, frames: impl Iterator<Item = usize>, count: usize) -> Vec<f64> {
     let even = |step: usize| step as f64 / count as f64;
     let Some(subject) = subject else {
         return (0..count).map(even).collect();

@@ -37,11 +37,7 @@ pub(super) struct KnownRows<'a> {
 }
 
 impl<'a> KnownRows<'a> {
-    pub(super) fn of(
-        known: Option<&KnownDistances<'a>>,
-        study: &Study,
-        poses: &[PoseId],
-    ) -> Self {
+    pub(super) fn of(known: Option<&KnownDistances<'a>>, study: &Study, poses: &[PoseId]) -> Self {
         let Some(known) = known else {
             return Self {
                 known: None,
@@ -52,9 +48,8 @@ impl<'a> KnownRows<'a> {
         for (index, shape) in known.shapes.iter().enumerate() {
             subjects.entry(*shape).or_insert(index);
         }
-        let rows: HashMap<PoseId, usize> = (known.distances.poses.iter().copied())
-            .zip(0..)
-            .collect();
+        let rows: HashMap<PoseId, usize> =
+            (known.distances.poses.iter().copied()).zip(0..).collect();
         let row_of = |pose: &PoseId| {
             let subject = *subjects.get(&study.subjects.get(pose.subject)?.shape_key())?;
             let frame = pose.frame;

@@ -9,6 +9,7 @@ use crate::analysis::alignment::{
 };
 use crate::analysis::metrics::{Metric, PairScratch, PreparedPose};
 use crate::analysis::transport::transfer_cohort;
+use crate::mesh::Faces;
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
@@ -87,44 +88,34 @@ pub fn pose_distances_knowing(
             new_pairs: 0,
         });
     }
+    let faces = comparable
+        .first()
+        .map(|m| m.subject.sequence.joined_faces());
+    let metric = Metric::new(&faces.unwrap_or_else(|| Faces::joined(&[])), params.metric);
     let Some(transfer) = &params.transfer else {
         let sources = own_sources(&comparable);
-        return compared(study, params, known, sources, left_out, progress);
+        return compared(study, &metric, known, sources, left_out, progress);
     };
     let carrying = progress.part("carrying all motions onto one heart", 0.0, TRANSFER_SHARE);
     let cohort = transfer_cohort(study, &params.metric, transfer, &carrying)?;
     let sources = carried_sources(&cohort);
     let left_out = cohort.left_out.clone();
     let comparing = progress.part("comparing poses", TRANSFER_SHARE, 1.0);
-    compared(study, params, known, sources, left_out, &comparing)
+    compared(study, &metric, known, sources, left_out, &comparing)
 }
 
 /// Prepares poses and computes the pairs that are not known.
 fn compared(
     study: &Study,
-    params: &CheckedPoseDistanceParams,
+    metric: &Metric,
     known: Option<&KnownDistances<'_>>,
     sources: Vec<Source<'_>>,
     mut left_out: Vec<LeftOut>,
     progress: &Progress,
 ) -> Result<ComputedDistances, PoseDistanceError> {
-    let Some(first) = sources.first() else {
-        return Ok(ComputedDistances {
-            distances: PoseDistances {
-                poses: Vec::new(),
-                distances: DistanceMatrix::empty(),
-                left_out,
-            },
-            new_pairs: 0,
-        });
-    };
-    let faces = (study.subjects.get(first.pose.subject))
-        .map(|subject| subject.sequence.joined_faces())
-        .unwrap_or_default();
-    let metric = Metric::new(&faces, params.metric);
     let pairs = sources.len() * sources.len().saturating_sub(1) / 2;
     progress.expect_steps(sources.len() + pairs);
-    let prepared = prepare(&metric, &sources, progress)?;
+    let prepared = prepare(metric, &sources, progress)?;
     leave_out_unprepared(&sources, &prepared, &mut left_out);
     let (poses, prepared): (Vec<PoseId>, Vec<PreparedPose>) = (sources.iter().zip(prepared))
         .filter(|(source, _)| {
@@ -135,7 +126,7 @@ fn compared(
         .filter_map(|(source, prepared)| Some((source.pose, prepared?)))
         .unzip();
     let rows = KnownRows::of(known, study, &poses);
-    let (distances, new_pairs) = all_pairs(&metric, &prepared, &rows, progress)?;
+    let (distances, new_pairs) = all_pairs(metric, &prepared, &rows, progress)?;
     Ok(ComputedDistances {
         distances: PoseDistances {
             poses,

@@ -38,7 +38,10 @@ impl Source<'_> {
 
 /// All poses of some subjects: by subject, then by frame.
 pub(super) fn poses_of(members: &[Comparable<'_>]) -> Vec<PoseId> {
-    own_sources(members).iter().map(|source| source.pose).collect()
+    own_sources(members)
+        .iter()
+        .map(|source| source.pose)
+        .collect()
 }
 
 /// The poses of the hearts themselves.

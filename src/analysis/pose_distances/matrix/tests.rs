@@ -7,8 +7,8 @@ use nalgebra::Rotation3;
 use super::*;
 use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::PoseDistanceParams;
-use crate::mesh::{TriMesh, Vector3, phantom};
-use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
+use crate::mesh::{Point3, TriMesh, Vector3, phantom};
+use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
 /// A beating bowl without symmetry.
@@ -182,7 +182,12 @@ fn folded_faces_and_coinciding_vertices_give_finite_distances() {
                     area_weights,
                     ..MetricParams::default()
                 };
-                let params = PoseDistanceParams { metric }.check().unwrap();
+                let params = PoseDistanceParams {
+                    metric,
+                    transfer: None,
+                }
+                .check()
+                .unwrap();
                 let result = pose_distances(&study, &params, &Progress::default()).unwrap();
                 assert_eq!(result.poses.len(), 6, "{metric:?}");
             }
@@ -202,6 +207,6 @@ fn a_stopped_matrix_says_so() {
     let params = PoseDistanceParams::default().check().unwrap();
     assert_eq!(
         pose_distances(&two_hearts(), &params, &progress),
-        Err(Stopped)
+        Err(PoseDistanceError::Stopped(Stopped))
     );
 }

@@ -1,0 +1,1 @@
+//! Laws of curves, maps and distances of whole deformations.
