@@ -209,7 +209,10 @@ mod tests {
         let params = geodesic_params(&state.document).unwrap();
         let subject = Arc::clone(state.document.selected().unwrap());
         give(&mut state, Command::StepPose(1));
-        assert_eq!(state.document.position, 1.0, "without in-betweens, frame by frame");
+        assert_eq!(
+            state.document.position, 1.0,
+            "without in-betweens, frame by frame"
+        );
         let paths = straight_paths(&subject, 3);
         state.results.in_betweens.put(&subject, &params, 0, &paths);
         for position in [1.25, 1.5, 1.75, 2.0] {
@@ -223,7 +226,10 @@ mod tests {
         assert_eq!(state.document.position, 1.25);
         give(&mut state, Command::SetPosition(0.0));
         give(&mut state, Command::StepPose(-1));
-        assert_eq!(state.document.position, 7.75, "before the first frame comes the last interval");
+        assert_eq!(
+            state.document.position, 7.75,
+            "before the first frame comes the last interval"
+        );
         give(&mut state, Command::SetInBetweens(0));
         give(&mut state, Command::StepPose(1));
         assert_eq!(state.document.position, 0.0);

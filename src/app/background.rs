@@ -106,8 +106,7 @@ impl Background {
     pub fn retry(&mut self, state: &State, kind: WorkKind) {
         if kind == WorkKind::Open {
             self.engine.retry_open();
-        } else if let Some(request) =
-            wanted(state, kind).or_else(|| self.beats.retry(state, kind))
+        } else if let Some(request) = wanted(state, kind).or_else(|| self.beats.retry(state, kind))
         {
             self.engine.retry(state.document.study(), request);
         }

@@ -147,10 +147,7 @@ pub fn unfinished(state: &State) -> Option<(Arc<Subject>, GeodesicParams)> {
 
 /// The in-betweens to compute next: of the selected heart before the one beside it, of the
 /// interval on screen before the others.
-fn wanted_in_betweens(
-    state: &State,
-    moving: impl Fn(&OnStage) -> bool,
-) -> Option<AskedInBetweens> {
+fn wanted_in_betweens(state: &State, moving: impl Fn(&OnStage) -> bool) -> Option<AskedInBetweens> {
     let params = geodesic_params(&state.document)?;
     // Settings without a shortest way leave the straight one; what is said of it says why.
     params.check().ok()?;
@@ -185,7 +182,9 @@ fn wanted_in_betweens(
 
 fn in_betweens_request(state: &State, asked: &AskedInBetweens) -> AnalysisRequest {
     let subjects = &state.document.study().subjects;
-    let place = subjects.iter().position(|other| Arc::ptr_eq(other, &asked.subject));
+    let place = subjects
+        .iter()
+        .position(|other| Arc::ptr_eq(other, &asked.subject));
     let (subject, params) = (place.unwrap_or(usize::MAX), asked.params);
     match asked.interval {
         Some(interval) => AnalysisRequest::Interval {

@@ -52,7 +52,11 @@ impl CarriedHeart {
             end_diastole: from.end_diastole,
             end_systole: from.end_systole,
             anatomy: onto.anatomy.clone(),
-            ..Subject::new(carried_title(from, onto), MeshSequence::clone(sequence), onto.unit)
+            ..Subject::new(
+                carried_title(from, onto),
+                MeshSequence::clone(sequence),
+                onto.unit,
+            )
         };
         Self {
             distances: Arc::new(distances_from_own_beat(&subject, onto)),
@@ -99,7 +103,13 @@ fn pose_between(subject: &Subject, position: f64) -> Option<Vec<Point3>> {
         return Some(start);
     }
     let end = subject.sequence.pose((frame + 1) % frames)?;
-    Some(start.iter().zip(&end).map(|(a, b)| a + share * (b - a)).collect())
+    Some(
+        start
+            .iter()
+            .zip(&end)
+            .map(|(a, b)| a + share * (b - a))
+            .collect(),
+    )
 }
 
 #[cfg(test)]
@@ -128,10 +138,17 @@ mod tests {
         let carried = CarriedHeart::new(key, &Arc::new(fast.sequence.clone()), &fast, &slow);
         for (frame, distances) in carried.distances.iter().enumerate() {
             let wanted = frame as f32;
-            assert!(distances.iter().all(|d| (d - wanted).abs() < 1e-4), "frame {frame}");
+            assert!(
+                distances.iter().all(|d| (d - wanted).abs() < 1e-4),
+                "frame {frame}"
+            );
         }
         let half_way = pose_between(&slow, 2.5).unwrap();
-        assert!(half_way.iter().all(|p| (p.coords.norm() - 27.5).abs() < 1e-9));
+        assert!(
+            half_way
+                .iter()
+                .all(|p| (p.coords.norm() - 27.5).abs() < 1e-9)
+        );
         let last = pose_between(&slow, 7.5).unwrap();
         assert!(last.iter().all(|p| (p.coords.norm() - 26.5).abs() < 1e-9));
     }

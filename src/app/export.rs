@@ -18,8 +18,8 @@ use crate::study::Study;
 
 use super::pictures::Heart;
 use super::play::pose_in;
-use super::state::State;
 use super::shown_heart::ShownHeart;
+use super::state::State;
 use super::viewport::Viewport;
 
 /// Width and height of an exported figure in pixels: a column of print at 600 dots per inch.

@@ -60,7 +60,11 @@ impl InBetweens {
     /// Vertices of all poses that were computed, to bound memory by.
     pub fn vertices(&self) -> usize {
         let poses = self.inner_poses();
-        poses.iter().flat_map(|poses| poses.iter()).map(Vec::len).sum()
+        poses
+            .iter()
+            .flat_map(|poses| poses.iter())
+            .map(Vec::len)
+            .sum()
     }
 }
 
@@ -299,7 +303,11 @@ pub(super) mod tests {
         assert_eq!(words.badge, Some("interpolated"));
         assert!(words.note.starts_with("3 poses between these frames"));
         let words = between_words(Some(beat), 1.5, "");
-        assert!(words.note.ends_with("2 pairs of faces cross"), "{}", words.note);
+        assert!(
+            words.note.ends_with("2 pairs of faces cross"),
+            "{}",
+            words.note
+        );
         let words = between_words(None, 1.5, "Poses between frames are switched off");
         assert_eq!(words.badge, Some("straight in-between"));
         assert!(words.note.ends_with("switched off"));

@@ -151,7 +151,10 @@ fn number(prepared: &PreparedSubject, quantity: Quantity, value: f64) -> String 
         Quantity::AreaRatio => format!("area × {value:.2}"),
         Quantity::Contribution => format!("difference {value:.2} × mean"),
         Quantity::CarriedDistance => {
-            format!("{value:.1} {} from its own beat", prepared.unit.length_symbol())
+            format!(
+                "{value:.1} {} from its own beat",
+                prepared.unit.length_symbol()
+            )
         }
     }
 }

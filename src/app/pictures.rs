@@ -192,7 +192,9 @@ impl Pictures {
             return None;
         }
         let work = key.clone();
-        let job = Job::spawn(&self.threads, Arc::clone(&self.wake), move |_| Ok(work.heart()));
+        let job = Job::spawn(&self.threads, Arc::clone(&self.wake), move |_| {
+            Ok(work.heart())
+        });
         self.making.push(Making {
             key,
             job,

@@ -89,7 +89,10 @@ pub fn pose_at(position: f64, frame_count: usize) -> GeometryPose {
 /// them, each for an equal share of the interval; else as [`pose_at`] blends the frames.
 pub fn pose_in(heart: &PreparedSubject, position: f64) -> GeometryPose {
     let straight = pose_at(position, heart.frame_count);
-    let (from, to) = (heart.pose_of_frame(straight.from), heart.pose_of_frame(straight.to));
+    let (from, to) = (
+        heart.pose_of_frame(straight.from),
+        heart.pose_of_frame(straight.to),
+    );
     let steps = heart.in_betweens(straight.from) + 1;
     if steps == 1 || straight.blend == 0.0 || straight.blend == 1.0 {
         return GeometryPose {
@@ -102,7 +105,11 @@ pub fn pose_in(heart: &PreparedSubject, position: f64) -> GeometryPose {
     let step = (place.floor() as usize).min(steps - 1);
     GeometryPose {
         from: from + step,
-        to: if step + 1 == steps { to } else { from + step + 1 },
+        to: if step + 1 == steps {
+            to
+        } else {
+            from + step + 1
+        },
         blend: (place - step as f64) as f32,
     }
 }
@@ -198,7 +205,11 @@ mod tests {
         assert_eq!(at(1.25), (2, 3, 0.0));
         assert_eq!(at(1.875), (4, 5, 0.5));
         assert_eq!(at(2.0).0, 5);
-        assert_eq!(at(2.875), (8, 0, 0.5), "the last interval leads to the first frame");
+        assert_eq!(
+            at(2.875),
+            (8, 0, 0.5),
+            "the last interval leads to the first frame"
+        );
     }
 
     #[test]

@@ -61,7 +61,10 @@ pub fn shown_heart(
     } else {
         let subject = state.subject(place.subject)?;
         let between = state.in_betweens_of(place.subject);
-        (subject, pictures.heart_between(subject, reference, between)?)
+        (
+            subject,
+            pictures.heart_between(subject, reference, between)?,
+        )
     };
     Some(ShownHeart {
         index: place.subject,

@@ -5,9 +5,7 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
-use crate::picture::{
-    CohortLimits, ColourLegend, PictureTheme, SceneSettings, scene_with_numbers,
-};
+use crate::picture::{CohortLimits, ColourLegend, PictureTheme, SceneSettings, scene_with_numbers};
 use crate::render::{Camera, ViewId};
 use crate::ui::theme::{colours, line, radius, type_size};
 use crate::ui::{

@@ -200,7 +200,12 @@ pub struct EmbedArgs {
     #[arg(long, value_name = "K", default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..))]
     pub neighbours: u16,
     /// Share of the trace that keeps the weights of lle well determined
-    #[arg(long, value_name = "R", default_value_t = 1e-3, allow_negative_numbers = true)]
+    #[arg(
+        long,
+        value_name = "R",
+        default_value_t = 1e-3,
+        allow_negative_numbers = true
+    )]
     pub regularisation: f64,
     /// Draws the random starts of SMACOF
     #[arg(long, default_value_t = 0)]

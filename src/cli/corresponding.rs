@@ -27,7 +27,11 @@ pub(super) fn read_pair(a: &Path, b: &Path) -> Result<[TriMesh; 2], CliError> {
         b.display(),
         mesh_b.vertices().len(),
         mesh_b.triangles().len(),
-        if same_count { ", connected otherwise" } else { "" }
+        if same_count {
+            ", connected otherwise"
+        } else {
+            ""
+        }
     )))
 }
 

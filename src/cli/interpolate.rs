@@ -5,9 +5,7 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-use crate::analysis::geodesics::{
-    CheckedGeodesicParams, GeodesicParams, GeodesicPath, geodesic,
-};
+use crate::analysis::geodesics::{CheckedGeodesicParams, GeodesicParams, GeodesicPath, geodesic};
 use crate::cli::args::InterpolateArgs;
 use crate::cli::corresponding::{aligned, read_pair};
 use crate::cli::outcome::CliError;
@@ -30,7 +28,11 @@ pub(super) fn interpolate(args: &InterpolateArgs) -> Result<(), CliError> {
     write_files(&pose_files(a.faces(), &path.poses, &args.out)?).map_err(CliError::Unusable)?;
     report(&path, args)?;
     // The best so far is written and said, but it is not what was asked for.
-    if path.stopped { Err(Stopped.into()) } else { Ok(()) }
+    if path.stopped {
+        Err(Stopped.into())
+    } else {
+        Ok(())
+    }
 }
 
 fn checked(args: &InterpolateArgs) -> Result<CheckedGeodesicParams, CliError> {
@@ -61,7 +63,11 @@ fn report(path: &GeodesicPath, args: &InterpolateArgs) -> Result<(), CliError> {
         path.energy,
         path.energy_linear,
         path.iterations,
-        if path.converged { "" } else { ", not converged" },
+        if path.converged {
+            ""
+        } else {
+            ", not converged"
+        },
         path.self_intersections,
         args.out.display()
     ))

@@ -71,7 +71,10 @@ fn only_subject(path: &Path) -> Result<Arc<Subject>, CliError> {
 fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
     let (points, found) = if path.is_dir() {
         let sequence = &only_subject(path)?.sequence;
-        (sequence.pose(0).unwrap_or_default(), sequence.joined_faces())
+        (
+            sequence.pose(0).unwrap_or_default(),
+            sequence.joined_faces(),
+        )
     } else {
         let mesh = read(path)?;
         (mesh.vertices().to_vec(), Faces::clone(mesh.faces()))

@@ -140,8 +140,14 @@ mod tests {
         let sphere = phantom::sphere(2, 25.0);
         let faces = sphere.triangles();
         let points = sphere.vertices();
-        let larger: Vec<Point3> = points.iter().map(|p| Point3::from(2.0 * p.coords)).collect();
-        let contributions = relative_areas(faces, points).iter().map(|a| 7.0 * a).collect::<Vec<_>>();
+        let larger: Vec<Point3> = points
+            .iter()
+            .map(|p| Point3::from(2.0 * p.coords))
+            .collect();
+        let contributions = relative_areas(faces, points)
+            .iter()
+            .map(|a| 7.0 * a)
+            .collect::<Vec<_>>();
         let density = relative_density(faces, [points, &larger], &contributions).unwrap();
         assert!(density.iter().all(|d| (d - 1.0).abs() < 1e-5));
         // All of it in one face: its corners stand out, the opposite side has nothing.
@@ -160,12 +166,18 @@ mod tests {
         let (faces, points) = (sphere.triangles(), sphere.vertices());
         let zeros = vec![0.0; faces.len()];
         assert_eq!(relative_density(faces, [points, points], &zeros), None);
-        assert_eq!(relative_density(faces, [points, &points[1..]], &zeros), None);
+        assert_eq!(
+            relative_density(faces, [points, &points[1..]], &zeros),
+            None
+        );
         assert_eq!(relative_density(faces, [points, points], &[1.0]), None);
         let heart = PreparedSubject::new(&wall(), 0);
         let quantity = Quantity::Contribution;
         assert_eq!(HeartNumbers::of_heart(&heart, quantity, &[]), None);
-        assert_eq!(HeartNumbers::of_heart(&heart, quantity, &[vec![0.0; 5]]), None);
+        assert_eq!(
+            HeartNumbers::of_heart(&heart, quantity, &[vec![0.0; 5]]),
+            None
+        );
     }
 
     #[test]
@@ -179,7 +191,8 @@ mod tests {
             quantity: Quantity::Contribution,
             ..SceneSettings::default()
         };
-        let scene = |numbers| scene_with_numbers(&heart, numbers, &settings, GeometryPose::default());
+        let scene =
+            |numbers| scene_with_numbers(&heart, numbers, &settings, GeometryPose::default());
         let drawn = scene(Some(&numbers));
         let legend = drawn.legend.unwrap();
         assert_eq!(legend.heading(), "Difference to the other heart, × mean");
@@ -190,9 +203,15 @@ mod tests {
         assert_eq!(scalars.values[0][3], 3.0);
         let rim = numbers.of(SurfaceRole::Rim).unwrap();
         let inner = subject.sequence.surfaces()[0].faces().vertex_count() as f32;
-        assert!(rim.values[0].iter().any(|value| *value >= inner), "the rim joins both sides");
+        assert!(
+            rim.values[0].iter().any(|value| *value >= inner),
+            "the rim joins both sides"
+        );
         let bare = scene(None);
         assert_eq!(bare.legend, None);
-        assert!(matches!(bare.scene.surfaces[0].colour, SurfaceColour::Uniform(_)));
+        assert!(matches!(
+            bare.scene.surfaces[0].colour,
+            SurfaceColour::Uniform(_)
+        ));
     }
 }

@@ -299,7 +299,10 @@ mod tests {
         .unwrap();
         let pose = |inner, outer| {
             let sides = [inner, outer].map(|radius| phantom::bowl(radius, 4, 12));
-            sides.iter().flat_map(|mesh| mesh.vertices().to_vec()).collect::<Vec<_>>()
+            sides
+                .iter()
+                .flat_map(|mesh| mesh.vertices().to_vec())
+                .collect::<Vec<_>>()
         };
         let (a, b) = (pose(19.0, 29.5), pose(17.0, 28.5));
         let last = [pose(19.5, 29.7)];

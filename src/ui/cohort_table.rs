@@ -331,16 +331,14 @@ fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &
 }
 
 /// One heart's beat on the other, in both directions.
-fn carry_choices_ui(
-    ui: &mut Ui,
-    view: &CohortView,
-    pair: [usize; 2],
-    commands: &mut Vec<Command>,
-) {
+fn carry_choices_ui(ui: &mut Ui, view: &CohortView, pair: [usize; 2], commands: &mut Vec<Command>) {
     let [a, b] = pair.map(|index| &view.rows[index]);
     let fits = a.correspondence == b.correspondence;
     for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {
-        let name = format!("Play {}’s beat on {}", view.rows[from].id, view.rows[onto].id);
+        let name = format!(
+            "Play {}’s beat on {}",
+            view.rows[from].id, view.rows[onto].id
+        );
         let button = ui
             .add_enabled(fits, egui::Button::new(name))
             .on_disabled_hover_text("Their meshes do not correspond");

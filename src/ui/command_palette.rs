@@ -147,7 +147,9 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         enabled: true,
         command: Command::SelectSubject(index),
     });
-    let beat = view.selected.and_then(|from| Some((from, view.subjects.get(from)?)));
+    let beat = view
+        .selected
+        .and_then(|from| Some((from, view.subjects.get(from)?)));
     let carried = beat.into_iter().flat_map(|(from, row)| {
         let others = view.subjects.iter().enumerate();
         others

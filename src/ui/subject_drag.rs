@@ -82,7 +82,8 @@ pub fn subject_target_ui(
     } else {
         format!("{} does not correspond with {}", target.id, dragged.id)
     };
-    ui.ctx().data_mut(|data| data.insert_temp(words_id(), words));
+    ui.ctx()
+        .data_mut(|data| data.insert_temp(words_id(), words));
 }
 
 fn words_id() -> Id {

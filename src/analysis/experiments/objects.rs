@@ -143,7 +143,12 @@ mod tests {
                 let euler = mesh.vertices().len() as i64 - mesh.faces().edges().len() as i64
                     + mesh.triangles().len() as i64;
                 let closed = if kind.solid == Solid::Sphere { 2 } else { 0 };
-                assert_eq!(euler, closed - i64::from(kind.boundaries), "{}", kind.name());
+                assert_eq!(
+                    euler,
+                    closed - i64::from(kind.boundaries),
+                    "{}",
+                    kind.name()
+                );
             }
         }
     }

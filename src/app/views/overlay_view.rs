@@ -1,8 +1,8 @@
 //! What lies over a heart in the 3D view: its name, colour bar, scale bar and orientation cube.
 
-use crate::app::document::nearest_frame;
 use crate::app::carried::{CarryingState, carried_title};
 use crate::app::differences::hindrance;
+use crate::app::document::nearest_frame;
 use crate::app::in_betweens::{BetweenWords, between_words};
 use crate::app::stage::OnStage;
 use crate::app::state::State;
@@ -86,7 +86,10 @@ impl OverlayData {
             (CarryingState::Stopped, Some(beat)) => {
                 let (from, onto) = (beat.from, beat.onto);
                 let again = ("Carry it over again", Command::CarryBeat { from, onto });
-                (format!("carrying {}’s beat over was stopped", from_id(state, from)), again)
+                (
+                    format!("carrying {}’s beat over was stopped", from_id(state, from)),
+                    again,
+                )
             }
             (CarryingState::Failed, _) => {
                 (format!("{}’s beat could not be carried over", from.id), own)

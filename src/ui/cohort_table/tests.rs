@@ -154,5 +154,8 @@ fn the_menu_of_a_row_offers_both_directions() {
     harness.run();
     harness.get_by_label("Play S2’s beat on S0").click();
     harness.run();
-    assert_eq!(harness.into_state(), [Command::CarryBeat { from: 2, onto: 0 }]);
+    assert_eq!(
+        harness.into_state(),
+        [Command::CarryBeat { from: 2, onto: 0 }]
+    );
 }

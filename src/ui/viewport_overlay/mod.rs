@@ -64,12 +64,7 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     }
 }
 
-fn title_ui(
-    ui: &mut Ui,
-    inner: Rect,
-    view: &ViewportOverlayView,
-    commands: &mut Vec<Command>,
-) {
+fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView, commands: &mut Vec<Command>) {
     if view.title.is_empty() {
         return;
     }

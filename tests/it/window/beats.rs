@@ -37,18 +37,31 @@ fn carried(app: &App) -> bool {
 fn the_slider_runs_through_computed_poses_and_says_so() {
     let mut harness = cohort_window();
     give(&mut harness, Command::SetPosition(2.4));
-    assert!(shows(&harness, "straight in-between"), "until the pose is computed");
+    assert!(
+        shows(&harness, "straight in-between"),
+        "until the pose is computed"
+    );
     wait(&mut harness, "the poses between frames", |app| {
-        app.state().in_betweens_of(0).is_some_and(|beat| beat.complete()) && !app.busy()
+        app.state()
+            .in_betweens_of(0)
+            .is_some_and(|beat| beat.complete())
+            && !app.busy()
     });
     harness.run();
     assert!(shows(&harness, "R-R · interpolated"));
     assert!(!shows(&harness, "straight in-between"));
     let beat = harness.state().state().in_betweens_of(0).unwrap().clone();
-    assert_eq!(beat.positions().len(), 8 * 3, "three in each of eight intervals");
+    assert_eq!(
+        beat.positions().len(),
+        8 * 3,
+        "three in each of eight intervals"
+    );
     for interval in 0..8 {
         let path = beat.path(interval).unwrap();
-        assert!(path.energy <= path.energy_linear, "{interval}: no dearer than straight");
+        assert!(
+            path.energy <= path.energy_linear,
+            "{interval}: no dearer than straight"
+        );
     }
     // The keys lead from one pose to the next, and a frame needs no words.
     harness.key_press(egui::Key::Period);
@@ -74,10 +87,15 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
 fn playing_finds_the_poses_of_the_heart_on_screen() {
     let mut harness = cohort_window();
     give(&mut harness, Command::SelectSubject(4));
-    assert!(harness.state().state().in_betweens_of(4).is_none(), "nothing moves yet");
+    assert!(
+        harness.state().state().in_betweens_of(4).is_none(),
+        "nothing moves yet"
+    );
     give(&mut harness, Command::TogglePlay);
     wait(&mut harness, "the poses between frames", |app| {
-        app.state().in_betweens_of(4).is_some_and(|beat| beat.complete())
+        app.state()
+            .in_betweens_of(4)
+            .is_some_and(|beat| beat.complete())
     });
     assert!(harness.state().state().play.playing);
 }
@@ -99,7 +117,10 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
     assert!(begin.elapsed() < Duration::from_secs(2));
     give(&mut harness, Command::SetPosition(4.5));
     harness.run_steps(3);
-    assert!(!harness.state().busy(), "another interval does not begin it again");
+    assert!(
+        !harness.state().busy(),
+        "another interval does not begin it again"
+    );
     assert!(shows(&harness, "straight in-between"));
     give(&mut harness, Command::Retry(WorkKind::InBetweens));
     harness.step();
@@ -129,7 +150,10 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     assert_eq!(heart.subject.sequence.frame_count(), 8);
     assert!(heart.distances[0].iter().all(|distance| *distance < 1e-3));
     assert!(heart.distances[3].iter().any(|distance| *distance > 1.0));
-    assert_eq!(harness.state().state().document.quantity, Quantity::CarriedDistance);
+    assert_eq!(
+        harness.state().state().document.quantity,
+        Quantity::CarriedDistance
+    );
     assert!(shows(&harness, "Distance from its own beat, mm"));
     // Without colours the bar goes; undo brings them, and then the view before, back.
     give(&mut harness, Command::SetQuantity(Quantity::Tissue));
@@ -180,14 +204,22 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
     assert!(harness.state().busy());
     give(&mut harness, Command::Cancel(WorkKind::Transfer));
     wait(&mut harness, "the end of the work", |app| !app.busy());
-    wait(&mut harness, "both hearts", |app| app.hearts_on_screen().len() == 2);
-    assert_eq!(harness.state().state().results.carrying, CarryingState::Stopped);
+    wait(&mut harness, "both hearts", |app| {
+        app.hearts_on_screen().len() == 2
+    });
+    assert_eq!(
+        harness.state().state().results.carrying,
+        CarryingState::Stopped
+    );
     assert!(shows(&harness, "beat over was stopped"));
     assert!(harness.state().state().errors.is_empty());
     harness.get_by_label("Carry it over again").click();
     harness.run_steps(3);
     assert!(harness.state().busy());
-    assert_eq!(harness.state().state().results.carrying, CarryingState::Computing);
+    assert_eq!(
+        harness.state().state().results.carrying,
+        CarryingState::Computing
+    );
 }
 
 #[test]
@@ -195,7 +227,10 @@ fn two_hearts_show_where_they_differ() {
     let mut harness = cohort_window();
     harness.key_press(egui::Key::D);
     harness.run_steps(3);
-    assert!(shows(&harness, "A difference needs two hearts side by side"));
+    assert!(shows(
+        &harness,
+        "A difference needs two hearts side by side"
+    ));
     assert!(!shows(&harness, "× mean"));
     give(&mut harness, Command::SetViewMode(ViewMode::SideBySide));
     give(&mut harness, Command::CompareWith(Some(12)));
@@ -204,16 +239,41 @@ fn two_hearts_show_where_they_differ() {
     });
     harness.run();
     assert!(shows(&harness, "Difference to the other heart, × mean"));
-    let at_rest = harness.state().state().results.differences.shown().unwrap().clone();
+    let at_rest = harness
+        .state()
+        .state()
+        .results
+        .differences
+        .shown()
+        .unwrap()
+        .clone();
     let mean = at_rest[0].iter().sum::<f32>() / at_rest[0].len() as f32;
-    assert!((0.2..5.0).contains(&mean), "densities lie about 1, not {mean}");
+    assert!(
+        (0.2..5.0).contains(&mean),
+        "densities lie about 1, not {mean}"
+    );
     // At another frame the old one stays until the new one is there.
     give(&mut harness, Command::SetPosition(3.0));
-    assert!(harness.state().state().results.differences.shown().is_some());
+    assert!(
+        harness
+            .state()
+            .state()
+            .results
+            .differences
+            .shown()
+            .is_some()
+    );
     wait(&mut harness, "the next difference", |app| {
-        app.state().results.differences.shown().is_some_and(|now| *now != at_rest)
+        app.state()
+            .results
+            .differences
+            .shown()
+            .is_some_and(|now| *now != at_rest)
     });
     give(&mut harness, Command::SetViewMode(ViewMode::Single));
     harness.run();
-    assert!(shows(&harness, "A difference needs two hearts side by side"));
+    assert!(shows(
+        &harness,
+        "A difference needs two hearts side by side"
+    ));
 }
