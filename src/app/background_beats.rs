@@ -22,8 +22,19 @@ use super::state::State;
 #[derive(Clone, Debug)]
 struct AskedInBetweens {
     subject: Arc<Subject>,
+    index: usize,
     params: GeodesicParams,
-    interval: Option<usize>,
+    /// The interval on screen, which is found first.
+    interval: usize,
+}
+
+impl AskedInBetweens {
+    fn request(&self) -> AnalysisRequest {
+        AnalysisRequest::InBetweens {
+            subject: self.index,
+            params: self.params,
+        }
+    }
 }
 
 /// What the answers that come in belong to.
@@ -40,7 +51,8 @@ impl AskedBeats {
         let study = state.document.study();
         let moving = |place: &OnStage| state.play.playing || is_between(place.position);
         if let Some(wanted) = wanted_in_betweens(state, moving) {
-            engine.request(study, in_betweens_request(state, &wanted));
+            engine.look_at_interval(wanted.interval);
+            engine.request(study, wanted.request());
             self.in_betweens = Some(wanted);
         }
         if let Some(beat) = state.document.carrying()
@@ -63,7 +75,7 @@ impl AskedBeats {
         match kind {
             WorkKind::InBetweens => {
                 let wanted = wanted_in_betweens(state, |_| true)?;
-                let request = in_betweens_request(state, &wanted);
+                let request = wanted.request();
                 self.in_betweens = Some(wanted);
                 Some(request)
             }
@@ -84,20 +96,44 @@ impl AskedBeats {
 
     /// Takes in what was computed since the last frame.
     pub fn take(&mut self, state: &mut State, engine: &Engine) {
-        if let Some(asked) = &self.in_betweens
-            && let Showing::Ready(outcome) = engine.showing(WorkKind::InBetweens)
-        {
-            let store = &mut state.results.in_betweens;
-            if let (Some(first), Some(path)) = (asked.interval, outcome.interval()) {
-                store.put(&asked.subject, &asked.params, first, slice::from_ref(path));
-            } else if let Some(paths) = outcome.in_betweens() {
-                store.put(&asked.subject, &asked.params, 0, paths);
-            }
-        }
+        self.take_in_betweens(state, engine);
         self.take_carried(state, engine);
         self.take_contribution(state, engine);
         let pair = wanted_pair(state);
         state.results.differences.show(pair.as_ref());
+    }
+
+    /// The whole beat once it is there; while it is computed and the beat stands still, the
+    /// interval on screen alone. A playing beat changes its poses once, not with every interval.
+    fn take_in_betweens(&self, state: &mut State, engine: &Engine) {
+        let Some(asked) = &self.in_betweens else {
+            return;
+        };
+        match engine.showing(WorkKind::InBetweens) {
+            Showing::Ready(outcome) => {
+                if let Some(paths) = outcome.in_betweens() {
+                    let store = &mut state.results.in_betweens;
+                    store.put(&asked.subject, &asked.params, 0, paths);
+                }
+            }
+            Showing::Computing { .. } if !state.play.playing => {
+                let request = AnalysisRequest::Interval {
+                    subject: asked.index,
+                    interval: asked.interval,
+                    params: asked.params,
+                };
+                let known = state.results.in_betweens.get(&asked.subject, &asked.params);
+                if known.is_none_or(|beat| beat.path(asked.interval).is_none())
+                    && let Some(outcome) = engine.known(state.document.study(), &request)
+                    && let Some(path) = outcome.interval()
+                {
+                    let store = &mut state.results.in_betweens;
+                    let path = slice::from_ref(path);
+                    store.put(&asked.subject, &asked.params, asked.interval, path);
+                }
+            }
+            _ => {}
+        }
     }
 
     fn take_carried(&self, state: &mut State, engine: &Engine) {
@@ -168,32 +204,15 @@ fn wanted_in_betweens(state: &State, moving: impl Fn(&OnStage) -> bool) -> Optio
         if !moving(place) || intervals == 0 || complete || store.is_halted(subject, &params) {
             continue;
         }
-        let interval = place.position.floor().max(0.0) as usize;
-        let first = interval < intervals && beat.is_none_or(|beat| beat.path(interval).is_none());
         wanted = Some(AskedInBetweens {
             subject: Arc::clone(subject),
+            index: place.subject,
             params,
-            interval: first.then_some(interval),
+            interval: (place.position.floor().max(0.0) as usize).min(intervals - 1),
         });
         break;
     }
     wanted
-}
-
-fn in_betweens_request(state: &State, asked: &AskedInBetweens) -> AnalysisRequest {
-    let subjects = &state.document.study().subjects;
-    let place = subjects
-        .iter()
-        .position(|other| Arc::ptr_eq(other, &asked.subject));
-    let (subject, params) = (place.unwrap_or(usize::MAX), asked.params);
-    match asked.interval {
-        Some(interval) => AnalysisRequest::Interval {
-            subject,
-            interval,
-            params,
-        },
-        None => AnalysisRequest::InBetweens { subject, params },
-    }
 }
 
 fn transfer_request(beat: CarriedBeat, params: TransportParams) -> AnalysisRequest {
