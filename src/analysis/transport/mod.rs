@@ -22,7 +22,7 @@ pub use params::{
     CheckedTransportParams, CohortTransferParams, Geodesics, Nearness, Reference,
     TransportParamError, TransportParams,
 };
-pub use pose_path::transport_along;
+pub use pose_path::{PosePath, transport_along};
 pub use transfer::{DeformationTransfer, transfer_deformation};
 
 #[cfg(test)]

@@ -38,7 +38,8 @@ pub trait SampledPath {
 /// metric does not see the path move (as the rigid metric does not see a turn).
 const UNSEEN: f64 = 1e-24;
 
-/// ‖P‖² below this share of ‖X̄‖² is the round-off of their difference: X̄ points along the path.
+/// ‖P‖² below this share of ‖X‖² is the round-off of their difference: the field points along the
+/// path.
 const ROUND_OFF: f64 = 1e-14;
 
 /// Carries X from the first sample to the last: at each next sample i, X̄ is the field nearest to X
@@ -95,9 +96,14 @@ pub fn parallel_transport(
             }
         }
         if keep_norm {
-            let (left, wanted) = (at.field - alpha * alpha, first.field - alpha * alpha);
+            let left = at.field - alpha * alpha;
             if left > ROUND_OFF * at.field {
-                let factor = (wanted.max(0.0) / left).sqrt();
+                let wanted = first.field - alpha * alpha;
+                let factor = if wanted > ROUND_OFF * first.field {
+                    (wanted / left).sqrt()
+                } else {
+                    0.0
+                };
                 keep_orthogonal_norm(&mut field, path.velocity(sample), alpha / speed, factor);
             }
         }

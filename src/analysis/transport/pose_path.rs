@@ -10,8 +10,10 @@ use super::{Nearness, Products, SampledPath, TransportError, parallel_transport}
 /// the direction from one to the other would be noise.
 const SAME: f64 = 1e-12;
 
-/// A sampled path between poses.
-pub(super) struct PosePath<'a> {
+/// A sampled path between poses: velocity is the forward difference, at the last sample the backward
+/// one.
+#[derive(Clone, Debug)]
+pub struct PosePath<'a> {
     metric: &'a Metric,
     poses: Vec<PreparedPose>,
     velocities: Vec<Vec<Vector3>>,
@@ -19,7 +21,13 @@ pub(super) struct PosePath<'a> {
 
 impl<'a> PosePath<'a> {
     /// Prepares each sample; those equal to the sample before are left out.
-    pub(super) fn new(metric: &'a Metric, path: &[Vec<Point3>]) -> Result<Self, TransportError> {
+    ///
+    /// # Errors
+    /// If counts of vertices differ, squares overflow, or the metric's form is no inner product.
+    pub fn new(metric: &'a Metric, path: &[Vec<Point3>]) -> Result<Self, TransportError> {
+        if !is_inner_product(metric.params()) {
+            return Err(TransportError::NotAnInnerProduct);
+        }
         let mut kept: Vec<&[Point3]> = Vec::with_capacity(path.len());
         for pose in path {
             if kept.last().is_none_or(|last| !same(last, pose)) {
@@ -87,8 +95,7 @@ fn same(a: &[Point3], b: &[Point3]) -> bool {
 }
 
 /// Carries a field of displacements from the first pose of a path to the last by
-/// [`parallel_transport`], nearest in the metric; the velocity at a pose is the forward difference,
-/// at the last the backward one.
+/// [`parallel_transport`], nearest in the metric; velocities are those of [`PosePath`].
 ///
 /// Along a straight path the number of samples does not matter: the field stays in the plane
 /// spanned by itself and the path's direction, where product and norm determine it. A path whose
@@ -118,9 +125,6 @@ pub(super) fn transport_nearest(
             displacements: field.len(),
             vertices: start.len(),
         });
-    }
-    if !is_inner_product(metric.params()) {
-        return Err(TransportError::NotAnInnerProduct);
     }
     let path = PosePath::new(metric, path)?;
     let carried = parallel_transport(&path, field, nearness, keep_norm);
