@@ -5,5 +5,5 @@ mod lanes;
 mod symmetric_eigen;
 
 pub use lanczos::{LeadingEigenError, leading_eigen};
-pub use lanes::{Arithmetic, LANES, Lanes};
+pub use lanes::{Arithmetic, LANES, Lanes, both, three};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};
