@@ -21,6 +21,7 @@ mod frame_ui;
 mod layout;
 mod look;
 mod map_orientation;
+mod morph;
 mod paint;
 mod panes;
 mod pick_label;

@@ -3,7 +3,10 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::analysis::classification::Classes;
+use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::transport::Reference;
 use crate::engine::PoseMap;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Revision, Study, Subject};
@@ -46,6 +49,10 @@ pub struct Results {
     pub measures: Option<Fresh<Vec<SubjectMeasures>>>,
     /// The map of all poses, turned to agree with the map before it.
     pub map: Option<Fresh<PoseMap>>,
+    /// The map of whole deformations, turned likewise.
+    pub deformations: Option<Fresh<DeformationMap>>,
+    /// How well classes can be told apart.
+    pub classes: Option<Fresh<Classes>>,
 }
 
 /// Everything the window shows.
@@ -116,6 +123,16 @@ impl State {
         self.of_this_study(self.results.map.as_ref())
     }
 
+    /// The map of deformations of the study on screen.
+    pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
+        self.of_this_study(self.results.deformations.as_ref())
+    }
+
+    /// How well the classes of the study on screen can be told apart.
+    pub fn classes(&self) -> Option<&Arc<Classes>> {
+        self.of_this_study(self.results.classes.as_ref())
+    }
+
     /// Frames of end-diastole and end-systole of a subject: as stated, else as measured.
     pub fn phases_of(&self, index: usize) -> (Option<usize>, Option<usize>) {
         let stated = self.subject(index);
@@ -146,6 +163,14 @@ impl State {
             report: Arc::new(report),
         });
         document.map = before.map;
+        if let Some(transfer) = document.map.distances.transfer
+            && matches!(transfer.reference, Reference::Subject(_))
+        {
+            // That heart is not of this study.
+            document.map.distances.transfer = None;
+        }
+        document.deformation_map = before.deformation_map;
+        document.shows_clusters = before.shows_clusters;
         document.visibility = before.visibility;
         self.history.forget_studies_before(before.study.opening);
         if before.study.opening > 0 {

@@ -23,6 +23,7 @@ pub fn action_state(state: &State, layout: &Layout) -> ActionState {
         view_mode: document.view_mode,
         quantity: document.quantity,
         theme: state.theme,
+        shows_clusters: document.shows_clusters,
         hidden_panes: PANES
             .iter()
             .map(|(pane, _)| *pane)

@@ -185,6 +185,7 @@ fn folded_faces_and_coinciding_vertices_give_finite_distances() {
                 let params = PoseDistanceParams {
                     metric,
                     transfer: None,
+                    ..PoseDistanceParams::default()
                 }
                 .check()
                 .unwrap();
