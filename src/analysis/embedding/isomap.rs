@@ -78,17 +78,31 @@ pub fn shortest_ways(
     }
     let mut graph = NeighbourGraph::new(nearest);
     let parts = graph.join(distances, progress)?;
-    progress.expect_steps(items);
-    let rows = (0..items)
-        .into_par_iter()
+    let groups = graph.groups();
+    progress.expect_steps(groups.len());
+    let found = groups
+        .par_iter()
         .map_init(
             || graph.traveller(),
-            |traveller, from| {
+            |traveller, group| {
                 progress.step()?;
-                Ok(traveller.lengths_from(from)[from + 1..].to_vec())
+                let lengths = traveller.lengths_from(group);
+                let right_of_diagonal = |(lane, &from): (usize, &usize)| -> Vec<f64> {
+                    lengths[from + 1..]
+                        .iter()
+                        .map(|lanes| lanes[lane])
+                        .collect()
+                };
+                Ok(group.iter().enumerate().map(right_of_diagonal).collect())
             },
         )
-        .collect::<Result<Vec<_>, Stopped>>()?;
+        .collect::<Result<Vec<Vec<Vec<f64>>>, Stopped>>()?;
+    let mut rows = vec![Vec::new(); items];
+    for (group, found) in groups.iter().zip(found) {
+        for (&from, row) in group.iter().zip(found) {
+            rows[from] = row;
+        }
+    }
     // Lengths are sums of given distances, so they are none only if they overflow.
     let ways = DistanceMatrix::from_upper(items, rows.concat()).ok_or(mismatch)?;
     Ok((ways, parts))
