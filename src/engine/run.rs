@@ -77,6 +77,7 @@ pub fn run(
             interval,
             params,
         } => {
+            progress.begin_phase("finding poses between frames", 0.0, 1.0);
             let path = run_pairs::interval(study, *subject, *interval, params, progress)?;
             let stopped = path.stopped;
             let outcome = AnalysisOutcome::Interval(Arc::new(path));

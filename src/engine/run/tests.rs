@@ -243,6 +243,34 @@ fn a_stopped_beat_keeps_the_intervals_that_were_done() {
 }
 
 #[test]
+fn a_stopped_path_is_the_best_so_far_and_is_not_kept() {
+    let (study, cache, progress) = (study(), Cache::default(), Progress::default());
+    let endless = AnalysisRequest::Interval {
+        subject: 1,
+        interval: 0,
+        params: GeodesicParams {
+            in_betweens: 7,
+            tolerance: 0.0,
+            most_iterations: u32::MAX,
+            ..GeodesicParams::default()
+        },
+    };
+    let outcome = std::thread::scope(|scope| {
+        let work = scope.spawn(|| run(&study, &endless, &cache, &progress));
+        while progress.phase().is_empty() {
+            std::thread::yield_now();
+        }
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        progress.stop();
+        work.join().unwrap()
+    });
+    let path = outcome.unwrap().interval().cloned().unwrap();
+    assert!(path.stopped && path.energy <= path.energy_linear);
+    assert_eq!(path.poses.len(), 9);
+    assert!(cache.is_empty());
+}
+
+#[test]
 fn what_depends_on_shapes_alone_survives_an_edited_label() {
     let (study, cache, progress) = (study(), Cache::default(), Progress::default());
     let ask =
