@@ -2,6 +2,8 @@
 
 #[cfg(test)]
 mod around;
+#[cfg(test)]
+mod maps;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
