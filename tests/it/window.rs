@@ -4,6 +4,7 @@
 mod around;
 #[cfg(test)]
 mod beats;
+mod maps;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
