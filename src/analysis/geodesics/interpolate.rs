@@ -89,8 +89,11 @@ impl GeodesicSolver {
             .collect();
         let mut poses = vec![start.to_vec()];
         poses.extend(
-            (inner.coordinates.chunks_exact((3 * start.len()).max(1)))
-                .map(|pose| pose.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect()),
+            (inner.coordinates.chunks_exact((3 * start.len()).max(1))).map(|pose| {
+                pose.chunks_exact(3)
+                    .map(|p| Point3::new(p[0], p[1], p[2]))
+                    .collect()
+            }),
         );
         poses.push(end.to_vec());
         let mut self_intersections = 0;
@@ -152,7 +155,12 @@ impl GeodesicSolver {
         let weights: Vec<f64> = (self.metric.frozen_weights(&a, &b).iter())
             .map(|weight| weight / (steps * steps))
             .collect();
-        Ok(Stiffness::new(&self.faces, start, &self.params.metric, Some(&weights)))
+        Ok(Stiffness::new(
+            &self.faces,
+            start,
+            &self.params.metric,
+            Some(&weights),
+        ))
     }
 }
 
@@ -213,7 +221,9 @@ pub fn geodesic(
     progress: &Progress,
 ) -> Result<GeodesicPath, GeodesicError> {
     check_ends(faces, start, end)?;
-    let middle: Vec<Point3> = (start.iter().zip(end)).map(|(a, b)| a + (b - a) * 0.5).collect();
+    let middle: Vec<Point3> = (start.iter().zip(end))
+        .map(|(a, b)| a + (b - a) * 0.5)
+        .collect();
     let reference = if check_ends(faces, &middle, &middle).is_ok() {
         &middle
     } else {

@@ -125,10 +125,20 @@ pub(super) fn cheapest(
         }
         let last = level + 1 == levels.len();
         let content = Content {
-            tolerance: if last { content.tolerance } else { content.tolerance.max(COARSE_TOLERANCE) },
+            tolerance: if last {
+                content.tolerance
+            } else {
+                content.tolerance.max(COARSE_TOLERANCE)
+            },
             ..*content
         };
-        improve(&mut energy_of(count)?, stiffness, &mut inner, &content, &mut go_on);
+        improve(
+            &mut energy_of(count)?,
+            stiffness,
+            &mut inner,
+            &content,
+            &mut go_on,
+        );
     }
     Ok(inner)
 }

@@ -66,7 +66,9 @@ impl Stiffness {
             }
         }
         let even = match (params.regulariser, params.kind) {
-            (Regulariser::Uniform, MetricKind::Rigid) if !params.area_weights => params.lambda + 1.0,
+            (Regulariser::Uniform, MetricKind::Rigid) if !params.area_weights => {
+                params.lambda + 1.0
+            }
             (Regulariser::Uniform, _) => params.lambda,
             (_, MetricKind::Rigid) if !params.area_weights => 1.0,
             _ => 0.0,
@@ -235,10 +237,30 @@ mod tests {
     fn of_small_displacements_it_inverts_the_hessian() {
         let ball = phantom::sphere(1, 2.0);
         for (kind, corners, area_weights, regulariser) in [
-            (MetricKind::AnglePreserving, Corners::ScaleFree, true, Regulariser::Area),
-            (MetricKind::AnglePreserving, Corners::Raw, false, Regulariser::Uniform),
-            (MetricKind::Isometric, Corners::ScaleFree, true, Regulariser::Area),
-            (MetricKind::Isometric, Corners::Raw, false, Regulariser::Uniform),
+            (
+                MetricKind::AnglePreserving,
+                Corners::ScaleFree,
+                true,
+                Regulariser::Area,
+            ),
+            (
+                MetricKind::AnglePreserving,
+                Corners::Raw,
+                false,
+                Regulariser::Uniform,
+            ),
+            (
+                MetricKind::Isometric,
+                Corners::ScaleFree,
+                true,
+                Regulariser::Area,
+            ),
+            (
+                MetricKind::Isometric,
+                Corners::Raw,
+                false,
+                Regulariser::Uniform,
+            ),
         ] {
             let params = MetricParams {
                 kind,
@@ -256,7 +278,9 @@ mod tests {
             let still: Vec<f64> = (ball.vertices().iter().chain(ball.vertices()))
                 .flat_map(|p| [p.x, p.y, p.z])
                 .collect();
-            let small: Vec<f64> = (0..still.len()).map(|k| 1e-4 * (1.7 * k as f64).sin()).collect();
+            let small: Vec<f64> = (0..still.len())
+                .map(|k| 1e-4 * (1.7 * k as f64).sin())
+                .collect();
             let moved: Vec<f64> = still.iter().zip(&small).map(|(x, d)| x + d).collect();
             let mut back = vec![0.0; still.len()];
             energy.evaluate(&moved, &mut back);
