@@ -58,7 +58,10 @@ fn paths_are_no_dearer(topic: &str, names: &[&str]) {
             path.converged
         );
         close(name, path.energy_linear, case.number("energy_linear"), 1e-9);
-        assert!(path.energy >= 0.0 && path.energy <= case.number("energy_bound"), "{name}");
+        assert!(
+            path.energy >= 0.0 && path.energy <= case.number("energy_bound"),
+            "{name}"
+        );
         assert_eq!(path.poses.len(), path.step_lengths.len() + 1);
     }
 }
