@@ -58,8 +58,26 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("alignment", &[]),
     ("measures", &[]),
     ("metrics", &[]),
-    ("pose_distances", &["alignment", "metrics"]),
+    ("geodesics", &["metrics"]),
+    ("transport", &["alignment", "metrics", "geodesics"]),
+    ("pose_distances", &["alignment", "metrics", "transport"]),
     ("embedding", &["pose_distances", "alignment"]),
+    ("classification", &["pose_distances", "embedding"]),
+    ("deformations", &["pose_distances", "embedding"]),
+    (
+        "experiments",
+        &[
+            "alignment",
+            "measures",
+            "metrics",
+            "geodesics",
+            "transport",
+            "pose_distances",
+            "embedding",
+            "classification",
+            "deformations",
+        ],
+    ),
 ];
 
 /// Words from outside with the only rooms that may say them.

@@ -33,7 +33,9 @@ mod pair;
 mod params;
 mod path_energy;
 mod pose;
+mod products;
 mod rigid;
+mod smoothing;
 
 pub use metric::{Metric, MetricError, PairNorms, PairScratch};
 pub use params::{
@@ -42,6 +44,7 @@ pub use params::{
 pub use path_energy::PathEnergy;
 pub use pose::PreparedPose;
 pub use rigid::{RigidField, rigid_part};
+pub use smoothing::Smoother;
 
 #[cfg(test)]
 mod tests;

@@ -1,0 +1,23 @@
+//! Which poses lie between two poses, when the way costs what the metric says?
+//!
+//! The path from one pose to another that minimises the path energy
+//! E = Σ_i ⟨⟨X_i, X_i⟩⟩ at M_i + ⟨⟨X_i, X_i⟩⟩ at M_{i+1}, with X_i = M_{i+1} − M_i.
+//!
+//! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 3.2.3 and 3.3.1.
+
+mod coarse;
+mod ends;
+mod interpolate;
+mod minimise;
+mod params;
+mod result;
+mod solver;
+mod stiffness;
+
+pub use interpolate::{geodesic, interpolated_sequence};
+pub use params::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
+pub use result::{GeodesicError, GeodesicPath};
+pub use solver::GeodesicSolver;
+
+#[cfg(test)]
+mod tests;

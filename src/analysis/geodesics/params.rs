@@ -1,0 +1,150 @@
+//! Which metric, how many poses between, and when to be content.
+
+use crate::analysis::metrics::{
+    CheckedMetricParams, Corners, Form, MetricKind, MetricParams, ParamError,
+};
+
+/// Settings of a geodesic; [`GeodesicParams::check`] makes them usable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GeodesicParams {
+    /// What the way costs.
+    pub metric: MetricParams,
+    /// Poses between the two ends.
+    pub in_betweens: u16,
+    /// Stop when the energy is expected to fall by less than this share of itself.
+    pub tolerance: f64,
+    /// Stop after so many iterations of each level.
+    pub most_iterations: u32,
+    /// Find the path on a decimated mesh of about so many vertices, and prolong it to the whole;
+    /// `None`: on the mesh as it is.
+    pub most_vertices: Option<u32>,
+}
+
+impl Default for GeodesicParams {
+    fn default() -> Self {
+        Self {
+            metric: MetricParams::default(),
+            in_betweens: 3,
+            tolerance: 1e-6,
+            most_iterations: 1_000,
+            most_vertices: None,
+        }
+    }
+}
+
+/// More in-betweens than any screen shows; memory grows with them.
+const MOST_IN_BETWEENS: u16 = 1_023;
+
+/// A coarser mesh would no longer be a heart.
+const FEWEST_VERTICES: u32 = 12;
+
+/// Settings that have been checked; read them like the fields of [`GeodesicParams`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CheckedGeodesicParams {
+    params: GeodesicParams,
+    pub(super) metric: CheckedMetricParams,
+}
+
+impl std::ops::Deref for CheckedGeodesicParams {
+    type Target = GeodesicParams;
+
+    fn deref(&self) -> &GeodesicParams {
+        &self.params
+    }
+}
+
+impl CheckedGeodesicParams {
+    /// The same on the mesh as it is.
+    pub(super) fn on_all_vertices(mut self) -> Self {
+        self.params.most_vertices = None;
+        self
+    }
+}
+
+impl GeodesicParams {
+    /// Makes settings usable.
+    ///
+    /// Forms without a least path are refused: from two in-betweens on and without regulariser
+    /// (λ = 0), raw corners cost nothing at size 0, since they grow with the eighth power of size:
+    /// shrinking, deforming and growing back by s costs s⁸ of the direct way. And
+    /// where curvature change is a factor, steps that change curvature but no angle alternate with
+    /// steps that change angles but no curvature, at no cost.
+    ///
+    /// # Errors
+    /// If a weight, the tolerance or a count is out of range, or there is no least path.
+    pub fn check(self) -> Result<CheckedGeodesicParams, GeodesicParamError> {
+        let metric = self.metric.check()?;
+        if self.in_betweens > MOST_IN_BETWEENS {
+            return Err(GeodesicParamError::InBetweens {
+                in_betweens: self.in_betweens,
+                most: MOST_IN_BETWEENS,
+            });
+        }
+        if !(self.tolerance.is_finite() && self.tolerance >= 0.0) {
+            return Err(GeodesicParamError::Tolerance(self.tolerance));
+        }
+        if let Some(vertices) = self.most_vertices.filter(|&v| v < FEWEST_VERTICES) {
+            return Err(GeodesicParamError::Vertices {
+                vertices,
+                fewest: FEWEST_VERTICES,
+            });
+        }
+        if self.in_betweens >= 2 && self.metric.lambda == 0.0 && has_no_least_path(&self.metric) {
+            return Err(GeodesicParamError::NoLeastPath {
+                in_betweens: self.in_betweens,
+            });
+        }
+        Ok(CheckedGeodesicParams {
+            params: self,
+            metric,
+        })
+    }
+}
+
+fn has_no_least_path(metric: &MetricParams) -> bool {
+    match metric.kind {
+        MetricKind::Isometric | MetricKind::Rigid => false,
+        MetricKind::AnglePreserving => {
+            metric.corners == Corners::Raw || metric.form == Form::Printed
+        }
+        MetricKind::QuasiConformal => {
+            metric.corners == Corners::Raw || matches!(metric.form, Form::Printed | Form::Bilinear)
+        }
+    }
+}
+
+/// Why settings of a geodesic cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum GeodesicParamError {
+    /// The metric's own settings are wrong.
+    #[error(transparent)]
+    Metric(#[from] ParamError),
+    /// So many in-betweens are not computed.
+    #[error("at most {most} in-betweens are computed, not {in_betweens}")]
+    InBetweens {
+        /// What was asked for.
+        in_betweens: u16,
+        /// The limit.
+        most: u16,
+    },
+    /// The tolerance is negative or not a number.
+    #[error("the tolerance must be zero or positive and finite, not {0}")]
+    Tolerance(f64),
+    /// A mesh of so few vertices says nothing.
+    #[error("a path is found on at least {fewest} vertices, not {vertices}")]
+    Vertices {
+        /// What was asked for.
+        vertices: u32,
+        /// The limit.
+        fewest: u32,
+    },
+    /// The energy has no minimum above zero.
+    #[error(
+        "with {in_betweens} in-betweens this form costs nothing on ways that collapse; \
+         give lambda above 0, at most one in-between, or the additive form"
+    )]
+    NoLeastPath {
+        /// What was asked for.
+        in_betweens: u16,
+    },
+}

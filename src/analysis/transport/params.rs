@@ -1,0 +1,162 @@
+//! Along which path a motion is carried, and what is kept on the way.
+
+use crate::analysis::geodesics::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
+use crate::analysis::metrics::{CheckedMetricParams, Form, MetricKind, MetricParams, ParamError};
+
+/// For which displacements of a beat a geodesic between the hearts is computed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Geodesics {
+    /// Once, from M₀ to N₀. The path from M_i to N_i is the straight one bent as much as the first.
+    #[default]
+    First,
+    /// From every M_i to every N_i, as the text says.
+    EveryStep,
+}
+
+/// In which norm the field changes as little as possible from sample to sample; the text does not
+/// say.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Nearness {
+    /// In the metric's own norm: the field changes along the path only.
+    #[default]
+    Metric,
+    /// In the sum of squares of coordinates; slow on fine meshes, for comparison.
+    Coordinates,
+}
+
+/// Settings of a transfer from one heart to another; [`TransportParams::check`] makes them usable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TransportParams {
+    /// What lengths and angles of displacements are. Transport needs an inner product: forms that
+    /// are none (see [`crate::analysis::metrics`]) stand for the additive one.
+    pub metric: MetricParams,
+    /// Poses of the geodesic between the hearts; 0: the straight way.
+    pub in_betweens: u16,
+    /// Whether the norm of a displacement is kept, not only its product with the path's direction.
+    pub keep_norm: bool,
+    /// In which norm the field changes least.
+    pub nearness: Nearness,
+    /// For which displacements a geodesic is computed.
+    pub geodesics: Geodesics,
+    /// Find geodesics on a decimated mesh of about so many vertices; `None`: on the mesh as it is.
+    pub most_vertices: Option<u32>,
+}
+
+impl Default for TransportParams {
+    fn default() -> Self {
+        let cohort = CohortTransferParams::default();
+        cohort.with_metric(MetricParams::default())
+    }
+}
+
+/// What the motions of a cohort are carried onto.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Reference {
+    /// The mean of all end-diastolic shapes, sizes normalised, laid onto each other.
+    #[default]
+    Mean,
+    /// The end-diastolic shape of one subject, by its index in the study.
+    Subject(usize),
+}
+
+/// Settings of a transfer of all hearts onto one; the metric is given beside them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct CohortTransferParams {
+    /// What all are carried onto.
+    pub reference: Reference,
+    /// As in [`TransportParams`].
+    pub in_betweens: u16,
+    /// As in [`TransportParams`].
+    pub keep_norm: bool,
+    /// As in [`TransportParams`].
+    pub geodesics: Geodesics,
+    /// As in [`TransportParams`].
+    pub most_vertices: Option<u32>,
+}
+
+impl Default for CohortTransferParams {
+    fn default() -> Self {
+        Self {
+            reference: Reference::Mean,
+            in_betweens: 1,
+            keep_norm: true,
+            geodesics: Geodesics::First,
+            most_vertices: Some(300),
+        }
+    }
+}
+
+impl CohortTransferParams {
+    /// The same settings for one pair of hearts.
+    pub fn with_metric(self, metric: MetricParams) -> TransportParams {
+        TransportParams {
+            metric,
+            in_betweens: self.in_betweens,
+            keep_norm: self.keep_norm,
+            nearness: Nearness::Metric,
+            geodesics: self.geodesics,
+            most_vertices: self.most_vertices,
+        }
+    }
+}
+
+/// Settings that have been checked; read them like the fields of [`TransportParams`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CheckedTransportParams {
+    params: TransportParams,
+    pub(super) metric: CheckedMetricParams,
+    /// `None` where the way is straight.
+    pub(super) geodesic: Option<CheckedGeodesicParams>,
+}
+
+impl std::ops::Deref for CheckedTransportParams {
+    type Target = TransportParams;
+
+    fn deref(&self) -> &TransportParams {
+        &self.params
+    }
+}
+
+impl TransportParams {
+    /// Makes settings usable; a form that is no inner product becomes the additive one.
+    ///
+    /// # Errors
+    /// If those of the metric or of the geodesic are not.
+    pub fn check(mut self) -> Result<CheckedTransportParams, TransportParamError> {
+        if !is_inner_product(&self.metric) {
+            self.metric.form = Form::Additive;
+        }
+        let geodesic = GeodesicParams {
+            metric: self.metric,
+            in_betweens: self.in_betweens,
+            most_vertices: self.most_vertices,
+            ..GeodesicParams::default()
+        };
+        let geodesic = geodesic.check()?;
+        Ok(CheckedTransportParams {
+            params: self,
+            metric: self.metric.check()?,
+            geodesic: (self.in_betweens > 0).then_some(geodesic),
+        })
+    }
+}
+
+/// Whether products of this metric are linear in each field.
+pub(super) fn is_inner_product(metric: &MetricParams) -> bool {
+    match metric.kind {
+        MetricKind::Isometric | MetricKind::Rigid => true,
+        MetricKind::AnglePreserving => metric.form != Form::Printed,
+        MetricKind::QuasiConformal => metric.form == Form::Additive,
+    }
+}
+
+/// Why settings of a transfer cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TransportParamError {
+    /// The metric's own settings are wrong.
+    #[error(transparent)]
+    Metric(#[from] ParamError),
+    /// Those of the geodesic are.
+    #[error(transparent)]
+    Geodesic(#[from] GeodesicParamError),
+}
