@@ -17,6 +17,7 @@
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 2.3.6–2.3.7 and 3.2.
 
 mod connectivity;
+mod contributions;
 mod corner;
 mod curvature;
 mod face_charge;
