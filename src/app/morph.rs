@@ -93,21 +93,18 @@ mod tests {
     fn points_go_from_old_to_new_places_and_stay_there() {
         let shown = [(0, [0.0, 0.0]), (1, [2.0, 0.0])];
         let targets = [(0, [1.0, 1.0]), (1, [3.0, 1.0]), (2, [9.0, 9.0])];
-        let mut morph = Morph::between(shown.into_iter(), &targets, 10.0);
+        let mut morph = Morph::between(shown.into_iter(), &targets, 0.0);
         // The old places, moved to where the new map lies.
-        assert_eq!(morph.place(0, targets[0].1, 10.0), [1.0, 1.0]);
+        assert_eq!(morph.place(0, targets[0].1, 0.0), [1.0, 1.0]);
         let turned = [(0, [3.0, 1.0]), (1, [1.0, 1.0])];
-        let mut other = Morph::between(shown.into_iter(), &turned, 10.0);
-        assert_eq!(other.place(0, turned[0].1, 10.0), [1.0, 1.0]);
-        assert_eq!(
-            other.place(0, turned[0].1, 10.0 + 0.5 * MORPH_S),
-            [2.0, 1.0]
-        );
-        assert!(other.moves(10.0 + 0.9 * MORPH_S));
-        assert!(!other.moves(10.0 + MORPH_S));
-        assert_eq!(other.place(0, turned[0].1, 10.0), [3.0, 1.0]);
-        assert_eq!(morph.place(2, targets[2].1, 10.0), [9.0, 9.0]);
-        assert!(morph.moves(10.1));
+        let mut other = Morph::between(shown.into_iter(), &turned, 0.0);
+        assert_eq!(other.place(0, turned[0].1, 0.0), [1.0, 1.0]);
+        assert_eq!(other.place(0, turned[0].1, 0.5 * MORPH_S), [2.0, 1.0]);
+        assert!(other.moves(0.9 * MORPH_S));
+        assert!(!other.moves(MORPH_S));
+        assert_eq!(other.place(0, turned[0].1, 0.0), [3.0, 1.0]);
+        assert_eq!(morph.place(2, targets[2].1, 0.0), [9.0, 9.0]);
+        assert!(morph.moves(0.1));
     }
 
     #[test]

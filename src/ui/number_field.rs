@@ -235,17 +235,18 @@ mod tests {
     }
 
     fn type_into(harness: &mut Harness<'_, (Option<f64>, Vec<Option<f64>>)>, text: &str) {
-        harness.get_by_label("Weight").focus();
+        let (role, name) = (egui::accesskit::Role::TextInput, "Weight");
+        harness.get_by_role_and_label(role, name).focus();
         harness.run();
-        harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
         harness.run();
         if text.is_empty() {
-            harness.key_press(egui::Key::Delete);
+            harness.key_press(Key::Delete);
         } else {
-            harness.get_by_label("Weight").type_text(text);
+            harness.get_by_role_and_label(role, name).type_text(text);
         }
         harness.run();
-        harness.key_press(egui::Key::Enter);
+        harness.key_press(Key::Enter);
         harness.run();
     }
 

@@ -10,7 +10,7 @@ use std::time::{Duration, Instant};
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, ThemeChoice, ViewMode};
+use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
 use egui_kittest::{Harness, SnapshotOptions};
 
 /// The adapter that pictures are drawn with; `None`, with a message, if there is none.
@@ -41,7 +41,7 @@ fn tolerance(adapter: &str) -> SnapshotOptions {
     }
 }
 
-fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
+fn compare(name: &str, theme: ThemeChoice, mode: ViewMode, in_front: &[Pane]) {
     let Some(adapter) = adapter() else {
         return;
     };
@@ -57,7 +57,7 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
         .build_eframe(move |cc| App::new(cc, options).unwrap());
     harness.state_mut().push(Command::SetTheme(theme));
     let begin = Instant::now();
-    while harness.state().state().map().is_none()
+    while harness.state().state().classes().is_none()
         || harness.state().hearts_on_screen().is_empty()
         || harness.state().busy()
     {
@@ -71,6 +71,9 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
         play: false,
     });
     harness.state_mut().push(Command::SetViewMode(mode));
+    for pane in in_front {
+        harness.state_mut().push(Command::ShowPane(*pane));
+    }
     harness.remove_cursor();
     harness.run();
     while harness.state().busy() || harness.state().hearts_on_screen()[0] != (11, 3.0) {
@@ -84,10 +87,24 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
 
 #[test]
 fn the_dark_window_looks_as_it_did() {
-    compare("window_dark", ThemeChoice::Dark, ViewMode::Single);
+    compare("window_dark", ThemeChoice::Dark, ViewMode::Single, &[]);
 }
 
 #[test]
 fn the_light_window_looks_as_it_did() {
-    compare("window_light", ThemeChoice::Light, ViewMode::SideBySide);
+    compare("window_light", ThemeChoice::Light, ViewMode::SideBySide, &[]);
+}
+
+#[test]
+fn the_map_of_deformations_and_the_settings_look_as_they_did() {
+    let in_front = [Pane::DeformationMap, Pane::Metric];
+    compare("deformations_light", ThemeChoice::Light, ViewMode::SideBySide, &in_front);
+    compare("deformations_dark", ThemeChoice::Dark, ViewMode::Single, &in_front);
+}
+
+#[test]
+fn poses_through_time_look_as_they_did() {
+    let in_front = [Pane::SpaceTime];
+    compare("space_time_dark", ThemeChoice::Dark, ViewMode::SideBySide, &in_front);
+    compare("space_time_light", ThemeChoice::Light, ViewMode::Single, &in_front);
 }

@@ -2,6 +2,9 @@
 
 #[cfg(test)]
 mod around;
+#[cfg(test)]
+mod beats;
+mod maps;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -36,6 +36,7 @@ fn harness(state: MapState) -> Harness<'static, Vec<Command>> {
         .collect();
     Harness::builder()
         .with_size([420.0, 360.0])
+        .with_step_dt(1.0 / 30.0)
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
         .build_ui_state(
             move |ui, commands: &mut Vec<Command>| {
