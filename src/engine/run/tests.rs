@@ -307,6 +307,33 @@ fn a_transferred_beat_begins_as_the_heart_that_it_moves() {
 }
 
 #[test]
+fn shares_of_faces_sum_to_the_squared_distance_of_the_matrix() {
+    let (study, cache, progress) = (study(), Cache::default(), Progress::default());
+    let params = PoseDistanceParams {
+        smoothing: 0.0,
+        ..PoseDistanceParams::default()
+    };
+    let distances = AnalysisRequest::PoseDistances(params);
+    let distances = run(&study, &distances, &cache, &progress).unwrap();
+    let distances = distances.pose_distances().unwrap();
+    let [a, b] = [3, 21].map(|row| distances.poses[row]);
+    let request = AnalysisRequest::Contribution {
+        a,
+        b,
+        metric: params.metric,
+    };
+    let outcome = run(&study, &request, &cache, &progress).unwrap();
+    let shares = outcome.contribution().unwrap();
+    assert_eq!(shares.len(), study.subjects[0].sequence.face_count());
+    let whole: f64 = shares.iter().sum();
+    let squared = distances.distances.get(3, 21).powi(2);
+    assert!(
+        (whole - squared).abs() < 1e-9 * squared,
+        "{whole} {squared}"
+    );
+}
+
+#[test]
 fn distances_after_a_transfer_are_another_answer() {
     let (study, cache, progress) = (study(), Cache::default(), Progress::default());
     let ask = |transfer: Option<CohortTransferParams>| {
