@@ -62,8 +62,22 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("transport", &["alignment", "metrics", "geodesics"]),
     ("pose_distances", &["alignment", "metrics", "transport"]),
     ("embedding", &["pose_distances", "alignment"]),
-    ("classification", &["embedding", "pose_distances"]),
-    ("deformations", &["embedding", "pose_distances"]),
+    ("classification", &["pose_distances", "embedding"]),
+    ("deformations", &["pose_distances", "embedding"]),
+    (
+        "experiments",
+        &[
+            "alignment",
+            "measures",
+            "metrics",
+            "geodesics",
+            "transport",
+            "pose_distances",
+            "embedding",
+            "classification",
+            "deformations",
+        ],
+    ),
 ];
 
 /// Words from outside with the only rooms that may say them.

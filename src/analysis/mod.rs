@@ -4,6 +4,7 @@ pub mod alignment;
 pub mod classification;
 pub mod deformations;
 pub mod embedding;
+pub mod experiments;
 pub mod geodesics;
 pub mod measures;
 pub mod metrics;

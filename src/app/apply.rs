@@ -10,7 +10,7 @@ use crate::ui::{Command, Pane, ThemeChoice};
 use super::document::Document;
 use super::state::State;
 use super::undo::Gesture;
-use super::{apply_beat, apply_view, apply_window};
+use super::{apply_beat, apply_carry, apply_view, apply_window};
 
 /// What surrounds a command.
 #[derive(Clone, Copy, Debug)]
@@ -105,6 +105,12 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::SetSearch(_)
         | C::SortCohort(_) => apply_view::apply(state, command, moment),
 
+        C::CarryBeat { .. }
+        | C::CarryBeatBeside
+        | C::StopCarrying
+        | C::SetInBetweens(_)
+        | C::StepPose(_) => return apply_carry::apply(state, &command, moment),
+
         C::ChooseFiles
         | C::ChooseFolder
         | C::Open(_)
@@ -137,6 +143,7 @@ pub(super) fn change(
 ) {
     let before = state.document.clone();
     edit(&mut state.document);
+    state.document.end_carrying_out_of_sight();
     if state.document != before {
         state
             .history

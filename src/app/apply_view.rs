@@ -2,7 +2,6 @@
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::PoseMapParams;
-use crate::picture::Quantity;
 use crate::ui::Command;
 
 use super::apply::{Moment, change};
@@ -51,7 +50,7 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) {
             Command::ToggleVertices => visible.vertices = !visible.vertices,
             Command::SetShading(shading) => visible.shading = shading,
             Command::SetQuantity(quantity) => d.quantity = quantity,
-            Command::NextQuantity => d.quantity = next_quantity(d.quantity),
+            Command::NextQuantity => d.quantity = d.quantity.next(),
             Command::SetColourLimits(limits) => d.set_limits(limits.filter(is_range)),
             Command::SetPoseMap(params) => d.map = params,
             Command::SetDeformationMap(params) => d.deformation_map = params,
@@ -69,14 +68,6 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) {
             _ => {}
         }
     });
-}
-
-fn next_quantity(quantity: Quantity) -> Quantity {
-    match quantity {
-        Quantity::Tissue => Quantity::Displacement,
-        Quantity::Displacement => Quantity::AreaRatio,
-        Quantity::AreaRatio => Quantity::Tissue,
-    }
 }
 
 fn is_range(limits: &[f64; 2]) -> bool {

@@ -11,6 +11,7 @@ use crate::io::Opened;
 use crate::picture::reference_frame;
 use crate::study::Study;
 
+use super::background_beats::AskedBeats;
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
@@ -46,6 +47,8 @@ pub struct Background {
     pub pictures: Pictures,
     /// Asks for files.
     pub dialogs: Dialogs,
+    /// What the answers about beats belong to.
+    beats: AskedBeats,
     /// The failures that have a card already, so that each is told once.
     told: [Option<String>; FAILURES.len()],
 }
@@ -60,6 +63,7 @@ impl Background {
             engine: Engine::start(Arc::clone(wake))?,
             pictures: Pictures::start(Arc::clone(wake))?,
             dialogs: Dialogs::start(Arc::clone(wake))?,
+            beats: AskedBeats::default(),
             told: [const { None }; FAILURES.len()],
         })
     }
@@ -73,6 +77,7 @@ impl Background {
         // Results first: they belong to the study that is on screen until now.
         self.take_results(state);
         self.take_deformations(state);
+        self.beats.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
         }
@@ -100,6 +105,7 @@ impl Background {
                 self.engine.request(study, request);
             }
         }
+        self.beats.request(state, &mut self.engine);
         self.request_deformations(state);
     }
 
@@ -125,7 +131,8 @@ impl Background {
     pub fn retry(&mut self, state: &State, kind: WorkKind) {
         if kind == WorkKind::Open {
             self.engine.retry_open();
-        } else if let Some(request) = wanted(state, kind) {
+        } else if let Some(request) = wanted(state, kind).or_else(|| self.beats.retry(state, kind))
+        {
             self.engine.retry(state.document.study(), request);
         }
     }

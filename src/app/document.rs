@@ -12,6 +12,9 @@ use crate::ui::ViewMode;
 
 use super::look::Look;
 
+/// Poses between two frames until the user says otherwise.
+const IN_BETWEENS: u16 = 3;
+
 /// Which parts of a heart are drawn, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Visibility {
@@ -39,6 +42,15 @@ impl Default for Visibility {
     }
 }
 
+/// One heart's beat, played on another heart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CarriedBeat {
+    /// Whose motion: index into the study's subjects.
+    pub from: usize,
+    /// On whose heart.
+    pub onto: usize,
+}
+
 /// Order of the cohort table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sorting {
@@ -61,6 +73,10 @@ pub struct Document {
     pub view_mode: ViewMode,
     /// The second heart of the side-by-side view; `None` lets the program choose.
     pub compare_with: Option<usize>,
+    /// The beat that the second heart plays in place of its own.
+    pub carried: Option<CarriedBeat>,
+    /// Poses computed between two frames; 0 blends frames straight.
+    pub in_betweens: u16,
     /// From where hearts are looked at.
     pub look: Look,
     /// Whether dragging turns about the screen's axes instead of keeping the heart upright.
@@ -118,6 +134,8 @@ impl Document {
             position: 0.0,
             view_mode: ViewMode::default(),
             compare_with: None,
+            carried: None,
+            in_betweens: IN_BETWEENS,
             look: Look::default(),
             free_camera: false,
             visibility: Visibility::default(),
@@ -178,6 +196,23 @@ impl Document {
         self.compare_with
             .filter(|index| *index < count && *index != self.subject)
             .or_else(|| (count > 1).then(|| (self.subject + 1) % count))
+    }
+
+    /// The carried beat that is on screen: it plays beside the heart that it came from.
+    pub fn carrying(&self) -> Option<CarriedBeat> {
+        self.carried.filter(|beat| {
+            self.view_mode == ViewMode::SideBySide
+                && self.subject == beat.from
+                && self.compared() == Some(beat.onto)
+        })
+    }
+
+    /// Ends a carried beat whose hearts are no longer on screen, and its colours with it.
+    pub fn end_carrying_out_of_sight(&mut self) {
+        self.carried = self.carrying();
+        if self.carried.is_none() && self.quantity == Quantity::CarriedDistance {
+            self.quantity = Quantity::Tissue;
+        }
     }
 
     /// Selects a subject at the same share of the beat, so that hearts with other frame counts

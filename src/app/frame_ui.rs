@@ -156,10 +156,12 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &ui::ActionState) {
         let view = CommandPaletteView {
             actions,
             subjects: drawing.cohort.rows(),
+            selected: state.document.selected().map(|_| state.document.subject),
         };
         ui::command_palette_ui(ui, &view, commands);
     }
     files_hover_ui(ui, state);
+    ui::dragged_subject_ui(ui);
 }
 
 /// While files are held over an open study, a frame says that they can be let go.

@@ -3,18 +3,22 @@
 mod capping;
 mod components;
 mod curvature;
+mod decimation;
 mod faces;
 mod measure;
 mod normals;
 pub mod phantom;
+mod self_intersections;
 mod tri_mesh;
 
 pub use capping::CappedSheet;
 pub use components::{Sheet, SheetError, sheets};
 pub use curvature::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
+pub use decimation::Decimation;
 pub use faces::{Edge, Faces, MeshError};
 pub use measure::{area, bounding_box, signed_volume, winding_number};
 pub use normals::{face_normals, vertex_normals};
+pub use self_intersections::crossing_faces;
 pub use tri_mesh::TriMesh;
 
 /// A point in the coordinates of the files, in their length unit.

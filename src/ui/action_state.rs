@@ -35,6 +35,12 @@ pub struct ActionState {
     pub view_mode: ViewMode,
     /// What colours stand for.
     pub quantity: Quantity,
+    /// Poses computed between two frames.
+    pub in_betweens: u16,
+    /// Whether there is another heart to show beside the selected one.
+    pub has_other: bool,
+    /// Whether a beat plays on another heart.
+    pub carrying: bool,
     /// Light or dark.
     pub theme: ThemeChoice,
     /// Whether clusters of deformations are shown.
@@ -49,6 +55,12 @@ impl ActionState {
         match command {
             Command::Undo => self.can_undo,
             Command::Redo => self.can_redo,
+            Command::CarryBeatBeside => self.has_other,
+            Command::StopCarrying => self.carrying,
+            Command::SetQuantity(Quantity::Contribution) => {
+                self.has_other && self.view_mode == ViewMode::SideBySide
+            }
+            Command::SetQuantity(Quantity::CarriedDistance) => self.carrying,
             Command::ChooseFiles
             | Command::ChooseFolder
             | Command::Open(_)
@@ -72,6 +84,7 @@ impl ActionState {
         match command {
             Command::SetViewMode(mode) => Some(self.view_mode == *mode),
             Command::SetQuantity(quantity) => Some(self.quantity == *quantity),
+            Command::SetInBetweens(count) => Some(self.in_betweens == *count),
             Command::SetTheme(theme) => Some(self.theme == *theme),
             Command::SetShading(shading) => Some(self.shading == *shading),
             Command::TogglePane(pane) => Some(!self.hidden_panes.contains(pane)),

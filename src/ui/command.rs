@@ -84,6 +84,21 @@ pub enum Command {
     SetPosition(f64),
     /// Whole frames forward or back.
     StepFrame(i32),
+    /// Poses forward or back, those between frames included.
+    StepPose(i32),
+    /// How many poses are computed between two frames; 0 blends frames straight.
+    SetInBetweens(u16),
+    /// Play one subject's beat on another one's heart, beside the original.
+    CarryBeat {
+        /// Whose motion.
+        from: usize,
+        /// On whose heart.
+        onto: usize,
+    },
+    /// Play the selected subject's beat on the heart beside it.
+    CarryBeatBeside,
+    /// Show the heart beside with its own beat again.
+    StopCarrying,
     /// Jump to end-diastole.
     GoToEndDiastole,
     /// Jump to end-systole.

@@ -30,6 +30,7 @@ mod shortcuts;
 mod space_time;
 mod status_bar;
 mod style;
+mod subject_drag;
 pub mod theme;
 mod time_bar;
 mod viewport_header;
@@ -66,6 +67,9 @@ pub use shortcuts::{claim_tab, pressed_commands, shortcut_text};
 pub use space_time::{SpaceTimeCurve, SpaceTimePoint, SpaceTimeView, space_time_ui};
 pub use status_bar::{StatusBarView, StatusJob, status_bar_ui};
 pub use style::{apply, choose, install, medium_font};
+pub use subject_drag::{
+    DraggedSubject, SubjectTarget, dragged_subject, dragged_subject_ui, subject_target_ui,
+};
 pub use time_bar::{TimeBarView, time_bar_ui};
 pub use viewport_header::{ViewportHeaderView, quantity_name, viewport_header_ui};
 pub use viewport_overlay::{

@@ -238,15 +238,15 @@ mod tests {
         let (role, name) = (egui::accesskit::Role::TextInput, "Weight");
         harness.get_by_role_and_label(role, name).focus();
         harness.run();
-        harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+        harness.key_press_modifiers(egui::Modifiers::COMMAND, Key::A);
         harness.run();
         if text.is_empty() {
-            harness.key_press(egui::Key::Delete);
+            harness.key_press(Key::Delete);
         } else {
             harness.get_by_role_and_label(role, name).type_text(text);
         }
         harness.run();
-        harness.key_press(egui::Key::Enter);
+        harness.key_press(Key::Enter);
         harness.run();
     }
 

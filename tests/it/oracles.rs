@@ -1,7 +1,11 @@
 //! Metrics and maps against numbers from independent programs, see the folders of `tests/oracles`.
 
 #[cfg(test)]
+mod classes;
+#[cfg(test)]
 mod maps;
+#[cfg(test)]
+mod paths;
 #[cfg(test)]
 mod transport;
 
@@ -71,26 +75,30 @@ impl Case {
 
     fn input_mesh(&self, key: &str) -> (Vec<Point3>, Faces) {
         let file = self.value["inputs"][key]["obj"].as_str().unwrap();
-        let text = std::fs::read_to_string(self.folder.join(file)).unwrap();
-        let (mut points, mut triangles) = (Vec::new(), Vec::new());
-        for line in text.lines() {
-            let fields: Vec<&str> = line.split_whitespace().collect();
-            match fields.first() {
-                Some(&"v") => {
-                    let x: Vec<f64> = fields[1..].iter().map(|f| f.parse().unwrap()).collect();
-                    points.push(Point3::new(x[0], x[1], x[2]));
-                }
-                Some(&"f") => {
-                    let corners: Vec<u32> =
-                        fields[1..].iter().map(|f| f.parse().unwrap()).collect();
-                    triangles.push([corners[0] - 1, corners[1] - 1, corners[2] - 1]);
-                }
-                _ => {}
-            }
-        }
-        let faces = Faces::new(points.len(), triangles).unwrap();
-        (points, faces)
+        mesh_of(&self.folder.join(file))
     }
+}
+
+/// Reads the OBJ files of the oracles: triangles only.
+fn mesh_of(file: &Path) -> (Vec<Point3>, Faces) {
+    let text = std::fs::read_to_string(file).unwrap();
+    let (mut points, mut triangles) = (Vec::new(), Vec::new());
+    for line in text.lines() {
+        let fields: Vec<&str> = line.split_whitespace().collect();
+        match fields.first() {
+            Some(&"v") => {
+                let x: Vec<f64> = fields[1..].iter().map(|f| f.parse().unwrap()).collect();
+                points.push(Point3::new(x[0], x[1], x[2]));
+            }
+            Some(&"f") => {
+                let corners: Vec<u32> = fields[1..].iter().map(|f| f.parse().unwrap()).collect();
+                triangles.push([corners[0] - 1, corners[1] - 1, corners[2] - 1]);
+            }
+            _ => {}
+        }
+    }
+    let faces = Faces::new(points.len(), triangles).unwrap();
+    (points, faces)
 }
 
 fn flatten(value: &Value, found: &mut Vec<f64>) {

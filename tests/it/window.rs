@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod around;
 #[cfg(test)]
+mod beats;
+#[cfg(test)]
 mod maps;
 
 use std::path::{Path, PathBuf};

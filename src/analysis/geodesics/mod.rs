@@ -5,10 +5,19 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 3.2.3 and 3.3.1.
 
+mod coarse;
+mod ends;
 mod interpolate;
+mod minimise;
 mod params;
 mod result;
+mod solver;
+mod stiffness;
 
-pub use interpolate::{GeodesicSolver, geodesic, interpolated_sequence};
+pub use interpolate::{geodesic, interpolated_sequence};
 pub use params::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
 pub use result::{GeodesicError, GeodesicPath};
+pub use solver::GeodesicSolver;
+
+#[cfg(test)]
+mod tests;

@@ -53,6 +53,14 @@ impl std::ops::Deref for CheckedGeodesicParams {
     }
 }
 
+impl CheckedGeodesicParams {
+    /// The same on the mesh as it is.
+    pub(super) fn on_all_vertices(mut self) -> Self {
+        self.params.most_vertices = None;
+        self
+    }
+}
+
 impl GeodesicParams {
     /// Makes settings usable.
     ///

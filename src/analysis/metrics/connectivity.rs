@@ -1,6 +1,7 @@
 //! What a metric needs to know of the faces, found once for all poses.
 
 use crate::mesh::{Edge, Faces, flat_angles_rad};
+use crate::numeric::Arithmetic;
 
 /// Edges, the three edges of each face, and the angles that are flat.
 #[derive(Clone, Debug)]
@@ -11,12 +12,17 @@ pub(super) struct Connectivity {
     pub edges: Vec<Edge>,
     /// Edges ab, bc, ca of each face abc.
     pub face_edges: Vec<[u32; 3]>,
+    /// How many faces each edge has.
+    faces_of_edge: Vec<u32>,
     /// Sum of corner angles at which a vertex is flat.
     pub flat_rad: Vec<f64>,
     /// Whether a vertex has a surrounding of its own: a face, and no boundary.
     pub inside: Vec<bool>,
     /// 1 over the most vertices that are one or beside one.
     shrink: f64,
+    /// Where the neighbours of each vertex begin in `neighbours`, and where the last ones end.
+    first_neighbour: Vec<u32>,
+    neighbours: Vec<u32>,
 }
 
 impl Connectivity {
@@ -27,44 +33,102 @@ impl Connectivity {
             // Every side of a face is among the edges, so the search finds it.
             edges.binary_search(&edge).unwrap_or_default() as u32
         };
-        let face_edges = faces
+        let face_edges: Vec<[u32; 3]> = faces
             .triangles()
             .iter()
             .map(|&[a, b, c]| [index_of(a, b), index_of(b, c), index_of(c, a)])
             .collect();
-        let flat_rad = flat_angles_rad(faces);
-        let mut beside = vec![1_u32; faces.vertex_count()];
-        for &end in edges.iter().flatten() {
-            beside[end as usize] += 1;
+        let mut faces_of_edge = vec![0; edges.len()];
+        for &edge in face_edges.iter().flatten() {
+            faces_of_edge[edge as usize] += 1;
         }
+        let flat_rad = flat_angles_rad(faces);
+        let (first_neighbour, neighbours) = neighbours(faces.vertex_count(), &edges);
+        let most = first_neighbour.windows(2).map(|w| w[1] - w[0]).max();
         Self {
             vertex_count: faces.vertex_count(),
             triangles: faces.triangles().to_vec(),
             face_edges,
+            faces_of_edge,
             inside: flat_rad
                 .iter()
                 .map(|&flat| flat > std::f64::consts::PI)
                 .collect(),
             flat_rad,
             edges,
-            shrink: 1.0 / f64::from(beside.into_iter().max().unwrap_or(1)),
+            shrink: 1.0 / f64::from(1 + most.unwrap_or(0)),
+            first_neighbour,
+            neighbours,
         }
     }
 
-    /// Adds to each value those of its neighbours, `rings` times: sums over a neighbourhood that
-    /// weigh nearer vertices more. Linear, and the same for every pose.
-    ///
-    /// Sums shrink by a constant a ring, so that none overflows; only their ratios mean anything.
-    pub fn gathered(&self, values: &[f64], rings: u32) -> Vec<f64> {
-        let mut sums = values.to_vec();
-        for _ in 0..rings {
-            let before: Vec<f64> = sums.iter().map(|sum| sum * self.shrink).collect();
-            sums.copy_from_slice(&before);
-            for &[i, j] in &self.edges {
-                sums[i as usize] += before[j as usize];
-                sums[j as usize] += before[i as usize];
-            }
-        }
-        sums
+    /// What part of each face's weight its sides have: a third where weights are areas, else what makes
+    /// each edge count once.
+    pub fn side_parts(&self, area_weights: bool) -> impl Iterator<Item = [f64; 3]> {
+        self.face_edges.iter().map(move |edges| {
+            edges.map(|edge| {
+                if area_weights {
+                    1.0 / 3.0
+                } else {
+                    1.0 / f64::from(self.faces_of_edge[edge as usize])
+                }
+            })
+        })
     }
+
+    /// Adds to each value those of its neighbours, `rings` times: sums over a neighbourhood that
+    /// weigh nearer vertices more. Linear, symmetric, and the same for every pose.
+    ///
+    /// Each vertex has `width` entries of N values. Sums shrink by a constant a ring, so that none overflows;
+    /// only their ratios mean anything. `spare` is memory of the same length.
+    #[inline(always)]
+    pub fn gather<T: Arithmetic, const N: usize>(
+        &self,
+        values: &mut Vec<[T; N]>,
+        spare: &mut Vec<[T; N]>,
+        width: usize,
+        rings: u32,
+    ) {
+        let shrink = T::splat(self.shrink);
+        for _ in 0..rings {
+            for (v, bounds) in self.first_neighbour.windows(2).enumerate() {
+                let neighbours = &self.neighbours[bounds[0] as usize..bounds[1] as usize];
+                for entry in 0..width {
+                    let mut sum = values[v * width + entry];
+                    for &beside in neighbours {
+                        let other = values[beside as usize * width + entry];
+                        for k in 0..N {
+                            sum[k] += other[k];
+                        }
+                    }
+                    for value in &mut sum {
+                        *value = *value * shrink;
+                    }
+                    spare[v * width + entry] = sum;
+                }
+            }
+            std::mem::swap(values, spare);
+        }
+    }
+}
+
+/// For each vertex where its neighbours begin in the list of all, and that list.
+fn neighbours(vertex_count: usize, edges: &[Edge]) -> (Vec<u32>, Vec<u32>) {
+    let mut first = vec![0_u32; vertex_count + 1];
+    for &end in edges.iter().flatten() {
+        first[end as usize + 1] += 1;
+    }
+    for v in 0..vertex_count {
+        first[v + 1] += first[v];
+    }
+    let mut next = first.clone();
+    let mut list = vec![0; 2 * edges.len()];
+    for &[p, q] in edges {
+        for (from, to) in [(p, q), (q, p)] {
+            let place = &mut next[from as usize];
+            list[*place as usize] = to;
+            *place += 1;
+        }
+    }
+    (first, list)
 }

@@ -3,18 +3,18 @@
 use std::f64::consts::PI;
 
 use crate::mesh::{Point3, Vector3, angle_deficits_rad};
+use crate::numeric::Arithmetic;
 
 use super::connectivity::Connectivity;
+use super::corner::{cotangents, density, face_shape};
 
 /// Surface of a sphere of radius 1, which the density is measured against.
 const UNIT_SPHERE: f64 = 4.0 * PI;
 
 /// Numerator, denominator and value of the averaged density, kept for its rate.
 struct Density {
-    /// Gathered angle deficits.
-    turn: Vec<f64>,
-    /// Gathered areas around the vertices.
-    area: Vec<f64>,
+    /// Gathered angle deficits and areas around the vertices.
+    gathered: Vec<[f64; 2]>,
     total_area: f64,
 }
 
@@ -22,14 +22,14 @@ impl Density {
     fn new(mesh: &Connectivity, points: &[Point3], areas: &Areas, rings: u32) -> Self {
         let deficits = angle_deficits_rad(points, &mesh.triangles, &mesh.flat_rad);
         Self {
-            turn: mesh.gathered(&kept_inside(mesh, &deficits), rings),
-            area: mesh.gathered(&kept_inside(mesh, &areas.of_vertices), rings),
+            gathered: gathered_inside(mesh, &deficits, &areas.of_vertices, rings),
             total_area: areas.total,
         }
     }
 
     fn at(&self, vertex: usize) -> f64 {
-        over(self.turn[vertex], self.area[vertex]) * self.total_area / UNIT_SPHERE
+        let [turn, area] = self.gathered[vertex];
+        density(turn, area, self.total_area)
     }
 }
 
@@ -83,8 +83,11 @@ pub(super) fn curvature_density(
 pub(super) fn deficit_rates(mesh: &Connectivity, points: &[Point3], field: &[Vector3]) -> Vec<f64> {
     let mut rates = vec![0.0; mesh.vertex_count];
     for triangle in &mesh.triangles {
-        let (cotangents, side) = (cotangents(points, triangle), sides(points, field, triangle));
-        let s = side.map(|(rate, length2)| over(rate, length2));
+        let (cotangents, side) = (
+            face_cotangents(points, triangle),
+            sides(points, field, triangle),
+        );
+        let s = side.map(|(rate, length2)| rate.over(length2));
         for corner in 0..3 {
             let [first, across, last] = [corner, corner + 1, corner + 2].map(|e| s[e % 3]);
             let [next, before] = [corner + 1, corner + 2].map(|c| cotangents[c % 3]);
@@ -102,11 +105,14 @@ pub(super) fn density_rates(
     rings: u32,
 ) -> Vec<f64> {
     let density = Density::new(mesh, points, &Areas::new(mesh, points), rings);
-    let turn = kept_inside(mesh, &deficit_rates(mesh, points, field));
+    let turn = deficit_rates(mesh, points, field);
     let mut area = vec![0.0; mesh.vertex_count];
     let mut total = 0.0;
     for triangle in &mesh.triangles {
-        let (cotangents, side) = (cotangents(points, triangle), sides(points, field, triangle));
+        let (cotangents, side) = (
+            face_cotangents(points, triangle),
+            sides(points, field, triangle),
+        );
         // A = ¼ Σ cot · length², and the corner opposite side e is e + 2.
         let rate: f64 = (0..3)
             .map(|e| 0.5 * cotangents[(e + 2) % 3] * side[e].0)
@@ -116,12 +122,11 @@ pub(super) fn density_rates(
             area[corner as usize] += rate / 3.0;
         }
     }
-    let turn = mesh.gathered(&turn, rings);
-    let area = mesh.gathered(&kept_inside(mesh, &area), rings);
-    (0..mesh.vertex_count)
-        .map(|v| {
-            let mean = over(density.turn[v], density.area[v]);
-            let local = over(turn[v] - mean * area[v], density.area[v]);
+    let rates = gathered_inside(mesh, &turn, &area, rings);
+    (density.gathered.iter().zip(rates))
+        .map(|(&[turn, area], [turn_rate, area_rate])| {
+            let mean = turn.over(area);
+            let local = (turn_rate - mean * area_rate).over(area);
             (local * density.total_area + mean * total) / UNIT_SPHERE
         })
         .collect()
@@ -137,30 +142,22 @@ fn sides(points: &[Point3], field: &[Vector3], triangle: &[u32; 3]) -> [(f64, f6
 }
 
 /// Cotangents of the angles at a, b, c; zero in a face without area.
-fn cotangents(points: &[Point3], triangle: &[u32; 3]) -> [f64; 3] {
-    let corner = triangle.map(|index| points[index as usize]);
-    let doubled_area = (corner[1] - corner[0])
-        .cross(&(corner[2] - corner[0]))
-        .norm();
-    [0, 1, 2].map(|c| {
-        let (u, v) = (
-            corner[(c + 1) % 3] - corner[c],
-            corner[(c + 2) % 3] - corner[c],
-        );
-        over(u.dot(&v), doubled_area)
-    })
+fn face_cotangents(points: &[Point3], triangle: &[u32; 3]) -> [f64; 3] {
+    let [a, b, c] = triangle.map(|index| points[index as usize].coords.into());
+    cotangents(face_shape(a, b, c))
 }
 
-fn kept_inside(mesh: &Connectivity, values: &[f64]) -> Vec<f64> {
-    (values.iter().zip(&mesh.inside))
-        .map(|(&value, &inside)| if inside { value } else { 0.0 })
-        .collect()
-}
-
-fn over(numerator: f64, denominator: f64) -> f64 {
-    if denominator > 0.0 {
-        numerator / denominator
-    } else {
-        0.0
-    }
+/// Deficits and areas of the vertices inside, gathered.
+fn gathered_inside(
+    mesh: &Connectivity,
+    deficits: &[f64],
+    areas: &[f64],
+    rings: u32,
+) -> Vec<[f64; 2]> {
+    let mut values: Vec<[f64; 2]> = (deficits.iter().zip(areas).zip(&mesh.inside))
+        .map(|((&turn, &area), &inside)| if inside { [turn, area] } else { [0.0; 2] })
+        .collect();
+    let mut spare = values.clone();
+    mesh.gather(&mut values, &mut spare, 1, rings);
+    values
 }

@@ -2,6 +2,7 @@
 
 use crate::mesh::{Vector3, angle_deficits_rad};
 
+use super::corner::{corner_terms, raw_units, times};
 use super::curvature::{Areas, curvature_density, deficit_rates, density_rates};
 use super::metric::Metric;
 use super::params::{Corners, Form, MetricKind, Regulariser};
@@ -93,10 +94,9 @@ impl Metric {
             .iter()
             .map(|edges| {
                 let s = edges.map(|e| stretch[e as usize]);
-                let t = [s[0] - s[2], s[1] - s[0], s[2] - s[1]];
+                let t = corner_terms(s);
                 if raw {
-                    let l = edges.map(|e| at.length2[e as usize]);
-                    [t[0] * l[0] * l[2], t[1] * l[1] * l[0], t[2] * l[2] * l[1]]
+                    times(t, raw_units(edges.map(|e| at.length2[e as usize])))
                 } else {
                     t
                 }
@@ -224,13 +224,12 @@ impl Metric {
 
     /// Weight of each edge: a third of the weights of its faces, or 1.
     pub(super) fn edge_weights(&self, at: &PreparedPose) -> Vec<f64> {
-        if !self.params.area_weights {
-            return vec![1.0; self.mesh.edges.len()];
-        }
         let mut weights = vec![0.0; self.mesh.edges.len()];
-        for (edges, weight) in self.mesh.face_edges.iter().zip(&at.face_weight) {
-            for &edge in edges {
-                weights[edge as usize] += weight / 3.0;
+        let parts = self.mesh.side_parts(self.params.area_weights);
+        let faces = self.mesh.face_edges.iter().zip(&at.face_weight);
+        for ((edges, weight), parts) in faces.zip(parts) {
+            for (&edge, part) in edges.iter().zip(parts) {
+                weights[edge as usize] += weight * part;
             }
         }
         weights

@@ -17,21 +17,27 @@
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 2.3.6–2.3.7 and 3.2.
 
 mod connectivity;
+mod corner;
 mod curvature;
+mod face_charge;
 mod fields;
 mod metric;
 mod pair;
 mod params;
+mod path_energy;
 mod pose;
 mod products;
 mod rigid;
+mod smoothing;
 
 pub use metric::{Metric, MetricError, PairNorms, PairScratch};
 pub use params::{
     CheckedMetricParams, Corners, Form, MetricKind, MetricParams, ParamError, Regulariser,
 };
+pub use path_energy::PathEnergy;
 pub use pose::PreparedPose;
 pub use rigid::{RigidField, rigid_part};
+pub use smoothing::Smoother;
 
 #[cfg(test)]
 mod tests;

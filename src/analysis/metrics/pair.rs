@@ -5,6 +5,8 @@ use nalgebra::Matrix3;
 use crate::mesh::Vector3;
 
 use super::connectivity::Connectivity;
+use super::corner::{charge, corner_terms, stretch};
+use super::face_charge::of_corners;
 use super::metric::{Metric, PairNorms, PairScratch};
 use super::params::{Corners, Form, MetricKind, Regulariser};
 use super::pose::PreparedPose;
@@ -71,11 +73,8 @@ fn stretches(a: &PreparedPose, b: &PreparedPose, rotation: &Matrix3<f64>, out: &
         let x = r[0][0] * bx[e] + r[0][1] * by[e] + r[0][2] * bz[e];
         let y = r[1][0] * bx[e] + r[1][1] * by[e] + r[1][2] * bz[e];
         let z = r[2][0] * bx[e] + r[2][1] * by[e] + r[2][2] * bz[e];
-        let (wx, wy, wz) = (x - ax[e], y - ay[e], z - az[e]);
-        *both = [
-            (wx * ax[e] + wy * ay[e] + wz * az[e]) * over_a[e],
-            (wx * x + wy * y + wz * z) * over_b[e],
-        ];
+        let before = [ax[e], ay[e], az[e]];
+        *both = stretch(before, [x, y, z], [over_a[e], over_b[e]]);
     }
 }
 
@@ -98,12 +97,7 @@ fn angles(
 fn plain_angles(mesh: &Connectivity, a: &PreparedPose, b: &PreparedPose, stretch: &[Both]) -> Both {
     let face = |edges: &[u32; 3], weight: Both| -> Both {
         let s = edges.map(|e| stretch[e as usize]);
-        [0, 1].map(|side| {
-            let t0 = s[0][side] - s[2][side];
-            let t1 = s[1][side] - s[0][side];
-            let t2 = s[2][side] - s[1][side];
-            weight[side] * (t0 * t0 + t1 * t1 + t2 * t2)
-        })
+        [0, 1].map(|side| weight[side] * charge(corner_terms(s.map(|both| both[side])), false))
     };
     let (faces, last_faces) = mesh.face_edges.as_chunks::<LANES>();
     let (of_a, last_of_a) = a.face_weight.as_chunks::<LANES>();
@@ -140,19 +134,9 @@ fn general_angles(
         let s = edges.map(|e| stretch[e as usize]);
         let factor = change.map_or([1.0; 3], |change| triangle.map(|v| change[v as usize]));
         for (side, (pose, weight)) in [(a, wa), (b, wb)].into_iter().enumerate() {
-            let [s0, s1, s2] = s.map(|both| both[side]);
-            let mut t = [s0 - s2, s1 - s0, s2 - s1];
-            if raw {
-                let l = edges.map(|e| pose.length2[e as usize]);
-                t = [t[0] * l[0] * l[2], t[1] * l[1] * l[0], t[2] * l[2] * l[1]];
-            }
-            let t = [t[0] * factor[0], t[1] * factor[1], t[2] * factor[2]];
-            sums[side] += weight
-                * if printed {
-                    (t[0].abs() + t[1].abs() + t[2].abs()).powi(2)
-                } else {
-                    t[0] * t[0] + t[1] * t[1] + t[2] * t[2]
-                };
+            let l = raw.then(|| edges.map(|e| pose.length2[e as usize]));
+            let s = s.map(|both| both[side]);
+            sums[side] += weight * of_corners(s, l, Some(factor), printed).charge;
         }
     }
     sums

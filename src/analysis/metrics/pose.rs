@@ -108,7 +108,7 @@ impl PreparedPose {
 
 /// λ, over the squared radius of the sphere of equal area where sizes must not matter: then the
 /// regulariser charges displacement relative to size, as the corners charge relative change.
-fn regulariser_factor(params: &CheckedMetricParams, total_area: f64) -> f64 {
+pub(super) fn regulariser_factor(params: &CheckedMetricParams, total_area: f64) -> f64 {
     match (params.regulariser, params.corners) {
         (Regulariser::Area, Corners::ScaleFree) if total_area > 0.0 => {
             params.lambda * 4.0 * std::f64::consts::PI / total_area

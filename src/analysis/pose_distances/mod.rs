@@ -5,6 +5,7 @@ mod known;
 mod matrix;
 mod params;
 mod result;
+mod smooth;
 mod source;
 
 pub use crate::analysis::alignment::LeftOut;
@@ -13,3 +14,4 @@ pub use known::KnownDistances;
 pub use matrix::{ComputedDistances, pose_distances, pose_distances_knowing};
 pub use params::{CheckedPoseDistanceParams, PoseDistanceParamError, PoseDistanceParams};
 pub use result::{DistanceMatrix, PoseDistances, PoseId};
+pub use smooth::smoothed_study;

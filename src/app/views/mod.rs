@@ -10,7 +10,7 @@ mod overlay_view;
 mod report_view;
 mod status_view;
 
-pub use beat_view::{BeatData, measures_view};
+pub use beat_view::{BeatData, measures_view, straight_because};
 pub use cohort_view::{CohortData, visible_subjects};
 pub use deformation_view::{DeformationData, enough_subjects, metric_panel_view};
 pub use header_view::viewport_header_view;

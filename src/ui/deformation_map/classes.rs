@@ -146,7 +146,7 @@ impl Columns {
             ui,
             self.name,
             y,
-            "Left out one by one",
+            "Told apart by",
             note_font(),
             muted,
             false,

@@ -63,9 +63,7 @@ pub fn draw_map(ui: &Ui, view: &DeformationMapView, ground: &Ground, pointed: Op
         if let Some(point) = view.points.iter().find(|p| Some(p.subject) == subject)
             && let Some(subject) = view.subjects.get(point.subject)
         {
-            labels.beside(
-                ground.on_screen(point.at),
-                subject.id.clone(),
+            labels.beside(ground.on_screen(point.at), 14.0, subject.id.clone(),
                 colour,
                 &others,
             );

@@ -42,6 +42,7 @@ impl Example {
                     ejection_fraction,
                     frame_count: 8,
                     warning_count: usize::from(subject == 5),
+                    correspondence: 0,
                 });
                 subjects.push(MapSubject {
                     id: rows[subject].id.clone(),

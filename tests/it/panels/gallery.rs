@@ -29,6 +29,7 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
             let view = CommandPaletteView {
                 actions: &example.actions,
                 subjects: &example.rows,
+                selected: Some(9),
             };
             command_palette_ui(ui, &view, commands);
         }

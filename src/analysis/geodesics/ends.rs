@@ -1,0 +1,48 @@
+//! What the ends of a path must be.
+
+use crate::mesh::{Faces, Point3, area};
+
+use super::GeodesicError;
+
+/// x, y, z of every point.
+pub(super) fn flat(points: &[Point3]) -> Vec<f64> {
+    points.iter().flat_map(|p| [p.x, p.y, p.z]).collect()
+}
+
+/// Counts, coordinates that can be squared twice, and some area.
+pub(super) fn check_ends(
+    faces: &Faces,
+    start: &[Point3],
+    end: &[Point3],
+) -> Result<(), GeodesicError> {
+    let expected = faces.vertex_count();
+    if start.len() != expected || end.len() != expected {
+        return Err(GeodesicError::VertexCounts {
+            start: start.len(),
+            end: end.len(),
+            expected,
+        });
+    }
+    for (name, points) in [("start", start), ("end", end)] {
+        let bad = |p: &Point3| !p.coords.norm_squared().powi(2).is_finite();
+        if let Some(vertex) = points.iter().position(bad) {
+            let Point3 { coords } = points[vertex];
+            return Err(GeodesicError::NotFinite {
+                end: name,
+                vertex,
+                x: coords.x,
+                y: coords.y,
+                z: coords.z,
+            });
+        }
+        let total = area(points, faces.triangles());
+        if total.is_nan() || total <= 0.0 {
+            return Err(GeodesicError::Degenerate {
+                end: name,
+                faces: faces.triangles().len(),
+                vertices: expected,
+            });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,147 @@
+//! The search for the cheapest path on one mesh, from few in-betweens to many.
+
+use crate::analysis::metrics::{MetricError, PathEnergy};
+use crate::numeric::{Ending, LbfgsParams, Objective, lbfgs};
+
+use super::stiffness::Stiffness;
+
+/// Steps that the search remembers; more than ten shortened no search that was tried.
+const MEMORY: usize = 10;
+/// What may be remembered at most, in bytes.
+const MOST_BYTES: usize = 96 << 20;
+
+/// Poses between two ends, flat: x, y, z of every vertex, pose after pose.
+#[derive(Clone, Debug)]
+pub(super) struct Inner {
+    pub coordinates: Vec<f64>,
+    pub iterations: usize,
+    pub converged: bool,
+    pub stopped: bool,
+}
+
+/// When to be content.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Content {
+    pub tolerance: f64,
+    pub most_iterations: usize,
+}
+
+struct Path<'a> {
+    energy: &'a mut PathEnergy,
+    stiffness: Option<&'a Stiffness>,
+}
+
+impl Objective for Path<'_> {
+    fn evaluate(&mut self, x: &[f64], gradient: &mut [f64]) -> f64 {
+        self.energy.evaluate(x, gradient)
+    }
+
+    fn precondition(&mut self, gradient: &mut [f64]) {
+        if let Some(stiffness) = self.stiffness {
+            stiffness.solve(gradient);
+        }
+    }
+}
+
+/// Improves a path in place.
+pub(super) fn improve(
+    energy: &mut PathEnergy,
+    stiffness: Option<&Stiffness>,
+    inner: &mut Inner,
+    content: &Content,
+    go_on: impl FnMut() -> bool,
+) {
+    let bytes = 3 * size_of::<f64>() * inner.coordinates.len();
+    let params = LbfgsParams {
+        memory: (MOST_BYTES / bytes.max(1)).clamp(2, MEMORY),
+        tolerance: content.tolerance,
+        most_iterations: content.most_iterations,
+    };
+    let mut path = Path { energy, stiffness };
+    let found = lbfgs(&mut path, &mut inner.coordinates, &params, go_on);
+    inner.iterations += found.iterations;
+    inner.converged = matches!(found.ending, Ending::Converged | Ending::Exhausted);
+    inner.stopped = found.ending == Ending::Stopped;
+}
+
+/// In-betweens of each level: 1, 3, 7, … and last what is asked for.
+pub(super) fn time_levels(in_betweens: usize) -> Vec<usize> {
+    let mut levels = Vec::new();
+    let mut next = 1;
+    while next < in_betweens {
+        levels.push(next);
+        next = 2 * next + 1;
+    }
+    levels.push(in_betweens);
+    levels
+}
+
+/// The same way with another number of in-betweens, evenly spread along its parameter.
+pub(super) fn resampled(start: &[f64], inner: &[f64], end: &[f64], in_betweens: usize) -> Vec<f64> {
+    let size = start.len();
+    let old_steps = inner.len().checked_div(size).unwrap_or_default() + 1;
+    let pose = |k: usize| {
+        if k == 0 {
+            start
+        } else if k >= old_steps {
+            end
+        } else {
+            &inner[(k - 1) * size..k * size]
+        }
+    };
+    let mut out = Vec::with_capacity(size * in_betweens);
+    for k in 1..=in_betweens {
+        let at = k as f64 * old_steps as f64 / (in_betweens + 1) as f64;
+        let from = at.floor();
+        let t = at - from;
+        let (a, b) = (pose(from as usize), pose(from as usize + 1));
+        out.extend(a.iter().zip(b).map(|(a, b)| a + t * (b - a)));
+    }
+    out
+}
+
+/// Finds the cheapest path: starts with few in-betweens, bisects, and improves each time.
+///
+/// `begin` is the path to start with, of as many in-betweens as `levels` ends with; the straight
+/// line if empty.
+pub(super) fn cheapest(
+    energy_of: impl Fn(usize) -> Result<PathEnergy, MetricError>,
+    stiffness: Option<&Stiffness>,
+    ends: [&[f64]; 2],
+    levels: &[usize],
+    content: &Content,
+    mut go_on: impl FnMut() -> bool,
+) -> Result<Inner, MetricError> {
+    let mut inner = Inner {
+        coordinates: Vec::new(),
+        iterations: 0,
+        converged: false,
+        stopped: false,
+    };
+    for (level, &count) in levels.iter().enumerate() {
+        inner.coordinates = resampled(ends[0], &inner.coordinates, ends[1], count);
+        if inner.stopped {
+            continue;
+        }
+        let last = level + 1 == levels.len();
+        let content = Content {
+            tolerance: if last {
+                content.tolerance
+            } else {
+                content.tolerance.max(COARSE_TOLERANCE)
+            },
+            ..*content
+        };
+        improve(
+            &mut energy_of(count)?,
+            stiffness,
+            &mut inner,
+            &content,
+            &mut go_on,
+        );
+    }
+    Ok(inner)
+}
+
+/// A level that only prepares the next need not be better than that.
+const COARSE_TOLERANCE: f64 = 1e-4;

@@ -1,0 +1,294 @@
+//! How stiff each direction of a path is, about: what makes the search short.
+
+use crate::analysis::metrics::{CheckedMetricParams, Corners, MetricKind, Regulariser};
+use crate::mesh::{Faces, Point3, Vector3};
+use crate::numeric::SparseCholesky;
+
+/// Added to the diagonal, as a share of its mean, so that fields which the metric does not charge
+/// do not make the matrix singular; small enough not to be felt by those it charges.
+const SHIFT: f64 = 1e-6;
+
+/// The inverse of T ⊗ 4G, factorised: about the Hessian of the path energy.
+///
+/// With the metric frozen at one pose, ⟨⟨X, Y⟩⟩ = Xᵀ G Y, the energy is Σ 2 XᵢᵀG Xᵢ, a quadratic
+/// form with Hessian 4 T ⊗ G where T = tridiag(−1, 2, −1) couples neighbouring poses. G holds the
+/// corner terms (or edge terms) and the regulariser, and not the curvature term, which
+/// with its averages would fill it; what is left out costs iterations, never accuracy.
+#[derive(Clone, Debug)]
+pub(super) struct Stiffness {
+    factor: SparseCholesky,
+}
+
+impl Stiffness {
+    /// At one pose; `None` if the pose is so degenerate that G is not positive definite.
+    ///
+    /// `corner_weights`, one per vertex, multiply squared corner terms: curvature change squared in
+    /// the forms where it is a factor.
+    pub fn new(
+        faces: &Faces,
+        pose: &[Point3],
+        params: &CheckedMetricParams,
+        corner_weights: Option<&[f64]>,
+    ) -> Option<Self> {
+        let size = 3 * faces.vertex_count();
+        let areas: Vec<f64> = (faces.triangles().iter())
+            .map(|triangle| {
+                let [a, b, c] = triangle.map(|v| pose[v as usize]);
+                0.5 * (b - a).cross(&(c - a)).norm()
+            })
+            .collect();
+        let total: f64 = areas.iter().sum();
+        if !(total > 0.0 && total.is_finite()) {
+            return None;
+        }
+        let mut entries = Vec::with_capacity(45 * areas.len() + size);
+        let mut diagonal = vec![0.0; size];
+        for (triangle, area) in faces.triangles().iter().zip(&areas) {
+            let share = area / total;
+            let weight = if params.area_weights { share } else { 1.0 };
+            if params.kind != MetricKind::Rigid {
+                let corners = corner_weights.map(|w| triangle.map(|v| w[v as usize]));
+                let block = face_block(triangle.map(|v| pose[v as usize]), params, corners);
+                push_block(&mut entries, &mut diagonal, triangle, weight, &block);
+            }
+            let counted = match params.regulariser {
+                Regulariser::Area => share / 3.0,
+                Regulariser::Uniform => 0.0,
+            };
+            let own = match params.kind {
+                MetricKind::Rigid if params.area_weights => share / 3.0,
+                _ => 0.0,
+            };
+            for &v in triangle {
+                for axis in 0..3 {
+                    diagonal[3 * v as usize + axis] += displacement(params, total) * counted + own;
+                }
+            }
+        }
+        let even = match (params.regulariser, params.kind) {
+            (Regulariser::Uniform, MetricKind::Rigid) if !params.area_weights => {
+                params.lambda + 1.0
+            }
+            (Regulariser::Uniform, _) => params.lambda,
+            (_, MetricKind::Rigid) if !params.area_weights => 1.0,
+            _ => 0.0,
+        };
+        let mean = diagonal.iter().sum::<f64>() / size as f64 + even;
+        for (k, value) in diagonal.into_iter().enumerate() {
+            entries.push((k, k, value + even + SHIFT * mean));
+        }
+        let factor = SparseCholesky::new(size, &entries).ok()?;
+        Some(Self { factor })
+    }
+
+    /// Multiplies a gradient over any number of poses by the inverse.
+    pub fn solve(&self, gradient: &mut [f64]) {
+        let size = self.factor.size();
+        if size == 0 {
+            return;
+        }
+        self.factor.solve(gradient);
+        solve_in_time(gradient, size);
+        for value in gradient {
+            *value *= 0.25;
+        }
+    }
+}
+
+/// Replaces each value over poses by tridiag(−1, 2, −1)⁻¹ of it, by elimination: the pivots
+/// are (k + 2) / (k + 1).
+fn solve_in_time(values: &mut [f64], size: usize) {
+    let poses = values.len() / size;
+    for k in 1..poses {
+        let factor = k as f64 / (k + 1) as f64;
+        let (before, here) = values[(k - 1) * size..(k + 1) * size].split_at_mut(size);
+        for (here, before) in here.iter_mut().zip(before) {
+            *here += factor * *before;
+        }
+    }
+    for k in (0..poses).rev() {
+        let inverse_pivot = (k + 1) as f64 / (k + 2) as f64;
+        let (here, after) = values[k * size..].split_at_mut(size);
+        if k + 1 < poses {
+            for (here, after) in here.iter_mut().zip(after) {
+                *here = (*here + *after) * inverse_pivot;
+            }
+        } else {
+            for here in here {
+                *here *= inverse_pivot;
+            }
+        }
+    }
+}
+
+/// Factor of the regulariser that counts by area, as the metric has it.
+fn displacement(params: &CheckedMetricParams, total_area: f64) -> f64 {
+    match params.corners {
+        Corners::ScaleFree => params.lambda * 4.0 * std::f64::consts::PI / total_area,
+        Corners::Raw => params.lambda,
+    }
+}
+
+type Block = [[f64; 9]; 9];
+
+/// BᵀCB of a face: B takes displacements of its corners to the stretches s of its sides, C
+/// is the form on stretches.
+fn face_block(
+    corner: [Point3; 3],
+    params: &CheckedMetricParams,
+    corner_weights: Option<[f64; 3]>,
+) -> Block {
+    let sides: [Vector3; 3] = [0, 1, 2].map(|e| corner[e] - corner[(e + 1) % 3]);
+    let length2 = sides.map(|side| side.norm_squared());
+    let mut b = [[0.0; 9]; 3];
+    for e in 0..3 {
+        if length2[e] > 0.0 {
+            for axis in 0..3 {
+                let rate = sides[e][axis] / length2[e];
+                b[e][3 * e + axis] += rate;
+                b[e][3 * ((e + 1) % 3) + axis] -= rate;
+            }
+        }
+    }
+    let c = side_form(length2, params, corner_weights);
+    let mut block = [[0.0; 9]; 9];
+    for (i, row) in block.iter_mut().enumerate() {
+        for (j, entry) in row.iter_mut().enumerate() {
+            for e in 0..3 {
+                for f in 0..3 {
+                    *entry += b[e][i] * c[e][f] * b[f][j];
+                }
+            }
+        }
+    }
+    block
+}
+
+fn side_form(
+    length2: [f64; 3],
+    params: &CheckedMetricParams,
+    corner_weights: Option<[f64; 3]>,
+) -> [[f64; 3]; 3] {
+    let raw = params.corners == Corners::Raw;
+    let mut form = [[0.0; 3]; 3];
+    for c in 0..3 {
+        if params.kind == MetricKind::Isometric {
+            // An edge belongs to two faces, or counts a third in each of them.
+            let half = if params.area_weights { 1.0 / 3.0 } else { 0.5 };
+            form[c][c] = half * if raw { length2[c] * length2[c] } else { 1.0 };
+            continue;
+        }
+        let last = (c + 2) % 3;
+        let unit = if raw {
+            (length2[c] * length2[last]).powi(2)
+        } else {
+            1.0
+        };
+        let weight = unit * corner_weights.map_or(1.0, |weights| weights[c]);
+        form[c][c] += weight;
+        form[last][last] += weight;
+        form[c][last] -= weight;
+        form[last][c] -= weight;
+    }
+    form
+}
+
+fn push_block(
+    entries: &mut Vec<(usize, usize, f64)>,
+    diagonal: &mut [f64],
+    triangle: &[u32; 3],
+    weight: f64,
+    block: &Block,
+) {
+    let index = |k: usize| 3 * triangle[k / 3] as usize + k % 3;
+    for (i, row) in block.iter().enumerate() {
+        for (j, value) in row.iter().enumerate() {
+            let (row, column) = (index(i), index(j));
+            if row > column {
+                entries.push((row, column, weight * value));
+            } else if row == column {
+                diagonal[row] += weight * value;
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::metrics::{Form, Metric, MetricParams, PathEnergy};
+    use crate::mesh::phantom;
+
+    #[test]
+    fn elimination_over_poses_inverts_the_second_difference() {
+        let right = [3.0, -1.0, 0.5, 2.0, 7.0];
+        let mut x = right;
+        solve_in_time(&mut x, 1);
+        for k in 0..5 {
+            let before = if k > 0 { x[k - 1] } else { 0.0 };
+            let after = if k < 4 { x[k + 1] } else { 0.0 };
+            assert!((2.0 * x[k] - before - after - right[k]).abs() < 1e-12);
+        }
+    }
+
+    /// Near a path that does not move, the energy is the quadratic form: its gradient put through
+    /// the inverse gives the displacement back.
+    #[test]
+    fn of_small_displacements_it_inverts_the_hessian() {
+        let ball = phantom::sphere(1, 2.0);
+        for (kind, corners, area_weights, regulariser) in [
+            (
+                MetricKind::AnglePreserving,
+                Corners::ScaleFree,
+                true,
+                Regulariser::Area,
+            ),
+            (
+                MetricKind::AnglePreserving,
+                Corners::Raw,
+                false,
+                Regulariser::Uniform,
+            ),
+            (
+                MetricKind::Isometric,
+                Corners::ScaleFree,
+                true,
+                Regulariser::Area,
+            ),
+            (
+                MetricKind::Isometric,
+                Corners::Raw,
+                false,
+                Regulariser::Uniform,
+            ),
+        ] {
+            let params = MetricParams {
+                kind,
+                form: Form::Bilinear,
+                corners,
+                area_weights,
+                regulariser,
+                lambda: 3.0,
+                ..MetricParams::default()
+            };
+            let params = params.check().unwrap();
+            let metric = Metric::new(ball.faces(), params);
+            let stiffness = Stiffness::new(ball.faces(), ball.vertices(), &params, None).unwrap();
+            let mut energy = PathEnergy::new(&metric, ball.vertices(), ball.vertices(), 2).unwrap();
+            let still: Vec<f64> = (ball.vertices().iter().chain(ball.vertices()))
+                .flat_map(|p| [p.x, p.y, p.z])
+                .collect();
+            let small: Vec<f64> = (0..still.len())
+                .map(|k| 1e-4 * (1.7 * k as f64).sin())
+                .collect();
+            let moved: Vec<f64> = still.iter().zip(&small).map(|(x, d)| x + d).collect();
+            let mut back = vec![0.0; still.len()];
+            energy.evaluate(&moved, &mut back);
+            stiffness.solve(&mut back);
+            let error = |(a, b): (&f64, &f64)| (a - b).abs();
+            let worst = back.iter().zip(&small).map(error).fold(0.0, f64::max);
+            // Of second order in the displacement, relative to edges of about 1.
+            assert!(worst < 2e-6, "{kind:?} {corners:?}: {worst:e}");
+        }
+    }
+}

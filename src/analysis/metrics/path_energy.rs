@@ -1,0 +1,167 @@
+//! Energy of a path of poses and its exact gradient.
+//!
+//! Steps go side by side in lanes, so that every formula is computed for four of them at once and no
+//! face waits for another. All measures of a pose are lengths, areas and angles of its faces: their slopes
+//! are collected on squared lengths of edges and brought to the vertices in one pass at the end.
+
+mod charge;
+mod measure;
+mod rigid_steps;
+mod rows;
+mod slopes_back;
+mod state;
+
+use crate::mesh::{Point3, Vector3};
+use crate::numeric::LANES;
+
+use super::connectivity::Connectivity;
+use super::metric::{Metric, MetricError, PairNorms};
+use super::params::{CheckedMetricParams, Corners, Form, MetricKind, Regulariser};
+use super::{corner, face_charge, pose, rigid};
+
+use state::{Along, Plan, Slopes};
+
+/// E = Σ_i [⟨⟨X_i, X_i⟩⟩ at M_i + ⟨⟨X_i, X_i⟩⟩ at M_{i+1}], X_i = M_{i+1} − M_i, of a path whose ends
+/// are fixed, in the units of the metric.
+///
+/// The sum of [`PairNorms::energy`] over its steps, poses as they lie; but the weights of the frozen form are
+/// those of the two ends for all steps. Printed and bilinear quasi-conformal forms charge ΔK of
+/// the step at both of its poses. The gradient takes everything along that depends on the poses: areas
+/// and their sum, curvature, the unit of the regulariser. Where the printed form has a kink, at a corner
+/// that does not change, the gradient is the subgradient that leaves this corner out.
+///
+/// Source: V. Taimouri, *Shape Analysis in Shape Space*, section 3.2.3.
+#[derive(Clone, Debug)]
+pub struct PathEnergy {
+    plan: Plan,
+    along: Along,
+    slopes: Slopes,
+    steps: Vec<f64>,
+}
+
+impl PathEnergy {
+    /// For paths from `start` to `end` with so many poses between them.
+    ///
+    /// # Errors
+    /// If a pose has another number of points than the connectivity, or lengths overflow.
+    pub fn new(
+        metric: &Metric,
+        start: &[Point3],
+        end: &[Point3],
+        in_betweens: usize,
+    ) -> Result<Self, MetricError> {
+        let ends = [metric.prepare(start)?, metric.prepare(end)?];
+        let frozen = metric.frozen_weights(&ends[0], &ends[1]);
+        let plan = Plan {
+            in_betweens,
+            blocks: (in_betweens + 1).div_ceil(LANES),
+            frozen: frozen.into_iter().map(f64::sqrt).collect(),
+            side_parts: metric.mesh.side_parts(metric.params.area_weights).collect(),
+            mesh: metric.mesh.clone(),
+            params: metric.params,
+        };
+        let mut path = Self {
+            along: Along::new(&plan),
+            slopes: Slopes::new(&plan),
+            steps: vec![0.0; in_betweens + 1],
+            plan,
+        };
+        path.lay(0, start);
+        measure::measure(&path.plan, &mut path.along, &mut path.slopes);
+        path.along.keep_as_start();
+        path.lay(1, end);
+        Ok(path)
+    }
+
+    /// Energy of the path with these poses between its ends, and its gradient.
+    ///
+    /// `inner` holds x, y, z of every vertex, pose after pose: 3 · vertices · in-betweens numbers, and so
+    /// does `gradient`; missing ones count as where they were before. Allocates nothing.
+    pub fn evaluate(&mut self, inner: &[f64], gradient: &mut [f64]) -> f64 {
+        let energy = self.energy(inner);
+        slopes_back::carry_back(&self.plan, &self.along, &mut self.slopes);
+        let (coordinates, blocks) = (3 * self.plan.mesh.vertex_count, self.plan.blocks);
+        for (k, pose) in gradient.chunks_exact_mut(coordinates.max(1)).enumerate() {
+            let (block, lane) = (k / LANES, k % LANES);
+            for (v, point) in pose.chunks_exact_mut(3).enumerate() {
+                let slope = &self.slopes.points[v * blocks + block];
+                for axis in 0..3 {
+                    point[axis] = slope[axis].0[lane];
+                }
+            }
+        }
+        energy
+    }
+
+    /// Energy alone.
+    pub fn energy(&mut self, inner: &[f64]) -> f64 {
+        let coordinates = 3 * self.plan.mesh.vertex_count;
+        for (k, pose) in inner.chunks_exact(coordinates.max(1)).enumerate() {
+            for (item, &x) in pose.iter().enumerate() {
+                self.along.points.put(item, k + 1, x);
+            }
+        }
+        measure::measure(&self.plan, &mut self.along, &mut self.slopes);
+        charge::charge_steps(&self.plan, &mut self.along, &mut self.slopes);
+        for (step, energy) in self.steps.iter_mut().enumerate() {
+            *energy = self.along.norms(step).iter().sum();
+        }
+        self.steps.iter().sum()
+    }
+
+    /// Energy of each step of the last path asked for, from the first.
+    pub fn step_energies(&self) -> &[f64] {
+        &self.steps
+    }
+
+    /// How many poses lie between the ends.
+    pub fn in_betweens(&self) -> usize {
+        self.plan.in_betweens
+    }
+
+    /// Lets all poses from `first` on be the same.
+    fn lay(&mut self, first: usize, points: &[Point3]) {
+        for (v, point) in points.iter().enumerate() {
+            for axis in 0..3 {
+                for pose in first..=LANES * self.plan.blocks {
+                    self.along.points.put(3 * v + axis, pose, point[axis]);
+                }
+            }
+        }
+    }
+}
+
+impl Metric {
+    /// Squared norms of X = B − A at A and at B, and the gradient of their sum with respect to the vertices
+    /// of A and of B. For many pairs of poses make a [`PathEnergy`].
+    ///
+    /// # Errors
+    /// If a pose has another number of points than the connectivity, or lengths overflow.
+    pub fn pair_gradient(
+        &self,
+        a: &[Point3],
+        b: &[Point3],
+    ) -> Result<(PairNorms, [Vec<Vector3>; 2]), MetricError> {
+        // A path that waits at both ends: waiting costs nothing, and has no slope.
+        let mut path = PathEnergy::new(self, a, b, 2)?;
+        let inner: Vec<f64> = (a.iter().chain(b))
+            .flat_map(|p| p.iter().copied())
+            .collect();
+        let mut gradient = vec![0.0; inner.len()];
+        path.evaluate(&inner, &mut gradient);
+        let [norm2_a, norm2_b] = path.along.norms(1);
+        let (of_a, of_b) = gradient.split_at(gradient.len() / 2);
+        let vectors = |slopes: &[f64]| {
+            (slopes.chunks_exact(3))
+                .map(|x| Vector3::new(x[0], x[1], x[2]))
+                .collect()
+        };
+        Ok((
+            PairNorms { norm2_a, norm2_b },
+            [vectors(of_a), vectors(of_b)],
+        ))
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,98 @@
+//! The rigid metric along a path: what no rigid motion explains of each step, and its slopes.
+
+use crate::mesh::{Point3, Vector3};
+use crate::numeric::LANES;
+
+use super::rigid::rigid_part;
+use super::state::{Along, Plan, Slopes};
+
+/// Memory of one side of a step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct RigidScratch {
+    points: Vec<Point3>,
+    weights: Vec<f64>,
+    field: Vec<Vector3>,
+}
+
+/// Adds energies and slopes along vertices and their areas.
+///
+/// The energy Σ w |X − k₁ − k₂ × p|² is least over k₁ and k₂, so its slopes are those at fixed k: with X' what is
+/// left of X, 2 w X' along X, −2 w X' × k₂ along p and |X'|² along w.
+pub(super) fn charge(plan: &Plan, along: &mut Along, slopes: &mut Slopes) {
+    let mut scratch = std::mem::take(&mut slopes.rigid);
+    for step in 0..plan.step_count() {
+        for side in 0..2 {
+            charge_side(plan, along, slopes, step, side, &mut scratch);
+        }
+    }
+    slopes.rigid = scratch;
+}
+
+fn charge_side(
+    plan: &Plan,
+    along: &mut Along,
+    slopes: &mut Slopes,
+    step: usize,
+    side: usize,
+    scratch: &mut RigidScratch,
+) {
+    let count = plan.mesh.vertex_count;
+    let pose = step + side;
+    let point = |along: &Along, v: usize, pose: usize| {
+        Point3::from([0, 1, 2].map(|axis| along.points.at(3 * v + axis, pose)))
+    };
+    let by_area = plan.params.area_weights;
+    let total = along.total_area.at(0, pose);
+    let scale = if by_area && total > 0.0 {
+        1.0 / total
+    } else {
+        0.0
+    };
+    let RigidScratch {
+        points,
+        weights,
+        field,
+    } = scratch;
+    points.clear();
+    points.extend((0..count).map(|v| point(along, v, pose)));
+    field.clear();
+    field.extend((0..count).map(|v| point(along, v, step + 1) - point(along, v, step)));
+    weights.clear();
+    weights.extend((0..count).map(|v| {
+        if by_area {
+            scale * along.vertex_area.at(v, pose)
+        } else {
+            1.0
+        }
+    }));
+    let rigid = rigid_part(points, weights, field);
+    let mut energy = 0.0;
+    for v in 0..count {
+        let left = field[v] - rigid.at(&points[v]);
+        let length2 = left.norm_squared();
+        energy += weights[v] * length2;
+        let along_field = left * (2.0 * weights[v]);
+        let along_point = -along_field.cross(&rigid.k2);
+        let mut add = |pose: usize, slope: Vector3| {
+            if let Some((block, lane)) = place(pose) {
+                let at = &mut slopes.points[v * plan.blocks + block];
+                for axis in 0..3 {
+                    at[axis].0[lane] += slope[axis];
+                }
+            }
+        };
+        add(step, -along_field);
+        add(step + 1, along_field);
+        add(pose, along_point);
+        if let Some((block, lane)) = place(pose) {
+            slopes.vertex_area[v * plan.blocks + block].0[lane] += scale * length2;
+        }
+    }
+    along.own[step / LANES][side].0[step % LANES] += energy;
+}
+
+/// Block and lane of a pose; pose 0 is in none.
+fn place(pose: usize) -> Option<(usize, usize)> {
+    let inner = pose.checked_sub(1)?;
+    Some((inner / LANES, inner % LANES))
+}

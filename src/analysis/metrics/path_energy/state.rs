@@ -1,0 +1,176 @@
+//! What a path is made of, and the slopes of its energy: all memory that an evaluation uses.
+
+use crate::numeric::{LANES, Lanes};
+
+use super::rigid_steps::RigidScratch;
+use super::rows::Rows;
+use super::{CheckedMetricParams, Connectivity, Corners, Form, MetricKind, Regulariser};
+
+/// What does not change between evaluations.
+#[derive(Clone, Debug)]
+pub(super) struct Plan {
+    pub mesh: Connectivity,
+    pub params: CheckedMetricParams,
+    pub in_betweens: usize,
+    /// Blocks of [`LANES`] steps; those past the end of the path stand still there.
+    pub blocks: usize,
+    /// |ΔK| of the two ends, per vertex; empty unless the form is frozen.
+    pub frozen: Vec<f64>,
+    /// Part of a face's weight that each of its sides has; for the isometric metric.
+    pub side_parts: Vec<[f64; 3]>,
+}
+
+/// Factors of corner terms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Factor {
+    /// None.
+    One,
+    /// Curvature change of the step.
+    Change,
+    /// Curvature change of the ends.
+    Frozen,
+}
+
+impl Plan {
+    pub fn factor(&self) -> Factor {
+        match (self.params.kind, self.params.form) {
+            (MetricKind::QuasiConformal, Form::Printed | Form::Bilinear) => Factor::Change,
+            (MetricKind::QuasiConformal, Form::Frozen) => Factor::Frozen,
+            _ => Factor::One,
+        }
+    }
+
+    /// Weight μ of the curvature change, 0 where it is no term of its own.
+    pub fn mu(&self) -> f64 {
+        match (self.params.kind, self.params.form) {
+            (MetricKind::QuasiConformal, Form::Additive) => self.params.mu,
+            _ => 0.0,
+        }
+    }
+
+    pub fn needs_curvature(&self) -> bool {
+        self.mu() > 0.0 || self.factor() == Factor::Change
+    }
+
+    pub fn raw(&self) -> bool {
+        self.params.corners == Corners::Raw
+    }
+
+    pub fn regulariser_by_area(&self) -> bool {
+        self.params.regulariser == Regulariser::Area
+    }
+
+    pub fn step_count(&self) -> usize {
+        self.in_betweens + 1
+    }
+}
+
+/// Measures of all poses, and of the steps between them.
+#[derive(Clone, Debug)]
+pub(super) struct Along {
+    /// Coordinates x, y, z of each vertex, three rows.
+    pub points: Rows,
+    /// 1 / |p − q|² of each edge, 0 where it has no length.
+    pub inverse_length2: Rows,
+    /// |p − q|² of each edge, kept up only where corners are raw.
+    pub length2: Rows,
+    pub face_area: Rows,
+    pub vertex_area: Rows,
+    pub total_area: Rows,
+    pub curvature: Rows,
+    /// Of the corners of each face.
+    pub cotangents: Vec<[Lanes; 3]>,
+    /// Of each vertex: sum of angles and of areas of its faces, then angle deficit and area gathered.
+    pub around: Vec<[Lanes; 2]>,
+    /// Of each edge and step, where it begins and where it ends.
+    pub stretch: Vec<[Lanes; 2]>,
+    /// K(M_{i+1}) − K(M_i) of each vertex and step.
+    pub curvature_change: Vec<Lanes>,
+    /// Energy of the metric itself, where steps begin and where they end.
+    pub own: Vec<[Lanes; 2]>,
+    /// Energy of the regulariser, likewise.
+    pub rest: Vec<[Lanes; 2]>,
+}
+
+/// Slopes of the energy along those measures.
+#[derive(Clone, Debug)]
+pub(super) struct Slopes {
+    pub points: Vec<[Lanes; 3]>,
+    pub stretch: Vec<[Lanes; 2]>,
+    pub length2: Vec<Lanes>,
+    pub face_area: Vec<Lanes>,
+    pub vertex_area: Vec<Lanes>,
+    pub total_area: Vec<Lanes>,
+    pub curvature_change: Vec<Lanes>,
+    /// Of each vertex: along its curvature's numerator and denominator, then along its angles and area.
+    pub around: Vec<[Lanes; 2]>,
+    /// Other half of gathering.
+    pub spare: Vec<[Lanes; 2]>,
+    pub rigid: RigidScratch,
+}
+
+impl Along {
+    pub fn new(plan: &Plan) -> Self {
+        let blocks = plan.blocks;
+        let (vertices, edges, faces) = sizes(plan);
+        Self {
+            points: Rows::new(3 * vertices, blocks),
+            inverse_length2: Rows::new(edges, blocks),
+            length2: Rows::new(if plan.raw() { edges } else { 0 }, blocks),
+            face_area: Rows::new(faces, blocks),
+            vertex_area: Rows::new(vertices, blocks),
+            total_area: Rows::new(1, blocks),
+            curvature: Rows::new(vertices, blocks),
+            cotangents: vec![[Lanes::default(); 3]; faces * blocks],
+            around: vec![[Lanes::default(); 2]; vertices * blocks],
+            stretch: vec![[Lanes::default(); 2]; edges * blocks],
+            curvature_change: vec![Lanes::default(); vertices * blocks],
+            own: vec![[Lanes::default(); 2]; blocks],
+            rest: vec![[Lanes::default(); 2]; blocks],
+        }
+    }
+
+    /// Squared norms of a step where it begins and where it ends.
+    pub fn norms(&self, step: usize) -> [f64; 2] {
+        let (block, lane) = (step / LANES, step % LANES);
+        [0, 1].map(|side| self.own[block][side].0[lane] + self.rest[block][side].0[lane])
+    }
+
+    /// Keeps what was measured of pose 1 as that of pose 0.
+    pub fn keep_as_start(&mut self) {
+        for rows in [
+            &mut self.inverse_length2,
+            &mut self.length2,
+            &mut self.face_area,
+            &mut self.vertex_area,
+            &mut self.total_area,
+            &mut self.curvature,
+        ] {
+            rows.keep_as_start();
+        }
+    }
+}
+
+impl Slopes {
+    pub fn new(plan: &Plan) -> Self {
+        let blocks = plan.blocks;
+        let (vertices, edges, faces) = sizes(plan);
+        Self {
+            points: vec![[Lanes::default(); 3]; vertices * blocks],
+            stretch: vec![[Lanes::default(); 2]; edges * blocks],
+            length2: vec![Lanes::default(); edges * blocks],
+            face_area: vec![Lanes::default(); faces * blocks],
+            vertex_area: vec![Lanes::default(); vertices * blocks],
+            total_area: vec![Lanes::default(); blocks],
+            curvature_change: vec![Lanes::default(); vertices * blocks],
+            around: vec![[Lanes::default(); 2]; vertices * blocks],
+            spare: vec![[Lanes::default(); 2]; vertices * blocks],
+            rigid: RigidScratch::default(),
+        }
+    }
+}
+
+fn sizes(plan: &Plan) -> (usize, usize, usize) {
+    let mesh = &plan.mesh;
+    (mesh.vertex_count, mesh.edges.len(), mesh.triangles.len())
+}
