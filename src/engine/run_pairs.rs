@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::geodesics::{GeodesicParams, GeodesicPath, geodesic};
 use crate::analysis::metrics::MetricParams;
-use crate::analysis::pose_distances::PoseId;
+use crate::analysis::pose_distances::{PoseId, pair_contributions};
 use crate::analysis::transport::{TransportError, TransportParams, transferred_beat};
 use crate::engine::cache::Cache;
 use crate::engine::outcome::AnalysisOutcome;
@@ -94,14 +94,16 @@ pub(super) fn transfer(
     })
 }
 
+/// Share of each face in the squared distance of two poses.
 pub(super) fn contribution(
-    _study: &Study,
-    _poses: [PoseId; 2],
-    _metric: &MetricParams,
+    study: &Study,
+    [a, b]: [PoseId; 2],
+    metric: &MetricParams,
 ) -> Result<Vec<f64>, AnalysisError> {
-    Err(AnalysisError::Unanswerable(
-        "shares of faces come with the gradients of the metrics".to_owned(),
-    ))
+    let metric = metric.check().map_err(AnalysisError::unanswerable)?;
+    let (first, second) = (subject_of(study, a.subject)?, subject_of(study, b.subject)?);
+    pair_contributions((first, a.frame), (second, b.frame), &metric)
+        .map_err(AnalysisError::unanswerable)
 }
 
 fn subject_of(study: &Study, index: usize) -> Result<&Subject, AnalysisError> {

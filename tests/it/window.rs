@@ -2,6 +2,10 @@
 
 #[cfg(test)]
 mod around;
+#[cfg(test)]
+mod beats;
+#[cfg(test)]
+mod maps;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -8,7 +8,7 @@ pub use colour_bar::ColourBarView;
 pub use cube::CubeView;
 pub use scale_bar::ScaleBarView;
 
-use egui::{Align2, Rect, RichText, Ui, UiBuilder, vec2};
+use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
 
 use crate::study::LabelRole;
 use crate::ui::command::Command;
@@ -25,8 +25,12 @@ pub struct ViewportOverlayView<'a> {
     pub subtitle: &'a str,
     /// Shape beside the title.
     pub role: LabelRole,
-    /// Whether the picture is between two poses, or estimated, and how: `interpolated (linear)`.
+    /// Whether the picture is between two poses, or estimated, and how: `interpolated`.
     pub badge: Option<&'a str>,
+    /// More about the badge, for whoever points at it; may be empty.
+    pub badge_note: &'a str,
+    /// What ends the special state that the title names: words of the button and its command.
+    pub leave: Option<(&'a str, Command)>,
     /// What colours stand for; `None` for plain tissue.
     pub colour_bar: Option<ColourBarView<'a>>,
     /// How long lengths are on screen.
@@ -43,7 +47,7 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     if !inner.is_positive() || inner.width() < 60.0 {
         return;
     }
-    title_ui(ui, inner, view);
+    title_ui(ui, inner, view, commands);
     let tall = inner.height() > 180.0;
     let mut free = inner.x_range();
     if let Some(bar) = &view.colour_bar {
@@ -60,13 +64,13 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     }
 }
 
-fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView) {
+fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView, commands: &mut Vec<Command>) {
     if view.title.is_empty() {
         return;
     }
     let colours = colours(ui);
     let mut corner = ui.new_child(
-        UiBuilder::new().max_rect(Rect::from_min_size(inner.min, vec2(inner.width(), 60.0))),
+        UiBuilder::new().max_rect(Rect::from_min_size(inner.min, vec2(inner.width(), 90.0))),
     );
     corner.spacing_mut().item_spacing = vec2(space::MEDIUM, 0.0);
     corner.horizontal(|ui| {
@@ -85,6 +89,12 @@ fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView) {
         ui.add(egui::Label::new(title).truncate());
     });
     corner.add(egui::Label::new(note(view.subtitle)).truncate());
+    if let Some((words, command)) = &view.leave {
+        corner.add_space(space::SMALL);
+        if corner.button(note(*words)).clicked() {
+            commands.push(command.clone());
+        }
+    }
     if let Some(badge) = view.badge {
         let at = inner.right_top() + vec2(0.0, 6.0);
         let painter = ui.painter();
@@ -93,6 +103,11 @@ fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView) {
         if rect.left() > inner.left() + 120.0 {
             painter.rect_filled(rect, 4.0, colours.control);
             painter.galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
+            let response = ui.interact(rect, ui.scope_id().with("badge"), egui::Sense::hover());
+            response.widget_info(|| WidgetInfo::labeled(Role::Label, true, badge));
+            if !view.badge_note.is_empty() {
+                response.on_hover_text(view.badge_note);
+            }
         }
     }
 }
