@@ -92,19 +92,44 @@ fn the_dark_window_looks_as_it_did() {
 
 #[test]
 fn the_light_window_looks_as_it_did() {
-    compare("window_light", ThemeChoice::Light, ViewMode::SideBySide, &[]);
+    compare(
+        "window_light",
+        ThemeChoice::Light,
+        ViewMode::SideBySide,
+        &[],
+    );
 }
 
 #[test]
 fn the_map_of_deformations_and_the_settings_look_as_they_did() {
     let in_front = [Pane::DeformationMap, Pane::Metric];
-    compare("deformations_light", ThemeChoice::Light, ViewMode::SideBySide, &in_front);
-    compare("deformations_dark", ThemeChoice::Dark, ViewMode::Single, &in_front);
+    compare(
+        "deformations_light",
+        ThemeChoice::Light,
+        ViewMode::SideBySide,
+        &in_front,
+    );
+    compare(
+        "deformations_dark",
+        ThemeChoice::Dark,
+        ViewMode::Single,
+        &in_front,
+    );
 }
 
 #[test]
 fn poses_through_time_look_as_they_did() {
     let in_front = [Pane::SpaceTime];
-    compare("space_time_dark", ThemeChoice::Dark, ViewMode::SideBySide, &in_front);
-    compare("space_time_light", ThemeChoice::Light, ViewMode::Single, &in_front);
+    compare(
+        "space_time_dark",
+        ThemeChoice::Dark,
+        ViewMode::SideBySide,
+        &in_front,
+    );
+    compare(
+        "space_time_light",
+        ThemeChoice::Light,
+        ViewMode::Single,
+        &in_front,
+    );
 }

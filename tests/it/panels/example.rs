@@ -183,9 +183,8 @@ fn deformations(subjects: &[MapSubject]) -> Vec<DeformationPoint> {
             [aside + reach * turn.cos(), 0.8 * reach * turn.sin()]
         })
         .collect();
-    let apart = |a: usize, b: usize| {
-        (places[a][0] - places[b][0]).hypot(places[a][1] - places[b][1])
-    };
+    let apart =
+        |a: usize, b: usize| (places[a][0] - places[b][0]).hypot(places[a][1] - places[b][1]);
     (0..subjects.len())
         .map(|subject| {
             let mut nearest: Vec<usize> = (0..subjects.len()).filter(|o| *o != subject).collect();

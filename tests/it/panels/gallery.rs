@@ -109,9 +109,9 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
         "deformations" | "deformations_computing" | "deformations_few" => {
             let state = match name {
                 "deformations" => MapState::Ready,
-                "deformations_few" => MapState::Unanswerable(
-                    "Fewer than 4 subjects: no deformation map".to_owned(),
-                ),
+                "deformations_few" => {
+                    MapState::Unanswerable("Fewer than 4 subjects: no deformation map".to_owned())
+                }
                 _ => MapState::Computing {
                     fraction: 0.42,
                     seconds_left: Some(12.0),
