@@ -1,13 +1,22 @@
 //! Where do two poses differ?
 
+use std::sync::Arc;
+
 use crate::analysis::alignment::{AlignmentError, SizeScale, rigid_motion};
-use crate::analysis::metrics::{CheckedMetricParams, Metric, MetricError, PairScratch};
+use crate::analysis::metrics::{Metric, MetricError, PairScratch};
 use crate::mesh::Point3;
-use crate::study::Subject;
+use crate::progress::{Progress, Stopped};
+use crate::study::{Study, Subject};
+
+use super::CheckedPoseDistanceParams;
+use super::smooth::smoothed_study;
 
 /// Why two poses cannot be compared face by face.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PairError {
+    /// It was asked to stop.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
     /// Their vertices do not correspond.
     #[error(
         "the meshes of {a} ({a_vertices} vertices) and {b} ({b_vertices} vertices) do not correspond"
@@ -46,16 +55,17 @@ pub enum PairError {
     Metric(#[from] MetricError),
 }
 
-/// Share of each face in the squared distance of two poses, sizes normalised and aligned as in
-/// [`super::pose_distances`]; without unit where the metric is scale-free. Shares sum to the squared
+/// Share of each face in the squared distance of two poses, smoothed, sizes normalised and aligned as in
+/// [`super::pose_distances`] without a transfer; without unit where the metric is scale-free. Shares sum to the squared
 /// distance of that matrix; faces are those of all surfaces, one surface after the other.
 ///
 /// # Errors
-/// If the poses do not correspond, or cannot be computed with.
+/// If stopped, the poses do not correspond, or cannot be computed with.
 pub fn pair_contributions(
     a: (&Subject, usize),
     b: (&Subject, usize),
-    metric: &CheckedMetricParams,
+    params: &CheckedPoseDistanceParams,
+    progress: &Progress,
 ) -> Result<Vec<f64>, PairError> {
     let (first, second) = (&a.0.sequence, &b.0.sequence);
     if first.correspondence() != second.correspondence() {
@@ -66,9 +76,15 @@ pub fn pair_contributions(
             b_vertices: second.vertex_count(),
         });
     }
+    let both = Study {
+        subjects: vec![Arc::new(a.0.clone()), Arc::new(b.0.clone())],
+        ..Study::default()
+    };
+    let smooth = smoothed_study(&both, params.smoothing, progress)?;
+    let [a, b] = [(0, a.1), (1, b.1)].map(|(index, frame)| (&*smooth.subjects[index], frame));
     let (target, source) = (normalised(a)?, normalised(b)?);
     let motion = rigid_motion(&source, &target)?;
-    let metric = Metric::new(&first.joined_faces(), *metric);
+    let metric = Metric::new(&first.joined_faces(), params.metric);
     let (target, source) = (metric.prepare(&target)?, metric.prepare(&source)?);
     let scratch = &mut PairScratch::default();
     let (rotation, translation) = (&motion.rotation, &motion.translation);
@@ -95,9 +111,7 @@ fn normalised((subject, frame): (&Subject, usize)) -> Result<Vec<Point3>, PairEr
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::metrics::MetricParams;
     use crate::analysis::pose_distances::{PoseDistanceParams, pose_distances};
-    use crate::progress::Progress;
     use crate::study::built_in::{BuiltInParams, cohort};
 
     #[test]
@@ -116,10 +130,10 @@ mod tests {
             };
             matrix.poses.iter().position(same).unwrap()
         };
-        let metric = MetricParams::default().check().unwrap();
+        let progress = Progress::default();
         for ((i, frame), (j, other)) in [((0, 0), (11, 0)), ((3, 3), (10, 4)), ((2, 5), (2, 1))] {
             let (a, b) = (&study.subjects[i], &study.subjects[j]);
-            let shares = pair_contributions((a, frame), (b, other), &metric).unwrap();
+            let shares = pair_contributions((a, frame), (b, other), &all, &progress).unwrap();
             assert_eq!(shares.len(), a.sequence.face_count());
             let distance = matrix.distances.get(row(i, frame), row(j, other));
             let sum: f64 = shares.iter().sum();
@@ -128,7 +142,8 @@ mod tests {
                 "{sum} {distance}"
             );
         }
-        let error = pair_contributions((&study.subjects[0], 0), (&study.subjects[1], 99), &metric);
+        let (first, second) = (&study.subjects[0], &study.subjects[1]);
+        let error = pair_contributions((first, 0), (second, 99), &all, &progress);
         assert!(error.unwrap_err().to_string().contains("no frame 99"));
     }
 }

@@ -5,6 +5,7 @@ use crate::analysis::classification::ClassesParams;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::geodesics::GeodesicParams;
+use crate::analysis::pose_distances::PoseId;
 use crate::analysis::transport::{CohortTransferParams, TransportParams};
 use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Revision, Study, Subject};
@@ -137,6 +138,15 @@ fn interval(interval: usize) -> AnalysisRequest {
         subject: 1,
         interval,
         params: few_in_betweens(),
+    }
+}
+
+fn contribution() -> AnalysisRequest {
+    let pose = |subject| PoseId { subject, frame: 3 };
+    AnalysisRequest::Contribution {
+        a: pose(0),
+        b: pose(2),
+        distances: PoseDistanceParams::default(),
     }
 }
 
@@ -309,10 +319,7 @@ fn a_transferred_beat_begins_as_the_heart_that_it_moves() {
 #[test]
 fn shares_of_faces_sum_to_the_squared_distance_of_the_matrix() {
     let (study, cache, progress) = (study(), Cache::default(), Progress::default());
-    let params = PoseDistanceParams {
-        smoothing: 0.0,
-        ..PoseDistanceParams::default()
-    };
+    let params = PoseDistanceParams::default();
     let distances = AnalysisRequest::PoseDistances(params);
     let distances = run(&study, &distances, &cache, &progress).unwrap();
     let distances = distances.pose_distances().unwrap();
@@ -320,7 +327,7 @@ fn shares_of_faces_sum_to_the_squared_distance_of_the_matrix() {
     let request = AnalysisRequest::Contribution {
         a,
         b,
-        metric: params.metric,
+        distances: params,
     };
     let outcome = run(&study, &request, &cache, &progress).unwrap();
     let shares = outcome.contribution().unwrap();
@@ -371,6 +378,7 @@ fn no_request_answers_once_stopped_and_none_is_kept() {
         in_betweens(),
         interval(0),
         transfer(),
+        contribution(),
     ] {
         let error = run(&study, &request, &cache, &progress).unwrap_err();
         assert_eq!(error, AnalysisError::Stopped(Stopped), "{request:?}");
