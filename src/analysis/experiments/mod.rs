@@ -3,7 +3,11 @@
 mod error;
 mod motions;
 mod noise;
+mod noise_result;
+mod noise_study;
+mod noisy;
 mod objects;
+mod pipeline;
 mod synthetic;
 #[cfg(test)]
 mod tests;
@@ -11,7 +15,9 @@ mod tests;
 pub use error::ExperimentError;
 pub use motions::Motion;
 pub use noise::{NoiseFamily, NoiseReference, coordinate_variance, noise_sigma};
+pub use noise_result::{NoiseCell, NoiseDeformationResult, published_tau};
+pub use noise_study::{NoiseDeformationParams, noise_deformation};
+pub use noisy::{Noise, noisy_study};
 pub use objects::{Fineness, ObjectKind, Solid, object};
-pub use synthetic::{
-    Deformation, Noise, SyntheticCohort, SyntheticParams, noisy, synthetic_cohort,
-};
+pub use pipeline::Method;
+pub use synthetic::{Deformation, SyntheticCohort, SyntheticParams, synthetic_cohort};

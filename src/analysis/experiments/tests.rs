@@ -1,6 +1,7 @@
 //! Synthetic studies have the classes, the noise and the variety that they say.
 
 use super::*;
+use crate::progress::Progress;
 
 #[test]
 fn classes_differ_more_than_their_members() {
@@ -12,7 +13,7 @@ fn classes_differ_more_than_their_members() {
         };
         let cohort = synthetic_cohort(&params).unwrap();
         assert_eq!(cohort.labels().len(), 12);
-        let study = cohort.study(None).unwrap();
+        let study = cohort.study().unwrap();
         assert_eq!(study.subjects[4].label.as_deref(), Some("twist"));
         let rigid = crate::analysis::metrics::MetricParams {
             kind: crate::analysis::metrics::MetricKind::Rigid,
@@ -25,7 +26,7 @@ fn classes_differ_more_than_their_members() {
         let found = crate::analysis::pose_distances::pose_distances(
             &study,
             &params.check().unwrap(),
-            &crate::progress::Progress::default(),
+            &Progress::default(),
         )
         .unwrap();
         let last = |subject: usize| 3 * subject + 2;
@@ -44,22 +45,105 @@ fn classes_differ_more_than_their_members() {
     }
 }
 
+fn small() -> NoiseDeformationParams {
+    NoiseDeformationParams {
+        objects: vec![ObjectKind::ALL[1]],
+        cohort: SyntheticParams {
+            per_class: 6,
+            ..SyntheticParams::default()
+        },
+        families: vec![NoiseFamily::Gaussian],
+        percents: vec![1.0, 400.0],
+        references: vec![NoiseReference::Shape],
+        redraws: 2,
+        methods: vec![Method::default_metric(), Method::printed()],
+        restarts: 10,
+        ..NoiseDeformationParams::default()
+    }
+}
+
 #[test]
 fn the_same_seed_gives_the_same_noise_and_another_does_not() {
     let cohort = synthetic_cohort(&SyntheticParams {
         per_class: 1,
         ..SyntheticParams::default()
-    })
-    .unwrap();
+    });
+    let study = cohort.unwrap().study().unwrap();
     let noise = Noise {
         family: NoiseFamily::Poisson,
         percent: 5.0,
         reference: NoiseReference::Shape,
         seed: 4,
     };
-    let poses = &cohort.deformations[2].poses;
-    let first = noisy(poses, &noise, 2);
-    assert_eq!(first, noisy(poses, &noise, 2));
-    assert_ne!(first, noisy(poses, &noise, 3));
-    assert_ne!(first, noisy(poses, &Noise { seed: 5, ..noise }, 2));
+    let poses = |noise: &Noise, subject: usize| {
+        let study = noisy_study(&study, noise).unwrap();
+        study.subjects[subject].sequence.pose(0).unwrap()
+    };
+    assert_eq!(poses(&noise, 2), poses(&noise, 2));
+    assert_ne!(poses(&noise, 2), poses(&Noise { seed: 5, ..noise }, 2));
+    let rest = |subject: usize| study.subjects[subject].sequence.pose(0).unwrap();
+    let added = |subject: usize| poses(&noise, subject)[0] - rest(subject)[0];
+    assert!((added(1) - added(2)).norm() > 1e-3);
+    let wrong = Noise {
+        percent: -1.0,
+        ..noise
+    };
+    let error = noisy_study(&study, &wrong).unwrap_err();
+    assert!(error.to_string().contains("-1 %"), "{error}");
+}
+
+#[test]
+fn more_noise_tells_less_and_past_all_measure_no_more_than_chance() {
+    let params = small();
+    let result = noise_deformation(&params, &Progress::default()).unwrap();
+    assert_eq!(result.cells.len(), 6);
+    let shape = NoiseReference::Shape;
+    let gaussian = Some(NoiseFamily::Gaussian);
+    let tau = |percent| result.cell("default", gaussian, percent, shape).unwrap();
+    let clean = result.cell("default", None, 0.0, shape).unwrap();
+    assert!(clean.tau > 0.95, "{}", clean.tau);
+    assert!(tau(1.0).tau > 0.9);
+    assert!(tau(400.0).tau < 0.75);
+    assert!(tau(400.0).tau - tau(400.0).baseline < 0.3);
+    assert_eq!(tau(1.0).published, Some(0.994));
+    // Chance level for four classes of six, far below one.
+    assert!(
+        clean.baseline > 0.3 && clean.baseline < 0.6,
+        "{}",
+        clean.baseline
+    );
+    assert!(
+        result
+            .protocol()
+            .iter()
+            .any(|line| line.contains("2 redraws"))
+    );
+}
+
+#[test]
+fn any_number_of_threads_gives_the_same_bits() {
+    let params = NoiseDeformationParams {
+        percents: vec![5.0],
+        ..small()
+    };
+    let on = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        let pool = pool.build().unwrap();
+        pool.install(|| noise_deformation(&params, &Progress::default()))
+    };
+    assert_eq!(on(1).unwrap(), on(3).unwrap());
+}
+
+#[test]
+fn a_stopped_study_says_so_and_an_empty_one_is_refused() {
+    let progress = Progress::default();
+    progress.stop();
+    let stopped = noise_deformation(&small(), &progress).unwrap_err();
+    assert_eq!(stopped, ExperimentError::Stopped(crate::progress::Stopped));
+    let none = NoiseDeformationParams {
+        redraws: 0,
+        ..small()
+    };
+    let error = noise_deformation(&none, &Progress::default()).unwrap_err();
+    assert!(error.to_string().contains("redraws"), "{error}");
 }

@@ -113,8 +113,11 @@ impl GeodesicSolver {
             .collect();
         let mut poses = vec![start.to_vec()];
         poses.extend(
-            (inner.coordinates.chunks_exact((3 * start.len()).max(1)))
-                .map(|pose| pose.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect()),
+            (inner.coordinates.chunks_exact((3 * start.len()).max(1))).map(|pose| {
+                pose.chunks_exact(3)
+                    .map(|p| Point3::new(p[0], p[1], p[2]))
+                    .collect()
+            }),
         );
         poses.push(end.to_vec());
         let mut self_intersections = 0;
@@ -179,7 +182,12 @@ impl GeodesicSolver {
         let weights: Vec<f64> = (self.metric.frozen_weights(&a, &b).iter())
             .map(|weight| weight / (steps * steps))
             .collect();
-        Ok(Stiffness::new(&self.faces, start, &self.params.metric, Some(&weights)))
+        Ok(Stiffness::new(
+            &self.faces,
+            start,
+            &self.params.metric,
+            Some(&weights),
+        ))
     }
 }
 
