@@ -1,4 +1,4 @@
-//! Labelled studies of deformed objects, clean and with noise.
+//! Labelled studies of deformed objects.
 
 use std::sync::Arc;
 
@@ -12,7 +12,6 @@ use crate::units::LengthUnit;
 
 use super::ExperimentError;
 use super::motions::Motion;
-use super::noise::{NoiseFamily, NoiseReference, noise_sigma};
 use super::objects::{Fineness, ObjectKind, object};
 
 /// Deformations of one kind of object.
@@ -145,43 +144,26 @@ fn deformed(
         .collect()
 }
 
-/// Noise on every vertex, coordinate and pose.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Noise {
-    /// Its distribution.
-    pub family: NoiseFamily,
-    /// Its variance in percent of `reference`.
-    pub percent: f64,
-    /// What that is a share of.
-    pub reference: NoiseReference,
-    /// Of the draw.
-    pub seed: u64,
-}
-
 impl SyntheticCohort {
     /// The class of each deformation, an index into [`Motion::ALL`].
     pub fn labels(&self) -> Vec<usize> {
         self.deformations.iter().map(|d| d.class).collect()
     }
 
-    /// A study with one subject per deformation, labelled by its class; with noise if asked for.
+    /// A study with one subject per deformation, labelled by its class.
     ///
     /// # Errors
-    /// If noise takes a coordinate out of the range of numbers.
-    pub fn study(&self, noise: Option<&Noise>) -> Result<Study, ExperimentError> {
+    /// If coordinates are not finite.
+    pub fn study(&self) -> Result<Study, ExperimentError> {
         let mut subjects = Vec::with_capacity(self.deformations.len());
         for (index, deformation) in self.deformations.iter().enumerate() {
             let class = Motion::ALL[deformation.class].name();
-            let poses = match noise {
-                Some(noise) => noisy(&deformation.poses, noise, index),
-                None => deformation.poses.clone(),
-            };
-            let frames = (poses.into_iter())
-                .map(|points| TriMesh::new(points, Arc::clone(self.template.faces())))
+            let frames = (deformation.poses.iter())
+                .map(|points| TriMesh::new(points.clone(), Arc::clone(self.template.faces())))
                 .collect::<Result<Vec<_>, _>>()?;
             let surface = SurfaceSequence::new(SurfaceKind::Other, frames)?;
-            let sequence = MeshSequence::new(vec![surface])?;
             let id = format!("{class} {}", index + 1);
+            let sequence = MeshSequence::new(vec![surface])?;
             let mut subject = Subject::new(id, sequence, LengthUnit::FileUnit);
             subject.label = Some(class.to_owned());
             subject.end_diastole = Some(0);
@@ -193,14 +175,4 @@ impl SyntheticCohort {
             ..Study::default()
         })
     }
-}
-
-/// The poses of the deformation with this number, each with noise of its own.
-pub fn noisy(poses: &[Vec<Point3>], noise: &Noise, index: usize) -> Vec<Vec<Point3>> {
-    let sigma = noise_sigma(poses, noise.percent, noise.reference);
-    let mut random = ChaCha8Rng::seed_from_u64(noise.seed);
-    random.set_stream(index as u64);
-    (poses.iter())
-        .map(|pose| noise.family.added(pose, sigma, &mut random))
-        .collect()
 }
