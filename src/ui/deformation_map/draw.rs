@@ -116,7 +116,11 @@ pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
     // First words go where there is no room, then the last part.
     let fitting = std::iter::once(long.clone())
         .filter(|long| !long.is_empty())
-        .chain((1..=parts.len()).rev().map(|count| parts[..count].join(" · ")))
+        .chain(
+            (1..=parts.len())
+                .rev()
+                .map(|count| parts[..count].join(" · ")),
+        )
         .find(|text| width(text) <= room);
     if let Some(text) = fitting {
         ui.label(note(text))
