@@ -48,6 +48,8 @@ pub enum Effect {
     SetTheme(ThemeChoice),
     /// Show or hide a tile.
     TogglePane(Pane),
+    /// Open a tile, or bring it before other tabs.
+    ShowPane(Pane),
     /// Put all tiles back.
     ResetLayout,
     /// Full screen or window.
@@ -97,6 +99,9 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::NextQuantity
         | C::SetColourLimits(_)
         | C::SetPoseMap(_)
+        | C::SetDeformationMap(_)
+        | C::ResetMaps
+        | C::ToggleClusters
         | C::SetSearch(_)
         | C::SortCohort(_) => apply_view::apply(state, command, moment),
 
@@ -117,6 +122,7 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::DismissError(_)
         | C::SetTheme(_)
         | C::TogglePane(_)
+        | C::ShowPane(_)
         | C::ResetLayout
         | C::TogglePalette
         | C::ToggleShortcuts

@@ -1,5 +1,7 @@
 //! Commands that change how the study is looked at: camera, colours, map, table.
 
+use crate::analysis::deformations::DeformationMapParams;
+use crate::engine::PoseMapParams;
 use crate::ui::Command;
 
 use super::apply::{Moment, change};
@@ -51,6 +53,12 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) {
             Command::NextQuantity => d.quantity = d.quantity.next(),
             Command::SetColourLimits(limits) => d.set_limits(limits.filter(is_range)),
             Command::SetPoseMap(params) => d.map = params,
+            Command::SetDeformationMap(params) => d.deformation_map = params,
+            Command::ResetMaps => {
+                d.map = PoseMapParams::default();
+                d.deformation_map = DeformationMapParams::default();
+            }
+            Command::ToggleClusters => d.shows_clusters = !d.shows_clusters,
             Command::SetSearch(text) => d.search = text,
             Command::SortCohort(column) => {
                 let again = d.sorting.column == Some(column);

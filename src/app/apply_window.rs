@@ -42,6 +42,7 @@ pub fn apply(state: &mut State, command: Command) -> Vec<Effect> {
             Effect::SetTheme(theme)
         }
         Command::TogglePane(pane) => Effect::TogglePane(pane),
+        Command::ShowPane(pane) => Effect::ShowPane(pane),
         Command::ResetLayout => Effect::ResetLayout,
         Command::ToggleFullScreen => {
             state.full_screen = !state.full_screen;

@@ -2,7 +2,11 @@
 
 use std::sync::Arc;
 
-use crate::engine::{AnalysisRequest, Engine, JobError, OpenSource, Showing, Wake, WorkKind};
+use crate::analysis::classification::ClassesParams;
+use crate::engine::{
+    AnalysisRequest, ClassesSettings, DeformationMapSettings, Engine, JobError, OpenSource,
+    Showing, Wake, WorkKind,
+};
 use crate::io::Opened;
 use crate::picture::reference_frame;
 use crate::study::Study;
@@ -11,9 +15,10 @@ use super::background_beats::AskedBeats;
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
-use super::map_orientation::oriented_like;
+use super::map_orientation::{deformations_like, oriented_like};
 use super::pictures::Pictures;
 use super::state::{Fresh, State};
+use super::views::enough_subjects;
 
 /// What a card says of work that failed.
 const FAILURES: [(WorkKind, &str); 9] = [
@@ -71,6 +76,7 @@ impl Background {
         self.engine.poll();
         // Results first: they belong to the study that is on screen until now.
         self.take_results(state);
+        self.take_deformations(state);
         self.beats.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
@@ -100,6 +106,25 @@ impl Background {
             }
         }
         self.beats.request(state, &mut self.engine);
+        self.request_deformations(state);
+    }
+
+    /// Maps of deformations are made from the map of poses, and classes are told apart on them: each
+    /// is asked for once the one before is there, so that nothing is computed twice.
+    fn request_deformations(&mut self, state: &State) {
+        let steps = [
+            (WorkKind::PoseMap, WorkKind::DeformationMap),
+            (WorkKind::DeformationMap, WorkKind::Classes),
+        ];
+        for (before, kind) in steps {
+            let there = matches!(self.engine.showing(before), Showing::Ready(_));
+            if !there || !enough_subjects(state) {
+                return;
+            }
+            if let Some(request) = wanted(state, kind) {
+                self.engine.request(state.document.study(), request);
+            }
+        }
     }
 
     /// Begins stopped or failed work again.
@@ -158,6 +183,37 @@ impl Background {
         }
     }
 
+    fn take_deformations(&mut self, state: &mut State) {
+        let revision = state.document.study().revision;
+        let opening = state.document.study.opening;
+        if let Showing::Ready(outcome) = self.engine.showing(WorkKind::DeformationMap)
+            && let Some(value) = outcome.deformation_map()
+            && !is_same(state.results.deformations.as_ref(), value)
+        {
+            let turned = match state.deformations() {
+                Some(shown) => Arc::new(deformations_like((**value).clone(), shown)),
+                None => Arc::clone(value),
+            };
+            state.results.deformations = Some(Fresh {
+                revision,
+                opening,
+                source: Arc::clone(value),
+                value: turned,
+            });
+        }
+        if let Showing::Ready(outcome) = self.engine.showing(WorkKind::Classes)
+            && let Some(value) = outcome.classes()
+            && !is_same(state.results.classes.as_ref(), value)
+        {
+            state.results.classes = Some(Fresh {
+                revision,
+                opening,
+                source: Arc::clone(value),
+                value: Arc::clone(value),
+            });
+        }
+    }
+
     fn tell_failures(&mut self, state: &mut State) {
         for ((kind, title), told) in FAILURES.into_iter().zip(&mut self.told) {
             let failure = match kind {
@@ -181,7 +237,19 @@ fn wanted(state: &State, kind: WorkKind) -> Option<AnalysisRequest> {
     match kind {
         WorkKind::Measures => Some(AnalysisRequest::Measures),
         WorkKind::PoseMap => Some(AnalysisRequest::PoseMap(state.document.map)),
+        WorkKind::DeformationMap => Some(AnalysisRequest::DeformationMap(deformations(state))),
+        WorkKind::Classes => Some(AnalysisRequest::Classes(ClassesSettings {
+            deformations: deformations(state),
+            classes: ClassesParams::default(),
+        })),
         _ => None,
+    }
+}
+
+fn deformations(state: &State) -> DeformationMapSettings {
+    DeformationMapSettings {
+        poses: state.document.map,
+        map: state.document.deformation_map,
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::PoseMapParams;
 use crate::io::OpenError;
 use crate::picture::Quantity;
@@ -88,6 +89,10 @@ pub struct Document {
     pub colour_limits: Vec<(Quantity, [f64; 2])>,
     /// How poses are compared and mapped.
     pub map: PoseMapParams,
+    /// How whole deformations are mapped.
+    pub deformation_map: DeformationMapParams,
+    /// Whether clusters of deformations are drawn.
+    pub shows_clusters: bool,
     /// Filter of the cohort table.
     pub search: String,
     /// Order of the cohort table.
@@ -137,6 +142,8 @@ impl Document {
             quantity: Quantity::default(),
             colour_limits: Vec::new(),
             map: PoseMapParams::default(),
+            deformation_map: DeformationMapParams::default(),
+            shows_clusters: true,
             search: String::new(),
             sorting: Sorting {
                 column: None,

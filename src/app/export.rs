@@ -204,6 +204,7 @@ fn tables(
         &mds.distances,
         &metric_words(&distances.metric),
         &[("mds", &mds.embedding), ("smacof", &smacof.embedding)],
+        None,
     );
     let summary = serde_json::to_string_pretty(&summary).map_err(|error| error.to_string())?;
     let tables = [

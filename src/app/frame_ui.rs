@@ -14,8 +14,8 @@ use super::panes::{Panes, tab_containers};
 use super::state::State;
 use super::viewport::Viewport;
 use super::views::{
-    BeatData, CohortData, MapData, StatusData, action_state, activity_rows, measures_view,
-    menu_bar_view, report_entries,
+    BeatData, CohortData, DeformationData, MapData, StatusData, action_state, activity_rows,
+    measures_view, menu_bar_view, metric_panel_view, report_entries,
 };
 
 /// Height of the bar with the menus.
@@ -39,6 +39,8 @@ pub struct Drawing<'a> {
     pub cohort: &'a CohortData,
     /// Points of the map.
     pub map: &'a MapData,
+    /// Points of the map of deformations.
+    pub deformations: &'a DeformationData,
     /// What the pictures are drawn with.
     pub adapter: &'a str,
     /// Takes the time of the paint callbacks.
@@ -114,6 +116,16 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
         cohort: drawing.cohort,
         beat,
         map: drawing.map.view(state, &showing(WorkKind::PoseMap)),
+        deformations: drawing.deformations.view(
+            state,
+            drawing.engine,
+            drawing.map.subjects(),
+            drawing.map.left_out(),
+        ),
+        space_time: drawing
+            .map
+            .space_time(state, &drawing.engine.showing(WorkKind::PoseMap)),
+        metric: metric_panel_view(state, drawing.map.subjects()),
         measures: measures_view(state, measuring),
         activity: &activity,
         measuring,

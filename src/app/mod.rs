@@ -27,6 +27,7 @@ mod in_betweens;
 mod layout;
 mod look;
 mod map_orientation;
+mod morph;
 mod paint;
 mod panes;
 mod pick_label;

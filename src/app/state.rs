@@ -3,7 +3,10 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::analysis::classification::Classes;
+use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::transport::Reference;
 use crate::engine::PoseMap;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Revision, Study, Subject};
@@ -49,6 +52,10 @@ pub struct Results {
     pub measures: Option<Fresh<Vec<SubjectMeasures>>>,
     /// The map of all poses, turned to agree with the map before it.
     pub map: Option<Fresh<PoseMap>>,
+    /// The map of whole deformations, turned likewise.
+    pub deformations: Option<Fresh<DeformationMap>>,
+    /// How well classes can be told apart.
+    pub classes: Option<Fresh<Classes>>,
     /// Poses between the frames of beats.
     pub in_betweens: InBetweenStore,
     /// The beat that was carried over last.
@@ -127,6 +134,16 @@ impl State {
         self.of_this_study(self.results.map.as_ref())
     }
 
+    /// The map of deformations of the study on screen.
+    pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
+        self.of_this_study(self.results.deformations.as_ref())
+    }
+
+    /// How well the classes of the study on screen can be told apart.
+    pub fn classes(&self) -> Option<&Arc<Classes>> {
+        self.of_this_study(self.results.classes.as_ref())
+    }
+
     /// The poses between a subject's frames, as far as they were computed with today's settings.
     pub fn in_betweens_of(&self, index: usize) -> Option<&Arc<InBetweens>> {
         let params = geodesic_params(&self.document)?;
@@ -173,6 +190,14 @@ impl State {
             report: Arc::new(report),
         });
         document.map = before.map;
+        if let Some(transfer) = document.map.distances.transfer
+            && matches!(transfer.reference, Reference::Subject(_))
+        {
+            // That heart is not of this study.
+            document.map.distances.transfer = None;
+        }
+        document.deformation_map = before.deformation_map;
+        document.shows_clusters = before.shows_clusters;
         document.in_betweens = before.in_betweens;
         document.visibility = before.visibility;
         self.history.forget_studies_before(before.study.opening);

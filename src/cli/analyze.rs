@@ -58,6 +58,7 @@ pub(super) fn analyzed(
         &mds.distances,
         &metric_words(&PoseMapParams::default().distances.metric),
         &[("mds", &mds.embedding), ("smacof", &smacof.embedding)],
+        None,
     );
     if with_figures {
         match figures(&study, &measures, folder) {

@@ -6,7 +6,8 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::words::{
-    AlignWord, DemoFormat, EmbedInput, EmbedMethod, QuantityWord, Switch, ThemeWord, ViewWord,
+    AlignWord, DemoFormat, EmbedInput, EmbedMethod, GeodesicsWord, QuantityWord, Switch, ThemeWord,
+    ViewWord,
 };
 
 /// Reads how a left ventricle moves: beating meshes in 3D, live maps of poses, measures and figures.
@@ -171,6 +172,12 @@ pub struct TransferArgs {
     /// In-between poses of the geodesic from heart to heart [default: the window's]
     #[arg(long, value_name = "K")]
     pub in_betweens: Option<u16>,
+    /// For which displacements of the sequence a geodesic is computed
+    #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
+    pub geodesics: GeodesicsWord,
+    /// Find geodesics on a decimated mesh of about N vertices; 0: on the mesh as it is
+    #[arg(long, value_name = "N")]
+    pub coarse_vertices: Option<u32>,
     /// Whether the norm of what is carried is kept
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub keep_norm: Switch,

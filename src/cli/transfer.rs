@@ -48,6 +48,11 @@ fn checked(args: &TransferArgs) -> Result<CheckedTransportParams, CliError> {
         metric: args.metric.params(),
         in_betweens: args.in_betweens.unwrap_or(default.in_betweens),
         keep_norm: args.keep_norm == Switch::On,
+        geodesics: args.geodesics.into(),
+        most_vertices: match args.coarse_vertices {
+            Some(vertices) => Some(vertices).filter(|&vertices| vertices > 0),
+            None => default.most_vertices,
+        },
         ..default
     };
     let checked = params.check();

@@ -3,6 +3,7 @@
 use clap::ValueEnum;
 
 use crate::analysis::metrics::{Corners, Form, MetricKind, Regulariser};
+use crate::analysis::transport::Geodesics;
 use crate::io::MeshFormat;
 use crate::picture::{AnatomicalView, PictureTheme, Quantity};
 
@@ -79,6 +80,24 @@ pub enum AlignWord {
     Rigid,
     /// Best rigid motion and scale of B onto A
     Similarity,
+}
+
+/// Words of `--geodesics`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum GeodesicsWord {
+    /// Once, between the first poses; later ways bend as much
+    First,
+    /// From every pose to the one carried there, as the text says
+    EveryStep,
+}
+
+impl From<GeodesicsWord> for Geodesics {
+    fn from(word: GeodesicsWord) -> Self {
+        match word {
+            GeodesicsWord::First => Self::First,
+            GeodesicsWord::EveryStep => Self::EveryStep,
+        }
+    }
 }
 
 /// Words of `--input`.

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::*;
 use crate::analysis::embedding::MapMethod;
+use crate::analysis::geodesics::GeodesicParams;
 use crate::study::Study;
 use crate::study::built_in::BuiltInParams;
 
@@ -125,6 +126,56 @@ fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
     engine.retry(&study, request);
     assert!(engine.busy());
     assert!(engine.activities()[0].parameters.contains("classical MDS"));
+}
+
+#[test]
+fn intervals_of_a_beat_are_known_one_by_one_beginning_with_the_one_looked_at() {
+    let mut engine = engine();
+    let study = opened(&mut engine, 200);
+    let params = GeodesicParams {
+        in_betweens: 1,
+        most_iterations: 20,
+        ..GeodesicParams::default()
+    };
+    let interval = |interval| AnalysisRequest::Interval {
+        subject: 2,
+        interval,
+        params,
+    };
+    engine.look_at_interval(6);
+    let whole = AnalysisRequest::InBetweens { subject: 2, params };
+    engine.request(&study, whole);
+    until(&mut engine, |engine| {
+        engine.known(&study, &interval(6)).is_some()
+    });
+    until(&mut engine, |engine| !engine.busy());
+    let showing = engine.showing(WorkKind::InBetweens);
+    let Showing::Ready(outcome) = showing else {
+        panic!("{showing:?}");
+    };
+    assert_eq!(outcome.in_betweens().unwrap().len(), 8);
+    assert_eq!(engine.running(), []);
+    assert!(matches!(
+        engine.showing(WorkKind::Transfer),
+        Showing::Nothing
+    ));
+}
+
+#[test]
+fn kinds_of_analysis_stand_beside_each_other_and_are_cancelled_alone() {
+    let mut engine = engine();
+    let study = opened(&mut engine, 2_000);
+    let map = AnalysisRequest::DeformationMap(DeformationMapSettings::default());
+    engine.request(&study, AnalysisRequest::Measures);
+    engine.request(&study, map);
+    engine.cancel(WorkKind::DeformationMap);
+    until(&mut engine, |engine| !engine.busy());
+    assert!(engine.latest(WorkKind::Measures).is_some());
+    assert!(engine.latest(WorkKind::DeformationMap).is_none());
+    let showing = engine.showing(WorkKind::DeformationMap);
+    assert!(matches!(showing, Showing::Stopped { .. }));
+    engine.retry(&study, map);
+    assert!(engine.busy());
 }
 
 #[test]

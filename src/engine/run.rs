@@ -77,6 +77,7 @@ pub fn run(
             interval,
             params,
         } => {
+            progress.begin_phase("finding poses between frames", 0.0, 1.0);
             let path = run_pairs::interval(study, *subject, *interval, params, progress)?;
             let stopped = path.stopped;
             let outcome = AnalysisOutcome::Interval(Arc::new(path));
@@ -227,86 +228,4 @@ fn map_error(error: EmbeddingError) -> AnalysisError {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::analysis::embedding::MapMethod;
-    use crate::progress::Stopped;
-    use crate::study::built_in::{BuiltInParams, cohort};
-    use crate::study::{Revision, Study};
-
-    fn study() -> Study {
-        let params = BuiltInParams {
-            vertices: 200,
-            ..BuiltInParams::default()
-        };
-        let whole = cohort(&params).unwrap().study;
-        Study {
-            subjects: whole.subjects[..4].to_vec(),
-            revision: Revision(7),
-            ..whole
-        }
-    }
-
-    fn map(method: MapMethod) -> AnalysisRequest {
-        AnalysisRequest::PoseMap(PoseMapParams {
-            method,
-            ..PoseMapParams::default()
-        })
-    }
-
-    #[test]
-    fn another_method_of_mapping_computes_no_distance_again() {
-        let (study, cache, progress) = (study(), Cache::default(), Progress::default());
-        let first = run(&study, &map(MapMethod::ClassicalMds), &cache, &progress).unwrap();
-        let second = run(&study, &map(MapMethod::Smacof), &cache, &progress).unwrap();
-        let (first, second) = (first.pose_map().unwrap(), second.pose_map().unwrap());
-        assert!(Arc::ptr_eq(&first.distances, &second.distances));
-        assert_ne!(first.embedding, second.embedding);
-        assert_eq!(first.embedding.len(), 32);
-    }
-
-    #[test]
-    fn the_same_question_brings_the_same_answer_back() {
-        let (study, cache, progress) = (study(), Cache::default(), Progress::default());
-        let ask = || run(&study, &AnalysisRequest::Measures, &cache, &progress).unwrap();
-        let (first, second) = (ask(), ask());
-        assert!(Arc::ptr_eq(
-            first.measures().unwrap(),
-            second.measures().unwrap()
-        ));
-        let edited = Study {
-            revision: Revision(8),
-            ..study.clone()
-        };
-        let third = run(&edited, &AnalysisRequest::Measures, &cache, &progress).unwrap();
-        assert!(!Arc::ptr_eq(
-            first.measures().unwrap(),
-            third.measures().unwrap()
-        ));
-    }
-
-    #[test]
-    fn a_stopped_run_keeps_nothing() {
-        let (study, cache, progress) = (study(), Cache::default(), Progress::default());
-        progress.stop();
-        for request in [AnalysisRequest::Measures, map(MapMethod::Smacof)] {
-            let error = run(&study, &request, &cache, &progress).unwrap_err();
-            assert_eq!(error, AnalysisError::Stopped(Stopped));
-        }
-        assert!(cache.is_empty());
-    }
-
-    #[test]
-    fn settings_out_of_range_are_an_answer_in_words() {
-        let mut params = PoseDistanceParams::default();
-        params.metric.lambda = -1.0;
-        let error = run(
-            &study(),
-            &AnalysisRequest::PoseDistances(params),
-            &Cache::default(),
-            &Progress::default(),
-        )
-        .unwrap_err();
-        assert!(error.to_string().contains("-1"), "{error}");
-    }
-}
+mod tests;

@@ -1,5 +1,6 @@
 //! Results as tables for scripts: names and order of columns are fixed, units stand in a column.
 
+use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
 use crate::analysis::measures::{PhaseSource, SubjectMeasures};
 use crate::analysis::pose_distances::{PoseDistances, PoseId};
@@ -95,6 +96,23 @@ pub fn poses_csv(study: &Study, poses: &[PoseId], map: &Embedding) -> String {
         table.row([
             subject_id(study, pose),
             pose.frame.to_string(),
+            at(0),
+            at(1),
+        ]);
+    }
+    table.text
+}
+
+/// Places of whole deformations on their map, a row per heart; without unit, since the columns of a
+/// locally linear map have length 1.
+pub fn deformations_csv(study: &Study, map: &DeformationMap) -> String {
+    let mut table = Table::new(&["subject", "label", "x", "y"]);
+    for (row, &index) in map.subjects.iter().enumerate().take(map.embedding.len()) {
+        let subject = study.subjects.get(index);
+        let at = |axis: usize| number(map.embedding.point(row).get(axis).copied());
+        table.row([
+            subject.map_or_else(String::new, |subject| subject.id.clone()),
+            subject.and_then(|s| s.label.clone()).unwrap_or_default(),
             at(0),
             at(1),
         ]);
@@ -208,6 +226,25 @@ mod tests {
         assert!((ef - 0.488).abs() < 1e-9, "{ef}");
         assert_eq!(&row[2], "0");
         assert_eq!(&row[3], "1");
+    }
+
+    #[test]
+    fn deformations_stand_a_row_per_heart_with_its_label() {
+        let map = DeformationMap {
+            subjects: vec![0],
+            curves: vec![vec![[0.0; 3]]],
+            time_weight: 1.0,
+            embedding: Embedding {
+                dimensions: 2,
+                coordinates: vec![-0.25, 0.1 + 0.2],
+                ..Embedding::default()
+            },
+        };
+        let table = deformations_csv(&study(), &map);
+        assert_eq!(
+            table,
+            "subject,label,x,y\n\"P, \"\"1\"\"\",MINF,-0.25,0.30000000000000004\n"
+        );
     }
 
     #[test]

@@ -10,7 +10,7 @@ mod sparse_inverse;
 mod symmetric_eigen;
 
 pub use lanczos::{LeadingEigenError, leading_eigen};
-pub use lanes::{Arithmetic, LANES, Lanes};
+pub use lanes::{Arithmetic, LANES, Lanes, both, three};
 pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
 pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use sparse_inverse::{LowerColumns, NotPositive, SparseInverse};

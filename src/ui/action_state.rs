@@ -43,6 +43,8 @@ pub struct ActionState {
     pub carrying: bool,
     /// Light or dark.
     pub theme: ThemeChoice,
+    /// Whether clusters of deformations are shown.
+    pub shows_clusters: bool,
     /// Panes that are closed.
     pub hidden_panes: Vec<Pane>,
 }
@@ -65,6 +67,7 @@ impl ActionState {
             | Command::OpenBuiltIn
             | Command::SetTheme(_)
             | Command::TogglePane(_)
+            | Command::ShowPane(_)
             | Command::ResetLayout
             | Command::TogglePalette
             | Command::ToggleShortcuts
@@ -85,6 +88,7 @@ impl ActionState {
             Command::SetTheme(theme) => Some(self.theme == *theme),
             Command::SetShading(shading) => Some(self.shading == *shading),
             Command::TogglePane(pane) => Some(!self.hidden_panes.contains(pane)),
+            Command::ToggleClusters => Some(self.shows_clusters),
             Command::ToggleLoop => Some(self.looping),
             Command::ToggleFreeCamera => Some(self.free_camera),
             Command::ToggleEndocardium => Some(self.shows_endocardium),

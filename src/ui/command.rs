@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::{PoseMapParams, WorkKind};
 use crate::picture::{AnatomicalView, Quantity};
 use crate::render::{Camera, Shading};
@@ -29,6 +30,12 @@ pub enum Pane {
     Viewport,
     /// The map of poses.
     PoseMap,
+    /// The map of whole deformations.
+    DeformationMap,
+    /// Poses through time, in three dimensions.
+    SpaceTime,
+    /// How poses and deformations are compared and mapped.
+    Metric,
     /// Volumes over the beat.
     Curves,
     /// Clinical measures of the selected subject.
@@ -139,6 +146,14 @@ pub enum Command {
     SetColourLimits(Option<[f64; 2]>),
     /// How poses are compared and mapped.
     SetPoseMap(PoseMapParams),
+    /// How whole deformations are mapped.
+    SetDeformationMap(DeformationMapParams),
+    /// All settings of metric and maps as they were at the start.
+    ResetMaps,
+    /// Show or hide the clusters of the map of deformations.
+    ToggleClusters,
+    /// Open a tile, or bring it before other tabs.
+    ShowPane(Pane),
     /// Compute what was cancelled or failed again.
     Retry(WorkKind),
     /// Stop background work.

@@ -11,7 +11,7 @@ use cardiomorph::app::{App, AppOptions};
 use cardiomorph::picture::Quantity;
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, ThemeChoice, ViewMode};
+use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
 use egui_kittest::{Harness, SnapshotOptions};
 
 /// The adapter that pictures are drawn with; `None`, with a message, if there is none.
@@ -42,8 +42,10 @@ fn tolerance(adapter: &str) -> SnapshotOptions {
     }
 }
 
-fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
-    compare_after(name, theme, vec![Command::SetViewMode(mode)], |_| true);
+fn compare(name: &str, theme: ThemeChoice, mode: ViewMode, in_front: &[Pane]) {
+    let mut commands = vec![Command::SetViewMode(mode)];
+    commands.extend(in_front.iter().map(|pane| Command::ShowPane(*pane)));
+    compare_after(name, theme, commands, |_| true);
 }
 
 /// Compares the window after these commands, once `ready` says that their results are there.
@@ -68,7 +70,7 @@ fn compare_after(
         .build_eframe(move |cc| App::new(cc, options).unwrap());
     harness.state_mut().push(Command::SetTheme(theme));
     let begin = Instant::now();
-    while harness.state().state().map().is_none()
+    while harness.state().state().classes().is_none()
         || harness.state().hearts_on_screen().is_empty()
         || harness.state().busy()
     {
@@ -100,12 +102,51 @@ fn compare_after(
 
 #[test]
 fn the_dark_window_looks_as_it_did() {
-    compare("window_dark", ThemeChoice::Dark, ViewMode::Single);
+    compare("window_dark", ThemeChoice::Dark, ViewMode::Single, &[]);
 }
 
 #[test]
 fn the_light_window_looks_as_it_did() {
-    compare("window_light", ThemeChoice::Light, ViewMode::SideBySide);
+    compare(
+        "window_light",
+        ThemeChoice::Light,
+        ViewMode::SideBySide,
+        &[],
+    );
+}
+
+#[test]
+fn the_map_of_deformations_and_the_settings_look_as_they_did() {
+    let in_front = [Pane::DeformationMap, Pane::Metric];
+    compare(
+        "deformations_light",
+        ThemeChoice::Light,
+        ViewMode::SideBySide,
+        &in_front,
+    );
+    compare(
+        "deformations_dark",
+        ThemeChoice::Dark,
+        ViewMode::Single,
+        &in_front,
+    );
+}
+
+#[test]
+fn poses_through_time_look_as_they_did() {
+    let in_front = [Pane::SpaceTime];
+    compare(
+        "space_time_dark",
+        ThemeChoice::Dark,
+        ViewMode::SideBySide,
+        &in_front,
+    );
+    compare(
+        "space_time_light",
+        ThemeChoice::Light,
+        ViewMode::Single,
+        &in_front,
+    );
 }
 
 #[test]

@@ -1,6 +1,8 @@
 //! Metrics and maps against numbers from independent programs, see the folders of `tests/oracles`.
 
 #[cfg(test)]
+mod classes;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod paths;

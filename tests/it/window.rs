@@ -4,6 +4,8 @@
 mod around;
 #[cfg(test)]
 mod beats;
+#[cfg(test)]
+mod maps;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

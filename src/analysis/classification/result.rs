@@ -43,6 +43,8 @@ pub struct Classes {
     pub clustering: Clustering,
     /// Labelled rows by class and, within, by cluster; empty where there is no class.
     pub confusion: Vec<Vec<usize>>,
+    /// The class that each cluster stands for, by the match that agrees with most labels.
+    pub class_of_cluster: Vec<Option<usize>>,
     /// Share of rows whose cluster stands for their class (eq. 3.6).
     pub tau: Option<Accuracy>,
     /// Nearest neighbour by the distances, each row left out in turn.

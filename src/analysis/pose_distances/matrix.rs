@@ -14,6 +14,7 @@ use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
 use super::known::KnownRows;
+use super::smooth::smoothed_study;
 use super::source::{Source, carried_sources, own_sources, poses_of};
 use super::{
     CheckedPoseDistanceParams, DistanceMatrix, KnownDistances, PoseDistanceError, PoseDistances,
@@ -29,6 +30,7 @@ const BLOCK: usize = 8;
 
 /// One-step distances of all poses of the largest group of corresponding subjects.
 ///
+/// 0. **Smoothing** ([`smoothed_study`]): what is finer than a radius is taken out of every surface.
 /// 1. **Size.** Coordinates are divided by one scale per sequence
 ///    ([`SizeScale`](crate::analysis::alignment::SizeScale)): the largest box side at end-diastole, as
 ///    stated by the subject, else frame 0.
@@ -88,6 +90,8 @@ pub fn pose_distances_knowing(
             new_pairs: 0,
         });
     }
+    let smooth = smoothed_study(study, params.smoothing, progress)?;
+    let (comparable, left_out) = comparable_subjects(&smooth);
     let faces = comparable
         .first()
         .map(|m| m.subject.sequence.joined_faces());
@@ -97,7 +101,7 @@ pub fn pose_distances_knowing(
         return compared(study, &metric, known, sources, left_out, progress);
     };
     let carrying = progress.part("carrying all motions onto one heart", 0.0, TRANSFER_SHARE);
-    let cohort = transfer_cohort(study, &params.metric, transfer, &carrying)?;
+    let cohort = transfer_cohort(&smooth, &params.metric, transfer, &carrying)?;
     let sources = carried_sources(&cohort);
     let left_out = cohort.left_out.clone();
     let comparing = progress.part("comparing poses", TRANSFER_SHARE, 1.0);
@@ -239,5 +243,7 @@ fn aligned_distance(
         .distance()
 }
 
+#[cfg(test)]
+mod known_tests;
 #[cfg(test)]
 mod tests;

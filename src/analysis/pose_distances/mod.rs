@@ -6,6 +6,7 @@ mod matrix;
 mod pair;
 mod params;
 mod result;
+mod smooth;
 mod source;
 
 pub use crate::analysis::alignment::LeftOut;
@@ -15,3 +16,4 @@ pub use matrix::{ComputedDistances, pose_distances, pose_distances_knowing};
 pub use pair::{PairError, pair_contributions};
 pub use params::{CheckedPoseDistanceParams, PoseDistanceParamError, PoseDistanceParams};
 pub use result::{DistanceMatrix, PoseDistances, PoseId};
+pub use smooth::smoothed_study;

@@ -26,6 +26,7 @@ pub fn action_state(state: &State, layout: &Layout) -> ActionState {
         has_other: document.compared().is_some(),
         carrying: document.carrying().is_some(),
         theme: state.theme,
+        shows_clusters: document.shows_clusters,
         hidden_panes: PANES
             .iter()
             .map(|(pane, _)| *pane)

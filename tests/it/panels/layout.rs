@@ -119,6 +119,25 @@ fn panes_hold_their_text_at_every_width() {
             pose_map_ui(ui, &view, commands);
         }));
     }
+    for width in widths(220, 900) {
+        wrong.extend(faults(width, 420.0, |ui, example, commands| {
+            let view = example.deformation_map(MapState::Ready);
+            pane_header_ui(
+                ui,
+                |ui| {
+                    tab_ui(ui, "Deformations", true);
+                },
+                |ui| deformation_note(ui, &view, 120.0),
+            );
+            deformation_map_ui(ui, &view, commands);
+        }));
+        wrong.extend(faults(width, 360.0, |ui, example, commands| {
+            space_time_ui(ui, &example.space_time(MapState::Ready), commands);
+        }));
+        wrong.extend(faults(width, 900.0, |ui, example, commands| {
+            metric_panel_ui(ui, &example.metric(), commands);
+        }));
+    }
     for width in widths(320, 1200) {
         wrong.extend(faults(width, 500.0, viewport));
         wrong.extend(faults(width, 320.0, measures));

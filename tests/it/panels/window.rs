@@ -150,7 +150,7 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
             map,
             limits: [0.5, 2.0],
             logarithmic: true,
-                            ticks: &[],
+            ticks: &[],
             below: [20, 40, 90],
             above: [110, 20, 20],
             note: "fixed for all subjects",

@@ -12,7 +12,7 @@ use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
 /// A beating bowl without symmetry.
-fn beat(size: f64, squeeze: f64, frames: u32) -> Vec<TriMesh> {
+pub(super) fn beat(size: f64, squeeze: f64, frames: u32) -> Vec<TriMesh> {
     let rest = phantom::bowl(1.0, 6, 12);
     (0..frames)
         .map(|frame| {
@@ -34,7 +34,7 @@ fn beat(size: f64, squeeze: f64, frames: u32) -> Vec<TriMesh> {
         .collect()
 }
 
-fn subject(id: &str, frames: Vec<TriMesh>) -> Arc<Subject> {
+pub(super) fn subject(id: &str, frames: Vec<TriMesh>) -> Arc<Subject> {
     let surface = SurfaceSequence::new(SurfaceKind::Cavity, frames).unwrap();
     let sequence = MeshSequence::new(vec![surface]).unwrap();
     Arc::new(Subject::new(id, sequence, LengthUnit::Millimetre))
@@ -185,6 +185,7 @@ fn folded_faces_and_coinciding_vertices_give_finite_distances() {
                 let params = PoseDistanceParams {
                     metric,
                     transfer: None,
+                    ..PoseDistanceParams::default()
                 }
                 .check()
                 .unwrap();
