@@ -55,10 +55,14 @@ impl Ends {
             .collect();
         for (name, params) in named() {
             let metric = self.metric(params);
-            let mut energy =
-                PathEnergy::new(&metric, &self.start, &self.end, inner.len()).unwrap();
+            let mut energy = PathEnergy::new(&metric, &self.start, &self.end, inner.len()).unwrap();
             let expected = self.case.value["expected"][path][&name].as_f64().unwrap();
-            close(&format!("{path} {name}"), energy.energy(&flat), expected, 1e-8);
+            close(
+                &format!("{path} {name}"),
+                energy.energy(&flat),
+                expected,
+                1e-8,
+            );
         }
     }
 }
