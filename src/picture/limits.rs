@@ -32,7 +32,7 @@ impl Default for CohortLimits {
     }
 }
 
-/// Four times the mean: between hearts of the built-in cohort, one face in a hundred has more.
+/// Up to four times the mean, the same for every pair; what is beyond has the end colour.
 const CONTRIBUTION: ColourLimits = ColourLimits {
     low: 0.0,
     high: 4.0,

@@ -238,7 +238,7 @@ mod tests {
         let (role, name) = (egui::accesskit::Role::TextInput, "Weight");
         harness.get_by_role_and_label(role, name).focus();
         harness.run();
-        harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+        harness.key_press_modifiers(egui::Modifiers::COMMAND, Key::A);
         harness.run();
         if text.is_empty() {
             harness.key_press(Key::Delete);

@@ -143,7 +143,7 @@ fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
         None => "100 % R-R".to_owned(),
     };
     if with_between {
-        widest += " · straight in-between";
+        widest += " · interpolated, faces cross";
     }
     let galley = ui
         .painter()

@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod classes;
 #[cfg(test)]
+mod explicit_paths;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod paths;

@@ -4,6 +4,7 @@
 mod around;
 #[cfg(test)]
 mod beats;
+#[cfg(test)]
 mod maps;
 
 use std::path::{Path, PathBuf};

@@ -142,15 +142,7 @@ impl Columns {
     fn head_ui(&self, ui: &Ui, head: Rect) {
         let muted = colours(ui).muted;
         let y = head.center().y;
-        write(
-            ui,
-            self.name,
-            y,
-            "Left out one by one",
-            note_font(),
-            muted,
-            false,
-        );
+        write(ui, self.name, y, "Told apart by", note_font(), muted, false);
         for (at, text) in [
             (self.correct.or(self.share), "right"),
             (self.chance, "chance"),

@@ -65,6 +65,7 @@ pub fn draw_map(ui: &Ui, view: &DeformationMapView, ground: &Ground, pointed: Op
         {
             labels.beside(
                 ground.on_screen(point.at),
+                14.0,
                 subject.id.clone(),
                 colour,
                 &others,
@@ -102,8 +103,8 @@ fn role_of(view: &DeformationMapView, point: &DeformationPoint) -> crate::study:
 ///
 /// `kept` points of the width are for what stands on the left.
 pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
-    let parts = note_parts(view);
-    let long = parts.join(" · ");
+    let long = note_parts(view, "neighbours ").join(" · ");
+    let parts = note_parts(view, "k ");
     let room = ui.available_width() - kept;
     let width = |text: &str| {
         let font = crate::ui::style::note_font();
@@ -112,10 +113,14 @@ pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
             .layout_no_wrap(text.to_owned(), font, egui::Color32::PLACEHOLDER);
         galley.size().x
     };
-    // The last part goes first where there is no room.
-    let fitting = (1..=parts.len())
-        .rev()
-        .map(|count| parts[..count].join(" · "))
+    // First words go where there is no room, then the last part.
+    let fitting = std::iter::once(long.clone())
+        .filter(|long| !long.is_empty())
+        .chain(
+            (1..=parts.len())
+                .rev()
+                .map(|count| parts[..count].join(" · ")),
+        )
         .find(|text| width(text) <= room);
     if let Some(text) = fitting {
         ui.label(note(text))
@@ -128,11 +133,9 @@ const WHAT: &str = "Locally linear embedding: every heart is written as a mixtur
                     what the mixtures miss, as a share of the curves' spread. Time counts by its \
                     weight: so much of the pose map's unit for one beat.";
 
-/// "8 neighbours", "error 0.012", "time × 1.4", as far as they are known.
-fn note_parts(view: &DeformationMapView) -> Vec<String> {
-    let neighbours = view
-        .neighbours
-        .map(|neighbours| format!("{neighbours} neighbours"));
+/// "neighbours 8", "error 0.012", "time × 1.4", as far as they are known.
+fn note_parts(view: &DeformationMapView, neighbours: &str) -> Vec<String> {
+    let neighbours = view.neighbours.map(|count| format!("{neighbours}{count}"));
     let error = view
         .reconstruction_error
         .map(|error| format!("error {}", significant(error)));

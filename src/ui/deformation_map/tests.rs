@@ -136,7 +136,7 @@ fn arrows_and_enter_play_a_heart_without_the_pointer() {
 fn the_header_says_neighbours_error_and_time() {
     let mut harness = harness(scene());
     harness.run();
-    harness.get_by_label("5 neighbours · error 0.012 · time × 1.4");
+    harness.get_by_label("neighbours 5 · error 0.012 · time × 1.4");
 }
 
 #[test]

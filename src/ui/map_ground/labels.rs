@@ -29,12 +29,13 @@ impl<'a> Labels<'a> {
     }
 
     /// Writes beside a point where there is room, hiding as little of `path` as can be.
-    pub fn beside(&mut self, at: Pos2, text: String, colour: Color32, path: &[Pos2]) {
+    /// `gap` keeps it clear of the mark.
+    pub fn beside(&mut self, at: Pos2, gap: f32, text: String, colour: Color32, path: &[Pos2]) {
         let galley = self
             .painter
             .layout_no_wrap(text, medium_note_font(), colour);
         let size = galley.size();
-        let (gap, middle) = (9.0, -0.5 * size.y);
+        let middle = -0.5 * size.y;
         let left = -gap - size.x;
         let places = [
             vec2(gap, -size.y - 3.0),

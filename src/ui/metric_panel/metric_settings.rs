@@ -3,6 +3,7 @@
 use egui::Ui;
 
 use crate::analysis::metrics::{Corners, MetricParams, Regulariser};
+use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::engine::PoseMapParams;
 use crate::ui::controls::choice_ui;
 use crate::ui::metric_panel::{MetricPanelView, choice_row_ui, sentence_ui};
@@ -89,7 +90,7 @@ pub fn weights_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> 
     };
     changed = number_field_ui(ui, &mu, accept).or(changed);
     let rings = NumberField {
-        name: "Averaged over",
+        name: "Curvature over",
         unit: "rings",
         what: "Rings of neighbours over which curvature is averaged; single vertices are noise",
         value: Some(f64::from(metric.curvature_rings)),
@@ -123,8 +124,33 @@ pub fn weights_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> 
     if let Some(metric) = changed {
         wanted.distances.metric = metric;
     }
+    if let Some(distances) = smoothing_ui(ui, view.poses.distances) {
+        wanted.distances = distances;
+    }
     regulariser_ui(ui, &mut wanted.distances.metric);
     Some(wanted).filter(|wanted| *wanted != view.poses)
+}
+
+fn smoothing_ui(ui: &mut Ui, distances: PoseDistanceParams) -> Option<PoseDistanceParams> {
+    let smoothing = NumberField {
+        name: "Smoothed over",
+        unit: "√area",
+        what: "Poses are smoothed below this radius before they are compared, so that noise of the \
+               mesh does not count as strain; 0 leaves them as they are",
+        value: Some(distances.smoothing),
+        automatic: None,
+        enabled: true,
+    };
+    number_field_ui(ui, &smoothing, |value| {
+        let wanted = PoseDistanceParams {
+            smoothing: value.unwrap_or_default(),
+            ..distances
+        };
+        match wanted.check() {
+            Ok(_) => Ok(wanted),
+            Err(error) => Err(error.to_string()),
+        }
+    })
 }
 
 fn regulariser_ui(ui: &mut Ui, metric: &mut MetricParams) {

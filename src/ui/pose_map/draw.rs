@@ -144,7 +144,7 @@ impl Canvas<'_> {
                 PosePhase::EndSystole => format!("{id} ES"),
                 PosePhase::Between => continue,
             };
-            labels.beside(self.place(point.at), text, colour, &places);
+            labels.beside(self.place(point.at), 9.0, text, colour, &places);
         }
     }
 

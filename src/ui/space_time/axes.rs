@@ -83,7 +83,7 @@ fn draw_time(
     // Seen along time, ticks would lie upon each other.
     let length = (top - bottom).length();
     let outward = away_from_middle(eye, edge);
-    let name_at = top + vec2(0.0, -6.0);
+    let name_at = top + vec2(0.0, -10.0);
     write(
         painter,
         name_at,

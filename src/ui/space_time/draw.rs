@@ -206,7 +206,7 @@ fn name_phases(
             PosePhase::EndSystole => format!("{id} ES"),
             PosePhase::Between => continue,
         };
-        labels.beside(*place, text, colour, &places);
+        labels.beside(*place, 9.0, text, colour, &places);
     }
 }
 

@@ -113,11 +113,11 @@ fn arrows_turn_and_plus_zooms_while_the_plot_has_the_keyboard() {
         .get_by_label("Curves through poses and time")
         .focus();
     harness.run();
-    harness.key_press(egui::Key::Plus);
+    harness.key_press(Key::Plus);
     harness.run();
     assert!(apart(&harness) > 1.2 * middle);
     let zoomed = place(&harness, 1);
-    harness.key_press(egui::Key::ArrowRight);
+    harness.key_press(Key::ArrowRight);
     harness.run();
     assert!((place(&harness, 1) - zoomed).length() > 2.0);
     assert_ne!(place(&harness, 1), before);

@@ -35,7 +35,7 @@ fn every_heart_becomes_a_point_and_classes_are_told_beside_chance() {
     let said = format!("Nearest neighbour: {} of 23 · chance", accuracy.correct);
     shown(&mut harness, Pane::DeformationMap);
     harness.get_by_label_contains(&said);
-    harness.get_by_label_contains("neighbours · error");
+    harness.get_by_label_contains(" · error 0.");
     harness.get_by_label("Deformation of N01, normal");
     harness.get_by_label("Deformation of P14, abnormal");
 }
