@@ -11,13 +11,17 @@ use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Revision, Study, Subject};
 
 fn study() -> Study {
+    of_cohort(|whole| whole[..4].to_vec())
+}
+
+fn of_cohort(choose: impl Fn(&[Arc<Subject>]) -> Vec<Arc<Subject>>) -> Study {
     let params = BuiltInParams {
         vertices: 200,
         ..BuiltInParams::default()
     };
     let whole = cohort(&params).unwrap().study;
     Study {
-        subjects: whole.subjects[..4].to_vec(),
+        subjects: choose(&whole.subjects),
         revision: Revision(7),
         ..whole
     }
@@ -88,17 +92,7 @@ fn settings_out_of_range_are_an_answer_in_words() {
 
 /// The first five hearts and the last five: normal ones and patients.
 fn two_classes() -> Study {
-    let params = BuiltInParams {
-        vertices: 200,
-        ..BuiltInParams::default()
-    };
-    let whole = cohort(&params).unwrap().study;
-    let last = whole.subjects.len() - 5;
-    Study {
-        subjects: [&whole.subjects[..5], &whole.subjects[last..]].concat(),
-        revision: Revision(7),
-        ..whole
-    }
+    of_cohort(|whole| [&whole[..5], &whole[whole.len() - 5..]].concat())
 }
 
 /// The same study after an edit of one subject.
