@@ -5,6 +5,8 @@ mod classes;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod noise;
+#[cfg(test)]
 mod paths;
 #[cfg(test)]
 mod transport;
