@@ -53,6 +53,8 @@ impl Default for SyntheticParams {
 pub struct Deformation {
     /// Index into [`Motion::ALL`].
     pub class: usize,
+    /// The amplitude at which it ends, see [`Motion::typical_amplitude`].
+    pub amplitude: f64,
     /// The object at rest and deformed; lengths in radii of the solid.
     pub poses: Vec<Vec<Point3>>,
 }
@@ -80,7 +82,7 @@ pub fn synthetic_cohort(params: &SyntheticParams) -> Result<SyntheticCohort, Exp
             random.set_stream((class as u64) << 32 | u64::from(member));
             deformations.push(Deformation {
                 class,
-                poses: deformed(&template, motion, params, &mut random),
+                ..deformed(&template, motion, params, &mut random)
             });
         }
     }
@@ -124,7 +126,7 @@ fn deformed(
     motion: Motion,
     params: &SyntheticParams,
     random: &mut ChaCha8Rng,
-) -> Vec<Vec<Point3>> {
+) -> Deformation {
     let mut factor = |jitter: f64| 1.0 + jitter * random.random_range(-1.0..=1.0);
     let axes = Vector3::from_fn(|_, _| factor(params.object_jitter));
     let solid = params.object.solid;
@@ -135,13 +137,18 @@ fn deformed(
     let rest: Vec<Point3> = (template.vertices().iter())
         .map(|p| Point3::from(p.coords.component_mul(&axes)))
         .collect();
-    (0..params.poses)
+    let poses = (0..params.poses)
         .map(|pose| {
             let reached = amplitude * f64::from(pose) / f64::from(params.poses - 1);
             let at = |p: &Point3| turn * motion.moved(solid, p, reached) + place;
             rest.iter().map(at).collect()
         })
-        .collect()
+        .collect();
+    Deformation {
+        class: 0,
+        amplitude,
+        poses,
+    }
 }
 
 impl SyntheticCohort {

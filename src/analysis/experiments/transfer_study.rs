@@ -8,7 +8,9 @@ use crate::mesh::{Point3, TriMesh, Vector3, face_normals};
 use crate::progress::Progress;
 
 use super::error::step;
-use super::{ExperimentError, Motion, ObjectKind, Solid, SyntheticParams, synthetic_cohort};
+use super::{
+    Deformation, ExperimentError, Motion, ObjectKind, Solid, SyntheticParams, synthetic_cohort,
+};
 
 /// How many deformations are carried, and by what.
 #[derive(Clone, Debug, PartialEq)]
@@ -96,7 +98,6 @@ pub fn transfer_study(
         .par_iter()
         .map(|(object, template, deformation)| {
             progress.step()?;
-            let motion = Motion::ALL[deformation.class];
             carried(
                 params,
                 *object,
@@ -117,17 +118,16 @@ fn carried(
     params: &TransferStudyParams,
     object: ObjectKind,
     template: &TriMesh,
-    motion: Motion,
-    poses: &[Vec<Point3>],
+    deformation: &Deformation,
     progress: &Progress,
 ) -> Result<TransferCase, ExperimentError> {
     let checked = params.transport.check();
     let checked = checked.map_err(|error| step("carrying a motion", &error))?;
     let (target, shaped) = target(object);
     let rest: Vec<Point3> = template.vertices().iter().map(shaped).collect();
-    let amplitude = motion.typical_amplitude(object.solid);
+    let (motion, poses) = (Motion::ALL[deformation.class], &deformation.poses);
     let truth: Vec<Point3> = (rest.iter())
-        .map(|p| motion.moved(object.solid, p, amplitude))
+        .map(|p| motion.moved(object.solid, p, deformation.amplitude))
         .collect();
     // The source lies anywhere in space; its motion is carried from beside the target.
     let source = poses.first().cloned().unwrap_or_default();

@@ -38,7 +38,7 @@ const BLOCK: usize = 8;
 /// 3. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
 ///    the first, of least squares over vertices. So a distance depends on its two poses alone (and on
 ///    the heart that they were carried onto): moving an input, or adding a subject, changes no other
-///    number, and `metric --align rigid` gives the same one. Aligning all poses to a mean would be
+///    number, and `metric --align rigid` gives the same one of smoothed poses. Aligning all to a mean would be
 ///    cheaper by little, and would make every distance depend on the whole cohort and not be the
 ///    least of the pair.
 /// 4. **Metric.** √((⟨⟨X, X⟩⟩ at A + ⟨⟨X, X⟩⟩ at B) / 2), X = B − A.
