@@ -61,8 +61,9 @@ pub fn number_field_ui<T>(
             ui.painter()
                 .text(at, egui::Align2::LEFT_CENTER, field.unit, font, colour);
         }
+        let width = if narrow { NARROW_FIELD } else { FIELD };
         let mut edit = TextEdit::singleline(&mut typed.text)
-            .desired_width(if narrow { NARROW_FIELD } else { FIELD } - 12.0)
+            .desired_width(width)
             .align(egui::Align2::RIGHT_CENTER)
             .margin(vec2(6.0, 2.0));
         if let Some(hint) = field.automatic {
