@@ -30,9 +30,12 @@ struct Typed {
     refused: Option<String>,
 }
 
-/// Width of the field and of the unit behind it.
+/// Width of the field and of the unit behind it; a narrow pane has a smaller field, and no room for
+/// units where there are none.
 const FIELD: f32 = 84.0;
+const NARROW_FIELD: f32 = 56.0;
 const UNIT: f32 = 38.0;
+const NARROW: f32 = 250.0;
 
 /// Draws the field; a number that is confirmed (Enter, or the keyboard goes elsewhere) and that
 /// `accept` takes comes back as what `accept` makes of it.
@@ -49,14 +52,18 @@ pub fn number_field_ui<T>(
         refused: None,
     });
     let response = row_ui(ui, field.name, field.what, field.enabled, |ui| {
-        let (unit_rect, _) = ui.allocate_exact_size(vec2(UNIT, 20.0), Sense::hover());
-        let at = unit_rect.left_center();
-        let colour = colours(ui).muted;
-        let font = crate::ui::style::note_font();
-        ui.painter()
-            .text(at, egui::Align2::LEFT_CENTER, field.unit, font, colour);
+        let narrow = ui.available_width() < NARROW;
+        if !(narrow && field.unit.is_empty()) {
+            let (unit_rect, _) = ui.allocate_exact_size(vec2(UNIT, 20.0), Sense::hover());
+            let at = unit_rect.left_center();
+            let colour = colours(ui).muted;
+            let font = crate::ui::style::note_font();
+            ui.painter()
+                .text(at, egui::Align2::LEFT_CENTER, field.unit, font, colour);
+        }
+        let width = if narrow { NARROW_FIELD } else { FIELD };
         let mut edit = TextEdit::singleline(&mut typed.text)
-            .desired_width(FIELD)
+            .desired_width(width)
             .align(egui::Align2::RIGHT_CENTER)
             .margin(vec2(6.0, 2.0));
         if let Some(hint) = field.automatic {

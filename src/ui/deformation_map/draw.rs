@@ -20,7 +20,9 @@ pub fn draw_map(ui: &Ui, view: &DeformationMapView, ground: &Ground, pointed: Op
             painter.add(hull.shape);
             let name = cluster_name(hull.cluster);
             let colour = colours.cluster(hull.cluster);
+            let highest = ground.rect.top() + 16.0;
             let at = hull.letter_at - vec2(0.0, 2.0);
+            let at = egui::pos2(at.x, at.y.max(highest));
             painter.text(at, Align2::CENTER_BOTTOM, name, medium_note_font(), colour);
         }
     }
@@ -145,16 +147,16 @@ fn note_parts(view: &DeformationMapView, neighbours: &str) -> Vec<String> {
     [neighbours, error, time].into_iter().flatten().collect()
 }
 
-/// Two figures: what an error or a weight deserves.
+/// Two figures: what an error or a weight deserves; one where it is very small.
 fn significant(value: f64) -> String {
     if value == 0.0 {
         return "0".to_owned();
     }
-    let digits = 1 - value.abs().log10().floor() as i32;
-    if digits > 4 {
-        // Past four zeros people count them wrongly.
-        return format!("{value:.0e}").replace("e-", "e−");
+    let first_digit = -value.abs().log10().floor() as i32;
+    if first_digit > 5 {
+        return "< 0.00001".to_owned();
     }
+    let digits = first_digit + i32::from(first_digit < 3);
     format!("{value:.*}", digits.max(0) as usize)
 }
 
@@ -210,6 +212,7 @@ mod tests {
         assert_eq!(significant(1.416), "1.4");
         assert_eq!(significant(23.4), "23");
         assert_eq!(significant(0.0), "0");
-        assert_eq!(significant(1.2e-7), "1e−7");
+        assert_eq!(significant(8.7e-5), "0.00009");
+        assert_eq!(significant(1.2e-7), "< 0.00001");
     }
 }

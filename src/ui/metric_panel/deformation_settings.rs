@@ -76,7 +76,7 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
     changed = number_field_ui(ui, &time, accept).or(changed);
     let samples = NumberField {
         name: "Points per curve",
-        unit: "points",
+        unit: "",
         what: "Each beat is compared at so many places, evenly along its curve",
         value: Some(f64::from(params.samples)),
         automatic: None,

@@ -109,7 +109,11 @@ fn choice_row_ui(
 ) {
     row_ui(ui, name, what, enabled, |ui| {
         // The name of what is chosen among is read from the row.
-        let widest = (ui.available_width() - 70.0).max(60.0);
+        let font = crate::ui::style::text_font();
+        let galley = ui
+            .painter()
+            .layout_no_wrap(name.to_owned(), font, egui::Color32::PLACEHOLDER);
+        let widest = (ui.available_width() - galley.size().x - space::LARGE).max(60.0);
         ui.scope(|ui| {
             ui.set_max_width(widest);
             chooser_ui(ui, name, shown, menu);
