@@ -98,14 +98,7 @@ pub fn transfer_study(
         .par_iter()
         .map(|(object, template, deformation)| {
             progress.step()?;
-            carried(
-                params,
-                *object,
-                template,
-                motion,
-                &deformation.poses,
-                progress,
-            )
+            carried(params, *object, template, deformation, progress)
         })
         .collect::<Result<_, ExperimentError>>()?;
     Ok(TransferStudy {
