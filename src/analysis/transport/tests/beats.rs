@@ -258,3 +258,34 @@ fn a_stopped_transfer_says_so() {
     let stopped = transferred_beat(a, b, &straight(), &progress);
     assert_eq!(stopped, Err(TransportError::Stopped(Stopped)));
 }
+
+#[test]
+fn one_geodesic_bent_for_all_steps_is_near_a_geodesic_for_each() {
+    let (from, onto) = (heart(0.0, 4), heart(3.0, 4));
+    let beat = |in_betweens: u16, geodesics: Geodesics| {
+        let params = TransportParams {
+            in_betweens,
+            geodesics,
+            most_vertices: None,
+            ..TransportParams::default()
+        };
+        let params = params.check().unwrap();
+        transferred_beat(&from, &onto, &params, &Progress::default()).unwrap()
+    };
+    let moved = greatest_gap(
+        &beat(0, Geodesics::First),
+        &sequence_at_rest(&onto.sequence, 4),
+    );
+    let best = beat(3, Geodesics::EveryStep);
+    let first = greatest_gap(&beat(3, Geodesics::First), &best) / moved;
+    let straight = greatest_gap(&beat(0, Geodesics::First), &best) / moved;
+    assert!(first < 0.02, "{first}");
+    assert!(straight > 1e-6 && straight < 0.05, "{straight}");
+}
+
+fn sequence_at_rest(sequence: &MeshSequence, frames: usize) -> MeshSequence {
+    let surface = &sequence.surfaces()[0];
+    let still = vec![surface.frames()[0].clone(); frames];
+    let surface = SurfaceSequence::new(surface.kind(), still).unwrap();
+    MeshSequence::new(vec![surface]).unwrap()
+}
