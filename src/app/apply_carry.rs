@@ -105,8 +105,8 @@ fn step_pose(state: &mut State, moment: &Moment, step: i32) {
 mod tests {
     use std::sync::Arc;
 
-    use super::super::apply::apply;
     use super::*;
+    use crate::app::apply::apply;
     use crate::app::in_betweens::tests::straight_paths;
     use crate::app::testing::{state_of, subject_with_frames};
     use crate::mesh::phantom;

@@ -227,7 +227,7 @@ fn contribution_request(pair: &PosePair) -> AnalysisRequest {
     AnalysisRequest::Contribution {
         a: pair.a,
         b: pair.b,
-        metric: pair.metric,
+        distances: pair.distances,
     }
 }
 

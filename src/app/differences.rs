@@ -2,8 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::analysis::metrics::MetricParams;
-use crate::analysis::pose_distances::PoseId;
+use crate::analysis::pose_distances::{PoseDistanceParams, PoseId};
 use crate::study::{Revision, Subject};
 use crate::ui::ViewMode;
 
@@ -21,15 +20,15 @@ pub struct PosePair {
     pub a: PoseId,
     /// The pose of the heart beside it.
     pub b: PoseId,
-    /// By which metric.
-    pub metric: MetricParams,
+    /// How.
+    pub distances: PoseDistanceParams,
 }
 
 impl PosePair {
-    /// Whether both compare the same hearts by the same metric, at whatever frames.
+    /// Whether both compare the same hearts in the same way, at whatever frames.
     fn same_hearts(&self, other: &Self) -> bool {
         self.revision == other.revision
-            && self.metric == other.metric
+            && self.distances == other.distances
             && (self.a.subject, self.b.subject) == (other.a.subject, other.b.subject)
     }
 }
@@ -94,7 +93,7 @@ pub fn pair_on_screen(document: &Document) -> Option<PosePair> {
             subject,
             frame: nearest_frame(position, other.sequence.frame_count()),
         },
-        metric: document.map.distances.metric,
+        distances: document.map.distances,
     })
 }
 

@@ -158,6 +158,8 @@ pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct BetweenWords {
     /// `interpolated` or `straight in-between`; `None` on a frame.
+    pub short: Option<&'static str>,
+    /// The same, and what is wrong with the pose.
     pub badge: Option<&'static str>,
     /// How it was found, and what is wrong with it; empty on a frame.
     pub note: String,
@@ -181,6 +183,7 @@ pub fn between_words(
             note.push_str(pending);
         }
         return BetweenWords {
+            short: Some("straight in-between"),
             badge: Some("straight in-between"),
             note,
         };
@@ -199,6 +202,7 @@ pub fn between_words(
         note.push_str(". The search ended before it met its tolerance");
     }
     BetweenWords {
+        short: Some("interpolated"),
         badge: Some(if path.self_intersections > 0 {
             "interpolated, faces cross"
         } else {

@@ -1,10 +1,13 @@
 //! Commands and options; names are fixed because scripts depend on them.
 
-use std::path::PathBuf;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::cli::map_options::MapOptions;
 use crate::cli::metric_options::MetricOptions;
+use crate::cli::outcome::CliError;
 use crate::cli::words::{
     AlignWord, DemoFormat, EmbedInput, EmbedMethod, GeodesicsWord, QuantityWord, Switch, ThemeWord,
     ViewWord,
@@ -104,6 +107,10 @@ pub struct AnalyzeArgs {
     /// Folder to write into; made if need be
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    #[command(flatten)]
+    pub metric: MetricOptions,
+    #[command(flatten)]
+    pub maps: MapOptions,
     /// Whether a figure is rendered of every subject
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub figures: Switch,
@@ -311,6 +318,23 @@ pub fn chosen_door() -> Door {
     match cli.command {
         Some(command) => Door::Command(command),
         None => Door::Window(cli.paths),
+    }
+}
+
+/// `analyze` of these paths into this folder, everything else by default.
+///
+/// # Errors
+/// Wrong usage, which no path can be.
+pub(super) fn plain_analysis(paths: &[PathBuf], out: &Path) -> Result<AnalyzeArgs, CliError> {
+    let mut words: Vec<OsString> = ["cardiomorph", "analyze", "--out"]
+        .map(OsString::from)
+        .into();
+    words.extend([out.as_os_str().to_owned(), OsString::from("--")]);
+    words.extend(paths.iter().map(|path| path.as_os_str().to_owned()));
+    match Cli::try_parse_from(words).map(|cli| cli.command) {
+        Ok(Some(Command::Analyze(args))) => Ok(args),
+        Ok(_) => Err(CliError::Usage("no analysis was asked for".to_owned())),
+        Err(error) => Err(CliError::Usage(error.to_string())),
     }
 }
 

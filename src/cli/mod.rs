@@ -9,6 +9,7 @@ mod figure;
 mod info;
 mod input;
 mod interpolate;
+mod map_options;
 mod measure;
 mod metric;
 mod metric_options;

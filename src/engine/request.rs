@@ -83,8 +83,9 @@ pub enum AnalysisRequest {
         a: PoseId,
         /// The other.
         b: PoseId,
-        /// By which metric.
-        metric: MetricParams,
+        /// How they are compared; faces are those of the hearts themselves, whatever is said of a
+        /// transfer.
+        distances: PoseDistanceParams,
     },
 }
 
@@ -160,7 +161,7 @@ impl AnalysisRequest {
                 let metric = metric_words(&params.metric);
                 format!("{} poses between the hearts, {metric}", params.in_betweens)
             }
-            Self::Contribution { metric, .. } => metric_words(metric),
+            Self::Contribution { distances, .. } => metric_words(&distances.metric),
         }
     }
 }

@@ -91,8 +91,8 @@ pub fn run(
             let sequence = run_pairs::transfer(study, *from, *onto, params, progress)?;
             AnalysisOutcome::Transfer(Arc::new(sequence))
         }
-        AnalysisRequest::Contribution { a, b, metric } => {
-            let shares = run_pairs::contribution(study, [*a, *b], metric)?;
+        AnalysisRequest::Contribution { a, b, distances } => {
+            let shares = run_pairs::contribution(study, [*a, *b], distances, progress)?;
             AnalysisOutcome::Contribution(Arc::new(shares))
         }
     };

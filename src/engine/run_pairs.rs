@@ -3,8 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::geodesics::{GeodesicParams, GeodesicPath, geodesic};
-use crate::analysis::metrics::MetricParams;
-use crate::analysis::pose_distances::PoseId;
+use crate::analysis::pose_distances::{PairError, PoseDistanceParams, PoseId, pair_contributions};
 use crate::analysis::transport::{TransportError, TransportParams, transferred_beat};
 use crate::engine::cache::Cache;
 use crate::engine::outcome::AnalysisOutcome;
@@ -94,14 +93,22 @@ pub(super) fn transfer(
     })
 }
 
+/// Share of each face in the squared distance of two poses.
 pub(super) fn contribution(
-    _study: &Study,
-    _poses: [PoseId; 2],
-    _metric: &MetricParams,
+    study: &Study,
+    [a, b]: [PoseId; 2],
+    distances: &PoseDistanceParams,
+    progress: &Progress,
 ) -> Result<Vec<f64>, AnalysisError> {
-    Err(AnalysisError::Unanswerable(
-        "shares of faces come with the gradients of the metrics".to_owned(),
-    ))
+    let params = distances.check().map_err(AnalysisError::unanswerable)?;
+    let (first, second) = (subject_of(study, a.subject)?, subject_of(study, b.subject)?);
+    progress.begin_phase("dividing a distance over faces", 0.0, 1.0);
+    pair_contributions((first, a.frame), (second, b.frame), &params, progress).map_err(|error| {
+        match error {
+            PairError::Stopped(stopped) => AnalysisError::Stopped(stopped),
+            other => AnalysisError::unanswerable(other),
+        }
+    })
 }
 
 fn subject_of(study: &Study, index: usize) -> Result<&Subject, AnalysisError> {

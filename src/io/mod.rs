@@ -3,6 +3,7 @@
 mod binary_cursor;
 mod csv_mesh;
 mod detect;
+mod experiment_csv;
 mod gltf_file;
 mod limits;
 mod mesh_draft;
@@ -22,6 +23,7 @@ mod vtp;
 mod write_study;
 
 pub use detect::{mesh_file_endings, read_mesh, read_mesh_with_siblings};
+pub use experiment_csv::{comparison_csv, interpolation_csv, noise_csv, transfer_study_csv};
 pub use limits::Limits;
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;

@@ -139,12 +139,12 @@ fn number(value: Option<f64>) -> String {
 }
 
 /// Rows of cells; cells that need quotes get them.
-struct Table {
-    text: String,
+pub(super) struct Table {
+    pub(super) text: String,
 }
 
 impl Table {
-    fn new<S: AsRef<str>>(header: &[S]) -> Self {
+    pub(super) fn new<S: AsRef<str>>(header: &[S]) -> Self {
         let mut table = Self {
             text: String::new(),
         };
@@ -152,7 +152,7 @@ impl Table {
         table
     }
 
-    fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+    pub(super) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         for (column, cell) in cells.into_iter().enumerate() {
             if column > 0 {
                 self.text.push(',');

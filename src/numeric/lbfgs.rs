@@ -51,6 +51,12 @@ pub struct Minimum {
     pub ending: Ending,
 }
 
+/// Steps whose falls are judged together.
+const WINDOW: usize = 8;
+
+/// An expected fall of this share of the value is lost in rounding.
+const ROUNDING: f64 = 1e-15;
+
 /// Minimises from `x`, which ends at the best point found.
 ///
 /// Directions are −H g with H built from the last steps (two-loop recursion) on
@@ -58,7 +64,8 @@ pub struct Minimum {
 /// with s and y. Steps meet the strong Wolfe conditions, so that sᵀy > 0 and H stays positive.
 ///
 /// It has converged when ½ gᵀH g, the fall that is expected of the next step, and the fall of the
-/// last one are both at most `tolerance` of the value. `go_on` is asked after each evaluation.
+/// last eight together are both at most `tolerance` of the value: a single short step does not end it.
+/// `go_on` is asked after each evaluation.
 ///
 /// Source: Nocedal and Wright (2006), *Numerical Optimization*, algorithm 7.4 and section 7.2.
 pub fn lbfgs(
@@ -68,7 +75,7 @@ pub fn lbfgs(
     mut go_on: impl FnMut() -> bool,
 ) -> Minimum {
     let mut search = Search::new(objective, x, params.memory);
-    let mut last_fall = f64::INFINITY;
+    let mut values = VecDeque::from([search.value]);
     let mut ending = Ending::MostIterations;
     let mut iterations = 0;
     while iterations < params.most_iterations {
@@ -78,13 +85,16 @@ pub fn lbfgs(
         }
         let slope = search.turn();
         let bound = params.tolerance * search.value.abs();
-        // Before the first step, an expectation rests on the preconditioner alone.
         let at_rest = slope == 0.0 || !search.value.is_finite();
-        if at_rest || (-0.5 * slope <= bound && last_fall <= bound) {
+        let fall = if values.len() > WINDOW {
+            values[0] - search.value
+        } else {
+            f64::INFINITY
+        };
+        if at_rest || (-0.5 * slope <= bound && fall <= bound) || -slope <= ROUNDING * search.value.abs() {
             ending = Ending::Converged;
             break;
         }
-        let before = search.value;
         match search.advance(objective, x, slope, &mut go_on) {
             Advance::Done => iterations += 1,
             Advance::Stopped => {
@@ -98,7 +108,10 @@ pub fn lbfgs(
                 break;
             }
         }
-        last_fall = before - search.value;
+        values.push_back(search.value);
+        if values.len() > WINDOW + 1 {
+            values.pop_front();
+        }
     }
     Minimum {
         value: search.value,

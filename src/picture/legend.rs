@@ -61,8 +61,8 @@ impl ColourLegend {
             Quantity::Tissue => return None,
             Quantity::Displacement => ("Displacement from end-diastole", unit.length_symbol()),
             Quantity::AreaRatio => ("Area relative to end-diastole", ""),
-            Quantity::Contribution => ("Difference to the other heart", "× mean"),
-            Quantity::CarriedDistance => ("Distance from its own beat", unit.length_symbol()),
+            Quantity::Contribution => ("Difference", "× mean"),
+            Quantity::CarriedDistance => ("From own beat", unit.length_symbol()),
         };
         Some(Self {
             title: title.to_owned(),

@@ -32,7 +32,7 @@ impl Default for CohortLimits {
     }
 }
 
-/// Four times the mean: between hearts of the built-in cohort, one face in a hundred has more.
+/// Up to four times the mean, the same for every pair; what is beyond has the end colour.
 const CONTRIBUTION: ColourLimits = ColourLimits {
     low: 0.0,
     high: 4.0,
@@ -69,10 +69,12 @@ impl CohortLimits {
     /// The range of one quantity.
     pub fn range(&self, quantity: Quantity) -> ColourLimits {
         match quantity {
-            // Lengths share one range, so that a difference of two beats compares with their motion.
-            Quantity::Tissue | Quantity::Displacement | Quantity::CarriedDistance => {
-                self.displacement
-            }
+            Quantity::Tissue | Quantity::Displacement => self.displacement,
+            // Two beats differ by less than either moves; a round share keeps colours comparable.
+            Quantity::CarriedDistance => ColourLimits {
+                high: 0.5 * self.displacement.high,
+                ..self.displacement
+            },
             Quantity::AreaRatio => self.area_ratio,
             Quantity::Contribution => CONTRIBUTION,
         }

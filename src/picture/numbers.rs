@@ -195,7 +195,7 @@ mod tests {
             |numbers| scene_with_numbers(&heart, numbers, &settings, GeometryPose::default());
         let drawn = scene(Some(&numbers));
         let legend = drawn.legend.unwrap();
-        assert_eq!(legend.heading(), "Difference to the other heart, × mean");
+        assert_eq!(legend.heading(), "Difference, × mean");
         assert!(legend.above, "vertex numbers go beyond four");
         let SurfaceColour::Scalars { scalars, .. } = &drawn.scene.surfaces[0].colour else {
             panic!("the inner side carries the numbers");

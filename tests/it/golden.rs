@@ -8,6 +8,7 @@ use std::io::Write;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
+use cardiomorph::picture::Quantity;
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
 use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
@@ -42,6 +43,18 @@ fn tolerance(adapter: &str) -> SnapshotOptions {
 }
 
 fn compare(name: &str, theme: ThemeChoice, mode: ViewMode, in_front: &[Pane]) {
+    let mut commands = vec![Command::SetViewMode(mode)];
+    commands.extend(in_front.iter().map(|pane| Command::ShowPane(*pane)));
+    compare_after(name, theme, commands, |_| true);
+}
+
+/// Compares the window after these commands, once `ready` says that their results are there.
+fn compare_after(
+    name: &str,
+    theme: ThemeChoice,
+    commands: Vec<Command>,
+    ready: impl Fn(&App) -> bool,
+) {
     let Some(adapter) = adapter() else {
         return;
     };
@@ -70,13 +83,15 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode, in_front: &[Pane]) {
         frame: 3,
         play: false,
     });
-    harness.state_mut().push(Command::SetViewMode(mode));
-    for pane in in_front {
-        harness.state_mut().push(Command::ShowPane(*pane));
+    for command in commands {
+        harness.state_mut().push(command);
     }
     harness.remove_cursor();
-    harness.run();
-    while harness.state().busy() || harness.state().hearts_on_screen()[0] != (11, 3.0) {
+    harness.run_steps(4);
+    while harness.state().busy()
+        || harness.state().hearts_on_screen()[0].0 != 11
+        || !ready(harness.state())
+    {
         assert!(begin.elapsed() < Duration::from_secs(60), "no heart");
         harness.step();
         std::thread::sleep(Duration::from_millis(5));
@@ -124,4 +139,29 @@ fn poses_through_time_look_as_they_did_in_the_dark_window() {
 fn poses_through_time_look_as_they_did_in_the_light_window() {
     let (light, mode) = (ThemeChoice::Light, ViewMode::Single);
     compare("space_time_light", light, mode, &[Pane::SpaceTime]);
+}
+
+#[test]
+fn a_carried_beat_looks_as_it_did() {
+    let commands = vec![
+        Command::CarryBeat { from: 11, onto: 2 },
+        Command::TogglePlay,
+        Command::SetPosition(3.5),
+    ];
+    compare_after("carried_beat", ThemeChoice::Dark, commands, |app| {
+        let in_betweens = app.state().in_betweens_of(11);
+        app.state().carried_heart().is_some() && in_betweens.is_some_and(|beat| beat.complete())
+    });
+}
+
+#[test]
+fn the_difference_of_two_hearts_looks_as_it_did() {
+    let commands = vec![
+        Command::SetViewMode(ViewMode::SideBySide),
+        Command::CompareWith(Some(2)),
+        Command::SetQuantity(Quantity::Contribution),
+    ];
+    compare_after("difference", ThemeChoice::Light, commands, |app| {
+        app.state().results.differences.shown().is_some()
+    });
 }

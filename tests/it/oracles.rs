@@ -3,7 +3,11 @@
 #[cfg(test)]
 mod classes;
 #[cfg(test)]
+mod explicit_paths;
+#[cfg(test)]
 mod maps;
+#[cfg(test)]
+mod noise;
 #[cfg(test)]
 mod paths;
 #[cfg(test)]

@@ -191,12 +191,8 @@ fn check_rows(
             labels: labels.len(),
         });
     }
-    // The negated comparison is true for what is not a number, too.
-    match plane
-        .coordinates
-        .iter()
-        .position(|x| !(x.abs() < TOO_LARGE))
-    {
+    let too_large = |x: &f64| x.is_nan() || x.abs() >= TOO_LARGE;
+    match plane.coordinates.iter().position(too_large) {
         Some(at) => Err(ClassifyError::NotFinite {
             row: at / plane.dimensions,
             axis: at % plane.dimensions,

@@ -351,35 +351,27 @@ fn what_makes_no_map_is_said_with_its_numbers() {
     assert_eq!(other.to_string(), "a map of 6 poses was given for 12 poses");
     let wrong = |params: DeformationMapParams| params.check().unwrap_err().to_string();
     let default = DeformationMapParams::default;
+    let weight = DeformationMapParams {
+        time_weight: Some(f64::NAN),
+        ..default()
+    };
+    let samples = DeformationMapParams {
+        samples: 1,
+        ..default()
+    };
+    let regularisation = DeformationMapParams {
+        regularisation: -0.5,
+        ..default()
+    };
+    let neighbours = DeformationMapParams {
+        neighbours: Some(0),
+        ..default()
+    };
     for (params, number) in [
-        (
-            DeformationMapParams {
-                time_weight: Some(f64::NAN),
-                ..default()
-            },
-            "NaN",
-        ),
-        (
-            DeformationMapParams {
-                samples: 1,
-                ..default()
-            },
-            "1",
-        ),
-        (
-            DeformationMapParams {
-                regularisation: -0.5,
-                ..default()
-            },
-            "-0.5",
-        ),
-        (
-            DeformationMapParams {
-                neighbours: Some(0),
-                ..default()
-            },
-            "1",
-        ),
+        (weight, "NaN"),
+        (samples, "not 1"),
+        (regularisation, "-0.5"),
+        (neighbours, "at least 1"),
     ] {
         assert!(wrong(params).contains(number), "{}", wrong(params));
     }

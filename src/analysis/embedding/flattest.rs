@@ -33,7 +33,7 @@ pub(super) fn flattest(
     } else {
         by_shifted_inverse(&columns, count, progress)?
     };
-    Ok(settled(weights, vectors)?)
+    settled(weights, vectors)
 }
 
 /// M = (1 − W)ᵀ(1 − W), its lower triangle.
@@ -191,8 +191,8 @@ fn missed(weights: &LocalWeights, v: &[f64]) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::LleParams;
     use super::*;
+    use crate::analysis::embedding::LleParams;
 
     fn weights(items: u32) -> LocalWeights {
         let points: Vec<f64> = (0..items)

@@ -246,8 +246,8 @@ fn solve_positive(a: &mut [f64], b: &mut [f64]) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::LleParams;
     use super::*;
+    use crate::analysis::embedding::LleParams;
     use proptest::prelude::*;
 
     fn params(neighbours: usize, regularisation: f64) -> CheckedLleParams {

@@ -169,8 +169,8 @@ fn possible(items: usize, count: usize) -> Result<(), EmbeddingError> {
 /// Points axis by axis, so that distances from one to all others are a stream.
 fn axes(points: &[f64], items: usize) -> Result<Vec<Vec<f64>>, EmbeddingError> {
     let width = points.len().checked_div(items).unwrap_or(0);
-    // The negated comparison is true for what is not a number, too.
-    if width * items != points.len() || points.iter().any(|x| !(x.abs() < TOO_LARGE)) {
+    let too_large = |x: &f64| x.is_nan() || x.abs() >= TOO_LARGE;
+    if width * items != points.len() || points.iter().any(too_large) {
         return Err(EmbeddingError::Points {
             values: points.len(),
             items,

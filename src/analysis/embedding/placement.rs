@@ -51,8 +51,8 @@ pub fn placed_classically(
 
 #[cfg(test)]
 mod tests {
-    use super::super::classical_mds;
     use super::*;
+    use crate::analysis::embedding::classical_mds;
     use crate::progress::Progress;
 
     fn of(points: &[[f64; 2]]) -> DistanceMatrix {

@@ -1,5 +1,9 @@
 //! Why an experiment cannot be run.
 
+use crate::analysis::classification::{ClassesParamError, ClassifyError};
+use crate::analysis::deformations::{DeformationMapError, DeformationParamError};
+use crate::analysis::embedding::EmbeddingError;
+use crate::analysis::pose_distances::{PoseDistanceError, PoseDistanceParamError};
 use crate::mesh::MeshError;
 use crate::progress::Stopped;
 use crate::study::SequenceError;
@@ -46,4 +50,64 @@ pub enum ExperimentError {
     /// Poses do not make a sequence.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
+    /// Settings of distances.
+    #[error(transparent)]
+    Distances(#[from] PoseDistanceParamError),
+    /// Settings of the map of deformations.
+    #[error(transparent)]
+    Deformations(#[from] DeformationParamError),
+    /// Settings of the rules.
+    #[error(transparent)]
+    Rules(#[from] ClassesParamError),
+    /// A step of the method failed.
+    #[error("{step}: {reason}")]
+    Step {
+        /// Which.
+        step: &'static str,
+        /// What it said.
+        reason: String,
+    },
+}
+
+impl From<PoseDistanceError> for ExperimentError {
+    fn from(error: PoseDistanceError) -> Self {
+        match error {
+            PoseDistanceError::Stopped(stopped) => stopped.into(),
+            other => step("comparing poses", &other),
+        }
+    }
+}
+
+impl From<EmbeddingError> for ExperimentError {
+    fn from(error: EmbeddingError) -> Self {
+        match error {
+            EmbeddingError::Stopped(stopped) => stopped.into(),
+            other => step("laying out the map of poses", &other),
+        }
+    }
+}
+
+impl From<DeformationMapError> for ExperimentError {
+    fn from(error: DeformationMapError) -> Self {
+        match error {
+            DeformationMapError::Stopped(stopped) => stopped.into(),
+            other => step("laying out the map of deformations", &other),
+        }
+    }
+}
+
+impl From<ClassifyError> for ExperimentError {
+    fn from(error: ClassifyError) -> Self {
+        match error {
+            ClassifyError::Stopped(stopped) => stopped.into(),
+            other => step("telling classes apart", &other),
+        }
+    }
+}
+
+pub(super) fn step(step: &'static str, error: &dyn std::error::Error) -> ExperimentError {
+    ExperimentError::Step {
+        step,
+        reason: error.to_string(),
+    }
 }

@@ -1,4 +1,4 @@
-//! Labelled studies of deformed objects, clean and with noise.
+//! Labelled studies of deformed objects.
 
 use std::sync::Arc;
 
@@ -12,7 +12,6 @@ use crate::units::LengthUnit;
 
 use super::ExperimentError;
 use super::motions::Motion;
-use super::noise::{NoiseFamily, NoiseReference, noise_sigma};
 use super::objects::{Fineness, ObjectKind, object};
 
 /// Deformations of one kind of object.
@@ -54,6 +53,8 @@ impl Default for SyntheticParams {
 pub struct Deformation {
     /// Index into [`Motion::ALL`].
     pub class: usize,
+    /// The amplitude at which it ends, see [`Motion::typical_amplitude`].
+    pub amplitude: f64,
     /// The object at rest and deformed; lengths in radii of the solid.
     pub poses: Vec<Vec<Point3>>,
 }
@@ -81,7 +82,7 @@ pub fn synthetic_cohort(params: &SyntheticParams) -> Result<SyntheticCohort, Exp
             random.set_stream((class as u64) << 32 | u64::from(member));
             deformations.push(Deformation {
                 class,
-                poses: deformed(&template, motion, params, &mut random),
+                ..deformed(&template, motion, params, &mut random)
             });
         }
     }
@@ -125,7 +126,7 @@ fn deformed(
     motion: Motion,
     params: &SyntheticParams,
     random: &mut ChaCha8Rng,
-) -> Vec<Vec<Point3>> {
+) -> Deformation {
     let mut factor = |jitter: f64| 1.0 + jitter * random.random_range(-1.0..=1.0);
     let axes = Vector3::from_fn(|_, _| factor(params.object_jitter));
     let solid = params.object.solid;
@@ -136,26 +137,18 @@ fn deformed(
     let rest: Vec<Point3> = (template.vertices().iter())
         .map(|p| Point3::from(p.coords.component_mul(&axes)))
         .collect();
-    (0..params.poses)
+    let poses = (0..params.poses)
         .map(|pose| {
             let reached = amplitude * f64::from(pose) / f64::from(params.poses - 1);
             let at = |p: &Point3| turn * motion.moved(solid, p, reached) + place;
             rest.iter().map(at).collect()
         })
-        .collect()
-}
-
-/// Noise on every vertex, coordinate and pose.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Noise {
-    /// Its distribution.
-    pub family: NoiseFamily,
-    /// Its variance in percent of `reference`.
-    pub percent: f64,
-    /// What that is a share of.
-    pub reference: NoiseReference,
-    /// Of the draw.
-    pub seed: u64,
+        .collect();
+    Deformation {
+        class: 0,
+        amplitude,
+        poses,
+    }
 }
 
 impl SyntheticCohort {
@@ -164,24 +157,20 @@ impl SyntheticCohort {
         self.deformations.iter().map(|d| d.class).collect()
     }
 
-    /// A study with one subject per deformation, labelled by its class; with noise if asked for.
+    /// A study with one subject per deformation, labelled by its class.
     ///
     /// # Errors
-    /// If noise takes a coordinate out of the range of numbers.
-    pub fn study(&self, noise: Option<&Noise>) -> Result<Study, ExperimentError> {
+    /// If coordinates are not finite.
+    pub fn study(&self) -> Result<Study, ExperimentError> {
         let mut subjects = Vec::with_capacity(self.deformations.len());
         for (index, deformation) in self.deformations.iter().enumerate() {
             let class = Motion::ALL[deformation.class].name();
-            let poses = match noise {
-                Some(noise) => noisy(&deformation.poses, noise, index),
-                None => deformation.poses.clone(),
-            };
-            let frames = (poses.into_iter())
-                .map(|points| TriMesh::new(points, Arc::clone(self.template.faces())))
+            let frames = (deformation.poses.iter())
+                .map(|points| TriMesh::new(points.clone(), Arc::clone(self.template.faces())))
                 .collect::<Result<Vec<_>, _>>()?;
             let surface = SurfaceSequence::new(SurfaceKind::Other, frames)?;
-            let sequence = MeshSequence::new(vec![surface])?;
             let id = format!("{class} {}", index + 1);
+            let sequence = MeshSequence::new(vec![surface])?;
             let mut subject = Subject::new(id, sequence, LengthUnit::FileUnit);
             subject.label = Some(class.to_owned());
             subject.end_diastole = Some(0);
@@ -193,14 +182,4 @@ impl SyntheticCohort {
             ..Study::default()
         })
     }
-}
-
-/// The poses of the deformation with this number, each with noise of its own.
-pub fn noisy(poses: &[Vec<Point3>], noise: &Noise, index: usize) -> Vec<Vec<Point3>> {
-    let sigma = noise_sigma(poses, noise.percent, noise.reference);
-    let mut random = ChaCha8Rng::seed_from_u64(noise.seed);
-    random.set_stream(index as u64);
-    (poses.iter())
-        .map(|pose| noise.family.added(pose, sigma, &mut random))
-        .collect()
 }

@@ -3,6 +3,7 @@
 use crate::analysis::metrics::{MetricError, PathEnergy};
 use crate::numeric::{Ending, LbfgsParams, Objective, lbfgs};
 
+use super::frames::Frames;
 use super::stiffness::Stiffness;
 
 /// Steps that the search remembers; more than ten shortened no search that was tried.
@@ -28,7 +29,7 @@ pub(super) struct Content {
 
 struct Path<'a> {
     energy: &'a mut PathEnergy,
-    stiffness: Option<&'a Stiffness>,
+    stiffness: Option<(&'a Stiffness, Frames)>,
 }
 
 impl Objective for Path<'_> {
@@ -37,8 +38,8 @@ impl Objective for Path<'_> {
     }
 
     fn precondition(&mut self, gradient: &mut [f64]) {
-        if let Some(stiffness) = self.stiffness {
-            stiffness.solve(gradient);
+        if let Some((stiffness, frames)) = &self.stiffness {
+            stiffness.solve(frames, gradient);
         }
     }
 }
@@ -57,6 +58,7 @@ pub(super) fn improve(
         tolerance: content.tolerance,
         most_iterations: content.most_iterations,
     };
+    let stiffness = stiffness.map(|stiffness| (stiffness, stiffness.frames(&inner.coordinates)));
     let mut path = Path { energy, stiffness };
     let found = lbfgs(&mut path, &mut inner.coordinates, &params, go_on);
     inner.iterations += found.iterations;

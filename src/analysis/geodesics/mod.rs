@@ -7,6 +7,7 @@
 
 mod coarse;
 mod ends;
+mod frames;
 mod interpolate;
 mod minimise;
 mod params;

@@ -154,15 +154,39 @@ impl GeodesicSolver {
             tolerance: self.params.tolerance,
             most_iterations: self.params.most_iterations as usize,
         };
-        let levels = time_levels(usize::from(self.params.in_betweens));
-        Ok(cheapest(
-            |count| PathEnergy::new(&self.metric, start, end, count),
-            own.as_ref().or(self.stiffness.as_ref()),
-            ends,
-            &levels,
-            &content,
-            || !progress.stop_requested(),
-        )?)
+        let count = usize::from(self.params.in_betweens);
+        let from = |levels: &[usize], stiffness: Option<&Stiffness>| {
+            cheapest(
+                |count| PathEnergy::new(&self.metric, start, end, count),
+                stiffness,
+                ends,
+                levels,
+                &content,
+                || !progress.stop_requested(),
+            )
+        };
+        let levels = time_levels(count);
+        let stiffness = own.as_ref().or(self.stiffness.as_ref());
+        let mut best = from(&levels, stiffness)?;
+        if !has_many_minima(&self.params) {
+            return Ok(best);
+        }
+        let mut energy = PathEnergy::new(&self.metric, start, end, count)?;
+        let mut least = energy.energy(&best.coordinates);
+        for (levels, stiffness) in [(&levels[..], None), (&[count], stiffness), (&[count], None)] {
+            if best.stopped {
+                break;
+            }
+            let next = from(levels, stiffness)?;
+            let found = energy.energy(&next.coordinates);
+            let iterations = best.iterations + next.iterations;
+            let stopped = next.stopped;
+            if found < least {
+                (least, best) = (found, next);
+            }
+            (best.iterations, best.stopped) = (iterations, stopped);
+        }
+        Ok(best)
     }
 
     /// For forms with curvature change as a factor: about (ΔK / steps)², which a step has.
@@ -193,4 +217,10 @@ impl GeodesicSolver {
 
 fn curvature_is_a_factor(params: &CheckedGeodesicParams) -> bool {
     params.metric.kind == MetricKind::QuasiConformal && params.metric.form != Form::Additive
+}
+
+/// Where curvature change multiplies angle change, a step costs nothing if either is nothing: paths
+/// alternate between both in many ways, and where a search ends depends on where it began.
+fn has_many_minima(params: &CheckedGeodesicParams) -> bool {
+    curvature_is_a_factor(params) && params.metric.form != Form::Frozen
 }

@@ -1,8 +1,10 @@
 //! How stiff each direction of a path is, about: what makes the search short.
 
 use crate::analysis::metrics::{CheckedMetricParams, Corners, MetricKind, Regulariser};
-use crate::mesh::{Faces, Point3, Vector3};
+use crate::mesh::{Edge, Faces, Point3, Vector3};
 use crate::numeric::SparseCholesky;
+
+use super::frames::Frames;
 
 /// Added to the diagonal, as a share of its mean, so that fields which the metric does not charge
 /// do not make the matrix singular; small enough not to be felt by those it charges.
@@ -13,10 +15,14 @@ const SHIFT: f64 = 1e-6;
 /// With the metric frozen at one pose, ⟨⟨X, Y⟩⟩ = Xᵀ G Y, the energy is Σ 2 XᵢᵀG Xᵢ, a quadratic
 /// form with Hessian 4 T ⊗ G where T = tridiag(−1, 2, −1) couples neighbouring poses. G holds the
 /// corner terms (or edge terms) and the regulariser, and not the curvature term, which
-/// with its averages would fill it; what is left out costs iterations, never accuracy.
+/// with its averages would fill it; what is left out costs iterations, never accuracy. Each pose has it
+/// in its own [`Frames`].
 #[derive(Clone, Debug)]
 pub(super) struct Stiffness {
     factor: SparseCholesky,
+    reference: Vec<Point3>,
+    edges: Vec<Edge>,
+    triangles: Vec<[u32; 3]>,
 }
 
 impl Stiffness {
@@ -78,17 +84,29 @@ impl Stiffness {
             entries.push((k, k, value + even + SHIFT * mean));
         }
         let factor = SparseCholesky::new(size, &entries).ok()?;
-        Some(Self { factor })
+        Some(Self {
+            factor,
+            reference: pose.to_vec(),
+            edges: faces.edges(),
+            triangles: faces.triangles().to_vec(),
+        })
     }
 
-    /// Multiplies a gradient over any number of poses by the inverse.
-    pub fn solve(&self, gradient: &mut [f64]) {
+    /// The frames of a path's poses, given flat.
+    pub fn frames(&self, poses: &[f64]) -> Frames {
+        Frames::new(&self.reference, &self.edges, &self.triangles, poses)
+    }
+
+    /// Multiplies a gradient over any number of poses by the inverse, in their frames.
+    pub fn solve(&self, frames: &Frames, gradient: &mut [f64]) {
         let size = self.factor.size();
         if size == 0 {
             return;
         }
+        frames.turn_back(gradient);
         self.factor.solve(gradient);
         solve_in_time(gradient, size);
+        frames.turn(gradient);
         for value in gradient {
             *value *= 0.25;
         }
@@ -284,7 +302,7 @@ mod tests {
             let moved: Vec<f64> = still.iter().zip(&small).map(|(x, d)| x + d).collect();
             let mut back = vec![0.0; still.len()];
             energy.evaluate(&moved, &mut back);
-            stiffness.solve(&mut back);
+            stiffness.solve(&stiffness.frames(&still), &mut back);
             let error = |(a, b): (&f64, &f64)| (a - b).abs();
             let worst = back.iter().zip(&small).map(error).fold(0.0, f64::max);
             // Of second order in the displacement, relative to edges of about 1.

@@ -38,7 +38,7 @@ const BLOCK: usize = 8;
 /// 3. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
 ///    the first, of least squares over vertices. So a distance depends on its two poses alone (and on
 ///    the heart that they were carried onto): moving an input, or adding a subject, changes no other
-///    number, and `metric --align rigid` gives the same one. Aligning all poses to a mean would be
+///    number, and `metric --align rigid` gives the same one of smoothed poses. Aligning all to a mean would be
 ///    cheaper by little, and would make every distance depend on the whole cohort and not be the
 ///    least of the pair.
 /// 4. **Metric.** √((⟨⟨X, X⟩⟩ at A + ⟨⟨X, X⟩⟩ at B) / 2), X = B − A.
@@ -98,14 +98,14 @@ pub fn pose_distances_knowing(
     let metric = Metric::new(&faces.unwrap_or_else(|| Faces::joined(&[])), params.metric);
     let Some(transfer) = &params.transfer else {
         let sources = own_sources(&comparable);
-        return compared(study, &metric, known, sources, left_out, progress);
+        return compared(study, &metric, known, &sources, left_out, progress);
     };
     let carrying = progress.part("carrying all motions onto one heart", 0.0, TRANSFER_SHARE);
     let cohort = transfer_cohort(&smooth, &params.metric, transfer, &carrying)?;
     let sources = carried_sources(&cohort);
     let left_out = cohort.left_out.clone();
     let comparing = progress.part("comparing poses", TRANSFER_SHARE, 1.0);
-    compared(study, &metric, known, sources, left_out, &comparing)
+    compared(study, &metric, known, &sources, left_out, &comparing)
 }
 
 /// Prepares poses and computes the pairs that are not known.
@@ -113,14 +113,14 @@ fn compared(
     study: &Study,
     metric: &Metric,
     known: Option<&KnownDistances<'_>>,
-    sources: Vec<Source<'_>>,
+    sources: &[Source<'_>],
     mut left_out: Vec<LeftOut>,
     progress: &Progress,
 ) -> Result<ComputedDistances, PoseDistanceError> {
     let pairs = sources.len() * sources.len().saturating_sub(1) / 2;
     progress.expect_steps(sources.len() + pairs);
-    let prepared = prepare(metric, &sources, progress)?;
-    leave_out_unprepared(&sources, &prepared, &mut left_out);
+    let prepared = prepare(metric, sources, progress)?;
+    leave_out_unprepared(sources, &prepared, &mut left_out);
     let (poses, prepared): (Vec<PoseId>, Vec<PreparedPose>) = (sources.iter().zip(prepared))
         .filter(|(source, _)| {
             left_out

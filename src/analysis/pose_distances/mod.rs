@@ -3,6 +3,7 @@
 mod error;
 mod known;
 mod matrix;
+mod pair;
 mod params;
 mod result;
 mod smooth;
@@ -12,6 +13,7 @@ pub use crate::analysis::alignment::LeftOut;
 pub use error::PoseDistanceError;
 pub use known::KnownDistances;
 pub use matrix::{ComputedDistances, pose_distances, pose_distances_knowing};
+pub use pair::{PairError, pair_contributions};
 pub use params::{CheckedPoseDistanceParams, PoseDistanceParamError, PoseDistanceParams};
 pub use result::{DistanceMatrix, PoseDistances, PoseId};
 pub use smooth::smoothed_study;

@@ -77,7 +77,7 @@ impl BeatData {
             end_diastole,
             end_systole,
             time_ms: time.map(|time| 1e3 * time.0),
-            between: self.between.badge,
+            between: self.between.short,
             in_betweens: &self.in_betweens,
             note: &self.note,
         }

@@ -5,18 +5,23 @@ use crate::analysis::classification::ClassesParams;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::geodesics::GeodesicParams;
+use crate::analysis::pose_distances::PoseId;
 use crate::analysis::transport::{CohortTransferParams, TransportParams};
 use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Revision, Study, Subject};
 
 fn study() -> Study {
+    of_cohort(|whole| whole[..4].to_vec())
+}
+
+fn of_cohort(choose: impl Fn(&[Arc<Subject>]) -> Vec<Arc<Subject>>) -> Study {
     let params = BuiltInParams {
         vertices: 200,
         ..BuiltInParams::default()
     };
     let whole = cohort(&params).unwrap().study;
     Study {
-        subjects: whole.subjects[..4].to_vec(),
+        subjects: choose(&whole.subjects),
         revision: Revision(7),
         ..whole
     }
@@ -87,17 +92,7 @@ fn settings_out_of_range_are_an_answer_in_words() {
 
 /// The first five hearts and the last five: normal ones and patients.
 fn two_classes() -> Study {
-    let params = BuiltInParams {
-        vertices: 200,
-        ..BuiltInParams::default()
-    };
-    let whole = cohort(&params).unwrap().study;
-    let last = whole.subjects.len() - 5;
-    Study {
-        subjects: [&whole.subjects[..5], &whole.subjects[last..]].concat(),
-        revision: Revision(7),
-        ..whole
-    }
+    of_cohort(|whole| [&whole[..5], &whole[whole.len() - 5..]].concat())
 }
 
 /// The same study after an edit of one subject.
@@ -137,6 +132,15 @@ fn interval(interval: usize) -> AnalysisRequest {
         subject: 1,
         interval,
         params: few_in_betweens(),
+    }
+}
+
+fn contribution() -> AnalysisRequest {
+    let pose = |subject| PoseId { subject, frame: 3 };
+    AnalysisRequest::Contribution {
+        a: pose(0),
+        b: pose(2),
+        distances: PoseDistanceParams::default(),
     }
 }
 
@@ -307,6 +311,30 @@ fn a_transferred_beat_begins_as_the_heart_that_it_moves() {
 }
 
 #[test]
+fn shares_of_faces_sum_to_the_squared_distance_of_the_matrix() {
+    let (study, cache, progress) = (study(), Cache::default(), Progress::default());
+    let params = PoseDistanceParams::default();
+    let distances = AnalysisRequest::PoseDistances(params);
+    let distances = run(&study, &distances, &cache, &progress).unwrap();
+    let distances = distances.pose_distances().unwrap();
+    let [a, b] = [3, 21].map(|row| distances.poses[row]);
+    let request = AnalysisRequest::Contribution {
+        a,
+        b,
+        distances: params,
+    };
+    let outcome = run(&study, &request, &cache, &progress).unwrap();
+    let shares = outcome.contribution().unwrap();
+    assert_eq!(shares.len(), study.subjects[0].sequence.face_count());
+    let whole: f64 = shares.iter().sum();
+    let squared = distances.distances.get(3, 21).powi(2);
+    assert!(
+        (whole - squared).abs() < 1e-9 * squared,
+        "{whole} {squared}"
+    );
+}
+
+#[test]
 fn distances_after_a_transfer_are_another_answer() {
     let (study, cache, progress) = (study(), Cache::default(), Progress::default());
     let ask = |transfer: Option<CohortTransferParams>| {
@@ -344,6 +372,7 @@ fn no_request_answers_once_stopped_and_none_is_kept() {
         in_betweens(),
         interval(0),
         transfer(),
+        contribution(),
     ] {
         let error = run(&study, &request, &cache, &progress).unwrap_err();
         assert_eq!(error, AnalysisError::Stopped(Stopped), "{request:?}");

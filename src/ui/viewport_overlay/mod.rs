@@ -39,6 +39,9 @@ pub struct ViewportOverlayView<'a> {
     pub cube: Option<CubeView>,
 }
 
+/// Height of title and subtitle, in points.
+const BELOW_TITLE: f32 = 45.0;
+
 /// Draws over `ui.max_rect()`, which the 3D picture fills. Two pictures side by side need a `ui`
 /// each, with its own `id_salt`.
 pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &mut Vec<Command>) {
@@ -96,19 +99,41 @@ fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView, commands: &mut
         }
     }
     if let Some(badge) = view.badge {
-        let at = inner.right_top() + vec2(0.0, 6.0);
-        let painter = ui.painter();
-        let galley = painter.layout_no_wrap(badge.to_owned(), note_font(), colours.muted);
-        let rect = Align2::RIGHT_TOP.anchor_size(at, galley.size() + vec2(14.0, 6.0));
-        if rect.left() > inner.left() + 120.0 {
-            painter.rect_filled(rect, 4.0, colours.control);
-            painter.galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
-            let response = ui.interact(rect, ui.scope_id().with("badge"), egui::Sense::hover());
-            response.widget_info(|| WidgetInfo::labeled(Role::Label, true, badge));
-            if !view.badge_note.is_empty() {
-                response.on_hover_text(view.badge_note);
-            }
-        }
+        badge_ui(ui, inner, badge, view);
+    }
+}
+
+/// Beside the title where there is room, below it where there is none.
+fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, view: &ViewportOverlayView) {
+    let colours = colours(ui);
+    let width = |text: &str, font| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), font, colours.muted);
+        galley.size().x
+    };
+    let title_width = width(view.title, title_font()) + 10.0 + space::MEDIUM;
+    let galley = ui
+        .painter()
+        .layout_no_wrap(badge.to_owned(), note_font(), colours.muted);
+    let size = galley.size() + vec2(14.0, 6.0);
+    let beside = title_width + space::LARGE + size.x <= inner.width();
+    let down = if beside { 6.0 } else { BELOW_TITLE };
+    let rect = Align2::RIGHT_TOP.anchor_size(inner.right_top() + vec2(0.0, down), size);
+    let taken = match &view.leave {
+        Some((words, _)) if !beside => width(words, note_font()) + 2.0 * space::LARGE,
+        _ => 0.0,
+    };
+    if rect.left() < inner.left() + taken {
+        return;
+    }
+    ui.painter().rect_filled(rect, 4.0, colours.control);
+    ui.painter()
+        .galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
+    let response = ui.interact(rect, ui.scope_id().with("badge"), egui::Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, badge));
+    if !view.badge_note.is_empty() {
+        response.on_hover_text(view.badge_note);
     }
 }
 

@@ -154,11 +154,11 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
         harness.state().state().document.quantity,
         Quantity::CarriedDistance
     );
-    assert!(shows(&harness, "Distance from its own beat, mm"));
+    assert!(shows(&harness, "From own beat, mm"));
     // Without colours the bar goes; undo brings them, and then the view before, back.
     give(&mut harness, Command::SetQuantity(Quantity::Tissue));
     harness.run();
-    assert!(!shows(&harness, "Distance from its own beat, mm"));
+    assert!(!shows(&harness, "From own beat, mm"));
     harness.get_by_label("Show its own beat").click();
     harness.run();
     assert_eq!(harness.state().state().document.carried, None);
@@ -182,6 +182,9 @@ fn a_subject_let_go_on_a_picture_plays_on_that_heart() {
     assert_eq!(beat.map(|beat| (beat.from, beat.onto)), Some((10, 0)));
     let look = harness.state().state().document.look;
     assert_eq!(look, Default::default(), "the drag turned no heart");
+    wait(&mut harness, "both hearts", |app| {
+        app.hearts_on_screen().len() == 2
+    });
     assert!(shows(&harness, "P02’s beat is being carried over") || carried(harness.state()));
     // By keyboard: the beat of the selected heart on the one beside it, there and back.
     give(&mut harness, Command::StopCarrying);
@@ -238,7 +241,7 @@ fn two_hearts_show_where_they_differ() {
         app.state().results.differences.shown().is_some() && app.hearts_on_screen().len() == 2
     });
     harness.run();
-    assert!(shows(&harness, "Difference to the other heart, × mean"));
+    assert!(shows(&harness, "Difference, × mean"));
     let at_rest = harness
         .state()
         .state()

@@ -88,7 +88,7 @@ fn an_edited_label_costs_nothing_and_an_edited_end_diastole_its_rows() {
     let hearts = hearts();
     let plain = PoseDistanceParams::default();
     let labelled = edited(&hearts, 1, |subject| {
-        subject.label = Some("MINF".to_owned())
+        subject.label = Some("MINF".to_owned());
     });
     assert_eq!(new_pairs(&study(&hearts), &labelled, plain), 0);
     let restated = edited(&hearts, 1, |subject| subject.end_diastole = Some(2));
@@ -112,7 +112,7 @@ fn after_a_transfer_distances_are_kept_while_the_reference_is_the_same() {
     // The mean of three is not that of two.
     assert_eq!(new_pairs(&two, &three, carried_onto(Reference::Mean)), 66);
     let labelled = edited(&hearts, 1, |subject| {
-        subject.label = Some("MINF".to_owned())
+        subject.label = Some("MINF".to_owned());
     });
     for params in [onto_first, carried_onto(Reference::Mean)] {
         assert_eq!(new_pairs(&three, &labelled, params), 0);
