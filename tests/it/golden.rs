@@ -115,38 +115,30 @@ fn the_light_window_looks_as_it_did() {
     );
 }
 
+const DEFORMATIONS: [Pane; 2] = [Pane::DeformationMap, Pane::Metric];
+
 #[test]
-fn the_map_of_deformations_and_the_settings_look_as_they_did() {
-    let in_front = [Pane::DeformationMap, Pane::Metric];
-    compare(
-        "deformations_light",
-        ThemeChoice::Light,
-        ViewMode::SideBySide,
-        &in_front,
-    );
-    compare(
-        "deformations_dark",
-        ThemeChoice::Dark,
-        ViewMode::Single,
-        &in_front,
-    );
+fn deformations_and_settings_look_as_they_did_in_the_light_window() {
+    let (light, mode) = (ThemeChoice::Light, ViewMode::SideBySide);
+    compare("deformations_light", light, mode, &DEFORMATIONS);
 }
 
 #[test]
-fn poses_through_time_look_as_they_did() {
-    let in_front = [Pane::SpaceTime];
-    compare(
-        "space_time_dark",
-        ThemeChoice::Dark,
-        ViewMode::SideBySide,
-        &in_front,
-    );
-    compare(
-        "space_time_light",
-        ThemeChoice::Light,
-        ViewMode::Single,
-        &in_front,
-    );
+fn deformations_and_settings_look_as_they_did_in_the_dark_window() {
+    let (dark, mode) = (ThemeChoice::Dark, ViewMode::Single);
+    compare("deformations_dark", dark, mode, &DEFORMATIONS);
+}
+
+#[test]
+fn poses_through_time_look_as_they_did_in_the_dark_window() {
+    let (dark, mode) = (ThemeChoice::Dark, ViewMode::SideBySide);
+    compare("space_time_dark", dark, mode, &[Pane::SpaceTime]);
+}
+
+#[test]
+fn poses_through_time_look_as_they_did_in_the_light_window() {
+    let (light, mode) = (ThemeChoice::Light, ViewMode::Single);
+    compare("space_time_light", light, mode, &[Pane::SpaceTime]);
 }
 
 #[test]

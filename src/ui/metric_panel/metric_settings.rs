@@ -90,7 +90,7 @@ pub fn weights_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> 
     };
     changed = number_field_ui(ui, &mu, accept).or(changed);
     let rings = NumberField {
-        name: "Curvature over",
+        name: "Averaging",
         unit: "rings",
         what: "Rings of neighbours over which curvature is averaged; single vertices are noise",
         value: Some(f64::from(metric.curvature_rings)),
@@ -133,7 +133,7 @@ pub fn weights_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> 
 
 fn smoothing_ui(ui: &mut Ui, distances: PoseDistanceParams) -> Option<PoseDistanceParams> {
     let smoothing = NumberField {
-        name: "Smoothed over",
+        name: "Smoothing",
         unit: "√area",
         what: "Poses are smoothed below this radius before they are compared, so that noise of the \
                mesh does not count as strain; 0 leaves them as they are",

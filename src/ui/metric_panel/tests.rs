@@ -96,7 +96,7 @@ fn a_weight_is_typed_and_a_wrong_one_is_refused_with_a_reason() {
     type_into(&mut harness, "Displacement, λ", "-1");
     assert_eq!(harness.state().poses.distances.metric.lambda, 0.5);
     harness.get_by_label("lambda must be zero or positive and finite, not -1");
-    type_into(&mut harness, "Curvature over", "2.5");
+    type_into(&mut harness, "Averaging", "2.5");
     harness.get_by_label("must be a whole number, not 2.5");
     assert_eq!(harness.state().commands.len(), 1);
 }

@@ -130,6 +130,10 @@ fn points_move_to_their_new_places_and_then_rest() {
     let mut harness = with_deformations();
     shown(&mut harness, Pane::DeformationMap);
     harness.remove_cursor();
+    // The harness has animations switched off, as people can: then points are there at once.
+    harness
+        .ctx
+        .all_styles_mut(|style| style.animation_time = 0.12);
     let places = |harness: &Harness<'_, App>| -> Vec<egui::Pos2> {
         let hearts = harness.get_all_by_label_contains("Deformation of ");
         hearts.map(|heart| heart.rect().center()).collect()
