@@ -9,7 +9,7 @@ pub enum Geodesics {
     /// Once, from M₀ to N₀. The path from M_i to N_i is the straight one bent as much as the first.
     #[default]
     First,
-    /// From every M_i to every N_i, as the text says: about three times as long.
+    /// From every M_i to every N_i, as the text says: three to eight times as long.
     EveryStep,
 }
 
