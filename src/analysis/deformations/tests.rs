@@ -327,7 +327,7 @@ fn times_that_make_no_beat_are_taken_as_even() {
 fn neighbours_grow_with_the_cohort_and_never_exceed_it() {
     assert_eq!(
         [0, 1, 3, 4, 20, 23, 100].map(default_neighbours),
-        [0, 0, 2, 3, 8, 8, 20]
+        [0, 0, 2, 3, 10, 12, 50]
     );
     let ways = vec![ellipse(6, 2.0, 1.0); 4];
     let asked = DeformationMapParams {

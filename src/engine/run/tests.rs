@@ -253,7 +253,7 @@ fn a_stopped_path_is_the_best_so_far_and_is_not_kept() {
         subject: 1,
         interval: 0,
         params: GeodesicParams {
-            in_betweens: 7,
+            in_betweens: 127,
             tolerance: 0.0,
             most_iterations: u32::MAX,
             ..GeodesicParams::default()
@@ -270,7 +270,7 @@ fn a_stopped_path_is_the_best_so_far_and_is_not_kept() {
     });
     let path = outcome.unwrap().interval().cloned().unwrap();
     assert!(path.stopped && path.energy <= path.energy_linear);
-    assert_eq!(path.poses.len(), 9);
+    assert_eq!(path.poses.len(), 129);
     assert!(cache.is_empty());
 }
 
