@@ -5,6 +5,7 @@ mod args;
 mod corresponding;
 mod demo;
 mod embed;
+mod experiment;
 mod figure;
 mod info;
 mod input;

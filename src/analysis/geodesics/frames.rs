@@ -22,7 +22,12 @@ const ITERATIONS: usize = 12;
 
 impl Frames {
     /// From the reference to poses given flat.
-    pub fn new(reference: &[Point3], edges: &[Edge], triangles: &[[u32; 3]], poses: &[f64]) -> Self {
+    pub fn new(
+        reference: &[Point3],
+        edges: &[Edge],
+        triangles: &[[u32; 3]],
+        poses: &[f64],
+    ) -> Self {
         let count = reference.len();
         let mut rotations = Vec::with_capacity(poses.len() / 3);
         let own_normals = vertex_normals(reference, triangles);
@@ -45,10 +50,12 @@ impl Frames {
                 }
             }
             for fit in &fits {
-                let before = rotations.len().checked_sub(count).map_or_else(
-                    Rotation3::identity,
-                    |at: usize| Rotation3::from_matrix_unchecked(rotations[at]),
-                );
+                let before = rotations
+                    .len()
+                    .checked_sub(count)
+                    .map_or_else(Rotation3::identity, |at: usize| {
+                        Rotation3::from_matrix_unchecked(rotations[at])
+                    });
                 let nearest = Rotation3::from_matrix_eps(fit, 1e-6, ITERATIONS, before);
                 let matrix = nearest.into_inner();
                 let sound = matrix.iter().all(|x| x.is_finite());
@@ -83,7 +90,8 @@ mod tests {
     #[test]
     fn frames_of_a_turned_surface_are_its_turn() {
         let bowl = phantom::bowl(1.0, 5, 12);
-        let turns = [0.4, 1.1].map(|angle| Rotation3::from_euler_angles(angle, -0.5 * angle, 0.8 * angle));
+        let turns =
+            [0.4, 1.1].map(|angle| Rotation3::from_euler_angles(angle, -0.5 * angle, 0.8 * angle));
         let flat: Vec<f64> = (turns.iter())
             .flat_map(|turn| bowl.vertices().iter().map(move |p| turn * p))
             .flat_map(|p| [p.x, p.y, p.z])
@@ -96,7 +104,11 @@ mod tests {
         }
         let mut vectors = flat.clone();
         frames.turn_back(&mut vectors);
-        let own: Vec<f64> = bowl.vertices().iter().flat_map(|p| [p.x, p.y, p.z]).collect();
+        let own: Vec<f64> = bowl
+            .vertices()
+            .iter()
+            .flat_map(|p| [p.x, p.y, p.z])
+            .collect();
         for (found, expected) in vectors.iter().zip(own.iter().chain(&own)) {
             assert!((found - expected).abs() < 1e-5);
         }
@@ -110,7 +122,12 @@ mod tests {
     fn squeezed_surroundings_have_some_frame() {
         let ball = phantom::sphere(1, 1.0);
         let squeezed = vec![0.0; 3 * 42];
-        let frames = Frames::new(ball.vertices(), &ball.faces().edges(), ball.triangles(), &squeezed);
+        let frames = Frames::new(
+            ball.vertices(),
+            &ball.faces().edges(),
+            ball.triangles(),
+            &squeezed,
+        );
         for rotation in &frames.rotations {
             assert!((rotation.determinant() - 1.0).abs() < 1e-6);
         }
