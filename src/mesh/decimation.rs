@@ -132,7 +132,11 @@ mod tests {
         let back = coarse.prolonged(&flat(&coarse.restricted(ball.vertices())));
         for (v, p) in ball.vertices().iter().enumerate() {
             let found = Point3::new(back[3 * v], back[3 * v + 1], back[3 * v + 2]);
-            let bound = if coarse.kept().contains(&(v as u32)) { 1e-15 } else { 0.06 };
+            let bound = if coarse.kept().contains(&(v as u32)) {
+                1e-15
+            } else {
+                0.06
+            };
             assert!((found - p).norm() <= bound, "{v}: {}", (found - p).norm());
         }
     }
@@ -151,7 +155,12 @@ mod tests {
         let outer = phantom::sphere(3, 1.0);
         let inner = phantom::sphere(3, 0.97);
         let faces = Faces::joined(&[outer.faces(), inner.faces()]);
-        let points: Vec<Point3> = outer.vertices().iter().chain(inner.vertices()).copied().collect();
+        let points: Vec<Point3> = outer
+            .vertices()
+            .iter()
+            .chain(inner.vertices())
+            .copied()
+            .collect();
         let coarse = Decimation::new(&points, &faces, 160, || true).unwrap();
         let marks: Vec<f64> = (coarse.kept().iter())
             .flat_map(|&v| [if v < 642 { 0.0 } else { 1.0 }; 3])
@@ -171,7 +180,12 @@ mod tests {
         // A point fan of three faces on one edge, and a mesh squeezed to a point.
         let fan = Faces::new(5, vec![[0, 1, 2], [0, 1, 3], [1, 0, 4]]).unwrap();
         let coarse = Decimation::new(&[Point3::origin(); 5], &fan, 1, || true).unwrap();
-        assert!(coarse.prolonged(&[1.0; 15]).iter().all(|x| (x - 1.0).abs() < 1e-12));
+        assert!(
+            coarse
+                .prolonged(&[1.0; 15])
+                .iter()
+                .all(|x| (x - 1.0).abs() < 1e-12)
+        );
         let ball = phantom::sphere(2, 1.0);
         let squeezed = vec![Point3::origin(); 162];
         assert!(Decimation::new(&squeezed, ball.faces(), 20, || true).is_some());

@@ -180,7 +180,11 @@ mod tests {
 
     #[test]
     fn round_surfaces_do_not_cross_themselves() {
-        for mesh in [phantom::sphere(3, 1.0), phantom::torus(2.0, 0.6, 30, 15), phantom::bowl(1.0, 6, 20)] {
+        for mesh in [
+            phantom::sphere(3, 1.0),
+            phantom::torus(2.0, 0.6, 30, 15),
+            phantom::bowl(1.0, 6, 20),
+        ] {
             assert_eq!(count(mesh.vertices(), mesh.triangles()), 0);
         }
     }
@@ -212,7 +216,10 @@ mod tests {
     fn two_sheets_with_a_common_rim_touch_but_do_not_cross() {
         let bowl = phantom::bowl(1.0, 5, 17);
         let faces = Faces::joined(&[bowl.faces(), bowl.faces()]);
-        let lower = bowl.vertices().iter().map(|p| Point3::new(p.x, p.y, 0.8 * p.z));
+        let lower = bowl
+            .vertices()
+            .iter()
+            .map(|p| Point3::new(p.x, p.y, 0.8 * p.z));
         let points: Vec<Point3> = bowl.vertices().iter().copied().chain(lower).collect();
         assert_eq!(count(&points, faces.triangles()), 0);
     }
@@ -230,6 +237,9 @@ mod tests {
     #[test]
     fn a_count_that_may_not_go_on_ends() {
         let ball = phantom::sphere(1, 1.0);
-        assert_eq!(crossing_faces(ball.vertices(), ball.triangles(), || false), None);
+        assert_eq!(
+            crossing_faces(ball.vertices(), ball.triangles(), || false),
+            None
+        );
     }
 }

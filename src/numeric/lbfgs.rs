@@ -91,7 +91,10 @@ pub fn lbfgs(
         } else {
             f64::INFINITY
         };
-        if at_rest || (-0.5 * slope <= bound && fall <= bound) || -slope <= ROUNDING * search.value.abs() {
+        if at_rest
+            || (-0.5 * slope <= bound && fall <= bound)
+            || -slope <= ROUNDING * search.value.abs()
+        {
             ending = Ending::Converged;
             break;
         }

@@ -119,7 +119,8 @@ mod tests {
     #[test]
     fn steps_far_too_long_and_too_short_are_mended() {
         for first in [1e-3, 1.0, 1e3] {
-            let (found, evaluations) = found(|x| (x - 2.0).powi(4), |x| 4.0 * (x - 2.0).powi(3), first);
+            let (found, evaluations) =
+                found(|x| (x - 2.0).powi(4), |x| 4.0 * (x - 2.0).powi(3), first);
             let Found::Step(trial) = found else {
                 panic!("{found:?}");
             };

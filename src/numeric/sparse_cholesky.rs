@@ -73,8 +73,7 @@ impl SparseCholesky {
         )
         .map_err(|_| memory)?;
         let mut values = vec![0.0; symbolic.len_val()];
-        let scratch =
-            symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default());
+        let scratch = symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Spec::default());
         symbolic
             .factorize_numeric_llt(
                 &mut values,

@@ -35,7 +35,9 @@ impl Coarse {
         let offsets: Vec<f64> = (inner.coordinates.iter().zip(&straight))
             .map(|(found, straight)| found - straight)
             .collect();
-        for (pose, offsets) in (fine.chunks_exact_mut(ends[0].len().max(1))).zip(offsets.chunks_exact(size)) {
+        for (pose, offsets) in
+            (fine.chunks_exact_mut(ends[0].len().max(1))).zip(offsets.chunks_exact(size))
+        {
             for (x, offset) in pose.iter_mut().zip(self.decimation.prolonged(offsets)) {
                 *x += offset;
             }

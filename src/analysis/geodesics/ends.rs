@@ -10,7 +10,11 @@ pub(super) fn flat(points: &[Point3]) -> Vec<f64> {
 }
 
 /// Counts, coordinates that can be squared twice, and some area.
-pub(super) fn check_ends(faces: &Faces, start: &[Point3], end: &[Point3]) -> Result<(), GeodesicError> {
+pub(super) fn check_ends(
+    faces: &Faces,
+    start: &[Point3],
+    end: &[Point3],
+) -> Result<(), GeodesicError> {
     let expected = faces.vertex_count();
     if start.len() != expected || end.len() != expected {
         return Err(GeodesicError::VertexCounts {

@@ -25,7 +25,9 @@ pub fn geodesic(
     progress: &Progress,
 ) -> Result<GeodesicPath, GeodesicError> {
     check_ends(faces, start, end)?;
-    let middle: Vec<Point3> = (start.iter().zip(end)).map(|(a, b)| a + (b - a) * 0.5).collect();
+    let middle: Vec<Point3> = (start.iter().zip(end))
+        .map(|(a, b)| a + (b - a) * 0.5)
+        .collect();
     let reference = if check_ends(faces, &middle, &middle).is_ok() {
         &middle
     } else {

@@ -113,8 +113,11 @@ impl GeodesicSolver {
             .collect();
         let mut poses = vec![start.to_vec()];
         poses.extend(
-            (inner.coordinates.chunks_exact((3 * start.len()).max(1)))
-                .map(|pose| pose.chunks_exact(3).map(|p| Point3::new(p[0], p[1], p[2])).collect()),
+            (inner.coordinates.chunks_exact((3 * start.len()).max(1))).map(|pose| {
+                pose.chunks_exact(3)
+                    .map(|p| Point3::new(p[0], p[1], p[2]))
+                    .collect()
+            }),
         );
         poses.push(end.to_vec());
         let mut self_intersections = 0;
@@ -162,15 +165,15 @@ impl GeodesicSolver {
                 || !progress.stop_requested(),
             )
         };
-        let levels = time_levels(count);
         let stiffness = own.as_ref().or(self.stiffness.as_ref());
-        let mut best = from(&levels, stiffness)?;
+        let mut best = from(&[count], stiffness)?;
         if !has_many_minima(&self.params) {
             return Ok(best);
         }
         let mut energy = PathEnergy::new(&self.metric, start, end, count)?;
         let mut least = energy.energy(&best.coordinates);
-        for (levels, stiffness) in [(&levels[..], None), (&[count], stiffness), (&[count], None)] {
+        let levels = time_levels(count);
+        for (levels, stiffness) in [(&levels[..], stiffness), (&levels, None), (&[count], None)] {
             if best.stopped {
                 break;
             }
@@ -203,7 +206,12 @@ impl GeodesicSolver {
         let weights: Vec<f64> = (self.metric.frozen_weights(&a, &b).iter())
             .map(|weight| weight / (steps * steps))
             .collect();
-        Ok(Stiffness::new(&self.faces, start, &self.params.metric, Some(&weights)))
+        Ok(Stiffness::new(
+            &self.faces,
+            start,
+            &self.params.metric,
+            Some(&weights),
+        ))
     }
 }
 

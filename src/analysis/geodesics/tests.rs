@@ -136,7 +136,10 @@ fn growing_by_a_factor_goes_through_equal_ratios() {
     for (k, pose) in path.poses.iter().enumerate() {
         let expected = 2.0_f64.powf(k as f64 / 16.0);
         let radius = pose.iter().map(|p| p.coords.norm()).sum::<f64>() / pose.len() as f64;
-        assert!((radius - expected).abs() < 2e-3, "{k}: {radius}, expected {expected}");
+        assert!(
+            (radius - expected).abs() < 2e-3,
+            "{k}: {radius}, expected {expected}"
+        );
     }
 }
 
@@ -168,7 +171,12 @@ fn without_in_betweens_the_path_is_its_ends() {
 fn every_metric_finds_a_path_that_is_no_dearer() {
     let mesh = bowl();
     let end = bent(mesh.vertices(), 0.2, 2.0);
-    for kind in [MetricKind::Isometric, MetricKind::Rigid, MetricKind::AnglePreserving, MetricKind::QuasiConformal] {
+    for kind in [
+        MetricKind::Isometric,
+        MetricKind::Rigid,
+        MetricKind::AnglePreserving,
+        MetricKind::QuasiConformal,
+    ] {
         for form in [Form::Printed, Form::Bilinear, Form::Frozen, Form::Additive] {
             for corners in [Corners::Raw, Corners::ScaleFree] {
                 let metric = MetricParams {
@@ -185,7 +193,12 @@ fn every_metric_finds_a_path_that_is_no_dearer() {
                 };
                 let path = found(mesh.faces(), mesh.vertices(), &end, params);
                 assert!(path.energy <= path.energy_linear, "{metric:?}");
-                assert!(path.poses.iter().flatten().all(|p| p.iter().all(|x| x.is_finite())));
+                assert!(
+                    path.poses
+                        .iter()
+                        .flatten()
+                        .all(|p| p.iter().all(|x| x.is_finite()))
+                );
             }
         }
     }
@@ -205,8 +218,15 @@ fn a_path_found_on_few_vertices_is_close_to_that_of_all() {
     assert!(gain > 0.8 && gain <= 1.0, "{gain}");
     let bow = whole.poses.iter().enumerate().map(|(k, pose)| {
         let t = k as f64 / 4.0;
-        let straight = ball.vertices().iter().zip(&end).map(|(a, b)| a + (b - a) * t);
-        straight.zip(pose).map(|(s, p)| (s - p).norm()).fold(0.0, f64::max)
+        let straight = ball
+            .vertices()
+            .iter()
+            .zip(&end)
+            .map(|(a, b)| a + (b - a) * t);
+        straight
+            .zip(pose)
+            .map(|(s, p)| (s - p).norm())
+            .fold(0.0, f64::max)
     });
     let bow = bow.fold(0.0, f64::max);
     assert!(farthest(&few.poses, &whole.poses) < 0.3 * bow);

@@ -265,11 +265,16 @@ fn stays_upright(before: &[Point3; 3], after: &[Point3; 3]) -> bool {
     let (old, new) = (normal(before), normal(after));
     let cosine_enough = old.dot(&new) >= LEAST_COSINE * old.norm() * new.norm();
     let shape = quality(after, new.norm());
-    new.norm() > 0.0 && cosine_enough && (shape >= LEAST_QUALITY || shape >= quality(before, old.norm()))
+    new.norm() > 0.0
+        && cosine_enough
+        && (shape >= LEAST_QUALITY || shape >= quality(before, old.norm()))
 }
 
 fn quality([a, b, c]: &[Point3; 3], doubled_area: f64) -> f64 {
-    let sides: f64 = [b - a, c - b, a - c].iter().map(Vector3::norm_squared).sum();
+    let sides: f64 = [b - a, c - b, a - c]
+        .iter()
+        .map(Vector3::norm_squared)
+        .sum();
     2.0 * 3.0_f64.sqrt() * doubled_area / sides
 }
 
@@ -281,7 +286,13 @@ fn closest(&[a, b, c]: &[Point3; 3], p: &Point3) -> (Point3, [f64; 3]) {
     let to = |from: &Point3| [ab.dot(&(p - from)), ac.dot(&(p - from))];
     let [[d1, d2], [d3, d4], [d5, d6]] = [to(&a), to(&b), to(&c)];
     let (va, vb, vc) = (d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2);
-    let along = |part: f64, whole: f64| if whole > 0.0 { (part / whole).clamp(0.0, 1.0) } else { 0.0 };
+    let along = |part: f64, whole: f64| {
+        if whole > 0.0 {
+            (part / whole).clamp(0.0, 1.0)
+        } else {
+            0.0
+        }
+    };
     let weights = if d1 <= 0.0 && d2 <= 0.0 {
         [1.0, 0.0, 0.0]
     } else if d3 >= 0.0 && d4 <= d3 {

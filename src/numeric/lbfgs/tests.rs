@@ -52,7 +52,9 @@ impl Objective for Bowl {
 
 fn bowl(preconditioned: bool) -> Bowl {
     Bowl {
-        curvatures: (0..200).map(|i| 10.0_f64.powf(f64::from(i) / 60.0)).collect(),
+        curvatures: (0..200)
+            .map(|i| 10.0_f64.powf(f64::from(i) / 60.0))
+            .collect(),
         preconditioned,
     }
 }
@@ -63,7 +65,10 @@ fn the_floor_of_a_curved_valley_is_found() {
         let mut x: Vec<f64> = (0..dimensions).map(|i| -1.2 + 0.01 * i as f64).collect();
         let found = lbfgs(&mut Valley, &mut x, &PARAMS, || true);
         // There is a second, local minimum near x₀ = −1 from 4 dimensions on.
-        assert!(found.value < 1e-12 || (found.value - 3.98).abs() < 0.01, "{found:?}");
+        assert!(
+            found.value < 1e-12 || (found.value - 3.98).abs() < 0.01,
+            "{found:?}"
+        );
         let mut gradient = vec![0.0; dimensions];
         Valley.evaluate(&x, &mut gradient);
         assert!(gradient.iter().all(|g| g.abs() < 1e-5), "{found:?}");
@@ -78,7 +83,10 @@ fn with_the_inverse_hessian_as_preconditioner_one_step_is_enough() {
     assert!(x.iter().all(|x| x.abs() < 1e-12));
     let mut x = vec![1.0; 200];
     let plain = lbfgs(&mut bowl(false), &mut x, &PARAMS, || true);
-    assert!(plain.iterations > 20 && (plain.value - 1.0).abs() < 1e-9, "{plain:?}");
+    assert!(
+        plain.iterations > 20 && (plain.value - 1.0).abs() < 1e-9,
+        "{plain:?}"
+    );
 }
 
 #[test]

@@ -35,6 +35,8 @@ fn params(case: &Case) -> GeodesicParams {
             ..as_printed(kind, form, corners)
         },
         in_betweens: stated["k_intermediate"].as_u64().unwrap() as u16,
+        tolerance: 1e-6,
+        most_iterations: 2_000,
         ..GeodesicParams::default()
     }
 }
@@ -58,7 +60,10 @@ fn paths_are_no_dearer(topic: &str, names: &[&str]) {
             path.converged
         );
         close(name, path.energy_linear, case.number("energy_linear"), 1e-9);
-        assert!(path.energy >= 0.0 && path.energy <= case.number("energy_bound"), "{name}");
+        assert!(
+            path.energy >= 0.0 && path.energy <= case.number("energy_bound"),
+            "{name}"
+        );
         assert_eq!(path.poses.len(), path.step_lengths.len() + 1);
     }
 }

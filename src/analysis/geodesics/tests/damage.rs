@@ -21,7 +21,17 @@ fn ends_that_do_not_fit_are_refused_with_their_numbers() {
         let mut end = mesh.vertices().to_vec();
         end[7].y = bad;
         let error = ask(mesh.vertices(), &end);
-        assert!(matches!(error, GeodesicError::NotFinite { end: "end", vertex: 7, .. }), "{error}");
+        assert!(
+            matches!(
+                error,
+                GeodesicError::NotFinite {
+                    end: "end",
+                    vertex: 7,
+                    ..
+                }
+            ),
+            "{error}"
+        );
     }
     let point = vec![Point3::new(1.0, 2.0, 3.0); 85];
     assert_eq!(
@@ -40,14 +50,24 @@ fn ends_that_do_not_fit_are_refused_with_their_numbers() {
 fn a_path_through_a_point_does_not_panic() {
     // The straight line from a ball to the ball turned inside out meets the centre half-way.
     let ball = phantom::sphere(1, 1.0);
-    let end: Vec<Point3> = ball.vertices().iter().map(|p| Point3::from(-p.coords)).collect();
+    let end: Vec<Point3> = ball
+        .vertices()
+        .iter()
+        .map(|p| Point3::from(-p.coords))
+        .collect();
     for in_betweens in [1, 2, 3] {
         let params = GeodesicParams {
             in_betweens,
             ..GeodesicParams::default()
         };
         let params = params.check().unwrap();
-        let found = geodesic(ball.faces(), ball.vertices(), &end, &params, &Progress::default());
+        let found = geodesic(
+            ball.faces(),
+            ball.vertices(),
+            &end,
+            &params,
+            &Progress::default(),
+        );
         if let Ok(path) = found {
             assert!(path.energy.is_finite() && path.energy <= path.energy_linear);
         }
@@ -62,10 +82,21 @@ fn squeezed_faces_do_not_panic() {
         end[v] = end[3];
     }
     let params = GeodesicParams::default().check().unwrap();
-    let found = geodesic(ball.faces(), ball.vertices(), &end, &params, &Progress::default());
+    let found = geodesic(
+        ball.faces(),
+        ball.vertices(),
+        &end,
+        &params,
+        &Progress::default(),
+    );
     if let Ok(path) = found {
         assert!(path.energy <= path.energy_linear);
-        assert!(path.poses.iter().flatten().all(|p| p.iter().all(|x| x.is_finite())));
+        assert!(
+            path.poses
+                .iter()
+                .flatten()
+                .all(|p| p.iter().all(|x| x.is_finite()))
+        );
     }
 }
 
@@ -73,7 +104,10 @@ fn squeezed_faces_do_not_panic() {
 fn forms_that_collapse_are_refused_from_two_in_betweens_on() {
     let asked = |metric: MetricParams, in_betweens| {
         GeodesicParams {
-            metric: MetricParams { lambda: 0.0, ..metric },
+            metric: MetricParams {
+                lambda: 0.0,
+                ..metric
+            },
             in_betweens,
             ..GeodesicParams::default()
         }
@@ -109,11 +143,29 @@ fn forms_that_collapse_are_refused_from_two_in_betweens_on() {
 fn settings_out_of_range_are_refused() {
     let default = GeodesicParams::default();
     for wrong in [
-        GeodesicParams { in_betweens: 5_000, ..default },
-        GeodesicParams { tolerance: f64::NAN, ..default },
-        GeodesicParams { tolerance: -1.0, ..default },
-        GeodesicParams { most_vertices: Some(3), ..default },
-        GeodesicParams { metric: MetricParams { mu: -1.0, ..default.metric }, ..default },
+        GeodesicParams {
+            in_betweens: 5_000,
+            ..default
+        },
+        GeodesicParams {
+            tolerance: f64::NAN,
+            ..default
+        },
+        GeodesicParams {
+            tolerance: -1.0,
+            ..default
+        },
+        GeodesicParams {
+            most_vertices: Some(3),
+            ..default
+        },
+        GeodesicParams {
+            metric: MetricParams {
+                mu: -1.0,
+                ..default.metric
+            },
+            ..default
+        },
     ] {
         assert!(wrong.check().is_err(), "{wrong:?}");
     }
