@@ -59,8 +59,25 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("measures", &[]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
-    ("pose_distances", &["alignment", "metrics"]),
+    ("transport", &["alignment", "metrics", "geodesics"]),
+    ("pose_distances", &["alignment", "metrics", "transport"]),
     ("embedding", &["pose_distances", "alignment"]),
+    ("classification", &["pose_distances", "embedding"]),
+    ("deformations", &["pose_distances", "embedding"]),
+    (
+        "experiments",
+        &[
+            "alignment",
+            "measures",
+            "metrics",
+            "geodesics",
+            "transport",
+            "pose_distances",
+            "embedding",
+            "classification",
+            "deformations",
+        ],
+    ),
 ];
 
 /// Words from outside with the only rooms that may say them.

@@ -1,8 +1,12 @@
 //! Questions asked of a study, one folder each: pure, stoppable, seeded.
 
 pub mod alignment;
+pub mod classification;
+pub mod deformations;
 pub mod embedding;
+pub mod experiments;
 pub mod geodesics;
 pub mod measures;
 pub mod metrics;
 pub mod pose_distances;
+pub mod transport;

@@ -21,7 +21,7 @@ use super::settings::Settings;
 use super::state::State;
 use super::times::Times;
 use super::viewport::Viewport;
-use super::views::{CohortData, MapData};
+use super::views::{CohortData, DeformationData, MapData};
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -76,6 +76,7 @@ pub struct App {
     viewport: Viewport,
     cohort: CohortData,
     map: MapData,
+    deformations: DeformationData,
     adapter: String,
     times: Times,
     queue: Vec<Command>,
@@ -118,6 +119,7 @@ impl App {
             viewport: Viewport::new(cc.wgpu_render_state.is_some()),
             cohort: CohortData::default(),
             map: MapData::default(),
+            deformations: DeformationData::default(),
             adapter: cc
                 .wgpu_render_state
                 .as_ref()
@@ -239,11 +241,23 @@ impl App {
                 let open = self.layout.is_open(pane);
                 self.layout.set_open(pane, !open);
             }
+            Effect::ShowPane(pane) => self.layout.set_open(pane, true),
             Effect::ResetLayout => self.layout = Layout::default(),
             Effect::SetFullScreen(full) => {
                 ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(full));
             }
             Effect::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+        }
+    }
+
+    /// Takes points from an old map to a new one; whoever turns animations off has them there at once.
+    fn move_points(&mut self, ctx: &Context) {
+        let now_s = ctx.input(|input| input.time);
+        let motion = ctx.global_style().animation_time > 0.0;
+        let poses = self.map.refresh(&self.state, now_s, motion);
+        let deformations = self.deformations.refresh(&self.state, now_s, motion);
+        if poses || deformations {
+            ctx.request_repaint();
         }
     }
 
@@ -304,7 +318,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let begin = Instant::now();
         self.cohort.refresh(&self.state);
-        self.map.refresh(&self.state);
+        self.move_points(ui.ctx());
         let mut drawing = Drawing {
             state: &self.state,
             layout: &mut self.layout,
@@ -312,6 +326,7 @@ impl eframe::App for App {
             viewport: &mut self.viewport,
             cohort: &self.cohort,
             map: &self.map,
+            deformations: &self.deformations,
             adapter: &self.adapter,
             meter: self.times.prepare_meter(),
             commands: &mut self.queue,

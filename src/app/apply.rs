@@ -3,13 +3,14 @@
 use std::path::PathBuf;
 
 use crate::engine::OpenSource;
+use crate::engine::WorkKind;
 use crate::study::Revision;
-use crate::ui::{Command, JobKind, Pane, ThemeChoice};
+use crate::ui::{Command, Pane, ThemeChoice};
 
 use super::document::Document;
 use super::state::State;
 use super::undo::Gesture;
-use super::{apply_beat, apply_view, apply_window};
+use super::{apply_beat, apply_carry, apply_view, apply_window};
 
 /// What surrounds a command.
 #[derive(Clone, Copy, Debug)]
@@ -40,13 +41,15 @@ pub enum Effect {
     /// Write all tables.
     WriteTables(PathBuf),
     /// Stop background work.
-    Stop(JobKind),
+    Stop(WorkKind),
     /// Begin stopped or failed work again.
-    Retry(JobKind),
+    Retry(WorkKind),
     /// Light or dark.
     SetTheme(ThemeChoice),
     /// Show or hide a tile.
     TogglePane(Pane),
+    /// Open a tile, or bring it before other tabs.
+    ShowPane(Pane),
     /// Put all tiles back.
     ResetLayout,
     /// Full screen or window.
@@ -96,8 +99,17 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::NextQuantity
         | C::SetColourLimits(_)
         | C::SetPoseMap(_)
+        | C::SetDeformationMap(_)
+        | C::ResetMaps
+        | C::ToggleClusters
         | C::SetSearch(_)
         | C::SortCohort(_) => apply_view::apply(state, command, moment),
+
+        C::CarryBeat { .. }
+        | C::CarryBeatBeside
+        | C::StopCarrying
+        | C::SetInBetweens(_)
+        | C::StepPose(_) => return apply_carry::apply(state, &command, moment),
 
         C::ChooseFiles
         | C::ChooseFolder
@@ -110,6 +122,7 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::DismissError(_)
         | C::SetTheme(_)
         | C::TogglePane(_)
+        | C::ShowPane(_)
         | C::ResetLayout
         | C::TogglePalette
         | C::ToggleShortcuts
@@ -130,6 +143,7 @@ pub(super) fn change(
 ) {
     let before = state.document.clone();
     edit(&mut state.document);
+    state.document.end_carrying_out_of_sight();
     if state.document != before {
         state
             .history

@@ -3,10 +3,11 @@
 use super::apply::{Effect, Moment, apply};
 use super::state::State;
 use super::testing::{state_of, subject_with_frames};
+use crate::engine::WorkKind;
 use crate::picture::Quantity;
 use crate::render::Camera;
 use crate::study::Revision;
-use crate::ui::{Command, JobKind, ViewMode};
+use crate::ui::{Command, ViewMode};
 
 fn moment(now_s: f64) -> Moment {
     Moment {
@@ -175,8 +176,8 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
         [Effect::WriteFigure(path)]
     );
     assert_eq!(
-        give(&mut state, Command::Cancel(JobKind::PoseMap)),
-        [Effect::Stop(JobKind::PoseMap)]
+        give(&mut state, Command::Cancel(WorkKind::PoseMap)),
+        [Effect::Stop(WorkKind::PoseMap)]
     );
     assert_eq!(give(&mut state, Command::Open(Vec::new())), []);
     assert_eq!(

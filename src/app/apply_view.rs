@@ -1,6 +1,7 @@
 //! Commands that change how the study is looked at: camera, colours, map, table.
 
-use crate::picture::Quantity;
+use crate::analysis::deformations::DeformationMapParams;
+use crate::engine::PoseMapParams;
 use crate::ui::Command;
 
 use super::apply::{Moment, change};
@@ -49,9 +50,15 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) {
             Command::ToggleVertices => visible.vertices = !visible.vertices,
             Command::SetShading(shading) => visible.shading = shading,
             Command::SetQuantity(quantity) => d.quantity = quantity,
-            Command::NextQuantity => d.quantity = next_quantity(d.quantity),
+            Command::NextQuantity => d.quantity = d.quantity.next(),
             Command::SetColourLimits(limits) => d.set_limits(limits.filter(is_range)),
             Command::SetPoseMap(params) => d.map = params,
+            Command::SetDeformationMap(params) => d.deformation_map = params,
+            Command::ResetMaps => {
+                d.map = PoseMapParams::default();
+                d.deformation_map = DeformationMapParams::default();
+            }
+            Command::ToggleClusters => d.shows_clusters = !d.shows_clusters,
             Command::SetSearch(text) => d.search = text,
             Command::SortCohort(column) => {
                 let again = d.sorting.column == Some(column);
@@ -61,14 +68,6 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) {
             _ => {}
         }
     });
-}
-
-fn next_quantity(quantity: Quantity) -> Quantity {
-    match quantity {
-        Quantity::Tissue => Quantity::Displacement,
-        Quantity::Displacement => Quantity::AreaRatio,
-        Quantity::AreaRatio => Quantity::Tissue,
-    }
 }
 
 fn is_range(limits: &[f64; 2]) -> bool {

@@ -1,6 +1,6 @@
 //! Commands that reach beyond the study: files, jobs, panes, sheets.
 
-use crate::engine::OpenSource;
+use crate::engine::{OpenSource, WorkKind};
 use crate::ui::Command;
 
 use super::apply::Effect;
@@ -26,14 +26,23 @@ pub fn apply(state: &mut State, command: Command) -> Vec<Effect> {
         Command::ExportTables(Some(path)) => Effect::WriteTables(path),
         Command::Retry(kind) => {
             state.errors.retain(|card| card.retry != Some(kind));
+            if kind == WorkKind::InBetweens {
+                state.results.in_betweens.resume();
+            }
             Effect::Retry(kind)
         }
-        Command::Cancel(kind) => Effect::Stop(kind),
+        Command::Cancel(kind) => {
+            if kind == WorkKind::InBetweens {
+                halt_in_betweens(state);
+            }
+            Effect::Stop(kind)
+        }
         Command::SetTheme(theme) => {
             state.theme = theme;
             Effect::SetTheme(theme)
         }
         Command::TogglePane(pane) => Effect::TogglePane(pane),
+        Command::ShowPane(pane) => Effect::ShowPane(pane),
         Command::ResetLayout => Effect::ResetLayout,
         Command::ToggleFullScreen => {
             state.full_screen = !state.full_screen;
@@ -46,6 +55,13 @@ pub fn apply(state: &mut State, command: Command) -> Vec<Effect> {
         }
     };
     vec![effect]
+}
+
+/// Stopped in-betweens stay stopped while the same beats are looked at.
+fn halt_in_betweens(state: &mut State) {
+    if let Some((subject, params)) = super::background_beats::unfinished(state) {
+        state.results.in_betweens.halt(&subject, &params);
+    }
 }
 
 /// Sheets lie over the window one at a time; error cards go by their place.

@@ -2,18 +2,42 @@
 
 use std::sync::Arc;
 
-use crate::engine::{Engine, JobError, OpenSource, Showing, Wake, WorkKind};
+use crate::analysis::classification::ClassesParams;
+use crate::engine::{
+    AnalysisRequest, ClassesSettings, DeformationMapSettings, Engine, JobError, OpenSource,
+    Showing, Wake, WorkKind,
+};
 use crate::io::Opened;
 use crate::picture::reference_frame;
 use crate::study::Study;
-use crate::ui::JobKind;
 
+use super::background_beats::AskedBeats;
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
-use super::map_orientation::oriented_like;
+use super::map_orientation::{deformations_like, oriented_like};
 use super::pictures::Pictures;
 use super::state::{Fresh, State};
+use super::views::enough_subjects;
+
+/// What a card says of work that failed.
+const FAILURES: [(WorkKind, &str); 9] = [
+    (WorkKind::Open, "Opening failed"),
+    (WorkKind::Measures, "Volumes could not be computed"),
+    (WorkKind::PoseMap, "The map of poses could not be computed"),
+    (
+        WorkKind::DeformationMap,
+        "The map of deformations could not be computed",
+    ),
+    (WorkKind::Classes, "Classes could not be told apart"),
+    (WorkKind::InBetweens, "No poses between frames were found"),
+    (WorkKind::Transfer, "The beat could not be transferred"),
+    (
+        WorkKind::Contribution,
+        "The poses could not be compared by place",
+    ),
+    (WorkKind::Export, "Nothing was exported"),
+];
 
 /// Engine, pictures and dialogs of one window.
 pub struct Background {
@@ -23,8 +47,10 @@ pub struct Background {
     pub pictures: Pictures,
     /// Asks for files.
     pub dialogs: Dialogs,
+    /// What the answers about beats belong to.
+    beats: AskedBeats,
     /// The failures that have a card already, so that each is told once.
-    told: [Option<String>; 4],
+    told: [Option<String>; FAILURES.len()],
 }
 
 impl Background {
@@ -37,7 +63,8 @@ impl Background {
             engine: Engine::start(Arc::clone(wake))?,
             pictures: Pictures::start(Arc::clone(wake))?,
             dialogs: Dialogs::start(Arc::clone(wake))?,
-            told: [const { None }; 4],
+            beats: AskedBeats::default(),
+            told: [const { None }; FAILURES.len()],
         })
     }
 
@@ -49,6 +76,8 @@ impl Background {
         self.engine.poll();
         // Results first: they belong to the study that is on screen until now.
         self.take_results(state);
+        self.take_deformations(state);
+        self.beats.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
         }
@@ -71,18 +100,40 @@ impl Background {
         if study.subjects.is_empty() {
             return;
         }
-        self.engine.request_measures(study);
-        self.engine.request_pose_map(study, state.document.map);
+        for kind in [WorkKind::Measures, WorkKind::PoseMap] {
+            if let Some(request) = wanted(state, kind) {
+                self.engine.request(study, request);
+            }
+        }
+        self.beats.request(state, &mut self.engine);
+        self.request_deformations(state);
+    }
+
+    /// Maps of deformations are made from the map of poses, and classes are told apart on them: each
+    /// is asked for once the one before is there, so that nothing is computed twice.
+    fn request_deformations(&mut self, state: &State) {
+        let steps = [
+            (WorkKind::PoseMap, WorkKind::DeformationMap),
+            (WorkKind::DeformationMap, WorkKind::Classes),
+        ];
+        for (before, kind) in steps {
+            let there = matches!(self.engine.showing(before), Showing::Ready(_));
+            if !there || !enough_subjects(state) {
+                return;
+            }
+            if let Some(request) = wanted(state, kind) {
+                self.engine.request(state.document.study(), request);
+            }
+        }
     }
 
     /// Begins stopped or failed work again.
-    pub fn retry(&mut self, state: &State, kind: JobKind) {
-        let study = state.document.study();
-        match kind {
-            JobKind::Open => self.engine.retry_open(),
-            JobKind::Measures => self.engine.retry_measures(study),
-            JobKind::PoseMap => self.engine.retry_pose_map(study, state.document.map),
-            JobKind::Export => {}
+    pub fn retry(&mut self, state: &State, kind: WorkKind) {
+        if kind == WorkKind::Open {
+            self.engine.retry_open();
+        } else if let Some(request) = wanted(state, kind).or_else(|| self.beats.retry(state, kind))
+        {
+            self.engine.retry(state.document.study(), request);
         }
     }
 
@@ -92,8 +143,8 @@ impl Background {
     }
 
     /// Stops one kind of work.
-    pub fn stop(&mut self, kind: JobKind) {
-        self.engine.cancel(work_kind(kind));
+    pub fn stop(&mut self, kind: WorkKind) {
+        self.engine.cancel(kind);
     }
 
     /// Whether anything runs, so that bars must move.
@@ -104,7 +155,7 @@ impl Background {
     fn take_results(&mut self, state: &mut State) {
         let revision = state.document.study().revision;
         let opening = state.document.study.opening;
-        if let Showing::Ready(outcome) = self.engine.measures()
+        if let Showing::Ready(outcome) = self.engine.showing(WorkKind::Measures)
             && let Some(value) = outcome.measures()
             && !is_same(state.results.measures.as_ref(), value)
         {
@@ -115,7 +166,7 @@ impl Background {
                 value: Arc::clone(value),
             });
         }
-        if let Showing::Ready(outcome) = self.engine.pose_map()
+        if let Showing::Ready(outcome) = self.engine.showing(WorkKind::PoseMap)
             && let Some(value) = outcome.pose_map()
             && !is_same(state.results.map.as_ref(), value)
         {
@@ -132,29 +183,73 @@ impl Background {
         }
     }
 
-    fn tell_failures(&mut self, state: &mut State) {
-        let failures = [
-            failure(&self.engine.opening()),
-            failure(&self.engine.measures()),
-            failure(&self.engine.pose_map()),
-            failure(&self.engine.export()),
-        ];
-        let kinds = [
-            (JobKind::Open, "Opening failed"),
-            (JobKind::Measures, "Volumes could not be computed"),
-            (JobKind::PoseMap, "The map could not be computed"),
-            (JobKind::Export, "Nothing was exported"),
-        ];
-        for ((failure, told), (kind, title)) in failures.into_iter().zip(&mut self.told).zip(kinds)
+    fn take_deformations(&mut self, state: &mut State) {
+        let revision = state.document.study().revision;
+        let opening = state.document.study.opening;
+        if let Showing::Ready(outcome) = self.engine.showing(WorkKind::DeformationMap)
+            && let Some(value) = outcome.deformation_map()
+            && !is_same(state.results.deformations.as_ref(), value)
         {
+            let turned = match state.deformations() {
+                Some(shown) => Arc::new(deformations_like((**value).clone(), shown)),
+                None => Arc::clone(value),
+            };
+            state.results.deformations = Some(Fresh {
+                revision,
+                opening,
+                source: Arc::clone(value),
+                value: turned,
+            });
+        }
+        if let Showing::Ready(outcome) = self.engine.showing(WorkKind::Classes)
+            && let Some(value) = outcome.classes()
+            && !is_same(state.results.classes.as_ref(), value)
+        {
+            state.results.classes = Some(Fresh {
+                revision,
+                opening,
+                source: Arc::clone(value),
+                value: Arc::clone(value),
+            });
+        }
+    }
+
+    fn tell_failures(&mut self, state: &mut State) {
+        for ((kind, title), told) in FAILURES.into_iter().zip(&mut self.told) {
+            let failure = match kind {
+                WorkKind::Open => failure(&self.engine.opening()),
+                WorkKind::Export => failure(&self.engine.export()),
+                analysis => failure(&self.engine.showing(analysis)),
+            };
             if let Some(reason) = &failure
                 && told.as_ref() != Some(reason)
             {
-                let retry = (kind != JobKind::Export).then_some(kind);
+                let retry = (kind != WorkKind::Export).then_some(kind);
                 push_card(&mut state.errors, title, reason.clone(), retry);
             }
             *told = failure;
         }
+    }
+}
+
+/// What the state on screen needs of one kind of analysis; `None` where it needs nothing.
+fn wanted(state: &State, kind: WorkKind) -> Option<AnalysisRequest> {
+    match kind {
+        WorkKind::Measures => Some(AnalysisRequest::Measures),
+        WorkKind::PoseMap => Some(AnalysisRequest::PoseMap(state.document.map)),
+        WorkKind::DeformationMap => Some(AnalysisRequest::DeformationMap(deformations(state))),
+        WorkKind::Classes => Some(AnalysisRequest::Classes(ClassesSettings {
+            deformations: deformations(state),
+            classes: ClassesParams::default(),
+        })),
+        _ => None,
+    }
+}
+
+fn deformations(state: &State) -> DeformationMapSettings {
+    DeformationMapSettings {
+        poses: state.document.map,
+        map: state.document.deformation_map,
     }
 }
 
@@ -204,24 +299,4 @@ pub fn reference_frames(state: &State) -> Vec<usize> {
     (0..study.subjects.len())
         .map(|index| reference_frame(&study.subjects[index], state.measures_of(index)))
         .collect()
-}
-
-/// The engine's word for a kind of work.
-pub fn work_kind(kind: JobKind) -> WorkKind {
-    match kind {
-        JobKind::Open => WorkKind::Open,
-        JobKind::Measures => WorkKind::Measures,
-        JobKind::PoseMap => WorkKind::PoseMap,
-        JobKind::Export => WorkKind::Export,
-    }
-}
-
-/// The window's word for a kind of work.
-pub fn job_kind(kind: WorkKind) -> JobKind {
-    match kind {
-        WorkKind::Open => JobKind::Open,
-        WorkKind::Measures => JobKind::Measures,
-        WorkKind::PoseMap => JobKind::PoseMap,
-        WorkKind::Export => JobKind::Export,
-    }
 }

@@ -6,8 +6,8 @@ use glam::{DVec3, Vec2};
 use crate::render::Camera;
 use crate::ui::Command;
 
+use super::shown_heart::Cell;
 use super::state::State;
-use super::viewport::Cell;
 
 /// A drag over the shorter side of the view turns the heart by this much.
 const TURN_PER_SIDE_RAD: f32 = std::f32::consts::PI;

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::PoseMapParams;
 use crate::io::OpenError;
 use crate::picture::Quantity;
@@ -10,6 +11,9 @@ use crate::study::{Notice, Revision, Study, Subject};
 use crate::ui::ViewMode;
 
 use super::look::Look;
+
+/// Poses between two frames until the user says otherwise.
+const IN_BETWEENS: u16 = 3;
 
 /// Which parts of a heart are drawn, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,6 +42,15 @@ impl Default for Visibility {
     }
 }
 
+/// One heart's beat, played on another heart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CarriedBeat {
+    /// Whose motion: index into the study's subjects.
+    pub from: usize,
+    /// On whose heart.
+    pub onto: usize,
+}
+
 /// Order of the cohort table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sorting {
@@ -60,6 +73,10 @@ pub struct Document {
     pub view_mode: ViewMode,
     /// The second heart of the side-by-side view; `None` lets the program choose.
     pub compare_with: Option<usize>,
+    /// The beat that the second heart plays in place of its own.
+    pub carried: Option<CarriedBeat>,
+    /// Poses computed between two frames; 0 blends frames straight.
+    pub in_betweens: u16,
     /// From where hearts are looked at.
     pub look: Look,
     /// Whether dragging turns about the screen's axes instead of keeping the heart upright.
@@ -72,6 +89,10 @@ pub struct Document {
     pub colour_limits: Vec<(Quantity, [f64; 2])>,
     /// How poses are compared and mapped.
     pub map: PoseMapParams,
+    /// How whole deformations are mapped.
+    pub deformation_map: DeformationMapParams,
+    /// Whether clusters of deformations are drawn.
+    pub shows_clusters: bool,
     /// Filter of the cohort table.
     pub search: String,
     /// Order of the cohort table.
@@ -113,12 +134,16 @@ impl Document {
             position: 0.0,
             view_mode: ViewMode::default(),
             compare_with: None,
+            carried: None,
+            in_betweens: IN_BETWEENS,
             look: Look::default(),
             free_camera: false,
             visibility: Visibility::default(),
             quantity: Quantity::default(),
             colour_limits: Vec::new(),
             map: PoseMapParams::default(),
+            deformation_map: DeformationMapParams::default(),
+            shows_clusters: true,
             search: String::new(),
             sorting: Sorting {
                 column: None,
@@ -171,6 +196,23 @@ impl Document {
         self.compare_with
             .filter(|index| *index < count && *index != self.subject)
             .or_else(|| (count > 1).then(|| (self.subject + 1) % count))
+    }
+
+    /// The carried beat that is on screen: it plays beside the heart that it came from.
+    pub fn carrying(&self) -> Option<CarriedBeat> {
+        self.carried.filter(|beat| {
+            self.view_mode == ViewMode::SideBySide
+                && self.subject == beat.from
+                && self.compared() == Some(beat.onto)
+        })
+    }
+
+    /// Ends a carried beat whose hearts are no longer on screen, and its colours with it.
+    pub fn end_carrying_out_of_sight(&mut self) {
+        self.carried = self.carrying();
+        if self.carried.is_none() && self.quantity == Quantity::CarriedDistance {
+            self.quantity = Quantity::Tissue;
+        }
     }
 
     /// Selects a subject at the same share of the beat, so that hearts with other frame counts

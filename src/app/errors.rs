@@ -1,7 +1,8 @@
 //! Cards that say what went wrong, until they are dismissed.
 
+use crate::engine::WorkKind;
 use crate::io::OpenError;
-use crate::ui::{ErrorCard, JobKind};
+use crate::ui::ErrorCard;
 
 /// Files that could not be opened have a card each up to this many; more are summed up in one:
 /// a folder of a thousand bad files is one mistake.
@@ -12,7 +13,7 @@ pub fn push_card(
     cards: &mut Vec<ErrorCard>,
     title: impl Into<String>,
     message: impl Into<String>,
-    retry: Option<JobKind>,
+    retry: Option<WorkKind>,
 ) {
     let card = ErrorCard {
         title: title.into(),

@@ -11,15 +11,16 @@ use crate::picture::figure::{
     FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,
     encoded_png,
 };
-use crate::picture::{PictureTheme, SceneSettings, subject_scene};
+use crate::picture::{HeartNumbers, PictureTheme, SceneSettings, scene_with_numbers};
 use crate::progress::Progress;
 use crate::render::{Camera, Headless};
 use crate::study::Study;
 
 use super::pictures::Heart;
-use super::play::pose_at;
+use super::play::pose_in;
+use super::shown_heart::ShownHeart;
 use super::state::State;
-use super::viewport::{ShownHeart, Viewport};
+use super::viewport::Viewport;
 
 /// Width and height of an exported figure in pixels: a column of print at 600 dots per inch.
 const FIGURE_SIZE: [u32; 2] = [2000, 1500];
@@ -46,6 +47,7 @@ pub fn figure_name(state: &State) -> String {
 /// A heart, a camera and settings: everything that a figure is drawn from.
 struct Figure {
     heart: Arc<Heart>,
+    numbers: Option<Arc<HeartNumbers>>,
     settings: SceneSettings,
     position: f64,
     camera: Camera,
@@ -87,8 +89,9 @@ fn figure(state: &State, viewport: &Viewport, shown: &ShownHeart, dark: bool) ->
         ..viewport.settings(state, dark)
     };
     let prepared = &shown.heart.prepared;
-    let pose = pose_at(shown.position, prepared.frame_count);
-    let legend = subject_scene(prepared, &settings, pose).legend;
+    let pose = pose_in(prepared, shown.position);
+    let numbers = shown.numbers.as_deref();
+    let legend = scene_with_numbers(prepared, numbers, &settings, pose).legend;
     let subject = FigureSubject {
         subject: &shown.subject,
         measures: state.measures_of(shown.index),
@@ -109,6 +112,7 @@ fn figure(state: &State, viewport: &Viewport, shown: &ShownHeart, dark: bool) ->
         content: FigureContent::of(subject, legend, prepared.axes.cube()),
         camera: viewport.camera(state, shown),
         heart: Arc::clone(&shown.heart),
+        numbers: shown.numbers.clone(),
         position: shown.position,
         settings,
     }
@@ -128,8 +132,9 @@ fn drawn(figure: &Figure, progress: &Progress) -> Result<Vec<u8>, String> {
     let fonts = FigureFonts::load().map_err(|error| error.to_string())?;
     let frame = FigureFrame::of(FIGURE_SIZE, &figure.content, &fonts);
     let prepared = &figure.heart.prepared;
-    let pose = pose_at(figure.position, prepared.frame_count);
-    let scene = subject_scene(prepared, &figure.settings, pose).scene;
+    let pose = pose_in(prepared, figure.position);
+    let numbers = figure.numbers.as_deref();
+    let scene = scene_with_numbers(prepared, numbers, &figure.settings, pose).scene;
     let mut headless = Headless::new().map_err(|error| error.to_string())?;
     let heart = headless
         .picture(
@@ -199,6 +204,7 @@ fn tables(
         &mds.distances,
         &metric_words(&distances.metric),
         &[("mds", &mds.embedding), ("smacof", &smacof.embedding)],
+        None,
     );
     let summary = serde_json::to_string_pretty(&summary).map_err(|error| error.to_string())?;
     let tables = [

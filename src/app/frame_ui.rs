@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 
-use crate::engine::{Engine, Showing};
+use crate::engine::{Engine, Showing, WorkKind};
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{self, Command, CommandPaletteView, StatusBarView};
 
@@ -14,8 +14,8 @@ use super::panes::{Panes, tab_containers};
 use super::state::State;
 use super::viewport::Viewport;
 use super::views::{
-    BeatData, CohortData, MapData, StatusData, action_state, activity_rows, measures_view,
-    menu_bar_view, report_entries,
+    BeatData, CohortData, DeformationData, MapData, StatusData, action_state, activity_rows,
+    measures_view, menu_bar_view, metric_panel_view, report_entries,
 };
 
 /// Height of the bar with the menus.
@@ -39,6 +39,8 @@ pub struct Drawing<'a> {
     pub cohort: &'a CohortData,
     /// Points of the map.
     pub map: &'a MapData,
+    /// Points of the map of deformations.
+    pub deformations: &'a DeformationData,
     /// What the pictures are drawn with.
     pub adapter: &'a str,
     /// Takes the time of the paint callbacks.
@@ -106,13 +108,24 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
 fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
     let state = drawing.state;
     let activity = activity_rows(drawing.engine.activities());
-    let measuring = matches!(drawing.engine.measures(), Showing::Computing { .. });
+    let showing = |kind| drawing.engine.showing(kind);
+    let measuring = matches!(showing(WorkKind::Measures), Showing::Computing { .. });
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
         state,
         cohort: drawing.cohort,
         beat,
-        map: drawing.map.view(state, &drawing.engine.pose_map()),
+        map: drawing.map.view(state, &showing(WorkKind::PoseMap)),
+        deformations: drawing.deformations.view(
+            state,
+            drawing.engine,
+            drawing.map.subjects(),
+            drawing.map.left_out(),
+        ),
+        space_time: drawing
+            .map
+            .space_time(state, &drawing.engine.showing(WorkKind::PoseMap)),
+        metric: metric_panel_view(state, drawing.map.subjects()),
         measures: measures_view(state, measuring),
         activity: &activity,
         measuring,
@@ -143,10 +156,12 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &ui::ActionState) {
         let view = CommandPaletteView {
             actions,
             subjects: drawing.cohort.rows(),
+            selected: state.document.selected().map(|_| state.document.subject),
         };
         ui::command_palette_ui(ui, &view, commands);
     }
     files_hover_ui(ui, state);
+    ui::dragged_subject_ui(ui);
 }
 
 /// While files are held over an open study, a frame says that they can be let go.

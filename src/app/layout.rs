@@ -6,13 +6,23 @@ use serde::{Deserialize, Serialize};
 use crate::ui::Pane;
 
 /// All panes with the words that name them in a saved layout; the words never change.
-pub const PANES: [(Pane, &str); 6] = [
+pub const PANES: [(Pane, &str); 9] = [
     (Pane::Cohort, "cohort"),
     (Pane::Activity, "activity"),
     (Pane::Viewport, "viewport"),
     (Pane::PoseMap, "pose_map"),
+    (Pane::DeformationMap, "deformation_map"),
+    (Pane::SpaceTime, "space_time"),
+    (Pane::Metric, "metric"),
     (Pane::Curves, "curves"),
     (Pane::Measures, "measures"),
+];
+
+/// Panes that layouts of earlier versions lack, with the pane beside whose tab they appear.
+const LATER: [(Pane, Pane); 3] = [
+    (Pane::DeformationMap, Pane::PoseMap),
+    (Pane::SpaceTime, Pane::PoseMap),
+    (Pane::Metric, Pane::Cohort),
 ];
 
 /// Shares of the window's width: cohort, 3D view, results.
@@ -67,9 +77,9 @@ impl Default for Layout {
                 .collect();
             tiles.insert_tab_tile(children)
         };
-        let left = tabs(&[Pane::Cohort, Pane::Activity]);
+        let left = tabs(&[Pane::Cohort, Pane::Activity, Pane::Metric]);
         let middle = tabs(&[Pane::Viewport]);
-        let map = tabs(&[Pane::PoseMap]);
+        let map = tabs(&[Pane::PoseMap, Pane::DeformationMap, Pane::SpaceTime]);
         let below = [Pane::Measures, Pane::Curves].map(|pane| tabs(&[pane]));
         let below = insert_linear(&mut tiles, LinearDir::Horizontal, &below, &BELOW_SHARES);
         let right = [map, below];
@@ -104,7 +114,7 @@ impl Layout {
     pub fn from_saved(text: &str) -> Self {
         serde_json::from_str::<Tree<PaneTile>>(text)
             .ok()
-            .map(|tree| Self { tree })
+            .map(|tree| Self { tree }.with_later_panes())
             .filter(Self::has_every_pane_once)
             .unwrap_or_default()
     }
@@ -163,6 +173,21 @@ impl Layout {
         self.tree.tiles.find_pane(&PaneTile(pane))
     }
 
+    fn with_later_panes(mut self) -> Self {
+        for (pane, neighbour) in LATER {
+            let beside = self.tile_of(neighbour);
+            let parent = beside.and_then(|tile| self.tree.tiles.parent_of(tile));
+            let (None, Some(parent)) = (self.tile_of(pane), parent) else {
+                continue;
+            };
+            let tile = self.tree.tiles.insert_pane(PaneTile(pane));
+            if let Some(Tile::Container(Container::Tabs(tabs))) = self.tree.tiles.get_mut(parent) {
+                tabs.add_child(tile);
+            }
+        }
+        self
+    }
+
     fn has_every_pane_once(&self) -> bool {
         PANES.iter().all(|(pane, _)| {
             self.tree
@@ -212,6 +237,22 @@ mod tests {
         layout.set_open(Pane::Cohort, false);
         let activity = layout.tile_of(Pane::Activity).unwrap();
         assert!(layout.tree.active_tiles().contains(&activity));
+    }
+
+    #[test]
+    fn a_layout_from_before_the_later_panes_gets_them_as_tabs_and_keeps_its_places() {
+        let mut layout = Layout::default();
+        layout.set_open(Pane::Curves, false);
+        for (pane, _) in LATER {
+            let tile = layout.tile_of(pane).unwrap();
+            layout.tree.remove_recursively(tile);
+        }
+        let back = Layout::from_saved(&layout.to_saved().unwrap());
+        assert!(!back.is_open(Pane::Curves), "what was closed stays closed");
+        for (pane, neighbour) in LATER {
+            let parent = |pane| back.tree.tiles.parent_of(back.tile_of(pane).unwrap());
+            assert_eq!(parent(pane), parent(neighbour));
+        }
     }
 
     #[test]

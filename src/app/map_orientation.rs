@@ -1,34 +1,52 @@
 //! Turns a new map so that it agrees with the one on screen: a map's own axes mean nothing.
 
 use std::collections::HashMap;
+use std::hash::Hash;
 
+use crate::analysis::deformations::DeformationMap;
+use crate::analysis::embedding::Embedding;
 use crate::engine::PoseMap;
 
-/// A pose on the new map and on the old.
+/// An item on the new map and on the old.
 type Pair = ([f64; 2], [f64; 2]);
 
 /// `map`, moved, turned and, if that fits better, mirrored, so that poses lie as near as possible
 /// to where `previous` shows them. Distances stay as they are.
-///
-/// With s = Σ pᵢ·qᵢ and c = Σ pᵢ×qᵢ over poses in both maps, p of the new map and q of the old,
-/// both centred, the best rotation is by atan2(c, s) and gains √(s² + c²); the mirror image is
-/// taken where it gains more. Maps that share fewer than two poses, or are not plane, stay.
 pub fn oriented_like(map: PoseMap, previous: &PoseMap) -> PoseMap {
-    if map.embedding.dimensions != 2 || previous.embedding.dimensions != 2 {
+    let embedding = turned(
+        (&map.distances.poses, &map.embedding),
+        (&previous.distances.poses, &previous.embedding),
+    );
+    PoseMap { embedding, ..map }
+}
+
+/// The same for a map of deformations. Its curves stay as they are: they lie on another map.
+pub fn deformations_like(map: DeformationMap, previous: &DeformationMap) -> DeformationMap {
+    let embedding = turned(
+        (&map.subjects, &map.embedding),
+        (&previous.subjects, &previous.embedding),
+    );
+    DeformationMap { embedding, ..map }
+}
+
+/// With s = Σ pᵢ·qᵢ and c = Σ pᵢ×qᵢ over items in both maps, p of the new map and q of the old,
+/// both centred, the best rotation is by atan2(c, s) and gains √(s² + c²); the mirror image is
+/// taken where it gains more. Maps that share fewer than two items, or are not plane, stay.
+fn turned<K: Eq + Hash>(
+    (items, map): (&[K], &Embedding),
+    (old_items, previous): (&[K], &Embedding),
+) -> Embedding {
+    let mut map = map.clone();
+    if map.dimensions != 2 || previous.dimensions != 2 {
         return map;
     }
-    let place: HashMap<_, _> = previous.distances.poses.iter().copied().zip(0..).collect();
-    let pairs: Vec<Pair> = map
-        .distances
-        .poses
+    let place: HashMap<&K, usize> = old_items.iter().zip(0..).collect();
+    let pairs: Vec<Pair> = items
         .iter()
         .enumerate()
-        .filter_map(|(row, pose)| {
-            let old = *place.get(pose)?;
-            Some((
-                plane(map.embedding.point(row)),
-                plane(previous.embedding.point(old)),
-            ))
+        .filter_map(|(row, item)| {
+            let old = *place.get(item)?;
+            Some((plane(map.point(row)), plane(previous.point(old))))
         })
         .collect();
     if pairs.len() < 2 {
@@ -59,8 +77,7 @@ pub fn oriented_like(map: PoseMap, previous: &PoseMap) -> PoseMap {
         plain
     };
     let (sin, cos) = angle.sin_cos();
-    let mut map = map;
-    for point in map.embedding.coordinates.chunks_exact_mut(2) {
+    for point in map.coordinates.chunks_exact_mut(2) {
         let (x, y) = (point[0] - from[0], mirror * (point[1] - from[1]));
         point[0] = to[0] + cos * x - sin * y;
         point[1] = to[1] + sin * x + cos * y;
@@ -96,9 +113,7 @@ mod tests {
             embedding: Embedding {
                 dimensions: 2,
                 coordinates: points.concat(),
-                stress: None,
-                eigenvalues: None,
-                iterations: None,
+                ..Embedding::default()
             },
         }
     }

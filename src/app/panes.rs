@@ -13,9 +13,11 @@ use egui_tiles::{
 
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{
-    Command, EmptyStateView, MeasuresView, Pane, PoseMapView, WorkItem, activity_ui,
-    cohort_table_ui, curves_ui, empty_state_ui, measures_card_ui, pane_header_ui,
-    pose_map_header_ui, pose_map_ui, tab_ui, viewport_header_ui,
+    Command, DeformationMapView, EmptyStateView, MeasuresView, MetricPanelView, Pane, PoseMapView,
+    SpaceTimeView, WorkItem, activity_ui, cohort_table_ui, curves_ui, deformation_map_ui,
+    deformation_note, empty_state_ui, measures_card_ui, metric_panel_ui, pane_header_ui,
+    pose_map_choosers_ui, pose_map_header_ui, pose_map_ui, space_time_ui, tab_ui,
+    viewport_header_ui,
 };
 
 use super::layout::PaneTile;
@@ -33,6 +35,12 @@ pub struct Panes<'a> {
     pub beat: &'a BeatData,
     /// The map.
     pub map: PoseMapView<'a>,
+    /// The map of deformations.
+    pub deformations: DeformationMapView<'a>,
+    /// Poses through time.
+    pub space_time: SpaceTimeView<'a>,
+    /// Settings of metric and maps.
+    pub metric: MetricPanelView<'a>,
     /// The measures.
     pub measures: MeasuresView<'a>,
     /// The activity list.
@@ -84,6 +92,9 @@ pub fn pane_title(pane: Pane) -> &'static str {
         Pane::Activity => "Activity",
         Pane::Viewport => "3D view",
         Pane::PoseMap => "Poses",
+        Pane::DeformationMap => "Deformations",
+        Pane::SpaceTime => "3D",
+        Pane::Metric => "Metric",
         Pane::Curves => "Volume",
         Pane::Measures => "Measures",
     }
@@ -92,15 +103,18 @@ pub fn pane_title(pane: Pane) -> &'static str {
 impl Panes<'_> {
     fn plain_header_ui(&mut self, ui: &mut Ui, pane: Pane) {
         let note = self.header_note(pane);
+        let deformations = &self.deformations;
         pane_header_ui(
             ui,
             |ui| {
                 tab_ui(ui, pane_title(pane), true);
             },
-            |ui| {
-                if let Some(note) = note {
+            |ui| match (pane, note) {
+                (Pane::DeformationMap, _) => deformation_note(ui, deformations, 120.0),
+                (_, Some(note)) => {
                     ui.label(egui::RichText::new(note).weak());
                 }
+                (_, None) => {}
             },
         );
     }
@@ -129,6 +143,9 @@ impl Panes<'_> {
             Pane::Activity => activity_ui(ui, self.activity, self.commands),
             Pane::Viewport => self.viewport_ui(ui),
             Pane::PoseMap => pose_map_ui(ui, &self.map, self.commands),
+            Pane::DeformationMap => deformation_map_ui(ui, &self.deformations, self.commands),
+            Pane::SpaceTime => space_time_ui(ui, &self.space_time, self.commands),
+            Pane::Metric => metric_panel_ui(ui, &self.metric, self.commands),
             Pane::Curves => {
                 let curves = self.beat.curves();
                 let view = self.beat.curves_view(self.state, &curves, self.measuring);
@@ -172,7 +189,9 @@ impl Behavior<PaneTile> for Panes<'_> {
             Pane::Viewport => {
                 viewport_header_ui(ui, &viewport_header_view(self.state), self.commands);
             }
-            Pane::PoseMap => pose_map_header_ui(ui, &self.map, self.commands),
+            Pane::PoseMap if !self.tabbed.contains(&tile_id) => {
+                pose_map_header_ui(ui, &self.map, self.commands);
+            }
             _ if !self.tabbed.contains(&tile_id) => self.plain_header_ui(ui, pane),
             _ => {}
         }
@@ -214,6 +233,24 @@ impl Behavior<PaneTile> for Panes<'_> {
         _scroll_offset: &mut f32,
     ) {
         let active = tabs.active.and_then(|active| tiles.get_pane(&active));
+        // What the names of the tabs need; the rest is for choosers and notes.
+        let names = tabs_width(ui, tiles, &self.tabbed, tabs);
+        match active.map(|pane| pane.0) {
+            Some(Pane::PoseMap) => {
+                ui.add_space(space::LARGE);
+                let room = ui.available_width() - names;
+                if room > 90.0 {
+                    pose_map_choosers_ui(ui, &self.map, room > 250.0, self.commands);
+                }
+                return;
+            }
+            Some(Pane::DeformationMap) => {
+                ui.add_space(space::LARGE);
+                deformation_note(ui, &self.deformations, names);
+                return;
+            }
+            _ => {}
+        }
         if let Some(note) = active.and_then(|pane| self.header_note(pane.0)) {
             ui.add_space(space::LARGE);
             ui.label(egui::RichText::new(note).weak());
@@ -288,6 +325,22 @@ impl Behavior<PaneTile> for Panes<'_> {
             StrokeKind::Inside,
         ));
     }
+}
+
+/// How wide the names of the open tabs of a container are, with the air around them.
+fn tabs_width(ui: &Ui, tiles: &Tiles<PaneTile>, tabbed: &HashSet<TileId>, tabs: &Tabs) -> f32 {
+    let open = tabs.children.iter().filter(|child| tabbed.contains(child));
+    open.filter_map(|child| tiles.get_pane(child))
+        .map(|pane| {
+            let text = pane_title(pane.0).to_owned();
+            let font = crate::ui::medium_font();
+            let galley = ui
+                .painter()
+                .layout_no_wrap(text, font, Color32::PLACEHOLDER);
+            galley.size().x + space::LARGE + ui.spacing().item_spacing.x
+        })
+        .sum::<f32>()
+        + space::LARGE
 }
 
 /// What lies outside the rounded corners of a rectangle, so that pictures have round corners too.

@@ -6,19 +6,19 @@ use egui::{Pos2, Rect, Ui};
 use glam::Vec2;
 
 use crate::picture::{
-    PreparedSubject, PreparedSurface, Quantity, SceneSettings, SurfaceRole, subject_scene,
+    HeartNumbers, PreparedSubject, Quantity, SceneSettings, SurfaceRole, subject_scene,
 };
-use crate::render::{GeometryPose, pick};
+use crate::render::{GeometryPose, VertexScalars, pick};
+use crate::study::Subject;
 use crate::ui::theme::{colours, line, radius, space, type_size};
 
-use super::pictures::Heart;
-use super::play::pose_at;
-use super::viewport::Cell;
+use super::play::pose_in;
+use super::shown_heart::Cell;
 
 /// A vertex of a heart, named so that it stays the same while the beat plays.
 #[derive(Clone)]
 pub struct Picked {
-    heart: Arc<Heart>,
+    subject: Arc<Subject>,
     role: SurfaceRole,
     vertex: usize,
 }
@@ -27,7 +27,7 @@ pub struct Picked {
 pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked> {
     let heart = &cell.heart.heart;
     let prepared = &heart.prepared;
-    let pose = pose_at(cell.heart.position, prepared.frame_count);
+    let pose = pose_in(prepared, cell.heart.position);
     let scene = subject_scene(prepared, settings, pose).scene;
     let local = at - cell.rect.min;
     let size = cell.rect.size();
@@ -43,7 +43,7 @@ pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked>
         .iter()
         .find(|surface| Arc::ptr_eq(&surface.geometry, geometry))?;
     Some(Picked {
-        heart: Arc::clone(heart),
+        subject: Arc::clone(&cell.heart.subject),
         role: surface.role,
         vertex: hit.vertex as usize,
     })
@@ -52,15 +52,24 @@ pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked>
 impl Picked {
     /// Whether the vertex belongs to the heart of a cell.
     pub fn is_on(&self, cell: &Cell) -> bool {
-        Arc::ptr_eq(&self.heart, &cell.heart.heart)
+        Arc::ptr_eq(&self.subject, &cell.heart.subject)
     }
 
     /// Surface, vertex and number with its unit: `endocardium · vertex 812 · 7.3 mm`.
-    pub fn words(&self, quantity: Quantity, pose: GeometryPose) -> String {
-        let prepared = &self.heart.prepared;
+    pub fn words(
+        &self,
+        prepared: &PreparedSubject,
+        numbers: Option<&HeartNumbers>,
+        quantity: Quantity,
+        pose: GeometryPose,
+    ) -> String {
         let mut words = format!("{} · vertex {}", role_name(self.role), self.vertex);
-        if let Some(surface) = prepared.surface(self.role)
-            && let Some(value) = value(surface, quantity, self.vertex, pose)
+        let own = prepared.surface(self.role);
+        let own = own.and_then(|surface| surface.scalars(quantity));
+        let shared = numbers.filter(|numbers| numbers.quantity == quantity);
+        let shared = shared.and_then(|numbers| numbers.of(self.role));
+        if let Some(scalars) = own.or(shared)
+            && let Some(value) = value(scalars, self.vertex, pose)
         {
             words.push_str(" · ");
             words.push_str(&number(prepared, quantity, value));
@@ -70,8 +79,8 @@ impl Picked {
 
     /// Where the vertex is on the screen at the cell's pose.
     fn place(&self, cell: &Cell) -> Option<Pos2> {
-        let prepared = &self.heart.prepared;
-        let pose = pose_at(cell.heart.position, prepared.frame_count);
+        let prepared = &cell.heart.heart.prepared;
+        let pose = pose_in(prepared, cell.heart.position);
         let positions = &prepared.surface(self.role)?.geometry.positions;
         let from = glam::Vec3::from(*positions.get(pose.from)?.get(self.vertex)?);
         let to = glam::Vec3::from(*positions.get(pose.to)?.get(self.vertex)?);
@@ -90,8 +99,9 @@ pub fn picked_ui(ui: &Ui, cell: &Cell, picked: &Picked, quantity: Quantity) {
     let colours = colours(ui);
     let painter = ui.painter().with_clip_rect(cell.rect);
     painter.circle(at, 3.5, colours.selection, (line::THIN, colours.window));
-    let pose = pose_at(cell.heart.position, cell.heart.heart.prepared.frame_count);
-    let words = picked.words(quantity, pose);
+    let prepared = &cell.heart.heart.prepared;
+    let pose = pose_in(prepared, cell.heart.position);
+    let words = picked.words(prepared, cell.heart.numbers.as_deref(), quantity, pose);
     let font = egui::FontId::proportional(type_size::NOTE);
     let galley = painter.layout_no_wrap(words, font, colours.text);
     let size = galley.size() + egui::vec2(2.0 * space::MEDIUM, space::MEDIUM);
@@ -119,13 +129,8 @@ fn role_name(role: SurfaceRole) -> &'static str {
     }
 }
 
-fn value(
-    surface: &PreparedSurface,
-    quantity: Quantity,
-    vertex: usize,
-    pose: GeometryPose,
-) -> Option<f64> {
-    let values = &surface.scalars(quantity)?.values;
+fn value(scalars: &VertexScalars, vertex: usize, pose: GeometryPose) -> Option<f64> {
+    let values = &scalars.values;
     let at = |frame: usize| {
         let frame = values.get(frame).or_else(|| values.first())?;
         frame.get(vertex).copied().map(f64::from)
@@ -144,21 +149,27 @@ fn number(prepared: &PreparedSubject, quantity: Quantity, value: f64) -> String 
             format!("moved {value:.1} {}", prepared.unit.length_symbol())
         }
         Quantity::AreaRatio => format!("area × {value:.2}"),
+        Quantity::Contribution => format!("difference {value:.2} × mean"),
+        Quantity::CarriedDistance => {
+            format!(
+                "{value:.1} {} from its own beat",
+                prepared.unit.length_symbol()
+            )
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::look::HeartFrame;
     use crate::app::testing::subject_with_frames;
 
     #[test]
     fn a_vertex_says_its_surface_and_its_number_with_unit() {
-        let prepared = PreparedSubject::new(&subject_with_frames("a", 5), 0);
-        let frame = HeartFrame::of(&prepared);
+        let subject = Arc::new(subject_with_frames("a", 5));
+        let prepared = PreparedSubject::new(&subject, 0);
         let picked = Picked {
-            heart: Arc::new(Heart { prepared, frame }),
+            subject,
             role: SurfaceRole::Alone(crate::study::SurfaceKind::Cavity),
             vertex: 7,
         };
@@ -168,7 +179,12 @@ mod tests {
             to: 3,
             blend: 0.5,
         };
-        let words = |quantity| picked.words(quantity, half_way);
+        let lists: Vec<Vec<f32>> = (0..5).map(|frame| vec![frame as f32; 42]).collect();
+        let numbers = HeartNumbers::of_heart(&prepared, Quantity::CarriedDistance, &lists);
+        let words = |quantity| picked.words(&prepared, numbers.as_ref(), quantity, half_way);
+        let carried = words(Quantity::CarriedDistance);
+        assert_eq!(carried, "cavity · vertex 7 · 2.5 mm from its own beat");
+        assert_eq!(words(Quantity::Contribution), "cavity · vertex 7");
         assert_eq!(words(Quantity::Tissue), "cavity · vertex 7");
         assert_eq!(
             words(Quantity::Displacement),

@@ -8,6 +8,7 @@ use crate::picture::{CohortLimits, PreparedSubject, fitted_camera};
 use crate::render::Camera;
 use crate::study::{Revision, Study, Subject};
 
+use super::in_betweens::InBetweens;
 use super::look::HeartFrame;
 
 /// Hearts are let go of, least recently drawn first, while all together have more vertices than
@@ -32,16 +33,50 @@ impl Heart {
 
 #[derive(Debug)]
 struct Kept {
-    subject: Arc<Subject>,
-    reference_frame: usize,
+    key: HeartKey,
     heart: Arc<Heart>,
     vertex_frames: usize,
 }
 
-#[derive(Debug)]
-struct Making {
+/// What a heart is made from.
+#[derive(Clone, Debug)]
+struct HeartKey {
     subject: Arc<Subject>,
     reference_frame: usize,
+    in_betweens: Option<Arc<InBetweens>>,
+}
+
+impl HeartKey {
+    fn is(&self, other: &Self) -> bool {
+        let same_poses = match (&self.in_betweens, &other.in_betweens) {
+            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+            (None, None) => true,
+            _ => false,
+        };
+        same_poses
+            && Arc::ptr_eq(&self.subject, &other.subject)
+            && self.reference_frame == other.reference_frame
+    }
+
+    fn vertex_frames(&self) -> usize {
+        let sequence = &self.subject.sequence;
+        sequence.vertex_count() * sequence.frame_count()
+            + self.in_betweens.as_ref().map_or(0, |beat| beat.vertices())
+    }
+
+    fn heart(&self) -> Heart {
+        let between = self.in_betweens.as_ref();
+        let between = between.map_or_else(Vec::new, |beat| beat.inner_poses());
+        let prepared =
+            PreparedSubject::with_in_betweens(&self.subject, self.reference_frame, &between);
+        let frame = HeartFrame::of(&prepared);
+        Heart { prepared, frame }
+    }
+}
+
+#[derive(Debug)]
+struct Making {
+    key: HeartKey,
     job: Job<Heart, Infallible>,
     wanted: bool,
 }
@@ -88,10 +123,8 @@ impl Pictures {
             None => true,
             Some(Ok(heart)) => {
                 ready.push(Kept {
-                    vertex_frames: making.subject.sequence.vertex_count()
-                        * making.subject.sequence.frame_count(),
-                    subject: Arc::clone(&making.subject),
-                    reference_frame: making.reference_frame,
+                    vertex_frames: making.key.vertex_frames(),
+                    key: making.key.clone(),
                     heart: Arc::new(heart),
                 });
                 false
@@ -120,9 +153,32 @@ impl Pictures {
 
     /// The heart, if it is ready; else it is begun. Cheap every frame.
     pub fn heart(&mut self, subject: &Arc<Subject>, reference_frame: usize) -> Option<Arc<Heart>> {
-        let place = self.kept.iter().position(|kept| {
-            Arc::ptr_eq(&kept.subject, subject) && kept.reference_frame == reference_frame
+        self.heart_of(HeartKey {
+            subject: Arc::clone(subject),
+            reference_frame,
+            in_betweens: None,
+        })
+    }
+
+    /// The heart with poses between its frames; while it is being made, the heart without them.
+    pub fn heart_between(
+        &mut self,
+        subject: &Arc<Subject>,
+        reference_frame: usize,
+        in_betweens: Option<&Arc<InBetweens>>,
+    ) -> Option<Arc<Heart>> {
+        let whole = in_betweens.and_then(|beat| {
+            self.heart_of(HeartKey {
+                subject: Arc::clone(subject),
+                reference_frame,
+                in_betweens: Some(Arc::clone(beat)),
+            })
         });
+        whole.or_else(|| self.heart(subject, reference_frame))
+    }
+
+    fn heart_of(&mut self, key: HeartKey) -> Option<Arc<Heart>> {
+        let place = self.kept.iter().position(|kept| kept.key.is(&key));
         if let Some(place) = place {
             // The most recently drawn stands last.
             let kept = self.kept.remove(place);
@@ -130,22 +186,17 @@ impl Pictures {
             self.kept.push(kept);
             return Some(heart);
         }
-        let running = self.making.iter_mut().find(|making| {
-            Arc::ptr_eq(&making.subject, subject) && making.reference_frame == reference_frame
-        });
+        let running = self.making.iter_mut().find(|making| making.key.is(&key));
         if let Some(making) = running {
             making.wanted = true;
             return None;
         }
-        let work = Arc::clone(subject);
+        let work = key.clone();
         let job = Job::spawn(&self.threads, Arc::clone(&self.wake), move |_| {
-            let prepared = PreparedSubject::new(&work, reference_frame);
-            let frame = HeartFrame::of(&prepared);
-            Ok(Heart { prepared, frame })
+            Ok(work.heart())
         });
         self.making.push(Making {
-            subject: Arc::clone(subject),
-            reference_frame,
+            key,
             job,
             wanted: true,
         });

@@ -1,5 +1,6 @@
 //! The clock that plays a beat: from seconds on the wall to a place between poses.
 
+use crate::picture::PreparedSubject;
 use crate::render::GeometryPose;
 use crate::study::Subject;
 
@@ -84,6 +85,35 @@ pub fn pose_at(position: f64, frame_count: usize) -> GeometryPose {
     }
 }
 
+/// The pose of a prepared heart at a position: through the poses between two frames where it has
+/// them, each for an equal share of the interval; else as [`pose_at`] blends the frames.
+pub fn pose_in(heart: &PreparedSubject, position: f64) -> GeometryPose {
+    let straight = pose_at(position, heart.frame_count);
+    let (from, to) = (
+        heart.pose_of_frame(straight.from),
+        heart.pose_of_frame(straight.to),
+    );
+    let steps = heart.in_betweens(straight.from) + 1;
+    if steps == 1 || straight.blend == 0.0 || straight.blend == 1.0 {
+        return GeometryPose {
+            from,
+            to,
+            blend: straight.blend,
+        };
+    }
+    let place = (position - position.floor()) * steps as f64;
+    let step = (place.floor() as usize).min(steps - 1);
+    GeometryPose {
+        from: from + step,
+        to: if step + 1 == steps {
+            to
+        } else {
+            from + step + 1
+        },
+        blend: (place - step as f64) as f32,
+    }
+}
+
 /// Whether a position lies between given poses. Positions within a millionth of a frame count
 /// as given: that far go rounding errors of phases.
 pub fn is_between(position: f64) -> bool {
@@ -158,6 +188,28 @@ mod tests {
             assert!(!is_between(f64::from(frame)));
         }
         assert!(is_between(0.5));
+    }
+
+    #[test]
+    fn poses_between_frames_are_passed_at_equal_shares() {
+        let subject = subject_with_frames("a", 3);
+        let between: Vec<_> = (0..3).map(|_| subject.sequence.pose(0).unwrap()).collect();
+        let heart = PreparedSubject::with_in_betweens(&subject, 0, &[&[], &between, &between]);
+        let at = |position| {
+            let pose = pose_in(&heart, position);
+            (pose.from, pose.to, pose.blend)
+        };
+        assert_eq!(at(0.0), (0, 1, 0.0));
+        assert_eq!((at(0.5).0, at(0.5).1), (0, 1));
+        assert_eq!(at(1.0), (1, 5, 0.0));
+        assert_eq!(at(1.25), (2, 3, 0.0));
+        assert_eq!(at(1.875), (4, 5, 0.5));
+        assert_eq!(at(2.0).0, 5);
+        assert_eq!(
+            at(2.875),
+            (8, 0, 0.5),
+            "the last interval leads to the first frame"
+        );
     }
 
     #[test]

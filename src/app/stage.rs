@@ -23,6 +23,8 @@ pub struct OnStage {
     pub subject: usize,
     /// Place in its beat, counted in frames.
     pub position: f64,
+    /// Whether it plays a carried beat, whose frames the position then counts.
+    pub carried: bool,
 }
 
 /// The hearts on the view, first the selected one.
@@ -34,6 +36,7 @@ pub fn on_stage(state: &State) -> Vec<OnStage> {
     let one = OnStage {
         subject: document.subject,
         position: document.position,
+        carried: false,
     };
     match document.view_mode {
         ViewMode::Single => vec![one],
@@ -41,10 +44,17 @@ pub fn on_stage(state: &State) -> Vec<OnStage> {
             let other = document
                 .compared()
                 .and_then(|index| Some((index, state.subject(index)?)));
-            // Linked by phase: hearts with other frame counts beat in step.
+            let carried = state.carried_heart().is_some();
             let other = other.map(|(subject, heart)| OnStage {
                 subject,
-                position: position_at_phase(heart, phase_of(selected, document.position)),
+                // A carried beat has the frames of the heart that it came from. Otherwise linked
+                // by phase: hearts with other frame counts beat in step.
+                position: if carried {
+                    document.position
+                } else {
+                    position_at_phase(heart, phase_of(selected, document.position))
+                },
+                carried,
             });
             [Some(one), other].into_iter().flatten().collect()
         }
@@ -52,6 +62,7 @@ pub fn on_stage(state: &State) -> Vec<OnStage> {
             .map(|frame| OnStage {
                 subject: document.subject,
                 position: frame as f64,
+                carried: false,
             })
             .collect(),
     }

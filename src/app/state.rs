@@ -3,13 +3,19 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::analysis::classification::Classes;
+use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::transport::Reference;
 use crate::engine::PoseMap;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Revision, Study, Subject};
 use crate::ui::{ErrorCard, ThemeChoice};
 
+use super::carried::{CarriedHeart, CarryingState, transport_params};
+use super::differences::DifferenceStore;
 use super::document::{Document, OpeningReport, StudyRef};
+use super::in_betweens::{InBetweenStore, InBetweens, geodesic_params};
 use super::play::PlayClock;
 use super::undo::History;
 
@@ -46,6 +52,18 @@ pub struct Results {
     pub measures: Option<Fresh<Vec<SubjectMeasures>>>,
     /// The map of all poses, turned to agree with the map before it.
     pub map: Option<Fresh<PoseMap>>,
+    /// The map of whole deformations, turned likewise.
+    pub deformations: Option<Fresh<DeformationMap>>,
+    /// How well classes can be told apart.
+    pub classes: Option<Fresh<Classes>>,
+    /// Poses between the frames of beats.
+    pub in_betweens: InBetweenStore,
+    /// The beat that was carried over last.
+    pub carried: Option<CarriedHeart>,
+    /// How the carrying that the document asks for stands.
+    pub carrying: CarryingState,
+    /// Where the poses side by side differ.
+    pub differences: DifferenceStore,
 }
 
 /// Everything the window shows.
@@ -116,6 +134,32 @@ impl State {
         self.of_this_study(self.results.map.as_ref())
     }
 
+    /// The map of deformations of the study on screen.
+    pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
+        self.of_this_study(self.results.deformations.as_ref())
+    }
+
+    /// How well the classes of the study on screen can be told apart.
+    pub fn classes(&self) -> Option<&Arc<Classes>> {
+        self.of_this_study(self.results.classes.as_ref())
+    }
+
+    /// The poses between a subject's frames, as far as they were computed with today's settings.
+    pub fn in_betweens_of(&self, index: usize) -> Option<&Arc<InBetweens>> {
+        let params = geodesic_params(&self.document)?;
+        self.results.in_betweens.get(self.subject(index)?, &params)
+    }
+
+    /// The carried beat that the document asks for, once it is computed.
+    pub fn carried_heart(&self) -> Option<&CarriedHeart> {
+        let key = (
+            self.document.study().revision,
+            self.document.carrying()?,
+            transport_params(&self.document),
+        );
+        (self.results.carried.as_ref()).filter(|heart| heart.key == key)
+    }
+
     /// Frames of end-diastole and end-systole of a subject: as stated, else as measured.
     pub fn phases_of(&self, index: usize) -> (Option<usize>, Option<usize>) {
         let stated = self.subject(index);
@@ -146,6 +190,15 @@ impl State {
             report: Arc::new(report),
         });
         document.map = before.map;
+        if let Some(transfer) = document.map.distances.transfer
+            && matches!(transfer.reference, Reference::Subject(_))
+        {
+            // That heart is not of this study.
+            document.map.distances.transfer = None;
+        }
+        document.deformation_map = before.deformation_map;
+        document.shows_clusters = before.shows_clusters;
+        document.in_betweens = before.in_betweens;
         document.visibility = before.visibility;
         self.history.forget_studies_before(before.study.opening);
         if before.study.opening > 0 {

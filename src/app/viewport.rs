@@ -5,47 +5,23 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
-use crate::picture::{CohortLimits, ColourLegend, PictureTheme, SceneSettings, subject_scene};
+use crate::picture::{CohortLimits, ColourLegend, PictureTheme, SceneSettings, scene_with_numbers};
 use crate::render::{Camera, ViewId};
-use crate::study::Subject;
 use crate::ui::theme::{colours, line, radius, type_size};
-use crate::ui::{Command, ViewMode, viewport_overlay_ui};
+use crate::ui::{
+    Command, SubjectTarget, ViewMode, dragged_subject, subject_target_ui, viewport_overlay_ui,
+};
 
 use super::camera_drag::camera_command;
+use super::fits::Fits;
 use super::paint::{HeartPaint, pixels};
 use super::pick_label::{Picked, picked, picked_ui};
 use super::pictures::{Heart, Pictures};
-use super::play::pose_at;
+use super::play::pose_in;
+use super::shown_heart::{Cell, MadeNumbers, ShownHeart, shown_heart};
 use super::stage::{on_stage, places};
 use super::state::State;
-use super::views::{OverlayData, phase_name};
-
-/// Room left and right, above and below a fitted heart, in points: name and scale stand there.
-const ROOM: [f32; 2] = [24.0, 46.0];
-/// The same in a grid, whose names stand above it.
-const GRID_ROOM: [f32; 2] = [8.0, 10.0];
-
-/// A heart on screen: it stays until the next one is ready.
-#[derive(Clone)]
-pub struct ShownHeart {
-    /// Index into the study's subjects.
-    pub index: usize,
-    /// Whose heart it is.
-    pub subject: Arc<Subject>,
-    /// Place in its beat.
-    pub position: f64,
-    /// Its geometry.
-    pub heart: Arc<Heart>,
-    overlay: OverlayData,
-}
-
-/// A camera that fits a heart, kept while heart, direction and shape of the view stay.
-struct Fit {
-    heart: Arc<Heart>,
-    world_from_camera: glam::Quat,
-    aspect: f32,
-    camera: Camera,
-}
+use super::views::phase_name;
 
 /// The hearts on screen and what was worked out for them.
 #[derive(Default)]
@@ -53,19 +29,10 @@ pub struct Viewport {
     shown: Vec<ShownHeart>,
     mode: ViewMode,
     limits: CohortLimits,
-    fits: Vec<Fit>,
+    fits: Fits,
+    numbers: MadeNumbers,
     pinned: Option<Picked>,
     has_device: bool,
-}
-
-/// One heart of this frame's picture.
-pub struct Cell<'a> {
-    /// Which heart.
-    pub heart: &'a ShownHeart,
-    /// Where on the screen.
-    pub rect: Rect,
-    /// From where it is looked at.
-    pub camera: Camera,
 }
 
 impl Viewport {
@@ -83,18 +50,9 @@ impl Viewport {
         let mut ready = Vec::new();
         let mut complete = true;
         for place in on_stage(state) {
-            let Some(subject) = state.subject(place.subject) else {
-                continue;
-            };
-            let reference = reference_frames.get(place.subject).copied().unwrap_or(0);
-            match pictures.heart(subject, reference) {
-                Some(heart) => ready.push(ShownHeart {
-                    index: place.subject,
-                    subject: Arc::clone(subject),
-                    position: place.position,
-                    heart,
-                    overlay: OverlayData::of(state, &place),
-                }),
+            let numbers = &mut self.numbers;
+            match shown_heart(state, pictures, numbers, reference_frames, &place) {
+                Some(heart) => ready.push(heart),
                 None => complete = false,
             }
         }
@@ -105,12 +63,14 @@ impl Viewport {
         if !study.subjects.is_empty() {
             self.limits = pictures.cohort_limits(study, reference_frames);
         }
-        let shown = &self.shown;
-        self.fits.retain(|fit| {
-            shown
-                .iter()
-                .any(|shown| Arc::ptr_eq(&shown.heart, &fit.heart))
-        });
+        let hearts = self.hearts();
+        self.fits.keep(&hearts);
+        self.numbers.keep(&hearts);
+    }
+
+    fn hearts(&self) -> Vec<Arc<Heart>> {
+        let hearts = self.shown.iter().map(|shown| &shown.heart);
+        hearts.map(Arc::clone).collect()
     }
 
     /// Hearts on screen.
@@ -121,17 +81,10 @@ impl Viewport {
     /// The camera of a heart on screen, as last drawn; fitted to a square where it never was.
     pub fn camera(&self, state: &State, shown: &ShownHeart) -> Camera {
         let look = state.document.look;
-        let fit = self
-            .fits
-            .iter()
-            .find(|fit| Arc::ptr_eq(&fit.heart, &shown.heart));
-        let fitted = fit.map_or_else(
-            || {
-                let rotation = look.rotation(&shown.heart.prepared.axes);
-                shown.heart.fitted(rotation, 1.0)
-            },
-            |fit| fit.camera,
-        );
+        let fitted = self.fits.latest(&shown.heart).unwrap_or_else(|| {
+            let rotation = look.rotation(&shown.heart.prepared.axes);
+            shown.heart.fitted(rotation, 1.0)
+        });
         look.camera(&shown.heart.frame, fitted)
     }
 
@@ -167,11 +120,14 @@ impl Viewport {
     ) {
         let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D viewport"));
-        let cameras = self.cameras(state, area);
+        let rects = places(self.mode, area, self.shown.len());
+        let hearts = self.hearts();
+        let look = &state.document.look;
+        let cameras = self.fits.cameras(look, self.mode, &hearts, &rects);
         let cells: Vec<Cell> = self
             .shown
             .iter()
-            .zip(places(self.mode, area, self.shown.len()))
+            .zip(rects)
             .zip(cameras)
             .map(|((heart, rect), camera)| Cell {
                 heart,
@@ -185,6 +141,7 @@ impl Viewport {
         let (hovered, clicked) = pointed(&response, state, &cells, &settings);
         let legend = self.draw(ui, &settings, &cells, meter);
         self.overlays_ui(ui, state, &cells, (area, legend.as_ref()), commands);
+        targets_ui(ui, &response, state, &cells, commands);
         let quantity = state.document.quantity;
         let pinned = match clicked {
             Some(now) => now,
@@ -196,69 +153,6 @@ impl Viewport {
             }
         }
         self.pinned = pinned;
-    }
-
-    /// A camera for every heart on screen. Hearts beside each other have one scale.
-    fn cameras(&mut self, state: &State, area: Rect) -> Vec<Camera> {
-        let look = state.document.look;
-        let rects = places(self.mode, area, self.shown.len());
-        let shown: Vec<Arc<Heart>> = self.shown.iter().map(|s| Arc::clone(&s.heart)).collect();
-        let mut fitted: Vec<Camera> = shown
-            .iter()
-            .zip(&rects)
-            .map(|(heart, rect)| {
-                let rotation = look.rotation(&heart.prepared.axes);
-                self.fitted(heart, rotation, *rect)
-            })
-            .collect();
-        let greatest = fitted
-            .iter()
-            .map(|camera| camera.half_height)
-            .fold(0.0, f32::max);
-        for camera in &mut fitted {
-            camera.half_height = greatest;
-        }
-        shown
-            .iter()
-            .zip(fitted)
-            .map(|(heart, fitted)| look.camera(&heart.frame, fitted))
-            .collect()
-    }
-
-    /// A camera that fits a heart into a cell, with room around it for name, scale and cube.
-    fn fitted(&mut self, heart: &Arc<Heart>, rotation: glam::Quat, rect: Rect) -> Camera {
-        let room = if self.mode == ViewMode::AllPhases {
-            GRID_ROOM
-        } else {
-            ROOM.map(|room| room.min(0.12 * rect.height()))
-        };
-        let inner =
-            (rect.size() - egui::vec2(2.0 * room[0], 2.0 * room[1])).max(egui::Vec2::splat(1.0));
-        let camera = self.tightly_fitted(heart, rotation, inner.x / inner.y);
-        Camera {
-            half_height: camera.half_height * rect.height().max(1.0) / inner.y,
-            ..camera
-        }
-    }
-
-    fn tightly_fitted(&mut self, heart: &Arc<Heart>, rotation: glam::Quat, aspect: f32) -> Camera {
-        let found = self.fits.iter().find(|fit| {
-            Arc::ptr_eq(&fit.heart, heart)
-                && fit.world_from_camera == rotation
-                && (fit.aspect - aspect).abs() < 1e-4
-        });
-        if let Some(fit) = found {
-            return fit.camera;
-        }
-        let camera = heart.fitted(rotation, aspect);
-        self.fits.retain(|fit| !Arc::ptr_eq(&fit.heart, heart));
-        self.fits.push(Fit {
-            heart: Arc::clone(heart),
-            world_from_camera: rotation,
-            aspect,
-            camera,
-        });
-        camera
     }
 
     /// A double click fits the heart; a click on one of all phases goes there.
@@ -273,20 +167,21 @@ impl Viewport {
         (self.mode == ViewMode::AllPhases).then_some(Command::SetPosition(cell.heart.position))
     }
 
-    /// Hands the hearts to our renderer; returns what the colours mean.
+    /// Hands the hearts to our renderer; returns what the colours mean, and at which heart it stands.
     fn draw(
         &self,
         ui: &Ui,
         settings: &SceneSettings,
         cells: &[Cell],
         meter: &Arc<AtomicU64>,
-    ) -> Option<ColourLegend> {
+    ) -> Option<(usize, ColourLegend)> {
         let mut legend = None;
         for (place, cell) in cells.iter().enumerate() {
             let prepared = &cell.heart.heart.prepared;
-            let pose = pose_at(cell.heart.position, prepared.frame_count);
-            let picture = subject_scene(prepared, settings, pose);
-            legend = legend.or(picture.legend);
+            let pose = pose_in(prepared, cell.heart.position);
+            let numbers = cell.heart.numbers.as_deref();
+            let picture = scene_with_numbers(prepared, numbers, settings, pose);
+            legend = legend.or(picture.legend.map(|legend| (place, legend)));
             if !self.has_device {
                 continue;
             }
@@ -308,7 +203,7 @@ impl Viewport {
         ui: &mut Ui,
         state: &State,
         cells: &[Cell],
-        (area, legend): (Rect, Option<&ColourLegend>),
+        (area, legend): (Rect, Option<&(usize, ColourLegend)>),
         commands: &mut Vec<Command>,
     ) {
         let whole_beat = self.mode == ViewMode::AllPhases;
@@ -320,7 +215,8 @@ impl Viewport {
         for (place, cell) in shown.iter().enumerate() {
             let rect = if whole_beat { area } else { cell.rect };
             let last = place + 1 == shown.len();
-            let legend = legend.filter(|_| place == 0);
+            let legend = legend.filter(|(at, _)| *at == place || whole_beat);
+            let legend = legend.map(|(_, legend)| legend);
             let view = cell.heart.overlay.view(
                 legend,
                 &cell.heart.heart.prepared,
@@ -342,6 +238,36 @@ impl Viewport {
                 frame_label(ui, state, cell);
             }
         }
+    }
+}
+
+/// While a subject is dragged, the hearts of others are places where it can be let go.
+fn targets_ui(
+    ui: &Ui,
+    response: &Response,
+    state: &State,
+    cells: &[Cell],
+    commands: &mut Vec<Command>,
+) {
+    let Some(dragged) = dragged_subject(ui) else {
+        return;
+    };
+    let Some(source) = state.subject(dragged.subject) else {
+        return;
+    };
+    for cell in cells {
+        let Some(subject) = state.subject(cell.heart.index) else {
+            continue;
+        };
+        let fits = subject.sequence.correspondence() == source.sequence.correspondence();
+        let target = SubjectTarget {
+            rect: cell.rect,
+            subject: cell.heart.index,
+            id: &subject.id,
+            // Any other number says that they do not correspond.
+            correspondence: dragged.correspondence + usize::from(!fits),
+        };
+        subject_target_ui(ui, response, &target, commands);
     }
 }
 

@@ -1,10 +1,12 @@
 //! `analyze`: measures, distances, the map of poses, a summary and figures, into one folder.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
 use serde_json::{Value, json};
 
+use crate::analysis::classification::{Classes, ClassesParams};
+use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
 use crate::cli::args::AnalyzeArgs;
@@ -16,7 +18,8 @@ use crate::cli::tables;
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisRequest, Cache, ExportFile, PoseMap, PoseMapParams, metric_words, write_files,
+    AnalysisRequest, Cache, ClassesSettings, DeformationMapSettings, ExportFile, PoseMap,
+    PoseMapParams, metric_words, write_files,
 };
 use crate::io::summary_json;
 use crate::picture::figure::encoded_png;
@@ -27,39 +30,65 @@ use crate::study::Study;
 const FIGURE_SIZE: [u32; 2] = [1000, 750];
 
 pub(super) fn analyze(args: &AnalyzeArgs) -> Result<(), CliError> {
-    let summary = analyzed(&args.study, &args.out, args.figures == Switch::On)?;
+    let summary = analyzed(args)?;
     if args.json {
         return print_json(&summary);
     }
     print(&args.out.display().to_string())
 }
 
-/// Does the whole analysis into `folder` and returns the summary that it wrote there.
+/// Does the whole analysis into the folder and returns the summary that it wrote there.
 ///
 /// # Errors
 /// If nothing can be opened or written, or it was stopped. A figure that cannot be drawn is said
-/// on standard error and left out.
-pub(super) fn analyzed(
-    paths: &[PathBuf],
-    folder: &Path,
-    with_figures: bool,
-) -> Result<Value, CliError> {
-    let study = opened_study(paths)?;
+/// on standard error and left out, and so is a map of deformations that there are too few of.
+pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
+    let folder = args.out.as_path();
+    let study = opened_study(&args.study)?;
+    let settings = |method| args.maps.settings(&args.metric, method, &study);
     let cache = Arc::new(Cache::default());
+    let default = settings(MapMethod::default())?;
     let measures = measured(&study, &cache)?;
-    let mds = mapped(&study, MapMethod::ClassicalMds, &cache)?;
-    let smacof = mapped(&study, MapMethod::Smacof, &cache)?;
+    let mut methods = vec![
+        ("mds", MapMethod::ClassicalMds),
+        ("smacof", MapMethod::Smacof),
+    ];
+    methods.extend(
+        args.maps
+            .isomap
+            .map(|neighbours| ("isomap", MapMethod::Isomap { neighbours })),
+    );
+    let mut maps = Vec::new();
+    for (word, method) in methods {
+        maps.push((word, mapped(&study, settings(method)?.poses, &cache)?));
+    }
+    let distances = Arc::clone(&maps[0].1.distances);
+    let deformations = told_apart(&study, default, &cache)?;
     let mut files = tables::measure_files(&study, &measures, folder);
     files.push(tables::measures_file(&study, &measures, folder));
-    files.extend(tables::map_files(&study, &mds, &smacof, folder));
+    files.push(tables::distances_file(&study, &distances, folder));
+    files.extend(
+        maps.iter()
+            .map(|(word, map)| tables::poses_file(&study, word, map, folder)),
+    );
+    if let Some((map, _)) = &deformations {
+        files.push(tables::deformations_file(&study, map, folder));
+    }
+    let embeddings: Vec<_> = maps
+        .iter()
+        .map(|(word, map)| (*word, &map.embedding))
+        .collect();
     let mut summary = summary_json(
         &study,
         &measures,
-        &mds.distances,
-        &metric_words(&PoseMapParams::default().distances.metric),
-        &[("mds", &mds.embedding), ("smacof", &smacof.embedding)],
+        &distances,
+        &metric_words(&default.poses.distances.metric),
+        &embeddings,
+        deformations
+            .as_ref()
+            .map(|(map, classes)| (&**map, &**classes)),
     );
-    if with_figures {
+    if args.figures == Switch::On {
         match figures(&study, &measures, folder) {
             Ok(figures) => files.extend(figures),
             Err(error @ CliError::Stopped(_)) => return Err(error),
@@ -85,16 +114,40 @@ pub(super) fn analyzed(
 /// The map of all poses; the second one finds the distances of the first in the cache.
 fn mapped(
     study: &Arc<Study>,
-    method: MapMethod,
+    params: PoseMapParams,
     cache: &Arc<Cache>,
 ) -> Result<Arc<PoseMap>, CliError> {
-    let params = PoseMapParams {
-        method,
-        ..PoseMapParams::default()
-    };
     let outcome = answered(study, AnalysisRequest::PoseMap(params), cache)?;
     let map = outcome.pose_map().cloned();
     map.ok_or_else(|| CliError::Unusable("the map of poses is missing".to_owned()))
+}
+
+/// The map of whole deformations with what is said of classes by it; `None`, with a word on standard
+/// error, where there are too few.
+fn told_apart(
+    study: &Arc<Study>,
+    settings: DeformationMapSettings,
+    cache: &Arc<Cache>,
+) -> Result<Option<(Arc<DeformationMap>, Arc<Classes>)>, CliError> {
+    let classes = ClassesSettings {
+        deformations: settings,
+        classes: ClassesParams::default(),
+    };
+    // Classes stand on the map, so that the second answer comes from the cache.
+    let told = answered(study, AnalysisRequest::Classes(classes), cache).and_then(|told| {
+        Ok((
+            told,
+            answered(study, AnalysisRequest::DeformationMap(settings), cache)?,
+        ))
+    });
+    match told {
+        Ok((told, map)) => Ok(map.deformation_map().cloned().zip(told.classes().cloned())),
+        Err(error @ CliError::Stopped(_)) => Err(error),
+        Err(error) => {
+            say(&format!("cardiomorph: no map of deformations: {error}"));
+            Ok(None)
+        }
+    }
 }
 
 fn pretty(value: &Value) -> Result<Vec<u8>, CliError> {

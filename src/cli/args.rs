@@ -1,12 +1,16 @@
 //! Commands and options; names are fixed because scripts depend on them.
 
-use std::path::PathBuf;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::cli::map_options::MapOptions;
+use crate::cli::metric_options::MetricOptions;
+use crate::cli::outcome::CliError;
 use crate::cli::words::{
-    AlignWord, CornersWord, DemoFormat, EmbedInput, EmbedMethod, FormWord, MetricWord,
-    QuantityWord, RegulariserWord, Switch, ThemeWord, ViewWord,
+    AlignWord, DemoFormat, EmbedInput, EmbedMethod, GeodesicsWord, QuantityWord, Switch, ThemeWord,
+    ViewWord,
 };
 
 /// Reads how a left ventricle moves: beating meshes in 3D, live maps of poses, measures and figures.
@@ -39,6 +43,10 @@ pub enum Command {
     Measure(MeasureArgs),
     /// Computes one distance between two meshes in correspondence
     Metric(MetricArgs),
+    /// Computes the poses between two meshes in correspondence
+    Interpolate(InterpolateArgs),
+    /// Carries the deformation of one heart onto another
+    Transfer(TransferArgs),
     /// Maps items by their distances, or points
     Embed(EmbedArgs),
     /// Renders a figure
@@ -99,6 +107,10 @@ pub struct AnalyzeArgs {
     /// Folder to write into; made if need be
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
+    #[command(flatten)]
+    pub metric: MetricOptions,
+    #[command(flatten)]
+    pub maps: MapOptions,
     /// Whether a figure is rendered of every subject
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub figures: Switch,
@@ -114,40 +126,71 @@ pub struct MetricArgs {
     pub a: PathBuf,
     /// Mesh B, with the faces of A
     pub b: PathBuf,
-    /// What is charged
-    #[arg(long, value_enum, default_value_t = MetricWord::QuasiConformal)]
-    pub metric: MetricWord,
-    /// How terms combine, in metrics that have forms
-    #[arg(long, value_enum, default_value_t = FormWord::Additive)]
-    pub form: FormWord,
-    /// Units of the corner terms
-    #[arg(long, value_enum, default_value_t = CornersWord::ScaleFree)]
-    pub corners: CornersWord,
-    /// Whether faces and vertices count by their share of the area
-    #[arg(long, value_enum, default_value_t = Switch::On)]
-    pub area_weights: Switch,
-    /// Weight of the curvature term in the additive form
-    #[arg(
-        long,
-        value_name = "M",
-        default_value_t = 1.0,
-        allow_negative_numbers = true
-    )]
-    pub mu: f64,
-    /// Weight of the regulariser
-    #[arg(
-        long,
-        value_name = "L",
-        default_value_t = 1e-4,
-        allow_negative_numbers = true
-    )]
-    pub lambda: f64,
-    /// How the regulariser counts vertices
-    #[arg(long, value_enum, default_value_t = RegulariserWord::Area)]
-    pub regulariser: RegulariserWord,
+    #[command(flatten)]
+    pub metric: MetricOptions,
     /// What is laid onto A before B is compared
     #[arg(long, value_enum, default_value_t = AlignWord::None)]
     pub align: AlignWord,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `interpolate`.
+#[derive(Debug, Args)]
+pub struct InterpolateArgs {
+    /// First mesh
+    pub a: PathBuf,
+    /// Last mesh, with the faces of the first
+    pub b: PathBuf,
+    /// In-between poses
+    #[arg(long, value_name = "K", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=1023))]
+    pub poses: u16,
+    #[command(flatten)]
+    pub metric: MetricOptions,
+    /// How B is laid onto A first
+    #[arg(long, value_enum, default_value_t = AlignWord::None)]
+    pub align: AlignWord,
+    /// Relative fall of energy per step at which the search ends [default: the window's]
+    #[arg(long, value_name = "T")]
+    pub tolerance: Option<f64>,
+    /// Folder for pose_000.ply, pose_001.ply, …; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `transfer`.
+#[derive(Debug, Args)]
+pub struct TransferArgs {
+    /// The sequence whose deformation is carried: a folder, or files of one subject
+    #[arg(long, value_name = "SEQUENCE")]
+    pub from: PathBuf,
+    /// The mesh that it is carried onto, with the faces of the sequence
+    #[arg(long, value_name = "MESH")]
+    pub onto: PathBuf,
+    #[command(flatten)]
+    pub metric: MetricOptions,
+    /// How the sequence is laid onto the mesh first, by its first pose
+    #[arg(long, value_enum, default_value_t = AlignWord::None)]
+    pub align: AlignWord,
+    /// In-between poses of the geodesic from heart to heart [default: the window's]
+    #[arg(long, value_name = "K")]
+    pub in_betweens: Option<u16>,
+    /// For which displacements of the sequence a geodesic is computed
+    #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
+    pub geodesics: GeodesicsWord,
+    /// Find geodesics on a decimated mesh of about N vertices; 0: on the mesh as it is
+    #[arg(long, value_name = "N")]
+    pub coarse_vertices: Option<u32>,
+    /// Whether the norm of what is carried is kept
+    #[arg(long, value_enum, default_value_t = Switch::On)]
+    pub keep_norm: Switch,
+    /// Folder for pose_000.ply, pose_001.ply, …; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -167,6 +210,17 @@ pub struct EmbedArgs {
     /// Numbers per item
     #[arg(long, value_name = "D", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..))]
     pub dimensions: u16,
+    /// Nearest items that each is linked to, for isomap and lle
+    #[arg(long, value_name = "K", default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..))]
+    pub neighbours: u16,
+    /// Share of the trace that keeps the weights of lle well determined
+    #[arg(
+        long,
+        value_name = "R",
+        default_value_t = 1e-3,
+        allow_negative_numbers = true
+    )]
+    pub regularisation: f64,
     /// Draws the random starts of SMACOF
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
@@ -264,6 +318,23 @@ pub fn chosen_door() -> Door {
     match cli.command {
         Some(command) => Door::Command(command),
         None => Door::Window(cli.paths),
+    }
+}
+
+/// `analyze` of these paths into this folder, everything else by default.
+///
+/// # Errors
+/// Wrong usage, which no path can be.
+pub(super) fn plain_analysis(paths: &[PathBuf], out: &Path) -> Result<AnalyzeArgs, CliError> {
+    let mut words: Vec<OsString> = ["cardiomorph", "analyze", "--out"]
+        .map(OsString::from)
+        .into();
+    words.extend([out.as_os_str().to_owned(), OsString::from("--")]);
+    words.extend(paths.iter().map(|path| path.as_os_str().to_owned()));
+    match Cli::try_parse_from(words).map(|cli| cli.command) {
+        Ok(Some(Command::Analyze(args))) => Ok(args),
+        Ok(_) => Err(CliError::Usage("no analysis was asked for".to_owned())),
+        Err(error) => Err(CliError::Usage(error.to_string())),
     }
 }
 

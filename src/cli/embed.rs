@@ -5,7 +5,8 @@ use std::path::Path;
 use serde_json::json;
 
 use crate::analysis::embedding::{
-    Embedding, EmbeddingError, SmacofParams, classical_mds, pca, raw_stress, smacof,
+    CheckedLleParams, CheckedSmacofParams, Embedding, EmbeddingError, LleParams, SmacofParams,
+    classical_mds, isomap, lle, pca, raw_stress, smacof,
 };
 use crate::analysis::pose_distances::DistanceMatrix;
 use crate::cli::args::EmbedArgs;
@@ -17,19 +18,15 @@ use crate::engine::{ExportFile, write_files};
 use crate::progress::Progress;
 
 pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
-    if args.method == EmbedMethod::Pca && args.input == EmbedInput::Distances {
+    let points_only = matches!(args.method, EmbedMethod::Pca | EmbedMethod::Lle);
+    if points_only && args.input == EmbedInput::Distances {
         return Err(CliError::Usage(
-            "--method pca needs --input points: distances have no components".to_owned(),
+            "--method pca and lle need --input points: distances have no directions".to_owned(),
         ));
     }
+    let method = Method::checked(args)?;
     let rows = rows_of(&args.file)?;
     let items = rows.len();
-    let (method, dimensions) = (args.method, usize::from(args.dimensions));
-    let params = SmacofParams {
-        random_starts: usize::from(args.starts),
-        seed: args.seed,
-        ..SmacofParams::default()
-    };
     let distances = match args.input {
         EmbedInput::Distances => checked_distances(&rows)
             .map_err(|reason| CliError::Unusable(format!("{reason}: {}", args.file.display())))?,
@@ -37,7 +34,8 @@ pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
     };
     let map = run_work(move |progress| {
         progress.begin_phase("laying out the map", 0.0, 1.0);
-        mapped(method, &rows, &distances, dimensions, params, progress)
+        method
+            .map(&rows, &distances, progress)
             .map(|map| (raw_stress(&distances, &map), map))
     });
     let (raw, map) = map?;
@@ -49,22 +47,51 @@ pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
     report(&map, raw, items, args)
 }
 
-fn mapped(
-    method: EmbedMethod,
-    rows: &[Vec<f64>],
-    distances: &DistanceMatrix,
+/// A method with its checked settings.
+struct Method {
+    word: EmbedMethod,
     dimensions: usize,
-    params: SmacofParams,
-    progress: &Progress,
-) -> Result<Embedding, EmbeddingError> {
-    match method {
-        EmbedMethod::Mds => classical_mds(distances, dimensions, progress),
-        // The tolerance is the default one, which is in range.
-        EmbedMethod::Smacof => {
-            let checked = params.check().unwrap_or_default();
-            smacof(distances, dimensions, &checked, progress)
+    neighbours: usize,
+    smacof: CheckedSmacofParams,
+    lle: CheckedLleParams,
+}
+
+impl Method {
+    fn checked(args: &EmbedArgs) -> Result<Self, CliError> {
+        let (dimensions, neighbours) = (usize::from(args.dimensions), usize::from(args.neighbours));
+        let smacof = SmacofParams {
+            random_starts: usize::from(args.starts),
+            seed: args.seed,
+            ..SmacofParams::default()
+        };
+        let lle = LleParams {
+            neighbours,
+            regularisation: args.regularisation,
+            dimensions,
+        };
+        let wrong = |error: String| CliError::Usage(error);
+        Ok(Self {
+            word: args.method,
+            dimensions,
+            neighbours,
+            smacof: smacof.check().map_err(|error| wrong(error.to_string()))?,
+            lle: lle.check().map_err(|error| wrong(error.to_string()))?,
+        })
+    }
+
+    fn map(
+        &self,
+        rows: &[Vec<f64>],
+        distances: &DistanceMatrix,
+        progress: &Progress,
+    ) -> Result<Embedding, EmbeddingError> {
+        match self.word {
+            EmbedMethod::Mds => classical_mds(distances, self.dimensions, progress),
+            EmbedMethod::Smacof => smacof(distances, self.dimensions, &self.smacof, progress),
+            EmbedMethod::Isomap => isomap(distances, self.neighbours, self.dimensions, progress),
+            EmbedMethod::Lle => lle(&rows.concat(), rows.len(), &self.lle, progress),
+            EmbedMethod::Pca => pca(&rows.concat(), rows.len(), self.dimensions, progress),
         }
-        EmbedMethod::Pca => pca(&rows.concat(), rows.len(), dimensions, progress),
     }
 }
 
@@ -88,6 +115,15 @@ fn report(
     }
     if let Some(eigenvalues) = &map.eigenvalues {
         object.insert("eigenvalues".to_owned(), json!(eigenvalues));
+    }
+    if let Some(error) = map.reconstruction_error {
+        object.insert("reconstruction_error".to_owned(), json!(error));
+    }
+    if let Some(neighbours) = map.neighbours {
+        object.insert("neighbours".to_owned(), json!(neighbours));
+    }
+    if let Some(parts) = map.parts {
+        object.insert("parts".to_owned(), json!(parts));
     }
     if let Some(iterations) = map.iterations {
         object.insert("iterations".to_owned(), json!(iterations));

@@ -2,17 +2,22 @@
 
 mod analyze;
 mod args;
+mod corresponding;
 mod demo;
 mod embed;
 mod figure;
 mod info;
 mod input;
+mod interpolate;
+mod map_options;
 mod measure;
 mod metric;
+mod metric_options;
 mod outcome;
 mod print;
 mod run;
 mod tables;
+mod transfer;
 mod unseen;
 mod words;
 mod work;

@@ -6,7 +6,7 @@ use crate::cli::args::Command;
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::hear_ctrl_c;
-use crate::cli::{analyze, demo, embed, figure, info, measure, metric};
+use crate::cli::{analyze, demo, embed, figure, info, interpolate, measure, metric, transfer};
 
 /// Runs one command. Errors are said once, here, on standard error.
 pub fn run(command: Command) -> ExitCode {
@@ -17,6 +17,8 @@ pub fn run(command: Command) -> ExitCode {
         Command::Analyze(args) => analyze::analyze(&args),
         Command::Measure(args) => measure::measure(&args),
         Command::Metric(args) => metric::metric(&args),
+        Command::Interpolate(args) => interpolate::interpolate(&args),
+        Command::Transfer(args) => transfer::transfer(&args),
         Command::Embed(args) => embed::embed(&args),
         Command::Figure(args) => figure::figure(&args),
     })

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
+use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::pose_distances::PoseDistances;
 use crate::engine::{ExportFile, PoseMap};
-use crate::io::{distances_csv, frames_csv, poses_csv, subjects_csv};
+use crate::io::{deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv};
 use crate::study::Study;
 
 /// `frames.csv` and `subjects.csv`.
@@ -19,31 +21,24 @@ pub(super) fn measure_files(
     ]
 }
 
-/// `distances.csv`, `poses_mds.csv` and `poses_smacof.csv`.
-pub(super) fn map_files(
+/// `distances.csv`.
+pub(super) fn distances_file(
     study: &Study,
-    mds: &PoseMap,
-    smacof: &PoseMap,
+    distances: &PoseDistances,
     folder: &Path,
-) -> Vec<ExportFile> {
-    let poses = &mds.distances.poses;
-    vec![
-        file(
-            folder,
-            "distances.csv",
-            distances_csv(study, &mds.distances),
-        ),
-        file(
-            folder,
-            "poses_mds.csv",
-            poses_csv(study, poses, &mds.embedding),
-        ),
-        file(
-            folder,
-            "poses_smacof.csv",
-            poses_csv(study, poses, &smacof.embedding),
-        ),
-    ]
+) -> ExportFile {
+    file(folder, "distances.csv", distances_csv(study, distances))
+}
+
+/// `poses_mds.csv`, `poses_smacof.csv`, …: the map of poses by the method of that name.
+pub(super) fn poses_file(study: &Study, method: &str, map: &PoseMap, folder: &Path) -> ExportFile {
+    let table = poses_csv(study, &map.distances.poses, &map.embedding);
+    file(folder, &format!("poses_{method}.csv"), table)
+}
+
+/// `deformations_lle.csv`.
+pub(super) fn deformations_file(study: &Study, map: &DeformationMap, folder: &Path) -> ExportFile {
+    file(folder, "deformations_lle.csv", deformations_csv(study, map))
 }
 
 /// `measures.csv` is what `subjects.csv` is to `measure`: one table under the name that a whole

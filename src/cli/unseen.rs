@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use crate::cli::analyze::analyzed;
+use crate::cli::args::plain_analysis;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, say};
 use crate::cli::run::exit_code;
@@ -29,7 +30,7 @@ pub fn run_unseen(reason: &str, paths: &[PathBuf]) -> ExitCode {
 
 fn report(paths: &[PathBuf]) -> Result<(), CliError> {
     let folder = Path::new(FOLDER);
-    analyzed(paths, folder, true)?;
+    analyzed(&plain_analysis(paths, folder)?)?;
     let place = std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned());
     print(&place.display().to_string())
 }

@@ -3,6 +3,7 @@
 use clap::ValueEnum;
 
 use crate::analysis::metrics::{Corners, Form, MetricKind, Regulariser};
+use crate::analysis::transport::Geodesics;
 use crate::io::MeshFormat;
 use crate::picture::{AnatomicalView, PictureTheme, Quantity};
 
@@ -81,6 +82,24 @@ pub enum AlignWord {
     Similarity,
 }
 
+/// Words of `--geodesics`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum GeodesicsWord {
+    /// Once, between the first poses; later ways bend as much
+    First,
+    /// From every pose to the one carried there, as the text says
+    EveryStep,
+}
+
+impl From<GeodesicsWord> for Geodesics {
+    fn from(word: GeodesicsWord) -> Self {
+        match word {
+            GeodesicsWord::First => Self::First,
+            GeodesicsWord::EveryStep => Self::EveryStep,
+        }
+    }
+}
+
 /// Words of `--input`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EmbedInput {
@@ -97,6 +116,10 @@ pub enum EmbedMethod {
     Mds,
     /// Stress majorisation
     Smacof,
+    /// Shortest ways from neighbour to neighbour
+    Isomap,
+    /// Locally linear embedding; points only
+    Lle,
     /// Principal components; points only
     Pca,
 }

@@ -28,7 +28,9 @@ pub(super) fn hear_ctrl_c() {
     ctrlc::set_handler(|| STOP.store(true, Ordering::SeqCst)).ok();
 }
 
-/// Runs `work` on a worker thread, drawing its progress on standard error meanwhile.
+/// Runs `work` on a worker thread, drawing its progress on standard error meanwhile. After Ctrl-C
+/// the work is asked to stop, and what it then still has to give, such as its best so far, is
+/// returned.
 ///
 /// # Errors
 /// [`CliError::Stopped`] after Ctrl-C, else what the work says.
@@ -51,8 +53,11 @@ where
         if let Some(outcome) = job.poll() {
             break outcome;
         }
-        if STOP.load(Ordering::SeqCst) || waited == Err(RecvTimeoutError::Disconnected) {
+        if waited == Err(RecvTimeoutError::Disconnected) {
             break Err(JobError::Lost);
+        }
+        if STOP.load(Ordering::SeqCst) {
+            job.stop();
         }
         meter.show(job.watch());
     };

@@ -9,8 +9,8 @@ use crate::engine::job::{Ending, JobWatch};
 /// Most entries kept; the oldest finished one goes first.
 const MOST_ENTRIES: usize = 200;
 
-/// A kind of background work, for progress bars and Cancel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+/// A kind of background work, for progress bars, Cancel and retry; of each, one piece runs at a time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum WorkKind {
     /// Reading files or making the built-in cohort.
     Open,
@@ -18,8 +18,31 @@ pub enum WorkKind {
     Measures,
     /// Distances and the map of poses.
     PoseMap,
+    /// The map of whole deformations.
+    DeformationMap,
+    /// How well classes can be told apart.
+    Classes,
+    /// Poses between the frames of a beat.
+    InBetweens,
+    /// The beat of one heart on another.
+    Transfer,
+    /// Which places make two poses differ.
+    Contribution,
     /// Writing tables or a figure.
     Export,
+}
+
+impl WorkKind {
+    /// What analyses do; the others are opening and exporting.
+    pub const ANALYSES: [Self; 7] = [
+        Self::Measures,
+        Self::PoseMap,
+        Self::DeformationMap,
+        Self::Classes,
+        Self::InBetweens,
+        Self::Transfer,
+        Self::Contribution,
+    ];
 }
 
 /// One line of the activity list, as it stands now.

@@ -1,18 +1,17 @@
 //! The window's way to background work: opens, analyses and exports, and keeps what came of it.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::analysis::measures::SubjectMeasures;
 use crate::engine::activity::{Activity, ActivityLog, WorkKind};
 use crate::engine::cache::Cache;
 use crate::engine::export::{ExportFile, write_files};
 use crate::engine::job::{Job, Wake};
 use crate::engine::open::{OpenSource, open};
-use crate::engine::request::{
-    AnalysisError, AnalysisOutcome, AnalysisRequest, PoseMap, PoseMapParams,
-};
+use crate::engine::outcome::AnalysisOutcome;
+use crate::engine::request::{AnalysisError, AnalysisRequest};
 use crate::engine::run::run;
 use crate::engine::slot::{Showing, Slot};
 use crate::engine::workers::Workers;
@@ -36,8 +35,7 @@ enum Asking {
 pub struct Engine {
     // Slots stand before the workers: they are dropped first, which stops what still runs.
     opening: Slot<u64, Opened, Stopped>,
-    measures: AnalysisSlot,
-    pose_map: AnalysisSlot,
+    analyses: BTreeMap<WorkKind, AnalysisSlot>,
     export: Slot<u64, Vec<PathBuf>, String>,
     log: ActivityLog,
     cache: Arc<Cache>,
@@ -59,8 +57,7 @@ impl Engine {
     pub fn start(wake: Wake) -> std::io::Result<Self> {
         Ok(Self {
             opening: Slot::default(),
-            measures: Slot::default(),
-            pose_map: Slot::default(),
+            analyses: BTreeMap::new(),
             export: Slot::default(),
             log: ActivityLog::default(),
             cache: Arc::new(Cache::default()),
@@ -111,24 +108,15 @@ impl Engine {
         self.opening.showing()
     }
 
-    /// Asks for the measures of every subject.
-    pub fn request_measures(&mut self, study: &Arc<Study>) {
-        self.ask(study, AnalysisRequest::Measures, Asking::Once);
-    }
-
-    /// Asks for the map of all poses.
-    pub fn request_pose_map(&mut self, study: &Arc<Study>, params: PoseMapParams) {
-        self.ask(study, AnalysisRequest::PoseMap(params), Asking::Once);
+    /// Asks for an analysis in place of the one of its kind that was asked for before; free if it
+    /// is the same. What was stopped or failed is not begun again: that is [`Self::retry`].
+    pub fn request(&mut self, study: &Arc<Study>, request: AnalysisRequest) {
+        self.ask(study, request, Asking::Once);
     }
 
     /// Computes again what was stopped or failed; free if nothing was.
-    pub fn retry_measures(&mut self, study: &Arc<Study>) {
-        self.ask(study, AnalysisRequest::Measures, Asking::Again);
-    }
-
-    /// Computes again what was stopped or failed; free if nothing was.
-    pub fn retry_pose_map(&mut self, study: &Arc<Study>, params: PoseMapParams) {
-        self.ask(study, AnalysisRequest::PoseMap(params), Asking::Again);
+    pub fn retry(&mut self, study: &Arc<Study>, request: AnalysisRequest) {
+        self.ask(study, request, Asking::Again);
     }
 
     /// Opens again what was stopped or failed; free if nothing was opened.
@@ -138,28 +126,26 @@ impl Engine {
         }
     }
 
-    /// How the measures stand.
-    pub fn measures(&self) -> Showing<'_, AnalysisOutcome, AnalysisError> {
-        self.measures.showing()
+    /// How an analysis stands; nothing is said of [`WorkKind::Open`] and [`WorkKind::Export`].
+    pub fn showing(&self, kind: WorkKind) -> Showing<'_, AnalysisOutcome, AnalysisError> {
+        (self.analyses.get(&kind)).map_or(Showing::Nothing, Slot::showing)
     }
 
-    /// How the map stands.
-    pub fn pose_map(&self) -> Showing<'_, AnalysisOutcome, AnalysisError> {
-        self.pose_map.showing()
+    /// The newest result of its kind at hand, of whichever revision and settings.
+    pub fn latest(&self, kind: WorkKind) -> Option<&AnalysisOutcome> {
+        self.analyses.get(&kind)?.latest().map(|outcome| &**outcome)
     }
 
-    /// The newest measures at hand, of whichever revision.
-    pub fn latest_measures(&self) -> Option<&Arc<Vec<SubjectMeasures>>> {
-        self.measures
-            .latest()
-            .and_then(|outcome| outcome.measures())
+    /// An answer that was computed before, asked for or as a step to another, if it is still kept.
+    /// Starts nothing.
+    pub fn known(&self, study: &Study, request: &AnalysisRequest) -> Option<AnalysisOutcome> {
+        self.cache.get(study, request)
     }
 
-    /// The newest map at hand, of whichever revision and settings.
-    pub fn latest_pose_map(&self) -> Option<&Arc<PoseMap>> {
-        self.pose_map
-            .latest()
-            .and_then(|outcome| outcome.pose_map())
+    /// Poses between frames are found beginning with this interval, and from it on through the
+    /// beat: the one on screen. Work under way turns to it after the interval that it is at.
+    pub fn look_at_interval(&self, interval: usize) {
+        self.cache.look_at_interval(interval);
     }
 
     /// Makes files with `make` and writes them: all of them, or, if it fails or is stopped while
@@ -199,27 +185,30 @@ impl Engine {
     pub fn cancel(&mut self, kind: WorkKind) {
         match kind {
             WorkKind::Open => self.opening.stop(),
-            WorkKind::Measures => self.measures.stop(),
-            WorkKind::PoseMap => self.pose_map.stop(),
             WorkKind::Export => self.export.stop(),
+            analysis => {
+                if let Some(slot) = self.analyses.get_mut(&analysis) {
+                    slot.stop();
+                }
+            }
         }
     }
 
     /// Takes in what finished, and says whether something did. Call once a frame.
     pub fn poll(&mut self) -> bool {
         // Every slot is asked, so no short cut at the first that has news.
-        let news = [
-            self.opening.poll(),
-            self.measures.poll(),
-            self.pose_map.poll(),
-            self.export.poll(),
-        ];
-        news.contains(&true)
+        let mut news = self.opening.poll();
+        news |= self.export.poll();
+        for slot in self.analyses.values_mut() {
+            news |= slot.poll();
+        }
+        news
     }
 
     /// Whether anything runs; while it does, its bar moves.
     pub fn busy(&self) -> bool {
-        self.opening.busy() || self.measures.busy() || self.pose_map.busy() || self.export.busy()
+        let analysing = self.analyses.values().any(Slot::busy);
+        self.opening.busy() || analysing || self.export.busy()
     }
 
     /// All work of this run, newest first.
@@ -233,12 +222,8 @@ impl Engine {
     }
 
     fn ask(&mut self, study: &Arc<Study>, request: AnalysisRequest, asking: Asking) {
-        let (kind, slot) = match request {
-            AnalysisRequest::Measures => (WorkKind::Measures, &mut self.measures),
-            AnalysisRequest::PoseDistances(_) | AnalysisRequest::PoseMap(_) => {
-                (WorkKind::PoseMap, &mut self.pose_map)
-            }
-        };
+        let kind = request.kind();
+        let slot = self.analyses.entry(kind).or_default();
         let (jobs, wake, log) = (&self.jobs, &self.wake, &mut self.log);
         let (work_study, cache) = (Arc::clone(study), Arc::clone(&self.cache));
         // Called only where work really has to begin.

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::*;
 use crate::analysis::embedding::MapMethod;
+use crate::analysis::geodesics::GeodesicParams;
 use crate::study::Study;
 use crate::study::built_in::BuiltInParams;
 
@@ -78,12 +79,14 @@ fn a_map_is_computed_once_and_then_found() {
     let study = opened(&mut engine, 200);
     let params = PoseMapParams::default();
     for _ in 0..3 {
-        engine.request_measures(&study);
-        engine.request_pose_map(&study, params);
+        engine.request(&study, AnalysisRequest::Measures);
+        engine.request(&study, AnalysisRequest::PoseMap(params));
     }
     until(&mut engine, |engine| !engine.busy());
-    assert_eq!(engine.latest_measures().unwrap().len(), 23);
-    assert_eq!(engine.latest_pose_map().unwrap().embedding.len(), 184);
+    let measures = engine.latest(WorkKind::Measures).unwrap();
+    assert_eq!(measures.measures().unwrap().len(), 23);
+    let map = engine.latest(WorkKind::PoseMap).unwrap();
+    assert_eq!(map.pose_map().unwrap().embedding.len(), 184);
     assert_eq!(wakes.load(Ordering::SeqCst), 3, "open, measures, map");
     let names: Vec<String> = engine.activities().into_iter().map(|a| a.name).collect();
     assert_eq!(names.len(), 3);
@@ -100,11 +103,11 @@ fn a_map_is_computed_once_and_then_found() {
 fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
     let mut engine = engine();
     let study = opened(&mut engine, 4_000);
-    let params = PoseMapParams {
+    let request = AnalysisRequest::PoseMap(PoseMapParams {
         method: MapMethod::ClassicalMds,
         ..PoseMapParams::default()
-    };
-    engine.request_pose_map(&study, params);
+    });
+    engine.request(&study, request);
     until(&mut engine, |engine| {
         engine
             .running()
@@ -116,20 +119,71 @@ fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
     until(&mut engine, |engine| engine.running().is_empty());
     assert!(asked.elapsed() < Duration::from_millis(500));
     assert_eq!(engine.activities()[0].state, ActivityState::Stopped);
-    engine.request_pose_map(&study, params);
+    engine.request(&study, request);
     assert!(!engine.busy(), "what was stopped does not begin by itself");
-    assert!(matches!(engine.pose_map(), Showing::Stopped { .. }));
-    engine.retry_pose_map(&study, params);
+    let showing = engine.showing(WorkKind::PoseMap);
+    assert!(matches!(showing, Showing::Stopped { .. }));
+    engine.retry(&study, request);
     assert!(engine.busy());
     assert!(engine.activities()[0].parameters.contains("classical MDS"));
+}
+
+#[test]
+fn intervals_of_a_beat_are_known_one_by_one_beginning_with_the_one_looked_at() {
+    let mut engine = engine();
+    let study = opened(&mut engine, 200);
+    let params = GeodesicParams {
+        in_betweens: 1,
+        most_iterations: 20,
+        ..GeodesicParams::default()
+    };
+    let interval = |interval| AnalysisRequest::Interval {
+        subject: 2,
+        interval,
+        params,
+    };
+    engine.look_at_interval(6);
+    let whole = AnalysisRequest::InBetweens { subject: 2, params };
+    engine.request(&study, whole);
+    until(&mut engine, |engine| {
+        engine.known(&study, &interval(6)).is_some()
+    });
+    until(&mut engine, |engine| !engine.busy());
+    let showing = engine.showing(WorkKind::InBetweens);
+    let Showing::Ready(outcome) = showing else {
+        panic!("{showing:?}");
+    };
+    assert_eq!(outcome.in_betweens().unwrap().len(), 8);
+    assert_eq!(engine.running(), []);
+    assert!(matches!(
+        engine.showing(WorkKind::Transfer),
+        Showing::Nothing
+    ));
+}
+
+#[test]
+fn kinds_of_analysis_stand_beside_each_other_and_are_cancelled_alone() {
+    let mut engine = engine();
+    let study = opened(&mut engine, 2_000);
+    let map = AnalysisRequest::DeformationMap(DeformationMapSettings::default());
+    engine.request(&study, AnalysisRequest::Measures);
+    engine.request(&study, map);
+    engine.cancel(WorkKind::DeformationMap);
+    until(&mut engine, |engine| !engine.busy());
+    assert!(engine.latest(WorkKind::Measures).is_some());
+    assert!(engine.latest(WorkKind::DeformationMap).is_none());
+    let showing = engine.showing(WorkKind::DeformationMap);
+    assert!(matches!(showing, Showing::Stopped { .. }));
+    engine.retry(&study, map);
+    assert!(engine.busy());
 }
 
 #[test]
 fn closing_the_window_while_work_runs_takes_less_than_half_a_second() {
     let mut engine = engine();
     let study = opened(&mut engine, 4_000);
-    engine.request_pose_map(&study, PoseMapParams::default());
-    engine.request_measures(&study);
+    engine.request(&study, AnalysisRequest::PoseMap(PoseMapParams::default()));
+    engine.request(&study, AnalysisRequest::Measures);
     std::thread::sleep(Duration::from_millis(50));
     let asked = Instant::now();
     drop(engine);

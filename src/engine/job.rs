@@ -156,6 +156,11 @@ where
         Self { watch, outcome }
     }
 
+    /// Asks the work to stop; what it returns then, perhaps its best so far, can still be polled.
+    pub fn stop(&self) {
+        self.watch.progress.stop();
+    }
+
     /// The outcome, once: `None` while the work still runs.
     pub fn poll(&mut self) -> Option<Result<T, JobError<E>>> {
         match self.outcome.try_recv() {

@@ -12,8 +12,10 @@ mod export;
 mod facade_tests;
 mod job;
 mod open;
+mod outcome;
 mod request;
 mod run;
+mod run_pairs;
 mod slot;
 mod workers;
 
@@ -23,8 +25,10 @@ pub use engine::Engine;
 pub use export::{ExportFile, write_files};
 pub use job::{Ending, Job, JobError, JobWatch, Wake};
 pub use open::{OpenSource, open};
+pub use outcome::AnalysisOutcome;
 pub use request::{
-    AnalysisError, AnalysisOutcome, AnalysisRequest, PoseMap, PoseMapParams, metric_words,
+    AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap,
+    PoseMapParams, metric_words,
 };
 pub use run::run;
 pub use slot::{Showing, Slot};

@@ -1,11 +1,15 @@
-//! What can be asked of a study, and what comes back.
+//! What can be asked of a study.
 
 use std::sync::Arc;
 
+use crate::analysis::classification::ClassesParams;
+use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::{Embedding, MapMethod};
-use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::geodesics::GeodesicParams;
 use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
-use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
+use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
+use crate::analysis::transport::{Reference, TransportParams};
+use crate::engine::activity::WorkKind;
 use crate::progress::Stopped;
 
 /// Settings of the map of all poses.
@@ -17,7 +21,25 @@ pub struct PoseMapParams {
     pub method: MapMethod,
 }
 
-/// One question to a study.
+/// Settings of the map of whole deformations.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct DeformationMapSettings {
+    /// The map of poses on which deformations are curves.
+    pub poses: PoseMapParams,
+    /// How curves become a map.
+    pub map: DeformationMapParams,
+}
+
+/// Settings of what is said of classes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ClassesSettings {
+    /// The distances and the map by which classes are told apart.
+    pub deformations: DeformationMapSettings,
+    /// How they are.
+    pub classes: ClassesParams,
+}
+
+/// One question to a study. Subjects are indices into it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnalysisRequest {
     /// Clinical measures of every subject.
@@ -26,6 +48,45 @@ pub enum AnalysisRequest {
     PoseDistances(PoseDistanceParams),
     /// The map of all poses.
     PoseMap(PoseMapParams),
+    /// The map of whole deformations.
+    DeformationMap(DeformationMapSettings),
+    /// How well classes can be told apart.
+    Classes(ClassesSettings),
+    /// Poses within every interval between frames of a beat.
+    InBetweens {
+        /// Whose beat.
+        subject: usize,
+        /// What the way costs, and how many poses.
+        params: GeodesicParams,
+    },
+    /// Poses within one interval; those of a whole beat are made of these.
+    Interval {
+        /// Whose beat.
+        subject: usize,
+        /// From this frame to the next, from the last to the first.
+        interval: usize,
+        /// What the way costs, and how many poses.
+        params: GeodesicParams,
+    },
+    /// The beat of one heart on another.
+    Transfer {
+        /// Whose beat.
+        from: usize,
+        /// Which heart.
+        onto: usize,
+        /// Along which path, and what is kept.
+        params: TransportParams,
+    },
+    /// Which faces make two poses differ.
+    Contribution {
+        /// One pose.
+        a: PoseId,
+        /// The other.
+        b: PoseId,
+        /// How they are compared; faces are those of the hearts themselves, whatever is said of a
+        /// transfer.
+        distances: PoseDistanceParams,
+    },
 }
 
 /// The map of all poses.
@@ -37,24 +98,44 @@ pub struct PoseMap {
     pub embedding: Embedding,
 }
 
-/// One answer; results are shared, never changed.
-#[derive(Clone, Debug)]
-pub enum AnalysisOutcome {
-    /// One per subject of the study.
-    Measures(Arc<Vec<SubjectMeasures>>),
-    /// Distances of all poses.
-    PoseDistances(Arc<PoseDistances>),
-    /// The map of all poses.
-    PoseMap(Arc<PoseMap>),
-}
-
 impl AnalysisRequest {
+    /// The kind of work that it is.
+    pub fn kind(&self) -> WorkKind {
+        match self {
+            Self::Measures => WorkKind::Measures,
+            Self::PoseDistances(_) | Self::PoseMap(_) => WorkKind::PoseMap,
+            Self::DeformationMap(_) => WorkKind::DeformationMap,
+            Self::Classes(_) => WorkKind::Classes,
+            Self::InBetweens { .. } | Self::Interval { .. } => WorkKind::InBetweens,
+            Self::Transfer { .. } => WorkKind::Transfer,
+            Self::Contribution { .. } => WorkKind::Contribution,
+        }
+    }
+
+    /// The subjects on whose shapes alone the answer depends: it stays true while these stay as they
+    /// are. `None` where it depends on the whole study.
+    pub fn subjects(&self) -> Option<[usize; 2]> {
+        match *self {
+            Self::InBetweens { subject, .. } | Self::Interval { subject, .. } => {
+                Some([subject, subject])
+            }
+            Self::Transfer { from, onto, .. } => Some([from, onto]),
+            Self::Contribution { a, b, .. } => Some([a.subject, b.subject]),
+            _ => None,
+        }
+    }
+
     /// What the activity list calls it.
     pub fn name(&self) -> &'static str {
         match self {
             Self::Measures => "Volumes and ejection fraction",
             Self::PoseDistances(_) => "Pose distances",
             Self::PoseMap(_) => "Pose map",
+            Self::DeformationMap(_) => "Deformation map",
+            Self::Classes(_) => "Classes",
+            Self::InBetweens { .. } | Self::Interval { .. } => "Poses between frames",
+            Self::Transfer { .. } => "Transfer of a beat",
+            Self::Contribution { .. } => "Contributions to a distance",
         }
     }
 
@@ -62,16 +143,60 @@ impl AnalysisRequest {
     pub fn parameters(&self) -> String {
         match self {
             Self::Measures => String::new(),
-            Self::PoseDistances(params) => metric_words(&params.metric),
-            Self::PoseMap(params) => {
-                let method = match params.method {
-                    MapMethod::ClassicalMds => "classical MDS",
-                    MapMethod::Smacof => "SMACOF",
-                };
-                format!("{}, {method}", metric_words(&params.distances.metric))
+            Self::PoseDistances(params) => distance_words(params),
+            Self::PoseMap(params) => map_words(params),
+            Self::DeformationMap(settings) => deformation_words(settings),
+            Self::Classes(settings) => {
+                let ClassesParams {
+                    permutations, seed, ..
+                } = settings.classes;
+                let map = deformation_words(&settings.deformations);
+                format!("{map}, {permutations} permutations, seed {seed}")
             }
+            Self::InBetweens { params, .. } | Self::Interval { params, .. } => {
+                let metric = metric_words(&params.metric);
+                format!("{} per interval, {metric}", params.in_betweens)
+            }
+            Self::Transfer { params, .. } => {
+                let metric = metric_words(&params.metric);
+                format!("{} poses between the hearts, {metric}", params.in_betweens)
+            }
+            Self::Contribution { distances, .. } => metric_words(&distances.metric),
         }
     }
+}
+
+fn distance_words(params: &PoseDistanceParams) -> String {
+    let metric = metric_words(&params.metric);
+    match params.transfer {
+        None => metric,
+        Some(transfer) => match transfer.reference {
+            Reference::Mean => format!("{metric}, carried onto the mean"),
+            Reference::Subject(index) => format!("{metric}, carried onto subject {index}"),
+        },
+    }
+}
+
+fn map_words(params: &PoseMapParams) -> String {
+    let method = match params.method {
+        MapMethod::ClassicalMds => "classical MDS".to_owned(),
+        MapMethod::Smacof => "SMACOF".to_owned(),
+        MapMethod::Isomap { neighbours } => format!("Isomap of {neighbours} neighbours"),
+    };
+    format!("{}, {method}", distance_words(&params.distances))
+}
+
+fn deformation_words(settings: &DeformationMapSettings) -> String {
+    let DeformationMapParams {
+        time_weight,
+        neighbours,
+        ..
+    } = settings.map;
+    let chosen = |typed: Option<String>| typed.unwrap_or_else(|| "by itself".to_owned());
+    let time = chosen(time_weight.map(|w| w.to_string()));
+    let neighbours = chosen(neighbours.map(|k| k.to_string()));
+    let poses = map_words(&settings.poses);
+    format!("{poses}, weight of time {time}, neighbours {neighbours}")
 }
 
 /// A metric with the settings that matter to it, as the activity list and figures say it.
@@ -98,49 +223,6 @@ pub fn metric_words(metric: &MetricParams) -> String {
     format!("{kind}, {form}, {corners}, λ = {}", metric.lambda)
 }
 
-impl AnalysisOutcome {
-    /// Memory that it holds, near enough to bound a cache by it.
-    pub fn bytes(&self) -> usize {
-        let matrix = |distances: &PoseDistances| {
-            size_of_val(distances.distances.upper()) + size_of_val(&*distances.poses)
-        };
-        match self {
-            Self::Measures(subjects) => subjects
-                .iter()
-                .map(|subject| size_of_val(subject) + size_of_val(&*subject.frames))
-                .sum(),
-            Self::PoseDistances(distances) => matrix(distances),
-            // Its distances are usually kept under their own key too; counting them twice
-            // only makes the bound stricter.
-            Self::PoseMap(map) => matrix(&map.distances) + size_of_val(&*map.embedding.coordinates),
-        }
-    }
-
-    /// The measures, if that is what it is.
-    pub fn measures(&self) -> Option<&Arc<Vec<SubjectMeasures>>> {
-        match self {
-            Self::Measures(measures) => Some(measures),
-            _ => None,
-        }
-    }
-
-    /// The distances, if that is what it is.
-    pub fn pose_distances(&self) -> Option<&Arc<PoseDistances>> {
-        match self {
-            Self::PoseDistances(distances) => Some(distances),
-            _ => None,
-        }
-    }
-
-    /// The map, if that is what it is.
-    pub fn pose_map(&self) -> Option<&Arc<PoseMap>> {
-        match self {
-            Self::PoseMap(map) => Some(map),
-            _ => None,
-        }
-    }
-}
-
 /// Why a request brought no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AnalysisError {
@@ -150,6 +232,13 @@ pub enum AnalysisError {
     /// The study cannot answer it.
     #[error("{0}")]
     Unanswerable(String),
+}
+
+impl AnalysisError {
+    /// An error of an analysis, in its words.
+    pub(super) fn unanswerable(error: impl std::fmt::Display) -> Self {
+        Self::Unanswerable(error.to_string())
+    }
 }
 
 #[cfg(test)]

@@ -2,26 +2,41 @@
 
 use std::sync::Arc;
 
+use crate::analysis::classification::{Classes, ClassifyError, classify};
+use crate::analysis::deformations::{
+    DeformationMap, DeformationMapError, deformation_distances, deformation_map,
+};
 use crate::analysis::embedding::{EmbeddingError, embed};
 use crate::analysis::measures::measure_study;
-use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, pose_distances};
-use crate::engine::cache::Cache;
-use crate::engine::request::{
-    AnalysisError, AnalysisOutcome, AnalysisRequest, PoseMap, PoseMapParams,
+use crate::analysis::pose_distances::{
+    KnownDistances, PoseDistanceError, PoseDistanceParams, PoseDistances, pose_distances_knowing,
 };
-use crate::progress::Progress;
+use crate::engine::cache::Cache;
+use crate::engine::outcome::AnalysisOutcome;
+use crate::engine::request::{
+    AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap, PoseMapParams,
+};
+use crate::engine::run_pairs;
+use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
 /// Share of a map's time that its distances take: some 95 % on 184 poses of 2,500 vertices.
 const DISTANCE_SHARE: f32 = 0.95;
+
+/// Share of the time of a map of deformations that its map of poses takes.
+const POSE_MAP_SHARE: f32 = 0.95;
+
+/// Share of the time of telling classes apart that the map of deformations takes.
+const DEFORMATION_MAP_SHARE: f32 = 0.8;
 
 /// The map is a plane.
 const MAP_DIMENSIONS: usize = 2;
 
 /// Answers `request` on `study`, from `cache` if it was answered before.
 ///
-/// A map computes its distances as a request of their own, so that another method of mapping
-/// finds them in the cache. Same study, request and seed: the same bits with any number of threads.
+/// What an answer is made of is a request of its own, so that another method of mapping finds its
+/// distances, and another rule its map, in the cache. Same study, request and seed: the same bits
+/// with any number of threads.
 ///
 /// # Errors
 /// If it was asked to stop, or if the study cannot answer.
@@ -31,7 +46,7 @@ pub fn run(
     cache: &Cache,
     progress: &Progress,
 ) -> Result<AnalysisOutcome, AnalysisError> {
-    if let Some(outcome) = cache.get(study.revision, request) {
+    if let Some(outcome) = cache.get(study, request) {
         return Ok(outcome);
     }
     let outcome = match request {
@@ -41,14 +56,88 @@ pub fn run(
         }
         AnalysisRequest::PoseDistances(params) => {
             progress.begin_phase("comparing poses", 0.0, 1.0);
-            AnalysisOutcome::PoseDistances(Arc::new(distances(study, params, progress)?))
+            let distances = distances(study, params, cache, progress)?;
+            AnalysisOutcome::PoseDistances(Arc::new(distances))
         }
         AnalysisRequest::PoseMap(params) => {
             AnalysisOutcome::PoseMap(Arc::new(pose_map(study, params, cache, progress)?))
         }
+        AnalysisRequest::DeformationMap(settings) => {
+            let map = map_of_deformations(study, settings, cache, progress)?;
+            AnalysisOutcome::DeformationMap(Arc::new(map))
+        }
+        AnalysisRequest::Classes(settings) => {
+            AnalysisOutcome::Classes(Arc::new(classes(study, settings, cache, progress)?))
+        }
+        AnalysisRequest::InBetweens { subject, params } => {
+            run_pairs::in_betweens(study, *subject, *params, cache, progress)?
+        }
+        AnalysisRequest::Interval {
+            subject,
+            interval,
+            params,
+        } => {
+            progress.begin_phase("finding poses between frames", 0.0, 1.0);
+            let path = run_pairs::interval(study, *subject, *interval, params, progress)?;
+            let stopped = path.stopped;
+            let outcome = AnalysisOutcome::Interval(Arc::new(path));
+            if stopped {
+                // The best path so far, but not the answer.
+                return Ok(outcome);
+            }
+            outcome
+        }
+        AnalysisRequest::Transfer { from, onto, params } => {
+            let sequence = run_pairs::transfer(study, *from, *onto, params, progress)?;
+            AnalysisOutcome::Transfer(Arc::new(sequence))
+        }
+        AnalysisRequest::Contribution { a, b, distances } => {
+            let shares = run_pairs::contribution(study, [*a, *b], distances, progress)?;
+            AnalysisOutcome::Contribution(Arc::new(shares))
+        }
     };
-    cache.put(study.revision, *request, outcome.clone());
+    cache.put(study, *request, outcome.clone());
     Ok(outcome)
+}
+
+fn distances(
+    study: &Study,
+    params: &PoseDistanceParams,
+    cache: &Cache,
+    progress: &Progress,
+) -> Result<PoseDistances, AnalysisError> {
+    let checked = params.check().map_err(AnalysisError::unanswerable)?;
+    let similar = cache.similar(&AnalysisRequest::PoseDistances(*params));
+    let known = similar.as_ref().and_then(|(shapes, outcome)| {
+        Some(KnownDistances {
+            shapes,
+            distances: outcome.pose_distances()?,
+        })
+    });
+    let computed = pose_distances_knowing(study, &checked, known.as_ref(), progress);
+    Ok(computed
+        .map_err(|error| match error {
+            PoseDistanceError::Stopped(stopped) => AnalysisError::Stopped(stopped),
+            other => AnalysisError::unanswerable(other),
+        })?
+        .distances)
+}
+
+/// The distances of poses, as a request of their own.
+fn distances_of(
+    study: &Study,
+    params: PoseDistanceParams,
+    cache: &Cache,
+    progress: &Progress,
+) -> Result<Arc<PoseDistances>, AnalysisError> {
+    let outcome = run(
+        study,
+        &AnalysisRequest::PoseDistances(params),
+        cache,
+        progress,
+    )?;
+    let distances = outcome.pose_distances().cloned();
+    distances.ok_or(AnalysisError::Stopped(Stopped))
 }
 
 fn pose_map(
@@ -58,131 +147,85 @@ fn pose_map(
     progress: &Progress,
 ) -> Result<PoseMap, AnalysisError> {
     let request = AnalysisRequest::PoseDistances(params.distances);
-    let known = cache.get(study.revision, &request);
-    let share = if known.is_some() { 0.0 } else { DISTANCE_SHARE };
-    let distances = match known {
-        Some(AnalysisOutcome::PoseDistances(distances)) => distances,
-        _ => {
-            progress.begin_phase("comparing poses", 0.0, share);
-            let distances = Arc::new(distances(study, &params.distances, progress)?);
-            let outcome = AnalysisOutcome::PoseDistances(Arc::clone(&distances));
-            cache.put(study.revision, request, outcome);
-            distances
-        }
-    };
+    let known = cache.get(study, &request).is_some();
+    let share = if known { 0.0 } else { DISTANCE_SHARE };
+    let comparing = progress.part("comparing poses", 0.0, share);
+    let distances = distances_of(study, params.distances, cache, &comparing)?;
     progress.begin_phase("laying out the map", share, 1.0);
-    let embedding = embed(
-        &distances.distances,
-        params.method,
-        MAP_DIMENSIONS,
-        progress,
-    )
-    .map_err(map_error)?;
+    let matrix = &distances.distances;
+    let embedding = embed(matrix, params.method, MAP_DIMENSIONS, progress).map_err(map_error)?;
     Ok(PoseMap {
         distances,
         embedding,
     })
 }
 
-fn distances(
+fn map_of_deformations(
     study: &Study,
-    params: &PoseDistanceParams,
+    settings: &DeformationMapSettings,
+    cache: &Cache,
     progress: &Progress,
-) -> Result<PoseDistances, AnalysisError> {
-    let params = params
+) -> Result<DeformationMap, AnalysisError> {
+    let params = settings.map.check().map_err(AnalysisError::unanswerable)?;
+    let request = AnalysisRequest::PoseMap(settings.poses);
+    let mapping = progress.part("mapping poses", 0.0, POSE_MAP_SHARE);
+    let outcome = run(study, &request, cache, &mapping)?;
+    let poses = outcome.pose_map().ok_or(AnalysisError::Stopped(Stopped))?;
+    progress.begin_phase("laying out deformations", POSE_MAP_SHARE, 1.0);
+    let rows = &poses.distances.poses;
+    deformation_map(study, rows, &poses.embedding, &params, progress).map_err(|error| match error {
+        DeformationMapError::Stopped(stopped) => AnalysisError::Stopped(stopped),
+        other => AnalysisError::unanswerable(other),
+    })
+}
+
+fn classes(
+    study: &Study,
+    settings: &ClassesSettings,
+    cache: &Cache,
+    progress: &Progress,
+) -> Result<Classes, AnalysisError> {
+    let params = settings
+        .classes
         .check()
-        .map_err(|error| AnalysisError::Unanswerable(error.to_string()))?;
-    Ok(pose_distances(study, &params, progress)?)
+        .map_err(AnalysisError::unanswerable)?;
+    let mapping = progress.part("mapping deformations", 0.0, DEFORMATION_MAP_SHARE);
+    let request = AnalysisRequest::DeformationMap(settings.deformations);
+    let outcome = run(study, &request, cache, &mapping)?;
+    let map = outcome
+        .deformation_map()
+        .ok_or(AnalysisError::Stopped(Stopped))?;
+    let telling = progress.part("telling classes apart", DEFORMATION_MAP_SHARE, 1.0);
+    let poses = distances_of(
+        study,
+        settings.deformations.poses.distances,
+        cache,
+        &telling,
+    )?;
+    let deformations = deformation_distances(study, &poses, &telling)?;
+    let labels: Vec<Option<&str>> = (deformations.subjects.iter())
+        .map(|&index| study.subjects.get(index)?.label.as_deref())
+        .collect();
+    telling.begin_phase("telling classes apart", 0.0, 1.0);
+    classify(
+        &deformations.distances,
+        &map.embedding,
+        &labels,
+        &params,
+        &telling,
+    )
+    .map_err(|error| match error {
+        ClassifyError::Stopped(stopped) => AnalysisError::Stopped(stopped),
+        other => AnalysisError::unanswerable(other),
+    })
 }
 
 fn map_error(error: EmbeddingError) -> AnalysisError {
     match error {
         EmbeddingError::Stopped(stopped) => AnalysisError::Stopped(stopped),
-        other => AnalysisError::Unanswerable(other.to_string()),
+        other => AnalysisError::unanswerable(other),
     }
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::analysis::embedding::MapMethod;
-    use crate::progress::Stopped;
-    use crate::study::built_in::{BuiltInParams, cohort};
-    use crate::study::{Revision, Study};
-
-    fn study() -> Study {
-        let params = BuiltInParams {
-            vertices: 200,
-            ..BuiltInParams::default()
-        };
-        let whole = cohort(&params).unwrap().study;
-        Study {
-            subjects: whole.subjects[..4].to_vec(),
-            revision: Revision(7),
-            ..whole
-        }
-    }
-
-    fn map(method: MapMethod) -> AnalysisRequest {
-        AnalysisRequest::PoseMap(PoseMapParams {
-            method,
-            ..PoseMapParams::default()
-        })
-    }
-
-    #[test]
-    fn another_method_of_mapping_computes_no_distance_again() {
-        let (study, cache, progress) = (study(), Cache::default(), Progress::default());
-        let first = run(&study, &map(MapMethod::ClassicalMds), &cache, &progress).unwrap();
-        let second = run(&study, &map(MapMethod::Smacof), &cache, &progress).unwrap();
-        let (first, second) = (first.pose_map().unwrap(), second.pose_map().unwrap());
-        assert!(Arc::ptr_eq(&first.distances, &second.distances));
-        assert_ne!(first.embedding, second.embedding);
-        assert_eq!(first.embedding.len(), 32);
-    }
-
-    #[test]
-    fn the_same_question_brings_the_same_answer_back() {
-        let (study, cache, progress) = (study(), Cache::default(), Progress::default());
-        let ask = || run(&study, &AnalysisRequest::Measures, &cache, &progress).unwrap();
-        let (first, second) = (ask(), ask());
-        assert!(Arc::ptr_eq(
-            first.measures().unwrap(),
-            second.measures().unwrap()
-        ));
-        let edited = Study {
-            revision: Revision(8),
-            ..study.clone()
-        };
-        let third = run(&edited, &AnalysisRequest::Measures, &cache, &progress).unwrap();
-        assert!(!Arc::ptr_eq(
-            first.measures().unwrap(),
-            third.measures().unwrap()
-        ));
-    }
-
-    #[test]
-    fn a_stopped_run_keeps_nothing() {
-        let (study, cache, progress) = (study(), Cache::default(), Progress::default());
-        progress.stop();
-        for request in [AnalysisRequest::Measures, map(MapMethod::Smacof)] {
-            let error = run(&study, &request, &cache, &progress).unwrap_err();
-            assert_eq!(error, AnalysisError::Stopped(Stopped));
-        }
-        assert!(cache.is_empty());
-    }
-
-    #[test]
-    fn settings_out_of_range_are_an_answer_in_words() {
-        let mut params = PoseDistanceParams::default();
-        params.metric.lambda = -1.0;
-        let error = run(
-            &study(),
-            &AnalysisRequest::PoseDistances(params),
-            &Cache::default(),
-            &Progress::default(),
-        )
-        .unwrap_err();
-        assert!(error.to_string().contains("-1"), "{error}");
-    }
-}
+mod tests;

@@ -3,6 +3,7 @@
 mod binary_cursor;
 mod csv_mesh;
 mod detect;
+mod experiment_csv;
 mod gltf_file;
 mod limits;
 mod mesh_draft;
@@ -22,13 +23,14 @@ mod vtp;
 mod write_study;
 
 pub use detect::{mesh_file_endings, read_mesh, read_mesh_with_siblings};
+pub use experiment_csv::{comparison_csv, interpolation_csv, noise_csv, transfer_study_csv};
 pub use limits::Limits;
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
 pub use open::{looks_openable, open_paths};
 pub use opened::{OpenError, Opened};
 pub use ply::write_ply;
-pub use report_csv::{distances_csv, frames_csv, poses_csv, subjects_csv};
-pub use report_json::{subjects_json, summary_json};
+pub use report_csv::{deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv};
+pub use report_json::{classification_json, deformations_json, subjects_json, summary_json};
 pub use vtp::{write_pvd, write_vtp};
 pub use write_study::{MeshFormat, WriteStudyError, write_study};

@@ -1,5 +1,6 @@
 //! Results as tables for scripts: names and order of columns are fixed, units stand in a column.
 
+use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
 use crate::analysis::measures::{PhaseSource, SubjectMeasures};
 use crate::analysis::pose_distances::{PoseDistances, PoseId};
@@ -102,6 +103,23 @@ pub fn poses_csv(study: &Study, poses: &[PoseId], map: &Embedding) -> String {
     table.text
 }
 
+/// Places of whole deformations on their map, a row per heart; without unit, since the columns of a
+/// locally linear map have length 1.
+pub fn deformations_csv(study: &Study, map: &DeformationMap) -> String {
+    let mut table = Table::new(&["subject", "label", "x", "y"]);
+    for (row, &index) in map.subjects.iter().enumerate().take(map.embedding.len()) {
+        let subject = study.subjects.get(index);
+        let at = |axis: usize| number(map.embedding.point(row).get(axis).copied());
+        table.row([
+            subject.map_or_else(String::new, |subject| subject.id.clone()),
+            subject.and_then(|s| s.label.clone()).unwrap_or_default(),
+            at(0),
+            at(1),
+        ]);
+    }
+    table.text
+}
+
 /// The word for where phases come from.
 pub(super) fn phase_source(source: PhaseSource) -> &'static str {
     match source {
@@ -121,12 +139,12 @@ fn number(value: Option<f64>) -> String {
 }
 
 /// Rows of cells; cells that need quotes get them.
-struct Table {
-    text: String,
+pub(super) struct Table {
+    pub(super) text: String,
 }
 
 impl Table {
-    fn new<S: AsRef<str>>(header: &[S]) -> Self {
+    pub(super) fn new<S: AsRef<str>>(header: &[S]) -> Self {
         let mut table = Self {
             text: String::new(),
         };
@@ -134,7 +152,7 @@ impl Table {
         table
     }
 
-    fn row(&mut self, cells: impl IntoIterator<Item = String>) {
+    pub(super) fn row(&mut self, cells: impl IntoIterator<Item = String>) {
         for (column, cell) in cells.into_iter().enumerate() {
             if column > 0 {
                 self.text.push(',');
@@ -208,6 +226,25 @@ mod tests {
         assert!((ef - 0.488).abs() < 1e-9, "{ef}");
         assert_eq!(&row[2], "0");
         assert_eq!(&row[3], "1");
+    }
+
+    #[test]
+    fn deformations_stand_a_row_per_heart_with_its_label() {
+        let map = DeformationMap {
+            subjects: vec![0],
+            curves: vec![vec![[0.0; 3]]],
+            time_weight: 1.0,
+            embedding: Embedding {
+                dimensions: 2,
+                coordinates: vec![-0.25, 0.1 + 0.2],
+                ..Embedding::default()
+            },
+        };
+        let table = deformations_csv(&study(), &map);
+        assert_eq!(
+            table,
+            "subject,label,x,y\n\"P, \"\"1\"\"\",MINF,-0.25,0.30000000000000004\n"
+        );
     }
 
     #[test]

@@ -3,6 +3,8 @@
 use serde_json::{Value, json};
 
 use super::report_csv::phase_source;
+use crate::analysis::classification::{Accuracy, Classes};
+use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::pose_distances::PoseDistances;
@@ -33,13 +35,15 @@ pub fn subjects_json(study: &Study, measures: &[SubjectMeasures]) -> Value {
 }
 
 /// What an analysis found. `maps` holds each map with the word for its method; `metric` says in
-/// words how poses were compared.
+/// words how poses were compared. `deformations` are the map of whole deformations and what is said
+/// of classes by it, where there is one.
 pub fn summary_json(
     study: &Study,
     measures: &[SubjectMeasures],
     distances: &PoseDistances,
     metric: &str,
     maps: &[(&str, &Embedding)],
+    deformations: Option<(&DeformationMap, &Classes)>,
 ) -> Value {
     let count = |role| {
         study
@@ -59,11 +63,16 @@ pub fn summary_json(
     let maps: serde_json::Map<String, Value> = maps
         .iter()
         .map(|(method, map)| {
-            let value = json!({ "stress": map.stress, "iterations": map.iterations });
+            let value = json!({
+                "stress": map.stress,
+                "iterations": map.iterations,
+                "neighbours": map.neighbours,
+                "reconstruction_error": map.reconstruction_error,
+            });
             ((*method).to_owned(), value)
         })
         .collect();
-    json!({
+    let mut summary = json!({
         "program": "Cardiomorph",
         "version": env!("CARGO_PKG_VERSION"),
         "note": "research use, not for diagnosis",
@@ -78,5 +87,99 @@ pub fn summary_json(
         "metric": metric,
         "left_out": left_out,
         "maps": maps,
+    });
+    if let (Value::Object(object), Some((map, classes))) = (&mut summary, deformations) {
+        object.insert("deformations".to_owned(), deformations_json(map));
+        object.insert("classification".to_owned(), classification_json(classes));
+    }
+    summary
+}
+
+/// How the map of whole deformations was made, and how well it keeps what it should.
+pub fn deformations_json(map: &DeformationMap) -> Value {
+    json!({
+        "count": map.subjects.len(),
+        "time_weight": map.time_weight,
+        "samples": map.curves.first().map_or(0, Vec::len),
+        "neighbours": map.embedding.neighbours,
+        "parts": map.embedding.parts,
+        "reconstruction_error": map.embedding.reconstruction_error,
     })
+}
+
+/// How well classes are told apart; beside every share of right answers the one that permuted
+/// labels give. `null` where fewer than two classes have labels.
+pub fn classification_json(classes: &Classes) -> Value {
+    let counts: serde_json::Map<String, Value> = (classes.names.iter().enumerate())
+        .map(|(class, name)| {
+            let of_class = classes.of_row.iter().filter(|row| **row == Some(class));
+            (name.clone(), json!(of_class.count()))
+        })
+        .collect();
+    json!({
+        "classes": counts,
+        "tau": classes.tau.as_ref().map(accuracy_json),
+        "nearest_neighbour": classes.nearest_neighbour.as_ref().map(accuracy_json),
+        "linear_rule": classes.linear_rule.as_ref().map(accuracy_json),
+        "plane_rule": classes.plane_rule.as_ref().map(accuracy_json),
+        "clusters": classes.clustering.clusters,
+        "inertia": classes.clustering.inertia,
+    })
+}
+
+/// Shares are in 0 to 1.
+fn accuracy_json(accuracy: &Accuracy) -> Value {
+    json!({
+        "accuracy": accuracy.share(),
+        "correct": accuracy.correct,
+        "of": accuracy.of,
+        "baseline": accuracy.baseline,
+        "p_value": accuracy.p_value,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_accuracy_stands_beside_that_of_permuted_labels() {
+        let classes = Classes {
+            names: vec!["abnormal".to_owned(), "normal".to_owned()],
+            of_row: vec![Some(1), Some(0), None, Some(1)],
+            tau: Some(Accuracy {
+                correct: 2,
+                of: 3,
+                baseline: 0.5,
+                p_value: 0.25,
+            }),
+            ..Classes::default()
+        };
+        let value = classification_json(&classes);
+        assert_eq!(value["classes"], json!({ "abnormal": 1, "normal": 2 }));
+        let expected = json!({
+            "accuracy": 2.0 / 3.0, "correct": 2, "of": 3, "baseline": 0.5, "p_value": 0.25
+        });
+        assert_eq!(value["tau"], expected);
+        assert_eq!(value["plane_rule"], Value::Null);
+    }
+
+    #[test]
+    fn the_map_says_from_how_many_neighbours_and_how_well() {
+        let map = DeformationMap {
+            subjects: vec![0, 2],
+            curves: vec![vec![[0.0; 3]; 64]; 2],
+            time_weight: 0.75,
+            embedding: Embedding {
+                neighbours: Some(5),
+                reconstruction_error: Some(1e-3),
+                ..Embedding::default()
+            },
+        };
+        let value = deformations_json(&map);
+        assert_eq!(value["neighbours"], 5);
+        assert_eq!(value["reconstruction_error"], 1e-3);
+        assert_eq!(value["time_weight"], 0.75);
+        assert_eq!(value["samples"], 64);
+    }
 }

@@ -28,6 +28,18 @@ pub trait Arithmetic:
     fn over(self, denominator: Self) -> Self;
 }
 
+/// Both of two, written out: `map` on arrays is not always inlined where it must be.
+#[inline(always)]
+pub fn both<T>(of: impl Fn(usize) -> T) -> [T; 2] {
+    [of(0), of(1)]
+}
+
+/// All of three, likewise.
+#[inline(always)]
+pub fn three<T>(of: impl Fn(usize) -> T) -> [T; 3] {
+    [of(0), of(1), of(2)]
+}
+
 impl Arithmetic for f64 {
     #[inline(always)]
     fn splat(value: f64) -> Self {
@@ -70,12 +82,19 @@ impl Lanes {
     /// A function of each number.
     #[inline(always)]
     pub fn map(self, function: impl Fn(f64) -> f64) -> Self {
-        Self([0, 1, 2, 3].map(|lane| function(self.0[lane])))
+        let [a, b, c, d] = self.0;
+        Self([function(a), function(b), function(c), function(d)])
     }
 
     #[inline(always)]
     fn zip(self, other: Self, function: impl Fn(f64, f64) -> f64) -> Self {
-        Self([0, 1, 2, 3].map(|lane| function(self.0[lane], other.0[lane])))
+        let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
+        Self([
+            function(a, e),
+            function(b, f),
+            function(c, g),
+            function(d, h),
+        ])
     }
 
     /// The numbers one place later, with `first` before them; the last one falls out.

@@ -61,6 +61,8 @@ impl ColourLegend {
             Quantity::Tissue => return None,
             Quantity::Displacement => ("Displacement from end-diastole", unit.length_symbol()),
             Quantity::AreaRatio => ("Area relative to end-diastole", ""),
+            Quantity::Contribution => ("Difference", "× mean"),
+            Quantity::CarriedDistance => ("From own beat", unit.length_symbol()),
         };
         Some(Self {
             title: title.to_owned(),
@@ -82,6 +84,7 @@ pub(crate) fn colour_map(quantity: Quantity) -> Option<ColourMap> {
         Quantity::Tissue => None,
         Quantity::Displacement => Some(ColourMap::viridis()),
         Quantity::AreaRatio => Some(ColourMap::ratio()),
+        Quantity::Contribution | Quantity::CarriedDistance => Some(ColourMap::cividis()),
     }
 }
 

@@ -32,6 +32,13 @@ impl Default for CohortLimits {
     }
 }
 
+/// Up to four times the mean, the same for every pair; what is beyond has the end colour.
+const CONTRIBUTION: ColourLimits = ColourLimits {
+    low: 0.0,
+    high: 4.0,
+    logarithmic: false,
+};
+
 /// Share of all displacements that the range covers: a few stray vertices in one of a hundred
 /// hearts must not make the others look still. What is beyond has its own colour.
 const COVERED_SHARE: f64 = 0.995;
@@ -63,7 +70,13 @@ impl CohortLimits {
     pub fn range(&self, quantity: Quantity) -> ColourLimits {
         match quantity {
             Quantity::Tissue | Quantity::Displacement => self.displacement,
+            // Two beats differ by less than either moves; a round share keeps colours comparable.
+            Quantity::CarriedDistance => ColourLimits {
+                high: 0.5 * self.displacement.high,
+                ..self.displacement
+            },
             Quantity::AreaRatio => self.area_ratio,
+            Quantity::Contribution => CONTRIBUTION,
         }
     }
 }

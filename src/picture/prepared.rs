@@ -38,7 +38,7 @@ impl PreparedSurface {
     /// The numbers of a quantity; `None` for tissue.
     pub fn scalars(&self, quantity: Quantity) -> Option<&Arc<VertexScalars>> {
         match quantity {
-            Quantity::Tissue => None,
+            Quantity::Tissue | Quantity::Contribution | Quantity::CarriedDistance => None,
             Quantity::Displacement => Some(&self.displacement),
             Quantity::AreaRatio => Some(&self.area_ratio),
         }
@@ -58,12 +58,27 @@ pub struct PreparedSubject {
     pub axes: HeartAxes,
     /// The surfaces: inner, outer, rim, or those that stand alone.
     pub surfaces: Vec<PreparedSurface>,
+    /// Which pose of the surfaces' geometry each frame is, and at the end the number of poses.
+    first_poses: Vec<usize>,
+    /// How the rim is made of both sides.
+    pub(crate) rim: Option<WallRim>,
 }
 
 impl PreparedSubject {
     /// Prepares a heart; motion is counted from `reference_frame`, or from the first frame if
     /// there is no such frame.
     pub fn new(subject: &Subject, reference_frame: usize) -> Self {
+        Self::with_in_betweens(subject, reference_frame, &[])
+    }
+
+    /// Prepares a heart with poses between its frames: `in_betweens[i]` are those from frame i to
+    /// the next, in order, with the vertices of all surfaces one after the other as in
+    /// [`crate::study::MeshSequence::pose`]. The poses after the last frame lead to the first one.
+    pub fn with_in_betweens(
+        subject: &Subject,
+        reference_frame: usize,
+        in_betweens: &[&[Vec<Point3>]],
+    ) -> Self {
         let sequence = &subject.sequence;
         let reference = if reference_frame < sequence.frame_count() {
             reference_frame
@@ -73,6 +88,7 @@ impl PreparedSubject {
         let inner = sequence.surface(SurfaceKind::Endocardium);
         let outer = sequence.surface(SurfaceKind::Epicardium);
         let both = inner.zip(outer);
+        let mut offset = 0;
         let mut surfaces: Vec<PreparedSurface> = sequence
             .surfaces()
             .iter()
@@ -82,18 +98,26 @@ impl PreparedSubject {
                     SurfaceKind::Epicardium if both.is_some() => SurfaceRole::Outer,
                     kind => SurfaceRole::Alone(kind),
                 };
-                prepared_surface(surface, role, reference)
+                let poses = poses(surface, offset, in_betweens);
+                offset += surface.faces().vertex_count();
+                prepared_surface(surface, &poses, role, reference)
             })
             .collect();
-        if let Some((inner, outer)) = both
-            && let Some(rim) = wall_rim(inner, outer)
-        {
+        let rim = both.and_then(|(inner, outer)| wall_rim(inner, outer));
+        if let Some(rim) = &rim {
             let of = |role| surfaces.iter().find(|surface| surface.role == role);
             let sides = of(SurfaceRole::Inner).zip(of(SurfaceRole::Outer));
-            let rim = sides.map(|(inner, outer)| prepared_rim(&rim, inner, outer));
+            let rim = sides.map(|(inner, outer)| prepared_rim(rim, inner, outer));
             surfaces.extend(rim);
         }
+        let mut first_poses = vec![0];
+        for frame in 0..sequence.frame_count() {
+            let between = in_betweens.get(frame).map_or(0, |poses| poses.len());
+            first_poses.push(first_poses[frame] + 1 + between);
+        }
         Self {
+            first_poses,
+            rim,
             unit: subject.unit,
             frame_count: sequence.frame_count(),
             reference_frame: reference,
@@ -107,16 +131,51 @@ impl PreparedSubject {
         self.surfaces.iter().find(|surface| surface.role == role)
     }
 
-    /// Positions of all surfaces at all frames.
+    /// Positions of all surfaces at all frames, without the poses between them.
     pub fn all_positions(&self) -> impl Iterator<Item = &[f32; 3]> + Clone {
-        self.surfaces
-            .iter()
-            .flat_map(|surface| surface.geometry.positions.iter().flatten())
+        let frames = &self.first_poses[..self.frame_count];
+        self.surfaces.iter().flat_map(move |surface| {
+            let positions = &surface.geometry.positions;
+            frames.iter().flat_map(move |&pose| &positions[pose])
+        })
     }
+
+    /// Number of poses: frames and what lies between them.
+    pub fn pose_count(&self) -> usize {
+        self.first_poses[self.frame_count]
+    }
+
+    /// The pose that a frame is.
+    pub fn pose_of_frame(&self, frame: usize) -> usize {
+        self.first_poses[frame.min(self.frame_count - 1)]
+    }
+
+    /// Number of poses between a frame and the next.
+    pub fn in_betweens(&self, frame: usize) -> usize {
+        let frame = frame.min(self.frame_count - 1);
+        self.first_poses[frame + 1] - self.first_poses[frame] - 1
+    }
+}
+
+/// One surface's vertices at every pose, frames and in-betweens in order.
+fn poses<'a>(
+    surface: &'a SurfaceSequence,
+    offset: usize,
+    in_betweens: &'a [&'a [Vec<Point3>]],
+) -> Vec<&'a [Point3]> {
+    let count = surface.faces().vertex_count();
+    let mut poses = Vec::with_capacity(surface.frames().len());
+    for (frame, mesh) in surface.frames().iter().enumerate() {
+        poses.push(mesh.vertices());
+        let between = in_betweens.get(frame).copied().unwrap_or_default();
+        poses.extend(between.iter().map(|pose| &pose[offset..offset + count]));
+    }
+    poses
 }
 
 fn prepared_surface(
     surface: &SurfaceSequence,
+    poses: &[&[Point3]],
     role: SurfaceRole,
     reference: usize,
 ) -> PreparedSurface {
@@ -128,8 +187,7 @@ fn prepared_surface(
         ..Geometry::default()
     };
     let (mut displacement, mut area_ratio) = (Vec::new(), Vec::new());
-    for frame in surface.frames() {
-        let points = frame.vertices();
+    for &points in poses {
         geometry.positions.push(
             points
                 .iter()
@@ -216,8 +274,58 @@ fn prepared_rim(
     }
 }
 
-fn gathered<T: Copy>(rim: &WallRim, inner: &[T], outer: &[T]) -> Vec<T> {
+pub(crate) fn gathered<T: Copy>(rim: &WallRim, inner: &[T], outer: &[T]) -> Vec<T> {
     let of_inner = rim.inner.iter().map(|&vertex| inner[vertex as usize]);
     let of_outer = rim.outer.iter().map(|&vertex| outer[vertex as usize]);
     of_inner.chain(of_outer).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::phantom;
+    use crate::study::MeshSequence;
+
+    #[test]
+    fn poses_between_frames_stand_between_them_on_every_surface() {
+        let side = |kind, radii: [f64; 3]| {
+            let frames = radii.map(|radius| phantom::bowl(radius, 4, 12)).to_vec();
+            SurfaceSequence::new(kind, frames).unwrap()
+        };
+        let sequence = MeshSequence::new(vec![
+            side(SurfaceKind::Endocardium, [20.0, 16.0, 18.0]),
+            side(SurfaceKind::Epicardium, [30.0, 28.0, 29.0]),
+        ])
+        .unwrap();
+        let pose = |inner, outer| {
+            let sides = [inner, outer].map(|radius| phantom::bowl(radius, 4, 12));
+            sides
+                .iter()
+                .flat_map(|mesh| mesh.vertices().to_vec())
+                .collect::<Vec<_>>()
+        };
+        let (a, b) = (pose(19.0, 29.5), pose(17.0, 28.5));
+        let last = [pose(19.5, 29.7)];
+        let first = [a, b];
+        let subject = Subject::new("P", sequence, LengthUnit::Millimetre);
+        let plain = PreparedSubject::new(&subject, 0);
+        let heart = PreparedSubject::with_in_betweens(&subject, 0, &[&first, &[], &last]);
+        assert_eq!(heart.pose_count(), 6);
+        assert_eq!([0, 1, 2].map(|frame| heart.pose_of_frame(frame)), [0, 3, 4]);
+        assert_eq!([0, 1, 2].map(|frame| heart.in_betweens(frame)), [2, 0, 1]);
+        let moved = |role, pose: usize| {
+            let surface = heart.surface(role).unwrap();
+            surface.scalars(Quantity::Displacement).unwrap().values[pose][5]
+        };
+        for (pose, inner, outer) in [(1, 1.0, 0.5), (2, 3.0, 1.5), (3, 4.0, 2.0), (5, 0.5, 0.3)] {
+            assert!((moved(SurfaceRole::Inner, pose) - inner).abs() < 1e-4);
+            assert!((moved(SurfaceRole::Outer, pose) - outer).abs() < 1e-4);
+        }
+        for surface in &heart.surfaces {
+            assert_eq!(surface.geometry.positions.len(), 6);
+            assert_eq!(surface.geometry.normals.len(), 6);
+        }
+        // The first picture does not move when in-betweens arrive.
+        assert!(plain.all_positions().eq(heart.all_positions()));
+    }
 }

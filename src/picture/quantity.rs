@@ -10,11 +10,18 @@ pub enum Quantity {
     Displacement,
     /// Area around the vertex relative to end-diastole; 1 is unchanged.
     AreaRatio,
+    /// Share in the squared distance of the two poses side by side, per area, relative to the mean.
+    Contribution,
+    /// Distance of a carried beat from the heart's own beat at the same phase.
+    CarriedDistance,
 }
 
 impl Quantity {
-    /// All of them, in the order in which one key steps through them.
+    /// Those that a heart has by itself, in the order in which one key steps through them.
     pub const ALL: [Self; 3] = [Self::Tissue, Self::Displacement, Self::AreaRatio];
+
+    /// Those that two hearts have together.
+    pub const OF_TWO: [Self; 2] = [Self::Contribution, Self::CarriedDistance];
 
     /// The word in menus.
     pub fn name(self) -> &'static str {
@@ -22,24 +29,28 @@ impl Quantity {
             Self::Tissue => "Tissue",
             Self::Displacement => "Displacement",
             Self::AreaRatio => "Area ratio",
+            Self::Contribution => "Difference to the other heart",
+            Self::CarriedDistance => "Distance from its own beat",
         }
     }
 
-    /// The word on the command line.
+    /// The word on the command line and in the text that a picture file carries.
     pub fn word(self) -> &'static str {
         match self {
             Self::Tissue => "tissue",
             Self::Displacement => "displacement",
             Self::AreaRatio => "area-ratio",
+            Self::Contribution => "contribution",
+            Self::CarriedDistance => "carried-distance",
         }
     }
 
-    /// The next one, and after the last the first.
+    /// The next one of a heart by itself, and after the last the first.
     pub fn next(self) -> Self {
         match self {
             Self::Tissue => Self::Displacement,
             Self::Displacement => Self::AreaRatio,
-            Self::AreaRatio => Self::Tissue,
+            Self::AreaRatio | Self::Contribution | Self::CarriedDistance => Self::Tissue,
         }
     }
 }

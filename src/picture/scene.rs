@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::picture::fit::blended;
 use crate::picture::legend::{ColourLegend, colour_map};
 use crate::picture::limits::CohortLimits;
+use crate::picture::numbers::HeartNumbers;
 use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 use crate::picture::quantity::Quantity;
 use crate::picture::tokens::{
@@ -12,7 +13,8 @@ use crate::picture::tokens::{
     TRANSLUCENT_SILHOUETTE, WALL_CUT,
 };
 use crate::render::{
-    ColourLimits, GeometryPose, Points, Scene, Shading, Surface, SurfaceColour, Wireframe,
+    ColourLimits, GeometryPose, Points, Scene, Shading, Surface, SurfaceColour, VertexScalars,
+    Wireframe,
 };
 use crate::study::SurfaceKind;
 
@@ -76,7 +78,18 @@ pub fn subject_scene(
     settings: &SceneSettings,
     pose: GeometryPose,
 ) -> HeartScene {
-    let last = prepared.frame_count.saturating_sub(1);
+    scene_with_numbers(prepared, None, settings, pose)
+}
+
+/// The scene of a heart with numbers that it does not have by itself, such as its difference to
+/// another heart. A quantity of two hearts without numbers is shown as tissue, without a legend.
+pub fn scene_with_numbers(
+    prepared: &PreparedSubject,
+    numbers: Option<&HeartNumbers>,
+    settings: &SceneSettings,
+    pose: GeometryPose,
+) -> HeartScene {
+    let last = prepared.pose_count().saturating_sub(1);
     let pose = GeometryPose {
         from: pose.from.min(last),
         to: pose.to.min(last),
@@ -90,7 +103,7 @@ pub fn subject_scene(
         .collect();
     let surfaces = shown
         .iter()
-        .map(|surface| drawn(surface, settings, limits, pose))
+        .map(|surface| drawn(surface, numbers, settings, limits, pose))
         .collect();
     let points = if settings.vertices {
         shown
@@ -106,21 +119,26 @@ pub fn subject_scene(
     let coloured = shown
         .iter()
         .filter(|surface| is_coloured(surface, settings));
+    let coloured: Vec<_> = coloured
+        .filter_map(|surface| scalars(surface, numbers, settings.quantity))
+        .collect();
     let extremes = coloured
-        .filter_map(|surface| surface.scalars(settings.quantity))
+        .iter()
         .flat_map(|scalars| scalars.values.iter().flatten())
         .filter(|value| !value.is_nan())
         .fold([f32::INFINITY, f32::NEG_INFINITY], |[low, high], &value| {
             [low.min(value), high.max(value)]
         });
+    let legend = ColourLegend::of(
+        settings.quantity,
+        prepared.unit,
+        limits,
+        limits_note(settings),
+        extremes,
+    );
+    let explained = !Quantity::OF_TWO.contains(&settings.quantity) || !coloured.is_empty();
     HeartScene {
-        legend: ColourLegend::of(
-            settings.quantity,
-            prepared.unit,
-            limits,
-            limits_note(settings),
-            extremes,
-        ),
+        legend: legend.filter(|_| explained),
         scene: Scene {
             surfaces,
             lines: Vec::new(),
@@ -145,6 +163,18 @@ fn is_coloured(surface: &PreparedSurface, settings: &SceneSettings) -> bool {
     !(surface.role == SurfaceRole::Outer && settings.inner)
 }
 
+fn scalars<'a>(
+    surface: &'a PreparedSurface,
+    numbers: Option<&'a HeartNumbers>,
+    quantity: Quantity,
+) -> Option<&'a Arc<VertexScalars>> {
+    surface.scalars(quantity).or_else(|| {
+        numbers
+            .filter(|numbers| numbers.quantity == quantity)
+            .and_then(|numbers| numbers.of(surface.role))
+    })
+}
+
 fn limits(settings: &SceneSettings) -> ColourLimits {
     let range = settings.cohort_limits.range(settings.quantity);
     match settings.typed_limits {
@@ -161,18 +191,20 @@ fn limits_note(settings: &SceneSettings) -> &'static str {
     match (settings.typed_limits, settings.quantity) {
         (Some(_), _) => "limits typed",
         (None, Quantity::AreaRatio) => "fixed limits, log scale",
+        (None, Quantity::Contribution) => "fixed limits, at the nearest frames",
         (None, _) => "one range for the cohort",
     }
 }
 
 fn drawn(
     surface: &PreparedSurface,
+    numbers: Option<&HeartNumbers>,
     settings: &SceneSettings,
     limits: ColourLimits,
     pose: GeometryPose,
 ) -> Surface {
     let translucent = surface.role == SurfaceRole::Outer && settings.inner;
-    let scalars = surface.scalars(settings.quantity).filter(|_| !translucent);
+    let scalars = scalars(surface, numbers, settings.quantity).filter(|_| !translucent);
     let colour = match scalars.zip(colour_map(settings.quantity)) {
         Some((scalars, map)) => SurfaceColour::Scalars {
             scalars: Arc::clone(scalars),

@@ -2,6 +2,7 @@
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::mesh::{Faces, Point3, TriMesh};
 
@@ -138,11 +139,26 @@ impl SurfaceSequence {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct CorrespondenceKey(u64);
 
+/// Names one sequence in this run of the program: clones share it, no two that were made do. So
+/// whatever was computed of a sequence is found again when only what is said of the heart changes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SequenceId(u64);
+
+static NEXT_SEQUENCE: AtomicU64 = AtomicU64::new(0);
+
 /// All surfaces of one heart, with as many frames each; at least one surface and one frame.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct MeshSequence {
     surfaces: Vec<SurfaceSequence>,
     correspondence: CorrespondenceKey,
+    id: SequenceId,
+}
+
+impl PartialEq for MeshSequence {
+    /// Whether the surfaces are equal, whoever made them.
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id || self.surfaces == other.surfaces
+    }
 }
 
 impl MeshSequence {
@@ -182,6 +198,7 @@ impl MeshSequence {
         Ok(Self {
             surfaces,
             correspondence: CorrespondenceKey(hasher.finish()),
+            id: SequenceId(NEXT_SEQUENCE.fetch_add(1, Ordering::Relaxed)),
         })
     }
 
@@ -211,6 +228,11 @@ impl MeshSequence {
             .iter()
             .map(|s| s.faces().triangles().len())
             .sum()
+    }
+
+    /// Which sequence this is; equal for clones only.
+    pub fn id(&self) -> SequenceId {
+        self.id
     }
 
     /// Equal for hearts whose vertices correspond: the same kinds, counts and faces.
@@ -262,6 +284,17 @@ mod tests {
             error.to_string(),
             "epicardium has 3 frames, but endocardium has 2"
         );
+    }
+
+    #[test]
+    fn clones_are_one_sequence_and_equal_ones_made_twice_are_two() {
+        let make = || MeshSequence::new(vec![surface(SurfaceKind::Cavity, 2)]).unwrap();
+        let (first, second) = (make(), make());
+        assert_eq!(first.clone().id(), first.id());
+        assert_ne!(first.id(), second.id());
+        assert_eq!(first, second);
+        let longer = MeshSequence::new(vec![surface(SurfaceKind::Cavity, 3)]).unwrap();
+        assert_ne!(first, longer);
     }
 
     #[test]

@@ -18,8 +18,8 @@ pub use anatomy::Anatomy;
 pub use cardiac_cycle::CycleTiming;
 pub use label::{LabelRole, LabelRoles};
 pub use mesh_sequence::{
-    CorrespondenceKey, MeshSequence, SequenceError, SurfaceKind, SurfaceSequence,
+    CorrespondenceKey, MeshSequence, SequenceError, SequenceId, SurfaceKind, SurfaceSequence,
 };
 pub use notice::{Notice, Severity};
 pub use study::{Revision, Study};
-pub use subject::Subject;
+pub use subject::{ShapeKey, Subject};

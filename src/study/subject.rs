@@ -2,7 +2,7 @@
 
 use crate::units::LengthUnit;
 
-use super::{Anatomy, CycleTiming, MeshSequence, Notice};
+use super::{Anatomy, CycleTiming, MeshSequence, Notice, SequenceId};
 
 /// One heart: its beat, its label and what the input says beside the meshes.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +31,25 @@ pub struct Subject {
     pub notices: Vec<Notice>,
 }
 
+/// All that shape analysis reads of a subject: equal keys, equal poses and sizes. An edit of a label
+/// leaves it as it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct ShapeKey {
+    /// The surfaces.
+    pub sequence: SequenceId,
+    /// The frame that says how large the heart is, where the beat begins, and from where motion counts.
+    pub end_diastole: Option<usize>,
+}
+
 impl Subject {
+    /// What its shapes are known by.
+    pub fn shape_key(&self) -> ShapeKey {
+        ShapeKey {
+            sequence: self.sequence.id(),
+            end_diastole: self.end_diastole,
+        }
+    }
+
     /// A subject of which only the meshes are known.
     pub fn new(id: impl Into<String>, sequence: MeshSequence, unit: LengthUnit) -> Self {
         Self {

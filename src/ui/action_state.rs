@@ -35,8 +35,16 @@ pub struct ActionState {
     pub view_mode: ViewMode,
     /// What colours stand for.
     pub quantity: Quantity,
+    /// Poses computed between two frames.
+    pub in_betweens: u16,
+    /// Whether there is another heart to show beside the selected one.
+    pub has_other: bool,
+    /// Whether a beat plays on another heart.
+    pub carrying: bool,
     /// Light or dark.
     pub theme: ThemeChoice,
+    /// Whether clusters of deformations are shown.
+    pub shows_clusters: bool,
     /// Panes that are closed.
     pub hidden_panes: Vec<Pane>,
 }
@@ -47,12 +55,19 @@ impl ActionState {
         match command {
             Command::Undo => self.can_undo,
             Command::Redo => self.can_redo,
+            Command::CarryBeatBeside => self.has_other,
+            Command::StopCarrying => self.carrying,
+            Command::SetQuantity(Quantity::Contribution) => {
+                self.has_other && self.view_mode == ViewMode::SideBySide
+            }
+            Command::SetQuantity(Quantity::CarriedDistance) => self.carrying,
             Command::ChooseFiles
             | Command::ChooseFolder
             | Command::Open(_)
             | Command::OpenBuiltIn
             | Command::SetTheme(_)
             | Command::TogglePane(_)
+            | Command::ShowPane(_)
             | Command::ResetLayout
             | Command::TogglePalette
             | Command::ToggleShortcuts
@@ -69,9 +84,11 @@ impl ActionState {
         match command {
             Command::SetViewMode(mode) => Some(self.view_mode == *mode),
             Command::SetQuantity(quantity) => Some(self.quantity == *quantity),
+            Command::SetInBetweens(count) => Some(self.in_betweens == *count),
             Command::SetTheme(theme) => Some(self.theme == *theme),
             Command::SetShading(shading) => Some(self.shading == *shading),
             Command::TogglePane(pane) => Some(!self.hidden_panes.contains(pane)),
+            Command::ToggleClusters => Some(self.shows_clusters),
             Command::ToggleLoop => Some(self.looping),
             Command::ToggleFreeCamera => Some(self.free_camera),
             Command::ToggleEndocardium => Some(self.shows_endocardium),

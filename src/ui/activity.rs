@@ -2,7 +2,8 @@
 
 use egui::{Label, RichText, ScrollArea, Ui};
 
-use crate::ui::command::{Command, JobKind};
+use crate::engine::WorkKind;
+use crate::ui::command::Command;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::status_bar::progress_text;
 use crate::ui::style::{medium, note};
@@ -30,7 +31,7 @@ pub enum WorkState {
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkItem {
     /// What to cancel or to do again.
-    pub kind: JobKind,
+    pub kind: WorkKind,
     /// "Quasi-conformal distances".
     pub title: String,
     /// "184 poses · additive · μ 1 · λ 0.0001".
@@ -157,7 +158,7 @@ mod tests {
 
     fn item(state: WorkState) -> WorkItem {
         WorkItem {
-            kind: JobKind::PoseMap,
+            kind: WorkKind::PoseMap,
             title: "Map of poses".to_owned(),
             parameters: "184 poses".to_owned(),
             duration_s: 1.25,
@@ -174,17 +175,17 @@ mod tests {
                     seconds_left: None,
                 },
                 "Cancel",
-                Command::Cancel(JobKind::PoseMap),
+                Command::Cancel(WorkKind::PoseMap),
             ),
             (
                 WorkState::Stopped,
                 "Retry",
-                Command::Retry(JobKind::PoseMap),
+                Command::Retry(WorkKind::PoseMap),
             ),
             (
                 WorkState::Failed("no poses".to_owned()),
                 "Retry",
-                Command::Retry(JobKind::PoseMap),
+                Command::Retry(WorkKind::PoseMap),
             ),
         ] {
             let items = [item(state)];

@@ -19,6 +19,8 @@ pub struct CohortRow {
     pub frame_count: usize,
     /// Findings of the load report that can affect results.
     pub warning_count: usize,
+    /// Hearts whose vertices correspond have the same number.
+    pub correspondence: usize,
 }
 
 /// Columns in the order of [`crate::ui::Command::SortCohort`].

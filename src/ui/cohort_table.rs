@@ -11,6 +11,7 @@ use crate::ui::controls::empty_pane_ui;
 use crate::ui::marks::{role_mark, role_name};
 use crate::ui::normal_ranges::EJECTION_FRACTION;
 use crate::ui::style::{note, note_font, text_font};
+use crate::ui::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::theme::{colours, space};
 
 /// What the cohort pane shows.
@@ -228,7 +229,8 @@ fn row_ui(
     let row = &view.rows[index];
     let colours = colours(ui);
     let selected = view.selected == Some(index);
-    let response = ui.interact(rect, ui.scope_id().with(("row", index)), Sense::click());
+    let id = ui.scope_id().with(("row", index));
+    let response = ui.interact(rect, id, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, selected, &row.id));
     if selected {
         ui.painter().rect_filled(rect, 0.0, colours.selected_row);
@@ -276,6 +278,18 @@ fn row_ui(
     if response.clicked() {
         commands.push(Command::SelectSubject(index));
     }
+    response.dnd_set_drag_payload(DraggedSubject {
+        subject: index,
+        id: row.id.clone(),
+        correspondence: row.correspondence,
+    });
+    let target = SubjectTarget {
+        rect,
+        subject: index,
+        id: &row.id,
+        correspondence: row.correspondence,
+    };
+    subject_target_ui(ui, &response, &target, commands);
     row_menu_ui(&response, index, view, commands);
     response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
 }
@@ -309,7 +323,29 @@ fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &
         if ui.button("Select").clicked() {
             commands.push(Command::SelectSubject(index));
         }
+        if let Some(selected) = view.selected.filter(|selected| *selected != index) {
+            ui.separator();
+            carry_choices_ui(ui, view, [selected, index], commands);
+        }
     });
+}
+
+/// One heart's beat on the other, in both directions.
+fn carry_choices_ui(ui: &mut Ui, view: &CohortView, pair: [usize; 2], commands: &mut Vec<Command>) {
+    let [a, b] = pair.map(|index| &view.rows[index]);
+    let fits = a.correspondence == b.correspondence;
+    for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {
+        let name = format!(
+            "Play {}’s beat on {}",
+            view.rows[from].id, view.rows[onto].id
+        );
+        let button = ui
+            .add_enabled(fits, egui::Button::new(name))
+            .on_disabled_hover_text("Their meshes do not correspond");
+        if button.clicked() {
+            commands.push(Command::CarryBeat { from, onto });
+        }
+    }
 }
 
 fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {

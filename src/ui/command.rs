@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use crate::engine::PoseMapParams;
+use crate::analysis::deformations::DeformationMapParams;
+use crate::engine::{PoseMapParams, WorkKind};
 use crate::picture::{AnatomicalView, Quantity};
 use crate::render::{Camera, Shading};
 
@@ -29,6 +30,12 @@ pub enum Pane {
     Viewport,
     /// The map of poses.
     PoseMap,
+    /// The map of whole deformations.
+    DeformationMap,
+    /// Poses through time, in three dimensions.
+    SpaceTime,
+    /// How poses and deformations are compared and mapped.
+    Metric,
     /// Volumes over the beat.
     Curves,
     /// Clinical measures of the selected subject.
@@ -45,19 +52,6 @@ pub enum ThemeChoice {
     Dark,
     /// Light.
     Light,
-}
-
-/// A kind of background work, for Cancel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum JobKind {
-    /// Reading files.
-    Open,
-    /// Clinical measures.
-    Measures,
-    /// Distances and the map of poses.
-    PoseMap,
-    /// Writing tables or a figure.
-    Export,
 }
 
 /// One request of the user.
@@ -90,6 +84,21 @@ pub enum Command {
     SetPosition(f64),
     /// Whole frames forward or back.
     StepFrame(i32),
+    /// Poses forward or back, those between frames included.
+    StepPose(i32),
+    /// How many poses are computed between two frames; 0 blends frames straight.
+    SetInBetweens(u16),
+    /// Play one subject's beat on another one's heart, beside the original.
+    CarryBeat {
+        /// Whose motion.
+        from: usize,
+        /// On whose heart.
+        onto: usize,
+    },
+    /// Play the selected subject's beat on the heart beside it.
+    CarryBeatBeside,
+    /// Show the heart beside with its own beat again.
+    StopCarrying,
     /// Jump to end-diastole.
     GoToEndDiastole,
     /// Jump to end-systole.
@@ -137,10 +146,18 @@ pub enum Command {
     SetColourLimits(Option<[f64; 2]>),
     /// How poses are compared and mapped.
     SetPoseMap(PoseMapParams),
+    /// How whole deformations are mapped.
+    SetDeformationMap(DeformationMapParams),
+    /// All settings of metric and maps as they were at the start.
+    ResetMaps,
+    /// Show or hide the clusters of the map of deformations.
+    ToggleClusters,
+    /// Open a tile, or bring it before other tabs.
+    ShowPane(Pane),
     /// Compute what was cancelled or failed again.
-    Retry(JobKind),
+    Retry(WorkKind),
     /// Stop background work.
-    Cancel(JobKind),
+    Cancel(WorkKind),
     /// Close an error card.
     DismissError(usize),
     /// Filter the cohort table.

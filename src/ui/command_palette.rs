@@ -20,6 +20,8 @@ pub struct CommandPaletteView<'a> {
     pub actions: &'a ActionState,
     /// All subjects in the order of the study.
     pub subjects: &'a [CohortRow],
+    /// The selected subject, whose beat can be played on others.
+    pub selected: Option<usize>,
 }
 
 /// One line of the palette.
@@ -145,8 +147,24 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         enabled: true,
         command: Command::SelectSubject(index),
     });
+    let beat = view
+        .selected
+        .and_then(|from| Some((from, view.subjects.get(from)?)));
+    let carried = beat.into_iter().flat_map(|(from, row)| {
+        let others = view.subjects.iter().enumerate();
+        others
+            .filter(move |(onto, _)| *onto != from)
+            .map(move |(onto, other)| Offer {
+                name: format!("Play this beat on {}", other.id),
+                where_it_stands: format!("Beat of {}", row.id),
+                keys: String::new(),
+                enabled: other.correspondence == row.correspondence,
+                command: Command::CarryBeat { from, onto },
+            })
+    });
     let mut scored: Vec<(i32, Offer)> = actions
         .chain(subjects)
+        .chain(carried)
         .filter_map(|offer| Some((fuzzy_score(&offer.name, text)?, offer)))
         .collect();
     if !text.trim().is_empty() {
@@ -236,10 +254,10 @@ mod tests {
             has_study: true,
             ..Default::default()
         };
-        let subjects = [CohortRow {
-            id: "P-041".to_owned(),
+        let subjects = ["P-041", "N-007"].map(|id| CohortRow {
+            id: id.to_owned(),
             ..Default::default()
-        }];
+        });
         let mut harness = Harness::builder()
             .with_size([800.0, 600.0])
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
@@ -248,6 +266,7 @@ mod tests {
                     let view = CommandPaletteView {
                         actions: &state,
                         subjects: &subjects,
+                        selected: Some(0),
                     };
                     if commands.is_empty() {
                         command_palette_ui(ui, &view, commands);
@@ -286,6 +305,16 @@ mod tests {
             commands,
             [Command::TogglePalette, Command::SelectSubject(0)]
         );
+    }
+
+    #[test]
+    fn a_beat_is_played_on_a_heart_by_its_name() {
+        let commands = chosen_by(|harness| {
+            type_text(harness, "beat on n007");
+            harness.key_press(Key::Enter);
+        });
+        let carried = Command::CarryBeat { from: 0, onto: 1 };
+        assert_eq!(commands, [Command::TogglePalette, carried]);
     }
 
     #[test]

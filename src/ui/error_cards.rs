@@ -4,7 +4,8 @@ use egui::{
     Align2, Area, CollapsingHeader, Frame, Margin, Order, RichText, ScrollArea, Stroke, Ui,
 };
 
-use crate::ui::command::{Command, JobKind};
+use crate::engine::WorkKind;
+use crate::ui::command::Command;
 use crate::ui::controls::icon_button_ui;
 use crate::ui::marks::Icon;
 use crate::ui::style::medium;
@@ -20,7 +21,7 @@ pub struct ErrorCard {
     /// The whole story, one line each; folded until asked for.
     pub details: String,
     /// Work that can be tried again.
-    pub retry: Option<JobKind>,
+    pub retry: Option<WorkKind>,
 }
 
 /// Height of the bars at the foot of the window.
@@ -92,7 +93,7 @@ mod tests {
             title: "1 file could not be read".to_owned(),
             message: "line 812: face refers to vertex 9041".to_owned(),
             details: "heart/endo_03.obj".to_owned(),
-            retry: Some(JobKind::Open),
+            retry: Some(WorkKind::Open),
         }];
         let mut harness = Harness::builder()
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
@@ -111,7 +112,7 @@ mod tests {
         harness.run();
         assert_eq!(
             harness.into_state(),
-            [Command::Retry(JobKind::Open), Command::DismissError(0)]
+            [Command::Retry(WorkKind::Open), Command::DismissError(0)]
         );
     }
 }

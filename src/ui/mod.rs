@@ -11,19 +11,26 @@ mod command;
 mod command_palette;
 mod controls;
 mod curves;
+mod deformation_map;
 mod empty_state;
 mod error_cards;
 mod fuzzy;
 mod load_report;
+mod map_ground;
 mod marks;
 mod measures_card;
 mod menu_bar;
+mod metric_panel;
+mod metric_words;
 mod normal_ranges;
+mod number_field;
 mod pose_map;
 mod shortcut_sheet;
 mod shortcuts;
+mod space_time;
 mod status_bar;
 mod style;
+mod subject_drag;
 pub mod theme;
 mod time_bar;
 mod viewport_header;
@@ -36,24 +43,33 @@ pub use activity::{WorkItem, WorkState, activity_ui};
 pub use beat_axis::BeatAxis;
 pub use cohort_rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
 pub use cohort_table::{CohortView, cohort_table_ui};
-pub use command::{Command, JobKind, Pane, ThemeChoice, ViewMode};
+pub use command::{Command, Pane, ThemeChoice, ViewMode};
 pub use command_palette::{CommandPaletteView, command_palette_ui};
 pub use controls::{empty_pane_ui, pane_header_ui, tab_ui};
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};
+pub use deformation_map::{
+    ClassesView, DeformationMapView, DeformationPoint, RuleView, deformation_map_ui,
+    deformation_note,
+};
 pub use empty_state::{EmptyStateView, empty_state_ui};
 pub use error_cards::{ErrorCard, error_cards_ui};
 pub use load_report::{ReportSubject, load_report_ui};
+pub use map_ground::{MapState, MapSubject};
 pub use marks::role_name;
 pub use measures_card::{MeasuresView, measures_card_ui};
 pub use menu_bar::{MenuBarView, menu_bar_ui};
+pub use metric_panel::{MetricPanelView, metric_panel_ui};
 pub use pose_map::{
-    MapPoint, MapState, MapSubject, PoseMapView, PosePhase, pose_map_choosers_ui,
-    pose_map_header_ui, pose_map_ui,
+    MapPoint, PoseMapView, PosePhase, pose_map_choosers_ui, pose_map_header_ui, pose_map_ui,
 };
 pub use shortcut_sheet::shortcut_sheet_ui;
 pub use shortcuts::{claim_tab, pressed_commands, shortcut_text};
+pub use space_time::{SpaceTimeCurve, SpaceTimePoint, SpaceTimeView, space_time_ui};
 pub use status_bar::{StatusBarView, StatusJob, status_bar_ui};
-pub use style::{apply, choose, install};
+pub use style::{apply, choose, install, medium_font};
+pub use subject_drag::{
+    DraggedSubject, SubjectTarget, dragged_subject, dragged_subject_ui, subject_target_ui,
+};
 pub use time_bar::{TimeBarView, time_bar_ui};
 pub use viewport_header::{ViewportHeaderView, quantity_name, viewport_header_ui};
 pub use viewport_overlay::{

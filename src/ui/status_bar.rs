@@ -2,7 +2,8 @@
 
 use egui::{Align, Button, Layout, RichText, Ui};
 
-use crate::ui::command::{Command, JobKind};
+use crate::engine::WorkKind;
+use crate::ui::command::Command;
 use crate::ui::controls::{progress_bar_ui, time_left_text};
 use crate::ui::style::note;
 use crate::ui::theme::{colours, space};
@@ -11,7 +12,7 @@ use crate::ui::theme::{colours, space};
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatusJob<'a> {
     /// What to cancel.
-    pub kind: JobKind,
+    pub kind: WorkKind,
     /// What it is, in the words of the activity list.
     pub text: &'a str,
     /// Done share in `0..=1`.
@@ -129,7 +130,7 @@ mod tests {
                 |ui, commands: &mut Vec<Command>| {
                     let view = StatusBarView {
                         job: Some(StatusJob {
-                            kind: JobKind::PoseMap,
+                            kind: WorkKind::PoseMap,
                             text: "Quasi-conformal distances",
                             fraction: 0.714,
                             seconds_left: Some(3.2),
@@ -150,7 +151,10 @@ mod tests {
         harness.run();
         assert_eq!(
             harness.into_state(),
-            [Command::Cancel(JobKind::PoseMap), Command::ToggleLoadReport]
+            [
+                Command::Cancel(WorkKind::PoseMap),
+                Command::ToggleLoadReport
+            ]
         );
     }
 }

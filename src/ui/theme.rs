@@ -55,6 +55,9 @@ pub mod line {
 /// Seconds that a change of appearance takes.
 pub const MOTION_S: f32 = 0.12;
 
+/// Seconds that points take from an old map to a new one: long enough for the eye to follow.
+pub const MORPH_S: f64 = 0.3;
+
 /// Colours of one theme.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Colours {
@@ -94,6 +97,8 @@ pub struct Colours {
     pub error: Color32,
     /// Something deserves a look.
     pub warning: Color32,
+    /// Groups that were found, not labelled: told from roles and from each other, in any order.
+    pub clusters: [Color32; 6],
     /// Inner surface.
     pub endocardium: Color32,
     /// Outer surface.
@@ -120,6 +125,14 @@ pub const DARK: Colours = Colours {
     unknown: Color32::from_rgb(0x8a, 0x94, 0xa1),
     error: Color32::from_rgb(0xf0, 0x71, 0x78),
     warning: Color32::from_rgb(0xe8, 0xb4, 0x4f),
+    clusters: [
+        Color32::from_rgb(0x4f, 0xc4, 0xa8),
+        Color32::from_rgb(0xc0, 0x8f, 0xe8),
+        Color32::from_rgb(0xc9, 0xc7, 0x6a),
+        Color32::from_rgb(0xe8, 0x8f, 0xb8),
+        Color32::from_rgb(0x8f, 0xd1, 0xe8),
+        Color32::from_rgb(0xb9, 0xa3, 0x8c),
+    ],
     endocardium: Color32::from_rgb(0xa9, 0x4a, 0x4a),
     epicardium: Color32::from_rgb(0xd9, 0xc3, 0xa5),
 };
@@ -144,6 +157,14 @@ pub const LIGHT: Colours = Colours {
     unknown: Color32::from_rgb(0x68, 0x72, 0x7f),
     error: Color32::from_rgb(0xb8, 0x2c, 0x3a),
     warning: Color32::from_rgb(0x96, 0x63, 0x07),
+    clusters: [
+        Color32::from_rgb(0x0f, 0x7d, 0x64),
+        Color32::from_rgb(0x7b, 0x45, 0xb8),
+        Color32::from_rgb(0x75, 0x72, 0x12),
+        Color32::from_rgb(0xab, 0x3c, 0x77),
+        Color32::from_rgb(0x1f, 0x7e, 0x9e),
+        Color32::from_rgb(0x7a, 0x62, 0x49),
+    ],
     endocardium: Color32::from_rgb(0xa9, 0x4a, 0x4a),
     epicardium: Color32::from_rgb(0x9b, 0x7d, 0x52),
 };
@@ -152,6 +173,11 @@ impl Colours {
     /// The colours of a theme.
     pub fn of(dark: bool) -> &'static Self {
         if dark { &DARK } else { &LIGHT }
+    }
+
+    /// Colour of a cluster; past the last, colours begin anew and the letter tells.
+    pub fn cluster(&self, cluster: usize) -> Color32 {
+        self.clusters[cluster % self.clusters.len()]
     }
 
     /// Colour of a label's role; its shape is drawn by `marks::role_mark`.
@@ -203,7 +229,8 @@ mod tests {
                 );
             }
             assert!(contrast(theme.on_accent, theme.accent) >= 4.5);
-            for mark in [theme.accent, theme.abnormal, theme.error, theme.warning] {
+            let marks = [theme.accent, theme.abnormal, theme.error, theme.warning];
+            for mark in marks.into_iter().chain(theme.clusters) {
                 assert!(contrast(mark, theme.pane) >= 3.0);
             }
         }

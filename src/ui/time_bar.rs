@@ -38,8 +38,12 @@ pub struct TimeBarView<'a> {
     pub end_systole: Option<usize>,
     /// Time after the R peak, where the study says it.
     pub time_ms: Option<f64>,
-    /// What is shown between frames, such as `interpolated (linear)`; `None` on a frame.
+    /// What is shown between frames, such as `interpolated`; `None` on a frame.
     pub between: Option<&'a str>,
+    /// Positions of computed poses between frames, ascending; each has a small mark.
+    pub in_betweens: &'a [f64],
+    /// More about the poses between frames, for whoever points at the line; may be empty.
+    pub note: &'a str,
 }
 
 /// Draws the buttons, the line and the readout.
@@ -139,7 +143,7 @@ fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
         None => "100 % R-R".to_owned(),
     };
     if with_between {
-        widest += " · interpolated (linear)";
+        widest += " · straight in-between";
     }
     let galley = ui
         .painter()
@@ -147,7 +151,7 @@ fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
     galley.size().x + space::LARGE
 }
 
-/// "412 ms · 53 % R-R · interpolated (linear)".
+/// "412 ms · 53 % R-R · interpolated".
 fn readout_text(view: &TimeBarView) -> String {
     if view.axis.frame_count() == 0 {
         return "No beat".to_owned();
@@ -179,18 +183,17 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
     if let Some(pointer) = response.interact_pointer_pos() {
         let share = f64::from(egui::remap_clamp(pointer.x, rail.x_range(), 0.0..=1.0));
         if response.clicked() {
-            commands.push(Command::SetPosition(snapped(
-                view.axis,
-                share,
-                rail.width(),
-            )));
+            commands.push(Command::SetPosition(snapped(view, share, rail.width())));
         } else if response.dragged() {
             commands.push(Command::SetPosition(position_within(view.axis, share)));
         }
     }
     keys(ui, &response, commands);
     response.on_hover_ui_at_pointer(|ui| {
-        ui.label("Drag to move through the beat, click near a mark for its frame");
+        ui.label("Drag to move through the beat, click near a mark for its pose");
+        if !view.note.is_empty() {
+            ui.label(crate::ui::style::note(view.note));
+        }
     });
 }
 
@@ -201,19 +204,30 @@ fn position_within(axis: BeatAxis, share: f64) -> f64 {
     if position >= count { 0.0 } else { position }
 }
 
-/// The nearest frame where it is near enough, the very position otherwise.
-fn snapped(axis: BeatAxis, share: f64, rail_width: f32) -> f64 {
-    let nearest = axis.position_at(share).round();
-    let distance = (axis.share_at(nearest) - share).abs() * f64::from(rail_width);
-    if distance <= f64::from(SNAP) {
-        if nearest >= axis.frame_count() as f64 {
+/// The nearest pose where it is near enough, the very position otherwise. A frame goes before the
+/// poses beside it.
+fn snapped(view: &TimeBarView, share: f64, rail_width: f32) -> f64 {
+    let axis = view.axis;
+    let near = |position: f64| {
+        (axis.share_at(position) - share).abs() * f64::from(rail_width) <= f64::from(SNAP)
+    };
+    let frame = axis.position_at(share).round();
+    if near(frame) {
+        return if frame >= axis.frame_count() as f64 {
             0.0
         } else {
-            nearest
-        }
-    } else {
-        position_within(axis, share)
+            frame
+        };
     }
+    let distance = |position: &f64| (axis.share_at(*position) - share).abs();
+    let nearest = view
+        .in_betweens
+        .iter()
+        .copied()
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    nearest
+        .filter(|position| near(*position))
+        .unwrap_or_else(|| position_within(axis, share))
 }
 
 /// With the keyboard on the line, the arrows step through frames instead of controls.
@@ -241,16 +255,28 @@ fn draw_rail(ui: &Ui, view: &TimeBarView, rail: Rect, x_at: impl Fn(f64) -> f32)
     let mut done = rail;
     done.set_right(x_at(here));
     painter.rect_filled(done, 1.5, colours.accent);
-    let count = view.axis.frame_count();
-    for frame in 0..=count {
-        let share = view.axis.share_at(frame as f64);
-        let colour = if share <= here {
+    let shade = |share: f64| {
+        if share <= here {
             colours.accent
         } else {
             colours.muted
-        };
+        }
+    };
+    let count = view.axis.frame_count();
+    // Marks nearer to each other than this would run together.
+    let frame_gap = rail.width() / count.max(1) as f32;
+    let per_frame = view.in_betweens.len() as f32 / count.max(1) as f32;
+    if frame_gap > 4.0 * (per_frame + 1.0) {
+        for position in view.in_betweens {
+            let share = view.axis.share_at(*position);
+            let tick = Rect::from_center_size(pos2(x_at(share), rail.center().y), vec2(1.0, 5.0));
+            painter.rect_filled(tick, 0.0, shade(share));
+        }
+    }
+    for frame in 0..=count {
+        let share = view.axis.share_at(frame as f64);
         let tick = Rect::from_center_size(pos2(x_at(share), rail.center().y), vec2(2.0, 9.0));
-        painter.rect_filled(tick, 1.0, colour);
+        painter.rect_filled(tick, 1.0, shade(share));
     }
     draw_phase_names(ui, view, rail, x_at, colours);
 }

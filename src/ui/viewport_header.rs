@@ -28,6 +28,10 @@ pub struct ViewportHeaderView {
     pub free_camera: bool,
     /// Smooth or flat.
     pub shading: Shading,
+    /// Why colours cannot stand for the difference to another heart; `None` if they can.
+    pub no_contribution: Option<&'static str>,
+    /// Why colours cannot stand for the distance of a carried beat; `None` if they can.
+    pub no_carried_distance: Option<&'static str>,
 }
 
 /// What a quantity is called on buttons.
@@ -36,6 +40,8 @@ pub fn quantity_name(quantity: Quantity) -> &'static str {
         Quantity::Tissue => "Tissue",
         Quantity::Displacement => "Displacement",
         Quantity::AreaRatio => "Area ratio",
+        Quantity::Contribution => "Difference",
+        Quantity::CarriedDistance => "Own beat",
     }
 }
 
@@ -50,7 +56,7 @@ pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut
             modes_ui(ui, view.mode, &mut from_left);
         },
         |ui| {
-            quantity_ui(ui, view.quantity, &mut pushed);
+            quantity_ui(ui, view, &mut pushed);
             display_ui(ui, view, &mut pushed);
             if wide {
                 switch_ui(
@@ -105,16 +111,25 @@ fn modes_ui(ui: &mut Ui, chosen: ViewMode, commands: &mut Vec<Command>) {
     );
 }
 
-fn quantity_ui(ui: &mut Ui, quantity: Quantity, commands: &mut Vec<Command>) {
-    chooser_ui(ui, "Colour", quantity_name(quantity), |ui| {
-        for choice in [
-            Quantity::Tissue,
-            Quantity::Displacement,
-            Quantity::AreaRatio,
-        ] {
-            if choice_ui(ui, quantity_name(choice), choice == quantity) {
+fn quantity_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command>) {
+    chooser_ui(ui, "Colour", quantity_name(view.quantity), |ui| {
+        for choice in Quantity::ALL {
+            if choice_ui(ui, quantity_name(choice), choice == view.quantity) {
                 commands.push(Command::SetQuantity(choice));
             }
+        }
+        ui.separator();
+        for (choice, hindrance) in [
+            (Quantity::Contribution, view.no_contribution),
+            (Quantity::CarriedDistance, view.no_carried_distance),
+        ] {
+            ui.add_enabled_ui(hindrance.is_none(), |ui| {
+                if choice_ui(ui, choice.name(), choice == view.quantity) {
+                    commands.push(Command::SetQuantity(choice));
+                }
+            })
+            .response
+            .on_disabled_hover_text(hindrance.unwrap_or_default());
         }
     });
 }
@@ -197,6 +212,7 @@ mod tests {
                 |ui, commands: &mut Vec<Command>| {
                     let view = ViewportHeaderView {
                         shows_endocardium: Some(true),
+                        no_carried_distance: Some("No beat was carried over"),
                         ..Default::default()
                     };
                     viewport_header_ui(ui, &view, commands);
@@ -222,6 +238,15 @@ mod tests {
     fn a_surface_that_is_not_there_cannot_be_shown() {
         let commands = clicked(800.0, &["Wall", "Inner"]);
         assert_eq!(commands, [Command::ToggleEndocardium]);
+    }
+
+    #[test]
+    fn a_difference_can_be_chosen_where_there_is_one() {
+        let names = ["Colour: Tissue", "Difference to the other heart"];
+        let wanted = [Command::SetQuantity(Quantity::Contribution)];
+        assert_eq!(clicked(800.0, &names), wanted);
+        let names = ["Colour: Tissue", "Distance from its own beat"];
+        assert_eq!(clicked(800.0, &names), []);
     }
 
     #[test]

@@ -4,6 +4,8 @@
 mod figures;
 #[cfg(test)]
 mod refusals;
+#[cfg(test)]
+mod shape_space;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -8,9 +8,10 @@ use std::io::Write;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
+use cardiomorph::picture::Quantity;
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, ThemeChoice, ViewMode};
+use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
 use egui_kittest::{Harness, SnapshotOptions};
 
 /// The adapter that pictures are drawn with; `None`, with a message, if there is none.
@@ -41,7 +42,19 @@ fn tolerance(adapter: &str) -> SnapshotOptions {
     }
 }
 
-fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
+fn compare(name: &str, theme: ThemeChoice, mode: ViewMode, in_front: &[Pane]) {
+    let mut commands = vec![Command::SetViewMode(mode)];
+    commands.extend(in_front.iter().map(|pane| Command::ShowPane(*pane)));
+    compare_after(name, theme, commands, |_| true);
+}
+
+/// Compares the window after these commands, once `ready` says that their results are there.
+fn compare_after(
+    name: &str,
+    theme: ThemeChoice,
+    commands: Vec<Command>,
+    ready: impl Fn(&App) -> bool,
+) {
     let Some(adapter) = adapter() else {
         return;
     };
@@ -57,7 +70,7 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
         .build_eframe(move |cc| App::new(cc, options).unwrap());
     harness.state_mut().push(Command::SetTheme(theme));
     let begin = Instant::now();
-    while harness.state().state().map().is_none()
+    while harness.state().state().classes().is_none()
         || harness.state().hearts_on_screen().is_empty()
         || harness.state().busy()
     {
@@ -70,10 +83,15 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
         frame: 3,
         play: false,
     });
-    harness.state_mut().push(Command::SetViewMode(mode));
+    for command in commands {
+        harness.state_mut().push(command);
+    }
     harness.remove_cursor();
-    harness.run();
-    while harness.state().busy() || harness.state().hearts_on_screen()[0] != (11, 3.0) {
+    harness.run_steps(4);
+    while harness.state().busy()
+        || harness.state().hearts_on_screen()[0].0 != 11
+        || !ready(harness.state())
+    {
         assert!(begin.elapsed() < Duration::from_secs(60), "no heart");
         harness.step();
         std::thread::sleep(Duration::from_millis(5));
@@ -84,10 +102,66 @@ fn compare(name: &str, theme: ThemeChoice, mode: ViewMode) {
 
 #[test]
 fn the_dark_window_looks_as_it_did() {
-    compare("window_dark", ThemeChoice::Dark, ViewMode::Single);
+    compare("window_dark", ThemeChoice::Dark, ViewMode::Single, &[]);
 }
 
 #[test]
 fn the_light_window_looks_as_it_did() {
-    compare("window_light", ThemeChoice::Light, ViewMode::SideBySide);
+    compare(
+        "window_light",
+        ThemeChoice::Light,
+        ViewMode::SideBySide,
+        &[],
+    );
+}
+
+const DEFORMATIONS: [Pane; 2] = [Pane::DeformationMap, Pane::Metric];
+
+#[test]
+fn deformations_and_settings_look_as_they_did_in_the_light_window() {
+    let (light, mode) = (ThemeChoice::Light, ViewMode::SideBySide);
+    compare("deformations_light", light, mode, &DEFORMATIONS);
+}
+
+#[test]
+fn deformations_and_settings_look_as_they_did_in_the_dark_window() {
+    let (dark, mode) = (ThemeChoice::Dark, ViewMode::Single);
+    compare("deformations_dark", dark, mode, &DEFORMATIONS);
+}
+
+#[test]
+fn poses_through_time_look_as_they_did_in_the_dark_window() {
+    let (dark, mode) = (ThemeChoice::Dark, ViewMode::SideBySide);
+    compare("space_time_dark", dark, mode, &[Pane::SpaceTime]);
+}
+
+#[test]
+fn poses_through_time_look_as_they_did_in_the_light_window() {
+    let (light, mode) = (ThemeChoice::Light, ViewMode::Single);
+    compare("space_time_light", light, mode, &[Pane::SpaceTime]);
+}
+
+#[test]
+fn a_carried_beat_looks_as_it_did() {
+    let commands = vec![
+        Command::CarryBeat { from: 11, onto: 2 },
+        Command::TogglePlay,
+        Command::SetPosition(3.5),
+    ];
+    compare_after("carried_beat", ThemeChoice::Dark, commands, |app| {
+        let in_betweens = app.state().in_betweens_of(11);
+        app.state().carried_heart().is_some() && in_betweens.is_some_and(|beat| beat.complete())
+    });
+}
+
+#[test]
+fn the_difference_of_two_hearts_looks_as_it_did() {
+    let commands = vec![
+        Command::SetViewMode(ViewMode::SideBySide),
+        Command::CompareWith(Some(2)),
+        Command::SetQuantity(Quantity::Contribution),
+    ];
+    compare_after("difference", ThemeChoice::Light, commands, |app| {
+        app.state().results.differences.shown().is_some()
+    });
 }

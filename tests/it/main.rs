@@ -11,6 +11,8 @@ mod golden;
 #[cfg(test)]
 mod oracles;
 #[cfg(test)]
+mod panels;
+#[cfg(test)]
 mod real_data;
 #[cfg(test)]
 mod real_measures;

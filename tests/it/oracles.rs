@@ -1,9 +1,17 @@
 //! Metrics and maps against numbers from independent programs, see the folders of `tests/oracles`.
 
 #[cfg(test)]
+mod classes;
+#[cfg(test)]
+mod explicit_paths;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod noise;
+#[cfg(test)]
 mod paths;
+#[cfg(test)]
+mod transport;
 
 use std::path::{Path, PathBuf};
 
@@ -66,7 +74,11 @@ impl Case {
     }
 
     fn mesh(&self) -> (Vec<Point3>, Faces) {
-        let file = self.value["inputs"]["mesh"]["obj"].as_str().unwrap();
+        self.input_mesh("mesh")
+    }
+
+    fn input_mesh(&self, key: &str) -> (Vec<Point3>, Faces) {
+        let file = self.value["inputs"][key]["obj"].as_str().unwrap();
         mesh_of(&self.folder.join(file))
     }
 }

@@ -88,11 +88,32 @@ fn screenshots_are_taken_when_asked_for() {
             name: "side_by_side.png",
             pixels_per_point: 1.0,
             commands: vec![
-                dark,
+                dark.clone(),
                 pose(15, 3),
                 Command::SetQuantity(Quantity::AreaRatio),
                 Command::SetViewMode(ViewMode::SideBySide),
                 Command::CompareWith(Some(2)),
+            ],
+        },
+        Shot {
+            name: "carried_beat.png",
+            pixels_per_point: 1.0,
+            commands: vec![
+                dark.clone(),
+                Command::CarryBeat { from: 15, onto: 2 },
+                Command::TogglePlay,
+                Command::SetPosition(3.5),
+            ],
+        },
+        Shot {
+            name: "difference.png",
+            pixels_per_point: 1.0,
+            commands: vec![
+                light.clone(),
+                pose(15, 3),
+                Command::SetViewMode(ViewMode::SideBySide),
+                Command::CompareWith(Some(2)),
+                Command::SetQuantity(Quantity::Contribution),
             ],
         },
         Shot {

@@ -2,14 +2,19 @@
 
 #[cfg(test)]
 mod around;
+#[cfg(test)]
+mod beats;
+#[cfg(test)]
+mod maps;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
+use cardiomorph::engine::WorkKind;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, JobKind, Pane, ViewMode};
+use cardiomorph::ui::{Command, Pane, ViewMode};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 
@@ -309,11 +314,11 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
     harness.step();
     harness.step();
     assert!(harness.state().busy(), "other settings make another map");
-    harness.state_mut().push(Command::Cancel(JobKind::PoseMap));
+    harness.state_mut().push(Command::Cancel(WorkKind::PoseMap));
     wait(&mut harness, "the end of the work", |app| !app.busy());
     assert_eq!(harness.state().state().map(), Some(&before));
     assert!(harness.state().state().errors.is_empty());
-    harness.state_mut().push(Command::Retry(JobKind::PoseMap));
+    harness.state_mut().push(Command::Retry(WorkKind::PoseMap));
     harness.step();
     harness.step();
     assert!(harness.state().busy(), "asked for again, it runs again");

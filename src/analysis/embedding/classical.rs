@@ -62,9 +62,8 @@ pub fn classical_mds(
     let mut map = Embedding {
         dimensions,
         coordinates: oriented(coordinates, dimensions),
-        stress: None,
         eigenvalues: Some(eigen.values.iter().map(|v| v * unit * unit).collect()),
-        iterations: None,
+        ..Embedding::default()
     };
     map.stress = kruskal_stress(distances, &map);
     Ok(map)

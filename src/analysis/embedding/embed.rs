@@ -5,7 +5,7 @@ use crate::numeric::{EigenDiverged, LeadingEigenError};
 use crate::progress::{Progress, Stopped};
 
 use super::smacof::CheckedSmacofParams;
-use super::{Embedding, MapMethod, classical_mds, smacof};
+use super::{Embedding, MapMethod, classical_mds, isomap, smacof};
 
 /// Why there is no map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -22,6 +22,22 @@ pub enum EmbeddingError {
         /// Numbers given.
         values: usize,
         /// Rows they should make.
+        items: usize,
+    },
+    /// Not fewer neighbours than there are items, or none at all.
+    #[error("{neighbours} neighbours of each of {items} items: 1 to {} are possible", items.saturating_sub(1))]
+    Neighbours {
+        /// Neighbours asked for.
+        neighbours: usize,
+        /// Items there are.
+        items: usize,
+    },
+    /// A map of more dimensions than items can span.
+    #[error("{dimensions} dimensions of {items} items: at most {} are possible", items.saturating_sub(1))]
+    Dimensions {
+        /// Dimensions asked for.
+        dimensions: usize,
+        /// Items there are.
         items: usize,
     },
 }
@@ -56,5 +72,8 @@ pub fn embed(
             &CheckedSmacofParams::default(),
             progress,
         ),
+        MapMethod::Isomap { neighbours } => {
+            isomap(distances, usize::from(neighbours), dimensions, progress)
+        }
     }
 }

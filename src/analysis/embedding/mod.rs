@@ -2,15 +2,28 @@
 
 mod classical;
 mod embed;
+mod flattest;
+mod isomap;
+mod lle;
+mod local_weights;
+mod neighbour_graph;
+mod neighbours;
 mod orientation;
+mod parts;
 mod pca;
+mod placement;
 mod result;
 mod smacof;
 mod stress;
 
 pub use classical::classical_mds;
 pub use embed::{EmbeddingError, embed};
+pub use isomap::{isomap, isomap_of_neighbours, shortest_ways};
+pub use lle::{CheckedLleParams, LleParamError, LleParams, lle, lle_of_weights};
+pub use local_weights::LocalWeights;
+pub use neighbours::Neighbours;
 pub use pca::pca;
+pub use placement::placed_classically;
 pub use result::{Embedding, MapMethod};
 pub use smacof::{CheckedSmacofParams, SmacofParamError, SmacofParams, smacof};
 pub use stress::{kruskal_stress, raw_stress};

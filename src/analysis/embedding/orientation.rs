@@ -115,9 +115,7 @@ mod tests {
         Embedding {
             dimensions: 2,
             coordinates,
-            stress: None,
-            eigenvalues: None,
-            iterations: None,
+            ..Embedding::default()
         }
     }
 

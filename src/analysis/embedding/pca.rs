@@ -12,6 +12,11 @@ use super::{Embedding, EmbeddingError};
 /// Σ (score)² / (n − 1), descending. Computed from whichever is smaller of Xᵀ X and X Xᵀ, X centred; axes
 /// point to the item with the largest score.
 ///
+/// The one linear baseline here. Where distances are those between points, classical scaling is the same
+/// map; so a matrix of distances needs no method of its own. Factor analysis, which the text names beside
+/// it, no kept crate has; independent components, which `linfa-ica` has, say which axes are independent and
+/// not where items lie: their plane is this one, sheared.
+///
 /// Source: Jolliffe, *Principal Component Analysis*, 2nd ed., sections 3.1 and 3.5.
 ///
 /// # Errors
@@ -71,9 +76,8 @@ pub fn pca(
     Ok(Embedding {
         dimensions,
         coordinates: oriented(coordinates, dimensions),
-        stress: None,
         eigenvalues: Some(eigen.values.iter().map(|v| v.max(0.0) / degrees).collect()),
-        iterations: None,
+        ..Embedding::default()
     })
 }
 

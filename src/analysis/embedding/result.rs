@@ -8,22 +8,36 @@ pub enum MapMethod {
     /// Stress majorisation, started from classical scaling.
     #[default]
     Smacof,
+    /// Classical scaling of the shortest ways from neighbour to neighbour.
+    Isomap {
+        /// Nearest items that each item is linked to.
+        neighbours: u16,
+    },
 }
 
 /// Coordinates of items, `dimensions` numbers each.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Embedding {
     /// Numbers per item.
     pub dimensions: usize,
     /// Item after item.
     pub coordinates: Vec<f64>,
-    /// Kruskal's stress 1, √(Σ(d − δ)² / Σδ²) over pairs, δ the given distances.
+    /// Kruskal's stress 1, √(Σ(d − δ)² / Σδ²) over pairs, δ the given distances; those along the
+    /// graph for Isomap. None where distances on the map mean nothing, as with local linearity.
     pub stress: Option<f64>,
     /// Eigenvalues of classical scaling, descending, all of them for up to 512 items; negative ones
-    /// show that the distances are not Euclidean. Of principal components: the variances.
+    /// show that the distances are not Euclidean. Of principal components: the variances. Of locally
+    /// linear maps: those of the axes, ascending.
     pub eigenvalues: Option<Vec<f64>>,
     /// Majorisation steps done.
     pub iterations: Option<usize>,
+    /// Nearest items that each item was linked to, where the method looks at neighbours only. More
+    /// than was asked for where fewer leave a locally linear map without shape.
+    pub neighbours: Option<usize>,
+    /// What the map fails to keep; see [`isomap()`](super::isomap()) and [`lle()`](super::lle()).
+    pub reconstruction_error: Option<f64>,
+    /// Parts that the graph of neighbours falls into before they are joined; 1 is one piece.
+    pub parts: Option<usize>,
 }
 
 impl Embedding {

@@ -107,9 +107,8 @@ pub fn smacof(
     let mut map = Embedding {
         dimensions,
         coordinates: on_principal_axes(best.coordinates, dimensions),
-        stress: None,
-        eigenvalues: None,
         iterations: Some(best.iterations),
+        ..Embedding::default()
     };
     map.stress = kruskal_stress(distances, &map);
     Ok(map)

@@ -53,9 +53,7 @@ mod tests {
         let map = Embedding {
             dimensions: 2,
             coordinates: vec![0.0, 0.0, 3.0, 0.0, 0.0, 4.0],
-            stress: None,
-            eigenvalues: None,
-            iterations: None,
+            ..Embedding::default()
         };
         assert!((raw_stress(&distances, &map).unwrap() - 1.0).abs() < 1e-14);
         let stress = kruskal_stress(&distances, &map).unwrap();

@@ -101,7 +101,10 @@ impl Connectivity {
                             sum[k] += other[k];
                         }
                     }
-                    spare[v * width + entry] = sum.map(|value| value * shrink);
+                    for value in &mut sum {
+                        *value = *value * shrink;
+                    }
+                    spare[v * width + entry] = sum;
                 }
             }
             std::mem::swap(values, spare);

@@ -1,6 +1,8 @@
 //! The formulas at sides and corners of a face, for one number or for several side by side.
 
-use crate::numeric::{Arithmetic, Lanes};
+use std::f64::consts::PI;
+
+use crate::numeric::{Arithmetic, Lanes, three};
 
 /// One entry per axis.
 pub(super) type Axes<T> = [T; 3];
@@ -56,9 +58,9 @@ pub(super) fn charge_slopes<T: Arithmetic>(t: [T; 3], printed: bool) -> [T; 3] {
     let two = T::splat(2.0);
     if printed {
         let sum = two * (t[0].abs() + t[1].abs() + t[2].abs());
-        t.map(|t| sum * t.sign())
+        three(|c| sum * t[c].sign())
     } else {
-        t.map(|t| two * t)
+        three(|c| two * t[c])
     }
 }
 
@@ -78,30 +80,31 @@ pub(super) fn face_shape<T: Arithmetic>(a: Axes<T>, b: Axes<T>, c: Axes<T>) -> (
 /// Cotangents of the angles at the corners; zero in a face without area.
 #[inline(always)]
 pub(super) fn cotangents<T: Arithmetic>((doubled_area, products): (T, [T; 3])) -> [T; 3] {
-    products.map(|product| product.over(doubled_area))
+    three(|c| products[c].over(doubled_area))
 }
 
 /// Angles at the corners, in radians; the third is what two lack of half a turn.
 #[inline(always)]
 pub(super) fn angles_rad((doubled_area, products): (Lanes, [Lanes; 3])) -> [Lanes; 3] {
-    let half_turn = Lanes::splat(std::f64::consts::PI);
+    let half_turn = Lanes::splat(PI);
     let first = Lanes::angle_rad(doubled_area, products[0]);
     let second = Lanes::angle_rad(doubled_area, products[1]);
     let rest = half_turn - first - second;
     // Without area the angles need not add up: coincident corners have none.
-    let third = [0, 1, 2, 3].map(|lane| {
-        let flat = if products[2].0[lane] < 0.0 {
-            std::f64::consts::PI
-        } else {
-            0.0
-        };
+    let third = |lane: usize| {
         if doubled_area.0[lane] > 0.0 {
             rest.0[lane]
+        } else if products[2].0[lane] < 0.0 {
+            PI
         } else {
-            flat
+            0.0
         }
-    });
-    [first, second, Lanes(third)]
+    };
+    [
+        first,
+        second,
+        Lanes([third(0), third(1), third(2), third(3)]),
+    ]
 }
 
 /// Slope along the relative lengths of the sides ab, bc, ca of Σ_c g_c θ_c, θ the angles at a, b, c.
@@ -109,7 +112,7 @@ pub(super) fn angles_rad((doubled_area, products): (Lanes, [Lanes; 3])) -> [Lane
 /// By the law of cosines dθ_a = cot c (s₁ − s₂) + cot b (s₁ − s₀) with s the rates of relative length.
 #[inline(always)]
 pub(super) fn angle_slopes<T: Arithmetic>(cotangents: [T; 3], g: [T; 3]) -> [T; 3] {
-    [0, 1, 2].map(|e| {
+    three(|e| {
         let (next, across) = ((e + 1) % 3, (e + 2) % 3);
         cotangents[e] * (g[across] - g[next]) + cotangents[next] * (g[across] - g[e])
     })
@@ -118,5 +121,5 @@ pub(super) fn angle_slopes<T: Arithmetic>(cotangents: [T; 3], g: [T; 3]) -> [T; 
 /// K of a neighbourhood from its gathered angle deficits and areas, against a sphere of the whole area.
 #[inline(always)]
 pub(super) fn density<T: Arithmetic>(turn: T, area: T, total_area: T) -> T {
-    turn.over(area) * total_area * T::splat(1.0 / (4.0 * std::f64::consts::PI))
+    turn.over(area) * total_area * T::splat(1.0 / (4.0 * PI))
 }

@@ -1,6 +1,6 @@
 //! What a face costs per weight, and the slopes of that; for one pose or for several side by side.
 
-use crate::numeric::Arithmetic;
+use crate::numeric::{Arithmetic, three};
 
 use super::corner::{charge, charge_slopes, corner_terms, raw_units, times};
 
@@ -58,7 +58,7 @@ pub(super) fn of_sides<T: Arithmetic>(
     let rate = l.map_or(s, |l| times(s, l));
     let weighted = times(parts, rate);
     let [a, b, c] = times(weighted, rate);
-    let slopes = weighted.map(|rate| rate + rate);
+    let slopes = three(|e| weighted[e] + weighted[e]);
     FaceCharge {
         charge: a + b + c,
         stretch: l.map_or(slopes, |l| times(slopes, l)),

@@ -205,7 +205,7 @@ impl Metric {
             .collect()
     }
 
-    fn regulariser(&self, at: &PreparedPose, x: &[Vector3], y: &[Vector3]) -> f64 {
+    pub(super) fn regulariser(&self, at: &PreparedPose, x: &[Vector3], y: &[Vector3]) -> f64 {
         let by_area = self.params.regulariser == Regulariser::Area;
         let sum: f64 = (at.vertex_share.iter().zip(x.iter().zip(y)))
             .map(|(share, (x, y))| if by_area { share * x.dot(y) } else { x.dot(y) })

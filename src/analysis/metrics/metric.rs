@@ -70,6 +70,11 @@ impl Metric {
         }
     }
 
+    /// The settings it was made with.
+    pub fn params(&self) -> &CheckedMetricParams {
+        &self.params
+    }
+
     /// Computes what pairs and inner products need of a pose.
     ///
     /// # Errors

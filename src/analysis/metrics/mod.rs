@@ -12,11 +12,18 @@
 //! | frozen | Σ_f a_f Σ_c w_c t_c(X)², w_c = (ΔK_c)² of the pair | yes, for that pair of poses |
 //! | additive | Σ_f a_f Σ_c t_c(X)² + μ Σ_p a_p (ΔK_p)² | yes, with the rate dK_p(X) in the place of ΔK_p |
 //!
+//! The printed forms, and the bilinear quasi-conformal one, are for one-step distances only, compared at the
+//! same number of steps. As energies of paths they fail: a product of angle and curvature change costs nothing
+//! where one of them rests, so that paths change them in turn; a term of fourth degree makes k equal
+//! steps cost k⁻³ instead of k⁻¹; and raw corners let a heart shrink, change and grow for nothing. They can be
+//! optimised here ([`PathEnergy`]) to show just that.
+//!
 //! The angle-preserving metric is the same without ΔK. All add λ Σ_p a_p X_p·X_p.
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, sections 2.3.6–2.3.7 and 3.2.
 
 mod connectivity;
+mod contributions;
 mod corner;
 mod curvature;
 mod face_charge;
@@ -26,7 +33,9 @@ mod pair;
 mod params;
 mod path_energy;
 mod pose;
+mod products;
 mod rigid;
+mod smoothing;
 
 pub use metric::{Metric, MetricError, PairNorms, PairScratch};
 pub use params::{
@@ -35,6 +44,7 @@ pub use params::{
 pub use path_energy::PathEnergy;
 pub use pose::PreparedPose;
 pub use rigid::{RigidField, rigid_part};
+pub use smoothing::Smoother;
 
 #[cfg(test)]
 mod tests;

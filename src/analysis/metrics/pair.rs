@@ -61,7 +61,12 @@ pub(super) fn norms(
 }
 
 /// ⟨w, d_A⟩ / |d_A|² and ⟨w, R d_B⟩ / |d_B|² with w = R d_B − d_A, for the vectors d of each edge.
-fn stretches(a: &PreparedPose, b: &PreparedPose, rotation: &Matrix3<f64>, out: &mut Vec<Both>) {
+pub(super) fn stretches(
+    a: &PreparedPose,
+    b: &PreparedPose,
+    rotation: &Matrix3<f64>,
+    out: &mut Vec<Both>,
+) {
     let count = a.inverse_length2.len();
     out.resize(count, [0.0; 2]);
     let r: [[f64; 3]; 3] = [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[(row, column)]));

@@ -17,9 +17,11 @@ pub enum MetricKind {
 /// How the terms of a metric are put together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Form {
-    /// Absolute values as printed in the text. Not an inner product.
+    /// Absolute values as printed in the text, for one-step distances only. Not an inner product: the term of
+    /// −X is that of X; and along paths of several steps the quasi-conformal energy can be made to vanish.
     Printed,
-    /// Sums of products of the same terms, curvature change as a factor.
+    /// Sums of products of the same terms, curvature change as a factor; quasi-conformal for one-step
+    /// distances only, since the factor depends on the field.
     Bilinear,
     /// Curvature weights frozen for the pair of poses: an inner product for that pair.
     Frozen,

@@ -81,7 +81,8 @@ impl PathEnergy {
         let energy = self.energy(inner);
         slopes_back::carry_back(&self.plan, &self.along, &mut self.slopes);
         let (coordinates, blocks) = (3 * self.plan.mesh.vertex_count, self.plan.blocks);
-        for (k, pose) in gradient.chunks_exact_mut(coordinates.max(1)).enumerate() {
+        let poses = gradient.chunks_exact_mut(coordinates.max(1));
+        for (k, pose) in poses.take(self.plan.in_betweens).enumerate() {
             let (block, lane) = (k / LANES, k % LANES);
             for (v, point) in pose.chunks_exact_mut(3).enumerate() {
                 let slope = &self.slopes.points[v * blocks + block];
@@ -96,7 +97,8 @@ impl PathEnergy {
     /// Energy alone.
     pub fn energy(&mut self, inner: &[f64]) -> f64 {
         let coordinates = 3 * self.plan.mesh.vertex_count;
-        for (k, pose) in inner.chunks_exact(coordinates.max(1)).enumerate() {
+        let poses = inner.chunks_exact(coordinates.max(1));
+        for (k, pose) in poses.take(self.plan.in_betweens).enumerate() {
             for (item, &x) in pose.iter().enumerate() {
                 self.along.points.put(item, k + 1, x);
             }

@@ -1,16 +1,28 @@
 //! All pairs of poses, in parallel, with the same bits for any number of threads.
 
-use std::collections::HashMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
 
-use crate::analysis::alignment::{SizeScale, cross_covariance, rotation_from_covariance};
+use crate::analysis::alignment::{
+    LeftOut, comparable_subjects, cross_covariance, rotation_from_covariance,
+};
 use crate::analysis::metrics::{Metric, PairScratch, PreparedPose};
-use crate::mesh::Point3;
+use crate::analysis::transport::transfer_cohort;
+use crate::mesh::Faces;
 use crate::progress::{Progress, Stopped};
-use crate::study::{CorrespondenceKey, Study, Subject};
+use crate::study::Study;
 
-use super::{CheckedPoseDistanceParams, DistanceMatrix, LeftOut, PoseDistances, PoseId};
+use super::known::KnownRows;
+use super::smooth::smoothed_study;
+use super::source::{Source, carried_sources, own_sources, poses_of};
+use super::{
+    CheckedPoseDistanceParams, DistanceMatrix, KnownDistances, PoseDistanceError, PoseDistances,
+    PoseId,
+};
+
+/// Share of the whole time that carrying motions onto one heart takes.
+const TRANSFER_SHARE: f32 = 0.8;
 
 /// Rows and columns of a block of pairs that one thread does in one go: its 16 poses of some
 /// 0.4 MB fit into the cache that cores share, and each is used eight times while it is there.
@@ -18,61 +30,97 @@ const BLOCK: usize = 8;
 
 /// One-step distances of all poses of the largest group of corresponding subjects.
 ///
-/// 1. **Size.** Coordinates are divided by one scale per sequence ([`SizeScale`]): the largest box
-///    side at end-diastole, as stated by the subject, else frame 0.
-/// 2. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
-///    the first, of least squares over vertices. So a distance depends on its two poses alone: moving
-///    an input, or adding a subject, changes no other number, and `metric --align rigid` gives the same
-///    one. Aligning all poses to a mean would be cheaper by little, and would make every
-///    distance depend on the whole cohort and not be the least of the pair.
-/// 3. **Metric.** √((⟨⟨X, X⟩⟩ at A + ⟨⟨X, X⟩⟩ at B) / 2), X = B − A.
+/// 0. **Smoothing** ([`smoothed_study`]): what is finer than a radius is taken out of every surface.
+/// 1. **Size.** Coordinates are divided by one scale per sequence
+///    ([`SizeScale`](crate::analysis::alignment::SizeScale)): the largest box side at end-diastole, as
+///    stated by the subject, else frame 0.
+/// 2. **Transfer**, if asked for: every motion is carried onto one heart ([`transfer_cohort`]).
+/// 3. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
+///    the first, of least squares over vertices. So a distance depends on its two poses alone (and on
+///    the heart that they were carried onto): moving an input, or adding a subject, changes no other
+///    number, and `metric --align rigid` gives the same one of smoothed poses. Aligning all to a mean would be
+///    cheaper by little, and would make every distance depend on the whole cohort and not be the
+///    least of the pair.
+/// 4. **Metric.** √((⟨⟨X, X⟩⟩ at A + ⟨⟨X, X⟩⟩ at B) / 2), X = B − A.
 ///
-/// The largest group counts subjects; of equal ones that of the first subject is taken. Subjects
-/// of other groups, and those that have no size, are left out with a reason.
+/// Which subjects take part is said by [`comparable_subjects`].
 ///
 /// # Errors
-/// If stopped; the flag is heard once per pose and per pair.
+/// If stopped, or the heart that all motions were to be carried onto is not usable. The flag is
+/// heard once per pose and per pair.
 pub fn pose_distances(
     study: &Study,
     params: &CheckedPoseDistanceParams,
     progress: &Progress,
-) -> Result<PoseDistances, Stopped> {
-    let Some(group) = largest_group(study) else {
-        return Ok(PoseDistances {
-            poses: Vec::new(),
-            distances: DistanceMatrix::empty(),
-            left_out: Vec::new(),
+) -> Result<PoseDistances, PoseDistanceError> {
+    Ok(pose_distances_knowing(study, params, None, progress)?.distances)
+}
+
+/// Distances and how much work they were.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComputedDistances {
+    /// The answer, the same bits as without anything known.
+    pub distances: PoseDistances,
+    /// Pairs that were computed; the others were known.
+    pub new_pairs: usize,
+}
+
+/// [`pose_distances`], given an earlier answer to the same settings on another state of the study:
+/// only pairs with a pose that is not among its poses are computed.
+///
+/// # Errors
+/// As [`pose_distances`].
+pub fn pose_distances_knowing(
+    study: &Study,
+    params: &CheckedPoseDistanceParams,
+    known: Option<&KnownDistances<'_>>,
+    progress: &Progress,
+) -> Result<ComputedDistances, PoseDistanceError> {
+    let (comparable, left_out) = comparable_subjects(study);
+    let known = known.filter(|known| known.hold(study, params.transfer.as_ref()));
+    let all = poses_of(&comparable);
+    let rows = KnownRows::of(known, study, &all);
+    if rows.all_known() {
+        return Ok(ComputedDistances {
+            distances: PoseDistances {
+                distances: assembled(&all, &rows),
+                poses: all,
+                left_out,
+            },
+            new_pairs: 0,
         });
-    };
-    let mut left_out = Vec::new();
-    let mut sources = Vec::new();
-    for (index, subject) in study.subjects.iter().enumerate() {
-        match usable(subject, group) {
-            Ok(scale) => sources.extend((0..subject.sequence.frame_count()).map(|frame| Source {
-                pose: PoseId {
-                    subject: index,
-                    frame,
-                },
-                subject,
-                scale,
-            })),
-            Err(reason) => left_out.push(LeftOut {
-                subject: index,
-                reason,
-            }),
-        }
     }
-    let metric = sources.first().map(|source| {
-        let faces = source.subject.sequence.joined_faces();
-        Metric::new(&faces, params.metric)
-    });
+    let smooth = smoothed_study(study, params.smoothing, progress)?;
+    let (comparable, left_out) = comparable_subjects(&smooth);
+    let faces = comparable
+        .first()
+        .map(|m| m.subject.sequence.joined_faces());
+    let metric = Metric::new(&faces.unwrap_or_else(|| Faces::joined(&[])), params.metric);
+    let Some(transfer) = &params.transfer else {
+        let sources = own_sources(&comparable);
+        return compared(study, &metric, known, &sources, left_out, progress);
+    };
+    let carrying = progress.part("carrying all motions onto one heart", 0.0, TRANSFER_SHARE);
+    let cohort = transfer_cohort(&smooth, &params.metric, transfer, &carrying)?;
+    let sources = carried_sources(&cohort);
+    let left_out = cohort.left_out.clone();
+    let comparing = progress.part("comparing poses", TRANSFER_SHARE, 1.0);
+    compared(study, &metric, known, &sources, left_out, &comparing)
+}
+
+/// Prepares poses and computes the pairs that are not known.
+fn compared(
+    study: &Study,
+    metric: &Metric,
+    known: Option<&KnownDistances<'_>>,
+    sources: &[Source<'_>],
+    mut left_out: Vec<LeftOut>,
+    progress: &Progress,
+) -> Result<ComputedDistances, PoseDistanceError> {
     let pairs = sources.len() * sources.len().saturating_sub(1) / 2;
     progress.expect_steps(sources.len() + pairs);
-    let prepared = match &metric {
-        Some(metric) => prepare(metric, &sources, progress)?,
-        None => Vec::new(),
-    };
-    leave_out_unprepared(&sources, &prepared, &mut left_out);
+    let prepared = prepare(metric, sources, progress)?;
+    leave_out_unprepared(sources, &prepared, &mut left_out);
     let (poses, prepared): (Vec<PoseId>, Vec<PreparedPose>) = (sources.iter().zip(prepared))
         .filter(|(source, _)| {
             left_out
@@ -81,72 +129,16 @@ pub fn pose_distances(
         })
         .filter_map(|(source, prepared)| Some((source.pose, prepared?)))
         .unzip();
-    let distances = match &metric {
-        Some(metric) => all_pairs(metric, &prepared, progress)?,
-        None => DistanceMatrix::empty(),
-    };
-    Ok(PoseDistances {
-        poses,
-        distances,
-        left_out,
+    let rows = KnownRows::of(known, study, &poses);
+    let (distances, new_pairs) = all_pairs(metric, &prepared, &rows, progress)?;
+    Ok(ComputedDistances {
+        distances: PoseDistances {
+            poses,
+            distances,
+            left_out,
+        },
+        new_pairs,
     })
-}
-
-/// A pose before anything is computed of it.
-struct Source<'a> {
-    pose: PoseId,
-    subject: &'a Subject,
-    scale: SizeScale,
-}
-
-/// The key that most subjects have, and the first of them.
-#[derive(Clone, Copy)]
-struct Group<'a> {
-    key: CorrespondenceKey,
-    first: &'a Subject,
-}
-
-fn largest_group(study: &Study) -> Option<Group<'_>> {
-    let mut counts: HashMap<CorrespondenceKey, usize> = HashMap::new();
-    for subject in &study.subjects {
-        *counts.entry(subject.sequence.correspondence()).or_default() += 1;
-    }
-    let count = |subject: &Subject| counts.get(&subject.sequence.correspondence());
-    // `max_by_key` would take the last of equals.
-    let first = (study.subjects.iter()).reduce(|best, next| {
-        if count(next) > count(best) {
-            next
-        } else {
-            best
-        }
-    })?;
-    Some(Group {
-        key: first.sequence.correspondence(),
-        first,
-    })
-}
-
-fn usable(subject: &Subject, group: Group<'_>) -> Result<SizeScale, String> {
-    let sequence = &subject.sequence;
-    if sequence.correspondence() != group.key {
-        return Err(format!(
-            "its vertices ({} with {} faces) do not correspond with those of {} ({} with {} faces)",
-            sequence.vertex_count(),
-            sequence.face_count(),
-            group.first.id,
-            group.first.sequence.vertex_count(),
-            group.first.sequence.face_count(),
-        ));
-    }
-    let end_diastole = subject.end_diastole.unwrap_or(0);
-    let points = sequence.pose(end_diastole).ok_or_else(|| {
-        format!(
-            "end-diastole is said to be frame {end_diastole}, but there are {} frames",
-            sequence.frame_count()
-        )
-    })?;
-    SizeScale::of_end_diastole(&points)
-        .ok_or_else(|| format!("its size at end-diastole (frame {end_diastole}) is not measurable"))
 }
 
 /// One entry per source: `None` where lengths overflow.
@@ -159,11 +151,7 @@ fn prepare(
         .par_iter()
         .map(|source| {
             progress.step()?;
-            let points = source.subject.sequence.pose(source.pose.frame);
-            let normalised: Vec<Point3> = (points.unwrap_or_default().iter())
-                .map(|point| source.scale.normalised(point))
-                .collect();
-            Ok(metric.prepare(&normalised).ok())
+            Ok(metric.prepare(&source.normalised()).ok())
         })
         .collect()
 }
@@ -188,23 +176,38 @@ fn leave_out_unprepared(
     left_out.sort_by_key(|left| left.subject);
 }
 
+/// The matrix of poses of which every pair is known.
+fn assembled(poses: &[PoseId], rows: &KnownRows<'_>) -> DistanceMatrix {
+    let count = poses.len();
+    let upper = (0..count)
+        .flat_map(|i| (i + 1..count).map(move |j| rows.distance(i, j).unwrap_or(0.0)))
+        .collect();
+    DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty)
+}
+
 /// Every pair once, block by block; blocks are placed by number, whoever did them.
 fn all_pairs(
     metric: &Metric,
     poses: &[PreparedPose],
+    known: &KnownRows<'_>,
     progress: &Progress,
-) -> Result<DistanceMatrix, Stopped> {
+) -> Result<(DistanceMatrix, usize), Stopped> {
     let count = poses.len();
     let blocks = count.div_ceil(BLOCK);
     let tasks: Vec<[usize; 2]> = (0..blocks)
         .flat_map(|row| (row..blocks).map(move |column| [row, column]))
         .collect();
+    let computed = AtomicUsize::new(0);
     let done: Vec<Vec<f64>> = tasks
         .par_iter()
         .map_init(PairScratch::default, |scratch, &task| {
             block_pairs(task, count)
                 .map(|(i, j)| {
                     progress.step()?;
+                    if let Some(distance) = known.distance(i, j) {
+                        return Ok(distance);
+                    }
+                    computed.fetch_add(1, Ordering::Relaxed);
                     Ok(aligned_distance(metric, &poses[i], &poses[j], scratch))
                 })
                 .collect()
@@ -216,7 +219,8 @@ fn all_pairs(
             upper[i * count - i * (i + 1) / 2 + j - i - 1] = value;
         }
     }
-    Ok(DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty))
+    let matrix = DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty);
+    Ok((matrix, computed.into_inner()))
 }
 
 /// Pairs i < j with i in one block of rows and j in one of columns.
@@ -239,5 +243,7 @@ fn aligned_distance(
         .distance()
 }
 
+#[cfg(test)]
+mod known_tests;
 #[cfg(test)]
 mod tests;

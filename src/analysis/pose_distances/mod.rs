@@ -1,9 +1,19 @@
 //! How far is every pose of every heart from every other?
 
+mod error;
+mod known;
 mod matrix;
+mod pair;
 mod params;
 mod result;
+mod smooth;
+mod source;
 
-pub use matrix::pose_distances;
-pub use params::{CheckedPoseDistanceParams, PoseDistanceParams};
-pub use result::{DistanceMatrix, LeftOut, PoseDistances, PoseId};
+pub use crate::analysis::alignment::LeftOut;
+pub use error::PoseDistanceError;
+pub use known::KnownDistances;
+pub use matrix::{ComputedDistances, pose_distances, pose_distances_knowing};
+pub use pair::{PairError, pair_contributions};
+pub use params::{CheckedPoseDistanceParams, PoseDistanceParamError, PoseDistanceParams};
+pub use result::{DistanceMatrix, PoseDistances, PoseId};
+pub use smooth::smoothed_study;

@@ -1,28 +1,90 @@
 //! What the distances between poses are made of.
 
 use crate::analysis::metrics::{CheckedMetricParams, MetricParams, ParamError};
+use crate::analysis::transport::{CohortTransferParams, TransportParamError};
 
 /// Settings of a matrix of pose distances.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseDistanceParams {
     /// The metric between aligned poses.
     pub metric: MetricParams,
+    /// Whether all motions are carried onto one heart before poses are compared, so that distances
+    /// tell of motion alone; `None` compares poses as they are, so that they tell of shape as well.
+    pub transfer: Option<CohortTransferParams>,
+    /// Radius ρ, in shares of the square root of a surface's area, below which poses are smoothed
+    /// before all else ([`Smoother`](crate::analysis::metrics::Smoother)); 0 leaves them as they are.
+    pub smoothing: f64,
 }
+
+impl Default for PoseDistanceParams {
+    /// The default metric on poses smoothed by ρ = 0.1, without transfer.
+    ///
+    /// Strain of noise grows as the mesh gets finer, and drowns that of motion; displacement alone
+    /// stands noise better, but not as well as either does after smoothing:
+    ///
+    /// | ρ | partner: default, plain displacement | clean | 1 % | 5 % | 20 % |
+    /// |---|---|---|---|---|---|
+    /// | 0 | 17, 19 | 100 (98) | 95 (98) | 84 (92) | 50 (87) |
+    /// | 0.08 | | 100 | 100 | 98 | 95 |
+    /// | **0.1** | 19, 17 | 100 (100) | 100 (99) | 98 (98) | 95 (94) |
+    /// | 0.12 | | 99 | 99 | 96 | 94 |
+    /// | 0.2 | 16, 13 | | | | |
+    ///
+    /// *Partner:* gated SPECT, see [`MetricParams::default`]. *Percent:* mean τ of four classes of
+    /// synthetic deformations of six kinds of objects with so much Gaussian noise, three draws
+    /// ([`noise_deformation`](crate::analysis::experiments::noise_deformation)), in brackets for plain
+    /// displacement. More than 0.12 eats the shape itself: the tube of the torus has radius 0.1 √A.
+    fn default() -> Self {
+        Self {
+            metric: MetricParams::default(),
+            transfer: None,
+            smoothing: 0.1,
+        }
+    }
+}
+
+/// A radius past which nothing is left of any surface's shape.
+const LARGEST_RADIUS: f64 = 1.0;
 
 /// Settings that have been checked.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CheckedPoseDistanceParams {
     pub(super) metric: CheckedMetricParams,
+    pub(super) transfer: Option<CohortTransferParams>,
+    pub(super) smoothing: f64,
+}
+
+/// Why settings cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PoseDistanceParamError {
+    /// Those of the metric.
+    #[error(transparent)]
+    Metric(#[from] ParamError),
+    /// Those of the transfer.
+    #[error(transparent)]
+    Transfer(#[from] TransportParamError),
+    /// Not a radius.
+    #[error("the smoothing radius must be between 0 and {LARGEST_RADIUS} of √area, not {0}")]
+    Smoothing(f64),
 }
 
 impl PoseDistanceParams {
     /// Makes settings usable.
     ///
     /// # Errors
-    /// If those of the metric are not.
-    pub fn check(self) -> Result<CheckedPoseDistanceParams, ParamError> {
+    /// If those of the metric or of the transfer are not, or the radius is out of range.
+    pub fn check(self) -> Result<CheckedPoseDistanceParams, PoseDistanceParamError> {
+        let metric = self.metric.check()?;
+        if !(0.0..=LARGEST_RADIUS).contains(&self.smoothing) {
+            return Err(PoseDistanceParamError::Smoothing(self.smoothing));
+        }
+        if let Some(transfer) = self.transfer {
+            transfer.with_metric(self.metric).check()?;
+        }
         Ok(CheckedPoseDistanceParams {
-            metric: self.metric.check()?,
+            metric,
+            transfer: self.transfer,
+            smoothing: self.smoothing,
         })
     }
 }

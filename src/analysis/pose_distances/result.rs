@@ -1,5 +1,7 @@
 //! A symmetric matrix of distances and the poses its rows stand for.
 
+use crate::analysis::alignment::LeftOut;
+
 /// One pose: a subject of the study at a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct PoseId {
@@ -7,15 +9,6 @@ pub struct PoseId {
     pub subject: usize,
     /// Frame of its sequence.
     pub frame: usize,
-}
-
-/// A subject that takes no part, and why.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LeftOut {
-    /// Index into the study's subjects.
-    pub subject: usize,
-    /// A sentence for the person who wonders.
-    pub reason: String,
 }
 
 /// Symmetric distances, zero on the diagonal; the upper triangle is stored row by row.

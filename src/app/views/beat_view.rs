@@ -2,12 +2,9 @@
 
 use crate::analysis::measures::{FrameMeasures, PhaseSource};
 use crate::app::document::phase_of;
-use crate::app::play::is_between;
+use crate::app::in_betweens::{BetweenWords, between_words, geodesic_params};
 use crate::app::state::State;
 use crate::ui::{BeatAxis, Curve, CurveKind, CurvesView, MeasuresView, TimeBarView};
-
-/// What is said of poses between frames, until geodesic in-betweens exist.
-const BETWEEN: &str = "interpolated (linear)";
 
 /// Numbers of the selected heart's beat.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +12,9 @@ pub struct BeatData {
     frame_shares: Vec<f64>,
     endo_volumes: Vec<f64>,
     epi_volumes: Vec<f64>,
+    in_betweens: Vec<f64>,
+    between: BetweenWords,
+    note: String,
 }
 
 impl BeatData {
@@ -35,12 +35,21 @@ impl BeatData {
                 .map(|frame| volume(frame).unwrap_or(f64::NAN))
                 .collect()
         };
+        let in_betweens = state.in_betweens_of(state.document.subject);
+        let between = between_words(
+            in_betweens.map(|beat| &**beat),
+            state.document.position,
+            straight_because(state),
+        );
         Self {
             frame_shares: (0..subject.sequence.frame_count())
                 .map(|frame| phase_of(subject, frame as f64))
                 .collect(),
             endo_volumes: volumes(|frame| frame.endo_volume),
             epi_volumes: volumes(|frame| frame.epi_volume),
+            in_betweens: in_betweens.map_or_else(Vec::new, |beat| beat.positions()),
+            note: line_note(state, &between),
+            between,
         }
     }
 
@@ -68,7 +77,9 @@ impl BeatData {
             end_diastole,
             end_systole,
             time_ms: time.map(|time| 1e3 * time.0),
-            between: is_between(document.position).then_some(BETWEEN),
+            between: self.between.short,
+            in_betweens: &self.in_betweens,
+            note: &self.note,
         }
     }
 
@@ -106,6 +117,33 @@ impl BeatData {
             end_systole,
             computing,
         }
+    }
+}
+
+/// Why poses between frames are straight, where that is not for want of time.
+pub fn straight_because(state: &State) -> &'static str {
+    let Some(params) = geodesic_params(&state.document) else {
+        return "Poses between frames are switched off in the menu Analysis";
+    };
+    let subject = state.document.selected();
+    if params.check().is_err() {
+        "The metric of the map has no shortest ways: choose the additive form"
+    } else if subject.is_some_and(|s| state.results.in_betweens.is_halted(s, &params)) {
+        "Finding poses between them was stopped"
+    } else {
+        ""
+    }
+}
+
+/// What the line of the time bar says to whoever points at it.
+fn line_note(state: &State, between: &BetweenWords) -> String {
+    if between.badge.is_some() {
+        return between.note.clone();
+    }
+    match state.document.in_betweens {
+        0 => "Poses between frames are switched off in the menu Analysis".to_owned(),
+        1 => "1 pose between two frames is found when the beat plays".to_owned(),
+        count => format!("{count} poses between two frames are found when the beat plays"),
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::measures::SubjectMeasures;
 use crate::app::document::Sorting;
 use crate::app::state::State;
-use crate::study::{Revision, Severity};
+use crate::study::{Revision, Severity, Subject};
 use crate::ui::{CohortColumn, CohortRow, CohortSort, CohortView, ViewMode, visible_rows};
 
 /// Rows of the table with what they were made from.
@@ -86,11 +86,21 @@ fn sort(sorting: Sorting) -> Option<CohortSort> {
 
 fn cohort_rows(state: &State) -> Vec<CohortRow> {
     let study = state.document.study();
+    let mut groups = Vec::new();
+    let mut group_of = |subject: &Subject| {
+        let key = subject.sequence.correspondence();
+        let known = groups.iter().position(|other| *other == key);
+        known.unwrap_or_else(|| {
+            groups.push(key);
+            groups.len() - 1
+        })
+    };
     study
         .subjects
         .iter()
         .enumerate()
         .map(|(index, subject)| CohortRow {
+            correspondence: group_of(subject),
             id: subject.id.clone(),
             label: subject.label.clone(),
             role: study.role(subject),

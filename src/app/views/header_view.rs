@@ -1,8 +1,12 @@
 //! The strip above the 3D view.
 
+use crate::app::differences::hindrance;
 use crate::app::state::State;
 use crate::study::{Subject, SurfaceKind};
 use crate::ui::ViewportHeaderView;
+
+/// Why there is no distance of a carried beat.
+const NOTHING_CARRIED: &str = "Drag a subject of the cohort onto another one: its beat plays there";
 
 /// What the strip shows; switches of surfaces that the heart lacks are grey.
 pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
@@ -32,5 +36,7 @@ pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
         shows_vertices: visible.vertices,
         free_camera: document.free_camera,
         shading: visible.shading,
+        no_contribution: hindrance(document),
+        no_carried_distance: document.carrying().is_none().then_some(NOTHING_CARRIED),
     }
 }

@@ -22,7 +22,11 @@ pub fn action_state(state: &State, layout: &Layout) -> ActionState {
         shading: document.visibility.shading,
         view_mode: document.view_mode,
         quantity: document.quantity,
+        in_betweens: document.in_betweens,
+        has_other: document.compared().is_some(),
+        carrying: document.carrying().is_some(),
         theme: state.theme,
+        shows_clusters: document.shows_clusters,
         hidden_panes: PANES
             .iter()
             .map(|(pane, _)| *pane)

@@ -2,6 +2,7 @@
 
 mod beat_view;
 mod cohort_view;
+mod deformation_view;
 mod header_view;
 mod map_view;
 mod menu_view;
@@ -9,8 +10,9 @@ mod overlay_view;
 mod report_view;
 mod status_view;
 
-pub use beat_view::{BeatData, measures_view};
+pub use beat_view::{BeatData, measures_view, straight_because};
 pub use cohort_view::{CohortData, visible_subjects};
+pub use deformation_view::{DeformationData, enough_subjects, metric_panel_view};
 pub use header_view::viewport_header_view;
 pub use map_view::MapData;
 pub use menu_view::{action_state, menu_bar_view};

@@ -1,16 +1,16 @@
 //! What lies over a heart in the 3D view: its name, colour bar, scale bar and orientation cube.
 
+use crate::app::carried::{CarryingState, carried_title};
+use crate::app::differences::hindrance;
 use crate::app::document::nearest_frame;
-use crate::app::play::is_between;
+use crate::app::in_betweens::{BetweenWords, between_words};
 use crate::app::stage::OnStage;
 use crate::app::state::State;
-use crate::picture::{ColourLegend, HeartAxes, PreparedSubject, frame_words};
+use crate::app::views::straight_because;
+use crate::picture::{ColourLegend, HeartAxes, PreparedSubject, Quantity, frame_words};
 use crate::render::Camera;
-use crate::study::LabelRole;
-use crate::ui::{ColourBarView, CubeView, ScaleBarView, ViewMode, ViewportOverlayView};
-
-/// What is said of poses between frames, until geodesic in-betweens exist.
-const BETWEEN: &str = "interpolated (linear)";
+use crate::study::{LabelRole, Subject};
+use crate::ui::{ColourBarView, Command, CubeView, ScaleBarView, ViewMode, ViewportOverlayView};
 
 /// Owned texts behind the overlay of one heart.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -18,7 +18,10 @@ pub struct OverlayData {
     title: String,
     subtitle: String,
     role: LabelRole,
-    between: bool,
+    between: BetweenWords,
+    /// Why colours are missing; stands where the badge would be.
+    missing: Option<&'static str>,
+    leave: Option<(&'static str, Command)>,
 }
 
 impl OverlayData {
@@ -36,17 +39,71 @@ impl OverlayData {
                 title: subject.id.clone(),
                 subtitle: format!("{label} · all {count} frames"),
                 role: state.document.study().role(subject),
-                between: false,
+                missing: missing_colours(state, cell),
+                ..Self::default()
             };
+        }
+        let document = &state.document;
+        let beside = document.carrying().filter(|beat| beat.onto == cell.subject);
+        if let Some(from) = beside.and_then(|beat| state.subject(beat.from)) {
+            return Self::beside_its_origin(state, cell, from, subject);
         }
         let mut parts: Vec<String> = subject.label.iter().cloned().collect();
         parts.push(frame_words(frame, count));
         parts.extend(phase.map(str::to_owned));
+        let in_betweens = state.in_betweens_of(cell.subject).map(|beat| &**beat);
         Self {
             title: subject.id.clone(),
             subtitle: parts.join(" · "),
-            role: state.document.study().role(subject),
-            between: is_between(cell.position),
+            role: document.study().role(subject),
+            between: between_words(in_betweens, cell.position, straight_because(state)),
+            missing: missing_colours(state, cell),
+            leave: None,
+        }
+    }
+
+    /// Names the heart that plays a carried beat, or will.
+    fn beside_its_origin(state: &State, cell: &OnStage, from: &Subject, onto: &Subject) -> Self {
+        let role = state.document.study().role(onto);
+        let own = ("Show its own beat", Command::StopCarrying);
+        if cell.carried {
+            let count = from.sequence.frame_count();
+            let frame = nearest_frame(cell.position, count);
+            let mut parts = vec!["carried over".to_owned(), frame_words(frame, count)];
+            let phase = phase_name(state.phases_of(state.document.subject), frame);
+            parts.extend(phase.map(str::to_owned));
+            return Self {
+                title: carried_title(from, onto),
+                subtitle: parts.join(" · "),
+                role,
+                between: between_words(None, cell.position, "A carried beat is shown as it came"),
+                missing: None,
+                leave: Some(own),
+            };
+        }
+        let beat = state.document.carried;
+        let (standing, leave) = match (state.results.carrying, beat) {
+            (CarryingState::Stopped, Some(beat)) => {
+                let (from, onto) = (beat.from, beat.onto);
+                let again = ("Carry it over again", Command::CarryBeat { from, onto });
+                (
+                    format!("carrying {}’s beat over was stopped", from_id(state, from)),
+                    again,
+                )
+            }
+            (CarryingState::Failed, _) => {
+                (format!("{}’s beat could not be carried over", from.id), own)
+            }
+            _ => (format!("{}’s beat is being carried over", from.id), own),
+        };
+        let in_betweens = state.in_betweens_of(cell.subject).map(|beat| &**beat);
+        Self {
+            title: onto.id.clone(),
+            subtitle: format!("own beat · {standing}"),
+            role,
+            between: between_words(in_betweens, cell.position, straight_because(state)),
+            missing: None,
+            leave: Some(leave),
         }
     }
 
@@ -63,7 +120,9 @@ impl OverlayData {
             title: &self.title,
             subtitle: &self.subtitle,
             role: self.role,
-            badge: self.between.then_some(BETWEEN),
+            badge: self.missing.or(self.between.badge),
+            badge_note: &self.between.note,
+            leave: self.leave.clone(),
             colour_bar: legend.map(colour_bar),
             scale_bar: last.then(|| ScaleBarView {
                 points_per_unit: f64::from(height / (2.0 * camera.half_height)),
@@ -72,6 +131,17 @@ impl OverlayData {
             cube: last.then(|| cube(&prepared.axes, camera)),
         }
     }
+}
+
+fn from_id(state: &State, subject: usize) -> &str {
+    state.subject(subject).map_or("", |subject| &subject.id)
+}
+
+/// Why colours that were chosen are not there; said once, at the selected heart.
+fn missing_colours(state: &State, cell: &OnStage) -> Option<&'static str> {
+    let document = &state.document;
+    let wanted = document.quantity == Quantity::Contribution && cell.subject == document.subject;
+    wanted.then(|| hindrance(document)).flatten()
 }
 
 /// ED and ES by their usual short names.

@@ -1,10 +1,9 @@
 //! The status bar and the activity list: what runs, how far it is, what was done.
 
-use crate::app::background::job_kind;
 use crate::app::state::State;
-use crate::engine::{Activity, ActivityState};
+use crate::engine::{Activity, ActivityState, WorkKind};
 use crate::study::Severity;
-use crate::ui::{JobKind, StatusBarView, StatusJob, WorkItem, WorkState};
+use crate::ui::{StatusBarView, StatusJob, WorkItem, WorkState};
 
 /// Work shorter than this shows no bar: it would only flicker.
 const SHOWN_AFTER_S: f64 = 0.2;
@@ -12,7 +11,7 @@ const SHOWN_AFTER_S: f64 = 0.2;
 /// Owned texts behind the status bar.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StatusData {
-    job: Option<(JobKind, String, f32, Option<f64>)>,
+    job: Option<(WorkKind, String, f32, Option<f64>)>,
     more_jobs: usize,
     notice_count: usize,
     warning_count: usize,
@@ -40,7 +39,7 @@ impl StatusData {
             } else {
                 format!("{}: {phase}", activity.name)
             };
-            (job_kind(activity.kind), text, fraction, left)
+            (activity.kind, text, fraction, left)
         });
         let severities = || {
             let study = state.document.study();
@@ -89,7 +88,7 @@ pub fn activity_rows(activities: Vec<Activity>) -> Vec<WorkItem> {
     activities
         .into_iter()
         .map(|activity| WorkItem {
-            kind: job_kind(activity.kind),
+            kind: activity.kind,
             title: activity.name,
             parameters: activity.parameters,
             duration_s: activity.duration.as_secs_f64(),

@@ -8,6 +8,7 @@ fn rows(count: usize) -> Vec<CohortRow> {
         .map(|index| CohortRow {
             id: format!("S{index}"),
             ejection_fraction: Some(0.5),
+            correspondence: usize::from(index == 4),
             ..CohortRow::default()
         })
         .collect()
@@ -97,4 +98,64 @@ fn an_empty_cohort_offers_to_open_one() {
     harness.get_by_label("Open the built-in cohort").click();
     harness.run();
     assert_eq!(harness.into_state(), [Command::OpenBuiltIn]);
+}
+
+fn drag(harness: &mut Harness<'static, Vec<Command>>, from: &str, onto: &str) {
+    let [from, onto] = [from, onto].map(|id| harness.get_by_label(id).rect().center());
+    harness.hover_at(from);
+    harness.step();
+    harness.drag_at(from);
+    harness.step();
+    for step in 1..=4 {
+        harness.hover_at(from.lerp(onto, step as f32 / 4.0));
+        harness.step();
+    }
+    harness.drop_at(onto);
+    harness.step();
+}
+
+#[test]
+fn a_row_let_go_on_another_plays_its_beat_there() {
+    let mut harness = harness(5, Some(2));
+    harness.run();
+    drag(&mut harness, "S1", "S3");
+    let wanted = Command::CarryBeat { from: 1, onto: 3 };
+    assert_eq!(harness.state().as_slice(), [wanted]);
+    // Let go where it was taken, it is no drop and no click.
+    drag(&mut harness, "S1", "S1");
+    assert_eq!(harness.state().len(), 1);
+    // A heart that does not correspond is not refused in silence: the window says why.
+    drag(&mut harness, "S1", "S4");
+    let refused = Command::CarryBeat { from: 1, onto: 4 };
+    assert_eq!(harness.state().last(), Some(&refused));
+}
+
+#[test]
+fn a_drag_that_is_broken_off_does_nothing() {
+    let mut harness = harness(5, None);
+    harness.run();
+    let [from, onto] = ["S1", "S3"].map(|id| harness.get_by_label(id).rect().center());
+    harness.drag_at(from);
+    harness.step();
+    harness.hover_at(onto);
+    harness.step();
+    harness.key_press(Key::Escape);
+    harness.step();
+    harness.drop_at(onto);
+    harness.step();
+    assert_eq!(harness.into_state(), []);
+}
+
+#[test]
+fn the_menu_of_a_row_offers_both_directions() {
+    let mut harness = harness(5, Some(0));
+    harness.run();
+    harness.get_by_label("S2").click_secondary();
+    harness.run();
+    harness.get_by_label("Play S2’s beat on S0").click();
+    harness.run();
+    assert_eq!(
+        harness.into_state(),
+        [Command::CarryBeat { from: 2, onto: 0 }]
+    );
 }

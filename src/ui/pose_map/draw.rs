@@ -1,25 +1,23 @@
 //! Draws the map: a light grid, paths, points, and the selection on top.
 
-use egui::{Align2, Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, UiBuilder, pos2, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, UiBuilder, vec2};
 
-use crate::picture::nice_floor;
 use crate::study::LabelRole;
-use crate::ui::marks::{role_mark, role_name};
-use crate::ui::pose_map::lens::Lens;
-use crate::ui::pose_map::{MapPoint, MapState, PoseMapView, PosePhase};
-use crate::ui::style::{medium_note_font, note, note_font};
+use crate::ui::map_ground::{Ground, Labels, MapState, role_counts_ui};
+use crate::ui::marks::role_mark;
+use crate::ui::pose_map::{MapPoint, PoseMapView, PosePhase};
+use crate::ui::style::note;
 use crate::ui::theme::{Colours, colours, line, space};
 
 /// Draws everything within the pane; `hovered` is a point under the pointer.
-pub fn draw_map(ui: &Ui, view: &PoseMapView, rect: Rect, lens: &Lens, hovered: Option<usize>) {
-    let painter = ui.painter_at(rect);
+pub fn draw_map(ui: &Ui, view: &PoseMapView, ground: &Ground, hovered: Option<usize>) {
+    let painter = ui.painter_at(ground.rect);
     let colours = colours(ui);
-    draw_grid(&painter, rect, lens, colours);
+    ground.draw_grid(ui);
     let dimmed = !matches!(view.state, MapState::Ready | MapState::Empty);
     let canvas = Canvas {
         painter: &painter,
-        rect,
-        lens,
+        ground,
         colours,
         dimmed,
     };
@@ -45,18 +43,17 @@ pub fn draw_map(ui: &Ui, view: &PoseMapView, rect: Rect, lens: &Lens, hovered: O
     let selected = || paths(view.points).filter(|path| Some(path[0].subject) == view.selected);
     compared().for_each(|path| canvas.chosen(view, path, colours.strong));
     selected().for_each(|path| canvas.chosen(view, path, colours.selection));
-    let mut taken: Vec<Rect> = Vec::new();
-    taken.extend(
-        view.current
-            .map(|at| Rect::from_center_size(canvas.place(at), vec2(14.0, 14.0))),
-    );
-    selected().for_each(|path| canvas.names(view, path, colours.selection, &mut taken));
-    compared().for_each(|path| canvas.names(view, path, colours.strong, &mut taken));
+    let mut labels = Labels::new(&painter, ground.rect, colours.pane);
+    if let Some(at) = view.current {
+        labels.keep_free(Rect::from_center_size(canvas.place(at), vec2(14.0, 14.0)));
+    }
+    selected().for_each(|path| canvas.names(view, path, colours.selection, &mut labels));
+    compared().for_each(|path| canvas.names(view, path, colours.strong, &mut labels));
     if let Some(current) = view.current {
         canvas.current(current);
     }
     if let Some(point) = hovered.and_then(|index| view.points.get(index)) {
-        let at = lens.on_screen(rect, point.at);
+        let at = ground.on_screen(point.at);
         painter.circle_stroke(at, 9.0, Stroke::new(line::MARK, colours.strong));
     }
 }
@@ -75,15 +72,14 @@ fn role_of(view: &PoseMapView, path: &[MapPoint]) -> LabelRole {
 
 struct Canvas<'a> {
     painter: &'a Painter,
-    rect: Rect,
-    lens: &'a Lens,
+    ground: &'a Ground,
     colours: &'a Colours,
     dimmed: bool,
 }
 
 impl Canvas<'_> {
     fn place(&self, at: [f64; 2]) -> Pos2 {
-        self.lens.on_screen(self.rect, at)
+        self.ground.on_screen(at)
     }
 
     /// Colour of what is not selected.
@@ -116,7 +112,7 @@ impl Canvas<'_> {
     /// End-diastole is filled and large, end-systole open and large, other poses small.
     fn point(&self, point: &MapPoint, role: LabelRole, colour: Color32, grow: f32) {
         let at = self.place(point.at);
-        if !self.rect.expand(8.0).contains(at) {
+        if !self.ground.rect.expand(8.0).contains(at) {
             return;
         }
         let (radius, filled) = match point.phase {
@@ -136,7 +132,7 @@ impl Canvas<'_> {
     }
 
     /// Names end-diastole and end-systole of a path, where there is room.
-    fn names(&self, view: &PoseMapView, path: &[MapPoint], colour: Color32, taken: &mut Vec<Rect>) {
+    fn names(&self, view: &PoseMapView, path: &[MapPoint], colour: Color32, labels: &mut Labels) {
         let id = view
             .subjects
             .get(path[0].subject)
@@ -148,42 +144,8 @@ impl Canvas<'_> {
                 PosePhase::EndSystole => format!("{id} ES"),
                 PosePhase::Between => continue,
             };
-            self.label(self.place(point.at), text, colour, &places, taken);
+            labels.beside(self.place(point.at), 9.0, text, colour, &places);
         }
-    }
-
-    /// Writes beside a point, inside the pane, where it hides least of the path.
-    fn label(&self, at: Pos2, text: String, colour: Color32, path: &[Pos2], taken: &mut Vec<Rect>) {
-        let galley = self
-            .painter
-            .layout_no_wrap(text, medium_note_font(), colour);
-        let size = galley.size();
-        let (gap, middle) = (9.0, -0.5 * size.y);
-        let left = -gap - size.x;
-        let places = [
-            vec2(gap, -size.y - 3.0),
-            vec2(gap, 3.0),
-            vec2(left, -size.y - 3.0),
-            vec2(left, 3.0),
-            vec2(gap, middle),
-            vec2(left, middle),
-            vec2(-0.5 * size.x, -size.y - gap),
-            vec2(-0.5 * size.x, gap),
-        ]
-        .map(|offset| Rect::from_min_size(at + offset, size));
-        let inside = self.rect.shrink(4.0);
-        let free = |rect: &Rect| {
-            inside.contains_rect(*rect) && taken.iter().all(|other| !other.intersects(*rect))
-        };
-        let hidden = |rect: &Rect| hidden_length(path, *rect) as i32;
-        let Some(rect) = places.into_iter().filter(free).min_by_key(hidden) else {
-            return;
-        };
-        let behind = self.colours.pane.gamma_multiply(0.7);
-        self.painter
-            .rect_filled(rect.expand2(vec2(3.0, 0.0)), 3.0, behind);
-        self.painter.galley(rect.min, galley, colour);
-        taken.push(rect);
     }
 
     fn current(&self, current: [f64; 2]) {
@@ -195,95 +157,49 @@ impl Canvas<'_> {
     }
 }
 
-/// How much of a path, in points, lies within a rectangle; the path is closed.
-fn hidden_length(path: &[Pos2], rect: Rect) -> f32 {
-    let mut hidden = 0.0;
-    for (index, from) in path.iter().enumerate() {
-        let to = path[(index + 1) % path.len()];
-        let steps = ((to - *from).length() / 2.0).ceil().clamp(1.0, 400.0);
-        let inside = (0..steps as usize)
-            .filter(|step| rect.contains(from.lerp(to, *step as f32 / steps)))
-            .count();
-        hidden += 2.0 * inside as f32;
-    }
-    hidden
-}
-
-fn draw_grid(painter: &Painter, rect: Rect, lens: &Lens, colours: &Colours) {
-    let step = nice_floor(110.0 / lens.points_per_unit) * lens.points_per_unit;
-    if !(step.is_finite() && step > 12.0) {
-        return;
-    }
-    let origin = lens.on_screen(rect, [0.0, 0.0]);
-    let stroke = Stroke::new(line::THIN, colours.grid);
-    let step = step as f32;
-    let mut x = rect.left() + (origin.x - rect.left()).rem_euclid(step);
-    while x < rect.right() {
-        painter.vline(x, rect.y_range(), stroke);
-        x += step;
-    }
-    let mut y = rect.top() + (origin.y - rect.top()).rem_euclid(step);
-    while y < rect.bottom() {
-        painter.hline(rect.x_range(), y, stroke);
-        y += step;
-    }
-}
-
-/// Counts of roles on the left, what the axes are on the right.
+/// Counts of roles on the left, how far the map can be trusted on the right.
 pub fn legend_ui(ui: &mut Ui, view: &PoseMapView, height: f32) {
     let (strip, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let inner = strip.shrink2(vec2(space::LARGE, 0.0));
     let mut row = ui.new_child(UiBuilder::new().max_rect(inner));
     row.set_height(height);
-    let wide = inner.width() > 240.0;
-    egui::Sides::new().height(height).shrink_right().truncate().show(
-        &mut row,
-        |ui| {
-            for role in [LabelRole::Normal, LabelRole::Abnormal, LabelRole::Unknown] {
-                let count = view.subjects.iter().filter(|subject| subject.role == role).count();
-                if count > 0 {
-                    legend_entry_ui(ui, role, count, wide);
+    let wide = inner.width() > 330.0;
+    egui::Sides::new()
+        .height(height)
+        .shrink_right()
+        .truncate()
+        .show(
+            &mut row,
+            |ui| role_counts_ui(ui, view.subjects, wide),
+            |ui| {
+                if ui.available_width() < 70.0 {
+                    return;
                 }
-            }
-        },
-        |ui| {
-            if ui.available_width() < 80.0 {
-                return;
-            }
-            let text = if view.left_out.is_empty() { "axes have no unit" } else { view.left_out };
-            let what = "Only distances between points mean something: they stand for the distances \
-                        between poses. Filled marks are end-diastole, open ones end-systole.";
-            ui.label(note(text)).on_hover_text(format!("{text}. {what}"));
-        },
-    );
+                let text = trust_text(view);
+                ui.label(note(text.clone()))
+                    .on_hover_text(format!("{text}. {WHAT}"));
+            },
+        );
 }
 
-fn legend_entry_ui(ui: &mut Ui, role: LabelRole, count: usize, wide: bool) {
-    let colours = colours(ui);
-    ui.spacing_mut().item_spacing.x = space::SMALL;
-    let (mark, _) = ui.allocate_exact_size(vec2(10.0, 12.0), Sense::hover());
-    role_mark(
-        ui.painter(),
-        mark.center(),
-        4.0,
-        role,
-        colours.role(role),
-        role != LabelRole::Unknown,
-    );
-    let name = format!("{} {count}", role_name(role));
-    let text = if wide {
-        name.clone()
+const WHAT: &str = "Kruskal's stress 1 tells how far distances on the map are from those between \
+                    poses: below 0.1 is good, above 0.2 the map misleads. Only distances between \
+                    points mean something; the axes have no unit. Filled marks are end-diastole, \
+                    open ones end-systole.";
+
+fn trust_text(view: &PoseMapView) -> String {
+    let stress = view.stress.map(|stress| format!("stress {stress:.2}"));
+    let neighbours = view
+        .neighbours
+        .map(|neighbours| format!("{neighbours} neighbours"));
+    let rest = if view.left_out.is_empty() {
+        "axes have no unit"
     } else {
-        count.to_string()
+        view.left_out
     };
-    let galley = ui
-        .painter()
-        .layout_no_wrap(text, note_font(), colours.muted);
-    let (rect, response) = ui.allocate_exact_size(galley.size(), Sense::hover());
-    let at = Align2::LEFT_CENTER
-        .align_size_within_rect(galley.size(), rect)
-        .min;
-    ui.painter().galley(pos2(at.x, at.y), galley, colours.muted);
-    response.on_hover_text(name);
-    ui.add_space(space::MEDIUM);
+    let parts = stress.into_iter().chain(neighbours);
+    parts
+        .chain([rest.to_owned()])
+        .collect::<Vec<_>>()
+        .join(" · ")
 }

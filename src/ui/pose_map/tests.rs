@@ -1,9 +1,10 @@
 //! What the map does under the pointer.
 
-use egui::{Rect, pos2, vec2};
+use egui::{Pos2, Rect, pos2, vec2};
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::ui::map_ground::Lens;
 
 fn subjects() -> Vec<MapSubject> {
     (0..3)
@@ -48,6 +49,7 @@ fn harness(state: MapState, with_points: bool) -> Harness<'static, Vec<Command>>
                     compared: None,
                     params: PoseMapParams::default(),
                     stress: Some(0.08),
+                    neighbours: None,
                     left_out: "",
                 };
                 pose_map_header_ui(ui, &view, commands);
@@ -57,11 +59,15 @@ fn harness(state: MapState, with_points: bool) -> Harness<'static, Vec<Command>>
         )
 }
 
+fn fitted(width: f32, height: f32) -> Lens {
+    Lens::fit(points().iter().map(|point| point.at), width, height)
+}
+
 /// Where a point of the fitted map lies on screen.
 fn place(harness: &Harness<'_, Vec<Command>>, index: usize) -> Pos2 {
     let rect = harness.get_by_label("Pose map").rect();
     let plot = rect.shrink2(vec2(34.0, 26.0));
-    Lens::fit(&points(), plot.width(), plot.height()).on_screen(rect, points()[index].at)
+    fitted(plot.width(), plot.height()).on_screen(rect, points()[index].at)
 }
 
 fn click(harness: &mut Harness<'_, Vec<Command>>, at: Pos2) {
@@ -119,14 +125,11 @@ fn after_a_drag_points_are_hit_where_they_are_seen() {
 #[test]
 fn zooming_keeps_what_is_under_the_pointer() {
     let rect = Rect::from_min_size(pos2(10.0, 20.0), vec2(300.0, 200.0));
-    let mut lens = Lens::fit(&points(), 300.0, 200.0);
+    let mut lens = fitted(300.0, 200.0);
     let before = lens.on_screen(rect, points()[3].at);
     lens.zoom_about(before - rect.center(), 3.0);
     assert!((lens.on_screen(rect, points()[3].at) - before).length() < 1e-3);
-    assert!(
-        (lens.points_per_unit - 3.0 * Lens::fit(&points(), 300.0, 200.0).points_per_unit).abs()
-            < 1e-9
-    );
+    assert!((lens.points_per_unit - 3.0 * fitted(300.0, 200.0).points_per_unit).abs() < 1e-9);
 }
 
 #[test]
@@ -140,7 +143,7 @@ fn a_map_that_is_being_computed_can_be_cancelled_with_and_without_one_before() {
         harness.run();
         harness.get_by_label("Cancel").click();
         harness.run();
-        assert_eq!(*harness.state(), [Command::Cancel(JobKind::PoseMap)]);
+        assert_eq!(*harness.state(), [Command::Cancel(WorkKind::PoseMap)]);
     }
 }
 
@@ -157,4 +160,17 @@ fn the_method_is_chosen_in_the_header() {
         ..Default::default()
     };
     assert_eq!(*harness.state(), [Command::SetPoseMap(params)]);
+}
+
+#[test]
+fn all_settings_are_a_step_away_from_the_header() {
+    let mut harness = harness(MapState::Ready, true);
+    harness.run();
+    harness.get_by_label("Metric: Quasi-conformal").click();
+    harness.run();
+    // The menu is longer than this small window.
+    harness.get_by_label("All settings…").click_accesskit();
+    harness.run();
+    let wanted = Command::ShowPane(crate::ui::command::Pane::Metric);
+    assert_eq!(*harness.state(), [wanted]);
 }

@@ -20,7 +20,9 @@ fn harness() -> Harness<'static, Vec<Command>> {
                     end_diastole: Some(0),
                     end_systole: Some(2),
                     time_ms: Some(100.0),
-                    between: Some("interpolated (linear)"),
+                    between: Some("interpolated"),
+                    in_betweens: &[2.25, 2.5, 2.75],
+                    note: "3 in-betweens per interval",
                 };
                 time_bar_ui(ui, &view, commands);
             },
@@ -32,7 +34,7 @@ fn harness() -> Harness<'static, Vec<Command>> {
 fn buttons_push_what_they_say() {
     let mut harness = harness();
     harness.run();
-    harness.get_by_label("100 ms · 12 % R-R · interpolated (linear)");
+    harness.get_by_label("100 ms · 12 % R-R · interpolated");
     for name in ["Play", "Next frame", "Previous frame", "Loop"] {
         harness.get_by_label(name).click();
         harness.run();
@@ -71,6 +73,25 @@ fn a_click_near_a_frame_lands_on_it_and_a_drag_moves_freely() {
         panic!("no position");
     };
     assert!(*position > 2.05 && *position < 2.5, "{position}");
+}
+
+#[test]
+fn a_click_near_a_pose_between_frames_lands_on_it() {
+    let mut harness = harness();
+    harness.run();
+    let rail = harness
+        .get_by_label("Position in the beat")
+        .rect()
+        .shrink2(vec2(8.0, 0.0));
+    // Position 2.5 of four even frames is at five eighths of the beat.
+    for (share, offset, position) in [(0.625, 4.0, 2.5), (0.5625, -3.0, 2.25), (0.5, 4.0, 2.0)] {
+        let at = pos2(egui::lerp(rail.x_range(), share) + offset, rail.center().y);
+        harness.drag_at(at);
+        harness.drop_at(at);
+        harness.run();
+        let wanted = Command::SetPosition(position);
+        assert_eq!(harness.state().last(), Some(&wanted));
+    }
 }
 
 #[test]

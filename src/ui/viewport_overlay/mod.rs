@@ -8,7 +8,7 @@ pub use colour_bar::ColourBarView;
 pub use cube::CubeView;
 pub use scale_bar::ScaleBarView;
 
-use egui::{Align2, Rect, RichText, Ui, UiBuilder, vec2};
+use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
 
 use crate::study::LabelRole;
 use crate::ui::command::Command;
@@ -25,8 +25,12 @@ pub struct ViewportOverlayView<'a> {
     pub subtitle: &'a str,
     /// Shape beside the title.
     pub role: LabelRole,
-    /// Whether the picture is between two poses, or estimated, and how: `interpolated (linear)`.
+    /// Whether the picture is between two poses, or estimated, and how: `interpolated`.
     pub badge: Option<&'a str>,
+    /// More about the badge, for whoever points at it; may be empty.
+    pub badge_note: &'a str,
+    /// What ends the special state that the title names: words of the button and its command.
+    pub leave: Option<(&'a str, Command)>,
     /// What colours stand for; `None` for plain tissue.
     pub colour_bar: Option<ColourBarView<'a>>,
     /// How long lengths are on screen.
@@ -34,6 +38,9 @@ pub struct ViewportOverlayView<'a> {
     /// Which way the heart is turned.
     pub cube: Option<CubeView>,
 }
+
+/// Height of title and subtitle, in points.
+const BELOW_TITLE: f32 = 45.0;
 
 /// Draws over `ui.max_rect()`, which the 3D picture fills. Two pictures side by side need a `ui`
 /// each, with its own `id_salt`.
@@ -43,7 +50,7 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     if !inner.is_positive() || inner.width() < 60.0 {
         return;
     }
-    title_ui(ui, inner, view);
+    title_ui(ui, inner, view, commands);
     let tall = inner.height() > 180.0;
     let mut free = inner.x_range();
     if let Some(bar) = &view.colour_bar {
@@ -60,13 +67,13 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     }
 }
 
-fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView) {
+fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView, commands: &mut Vec<Command>) {
     if view.title.is_empty() {
         return;
     }
     let colours = colours(ui);
     let mut corner = ui.new_child(
-        UiBuilder::new().max_rect(Rect::from_min_size(inner.min, vec2(inner.width(), 60.0))),
+        UiBuilder::new().max_rect(Rect::from_min_size(inner.min, vec2(inner.width(), 90.0))),
     );
     corner.spacing_mut().item_spacing = vec2(space::MEDIUM, 0.0);
     corner.horizontal(|ui| {
@@ -85,15 +92,48 @@ fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView) {
         ui.add(egui::Label::new(title).truncate());
     });
     corner.add(egui::Label::new(note(view.subtitle)).truncate());
-    if let Some(badge) = view.badge {
-        let at = inner.right_top() + vec2(0.0, 6.0);
-        let painter = ui.painter();
-        let galley = painter.layout_no_wrap(badge.to_owned(), note_font(), colours.muted);
-        let rect = Align2::RIGHT_TOP.anchor_size(at, galley.size() + vec2(14.0, 6.0));
-        if rect.left() > inner.left() + 120.0 {
-            painter.rect_filled(rect, 4.0, colours.control);
-            painter.galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
+    if let Some((words, command)) = &view.leave {
+        corner.add_space(space::SMALL);
+        if corner.button(note(*words)).clicked() {
+            commands.push(command.clone());
         }
+    }
+    if let Some(badge) = view.badge {
+        badge_ui(ui, inner, badge, view);
+    }
+}
+
+/// Beside the title where there is room, below it where there is none.
+fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, view: &ViewportOverlayView) {
+    let colours = colours(ui);
+    let width = |text: &str, font| {
+        let galley = ui
+            .painter()
+            .layout_no_wrap(text.to_owned(), font, colours.muted);
+        galley.size().x
+    };
+    let title_width = width(view.title, title_font()) + 10.0 + space::MEDIUM;
+    let galley = ui
+        .painter()
+        .layout_no_wrap(badge.to_owned(), note_font(), colours.muted);
+    let size = galley.size() + vec2(14.0, 6.0);
+    let beside = title_width + space::LARGE + size.x <= inner.width();
+    let down = if beside { 6.0 } else { BELOW_TITLE };
+    let rect = Align2::RIGHT_TOP.anchor_size(inner.right_top() + vec2(0.0, down), size);
+    let taken = match &view.leave {
+        Some((words, _)) if !beside => width(words, note_font()) + 2.0 * space::LARGE,
+        _ => 0.0,
+    };
+    if rect.left() < inner.left() + taken {
+        return;
+    }
+    ui.painter().rect_filled(rect, 4.0, colours.control);
+    ui.painter()
+        .galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
+    let response = ui.interact(rect, ui.scope_id().with("badge"), egui::Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, badge));
+    if !view.badge_note.is_empty() {
+        response.on_hover_text(view.badge_note);
     }
 }
 

@@ -14,7 +14,8 @@ import numpy as np
 
 warnings.filterwarnings("ignore")
 from scipy import sparse  # noqa: E402
-from sklearn.manifold import smacof  # noqa: E402
+from sklearn.datasets import make_swiss_roll  # noqa: E402
+from sklearn.manifold import Isomap, LocallyLinearEmbedding, smacof  # noqa: E402
 
 
 def icosphere(level):
@@ -190,6 +191,13 @@ def main(folder, begun_s):
             sys.exit(f"the peer did {steps} steps of SMACOF, not 100")
         rows.append((f"SMACOF, {items} items, 100 steps", ours(f"smacof_100_steps_{items}"),
                      seconds(peer, repeats, warm_up=False), "scikit-learn"))
+    roll = make_swiss_roll(2000, random_state=1)[0]
+    local = LocallyLinearEmbedding(n_neighbors=12, n_components=2, eigen_solver="arpack", random_state=0)
+    rows.append(("LLE, 2000 points, 12 neighbours", ours("lle_2000"),
+                 seconds(lambda: local.fit_transform(roll), 5), "scikit-learn"))
+    rows.append(("Isomap, 2000 points, 8 neighbours", ours("isomap_2000"),
+                 seconds(lambda: Isomap(n_neighbors=8, n_components=2).fit_transform(roll), 3),
+                 "scikit-learn"))
     print(f"{'work':36} {'ours':>13} {'peer':>13} {'ours : peer':>12}  peer")
     for name, our, peer, who in rows:
         print(f"{name:36} {our * 1e3:10.3f} ms {peer * 1e3:10.3f} ms {'1 : %.1f' % (peer / our):>12}  {who}")

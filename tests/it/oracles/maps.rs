@@ -1,6 +1,9 @@
 //! Maps against SciPy and scikit-learn.
 
 use super::*;
+use cardiomorph::analysis::embedding::{
+    LleParams, LocalWeights, Neighbours, isomap, lle, shortest_ways,
+};
 
 fn curves() -> (Case, DistanceMatrix) {
     let case = Case::load("embed", "mds_curves40");
@@ -97,4 +100,99 @@ fn the_map_of_the_window_is_within_the_stress_of_scikit_learn() {
         raw <= 1.0005 * case.number("smacof_stress_from_classical"),
         "{raw}"
     );
+}
+
+/// Points of a case, row by row, with their number, and the distances between them.
+fn points(case: &Case) -> (Vec<f64>, usize, DistanceMatrix) {
+    let points = case.numbers("inputs", "points");
+    let items = case.value["inputs"]["points"]["shape"][0].as_u64().unwrap() as usize;
+    let width = points.len() / items;
+    let row = |i: usize| &points[i * width..][..width];
+    let upper = (0..items)
+        .flat_map(|i| (i + 1..items).map(move |j| (i, j)))
+        .map(|(i, j)| {
+            let square: f64 = row(i)
+                .iter()
+                .zip(row(j))
+                .map(|(a, b)| (a - b).powi(2))
+                .sum();
+            square.sqrt()
+        })
+        .collect();
+    let distances = DistanceMatrix::from_upper(items, upper).unwrap();
+    (points, items, distances)
+}
+
+#[test]
+fn isomap_agrees_with_scikit_learn() {
+    let case = Case::load("embed", "isomap_swiss300_k8");
+    let (_, items, distances) = points(&case);
+    let progress = Progress::default();
+    let nearest = Neighbours::of_distances(&distances, 8, &progress).unwrap();
+    let (ways, parts) = shortest_ways(&distances, &nearest, &progress).unwrap();
+    assert_eq!(parts, 1);
+    for (j, expected) in case.numbers("expected", "geodesic_row0").iter().enumerate() {
+        assert!((ways.get(0, j) - expected).abs() <= 1e-9);
+    }
+    let sum = 2.0 * ways.upper().iter().sum::<f64>();
+    close("sum", sum, case.number("geodesic_sum"), 1e-10);
+    let longest = ways.upper().iter().fold(0.0_f64, |m, w| m.max(*w));
+    close("longest", longest, case.number("geodesic_max"), 1e-10);
+    let map = isomap(&distances, 8, 2, &progress).unwrap();
+    assert_eq!(map.len(), items);
+    let apart = disparity(&map, &case.numbers("expected", "embedding"));
+    assert!(apart <= 1e-8, "{apart}");
+    let values = map.eigenvalues.unwrap();
+    for (found, expected) in values
+        .iter()
+        .zip(case.numbers("expected", "top2_eigenvalues"))
+    {
+        close("eigenvalue", *found, expected, 1e-8);
+    }
+    let expected = case.number("reconstruction_error");
+    close("error", map.reconstruction_error.unwrap(), expected, 1e-8);
+}
+
+#[test]
+fn locally_linear_maps_agree_with_numpy_and_scikit_learn() {
+    for (name, neighbours) in [
+        ("lle_swiss300_k12_reg0.001", 12),
+        ("lle_curves40_k16_reg0.001", 16),
+    ] {
+        let case = Case::load("embed", name);
+        let (points, items, _) = points(&case);
+        let with = |dimensions| {
+            let params = LleParams {
+                neighbours,
+                regularisation: 1e-3,
+                dimensions,
+            };
+            params.check().unwrap()
+        };
+        let progress = Progress::default();
+        let weights = LocalWeights::of_points(&points, items, &with(2), &progress).unwrap();
+        let mut row: Vec<(f64, f64)> = (weights.neighbours().of(0).iter().zip(weights.of(0)))
+            .map(|(&other, &weight)| (f64::from(other), weight))
+            .collect();
+        row.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let expected = (case.numbers("expected", "neighbours_row0").into_iter())
+            .zip(case.numbers("expected", "weights_row0"));
+        for ((other, weight), (expected_other, expected)) in row.iter().zip(expected) {
+            assert_eq!(*other, expected_other);
+            assert!((weight - expected).abs() <= 1e-8);
+        }
+        let map = lle(&points, items, &with(2), &progress).unwrap();
+        for key in ["embedding", "sklearn_embedding"] {
+            let apart = disparity(&map, &case.numbers("expected", key));
+            assert!(apart <= 1e-6, "{name} {key}: {apart}");
+        }
+        let error = case.number("sklearn_reconstruction_error");
+        close(name, map.reconstruction_error.unwrap(), error, 1e-5);
+        assert_eq!(map.neighbours, Some(neighbours));
+        let four = lle(&points, items, &with(4), &progress).unwrap();
+        let expected = case.numbers("expected", "eigenvalues_bottom5");
+        for (found, expected) in four.eigenvalues.unwrap().iter().zip(&expected[1..]) {
+            close(name, *found, *expected, 1e-5);
+        }
+    }
 }

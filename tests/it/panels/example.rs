@@ -2,7 +2,8 @@
 
 use std::f64::consts::{PI, TAU};
 
-use cardiomorph::engine::PoseMapParams;
+use cardiomorph::analysis::deformations::DeformationMapParams;
+use cardiomorph::engine::{PoseMapParams, WorkKind};
 use cardiomorph::study::LabelRole;
 use cardiomorph::ui::*;
 
@@ -11,6 +12,9 @@ pub struct Example {
     pub rows: Vec<CohortRow>,
     pub subjects: Vec<MapSubject>,
     pub points: Vec<MapPoint>,
+    pub deformations: Vec<DeformationPoint>,
+    pub curves: Vec<SpaceTimeCurve>,
+    pub rules: Vec<RuleView>,
     pub volumes: Vec<f64>,
     pub outer: Vec<f64>,
     pub shares: Vec<f64>,
@@ -38,6 +42,7 @@ impl Example {
                     ejection_fraction,
                     frame_count: 8,
                     warning_count: usize::from(subject == 5),
+                    correspondence: 0,
                 });
                 subjects.push(MapSubject {
                     id: rows[subject].id.clone(),
@@ -65,6 +70,8 @@ impl Example {
                 }
             }
         }
+        let deformations = deformations(&subjects);
+        let curves = curves(&points);
         let shares: Vec<f64> = (0..8).map(|frame| frame as f64 / 8.0).collect();
         let volumes = shares
             .iter()
@@ -86,10 +93,52 @@ impl Example {
             rows,
             subjects,
             points,
+            deformations,
+            curves,
+            rules: rules(),
             volumes,
             outer,
             shares,
             actions,
+        }
+    }
+
+    pub fn deformation_map(&self, state: MapState) -> DeformationMapView<'_> {
+        DeformationMapView {
+            state,
+            job: WorkKind::DeformationMap,
+            subjects: &self.subjects,
+            points: &self.deformations,
+            selected: Some(9),
+            compared: Some(2),
+            neighbours: Some(5),
+            reconstruction_error: Some(0.0123),
+            time_weight: Some(1.42),
+            shows_clusters: true,
+            classes: ClassesView::Ready(&self.rules),
+            left_out: "",
+        }
+    }
+
+    pub fn space_time(&self, state: MapState) -> SpaceTimeView<'_> {
+        SpaceTimeView {
+            state,
+            subjects: &self.subjects,
+            curves: &self.curves,
+            selected: Some(9),
+            compared: Some(2),
+            share: 0.3,
+        }
+    }
+
+    pub fn metric(&self) -> MetricPanelView<'_> {
+        MetricPanelView {
+            poses: PoseMapParams::default(),
+            deformations: DeformationMapParams::default(),
+            subjects: &self.subjects,
+            selected: Some(9),
+            neighbours: Some(5),
+            time_weight: Some(1.42),
         }
     }
 
@@ -114,7 +163,77 @@ impl Example {
             compared: None,
             params: PoseMapParams::default(),
             stress: Some(0.083),
+            neighbours: None,
             left_out: "",
         }
     }
+}
+
+/// One point per heart, normal ones apart from the others but for two.
+fn deformations(subjects: &[MapSubject]) -> Vec<DeformationPoint> {
+    let places: Vec<[f64; 2]> = (0..subjects.len())
+        .map(|subject| {
+            let turn = subject as f64 * 2.399;
+            let reach = 0.25 + 0.35 * ((subject * 7 % 11) as f64 / 11.0);
+            let aside = match subjects[subject].role {
+                LabelRole::Normal if subject != 4 => -0.9,
+                LabelRole::Unknown => 0.0,
+                _ => 0.7,
+            };
+            [aside + reach * turn.cos(), 0.8 * reach * turn.sin()]
+        })
+        .collect();
+    let apart =
+        |a: usize, b: usize| (places[a][0] - places[b][0]).hypot(places[a][1] - places[b][1]);
+    (0..subjects.len())
+        .map(|subject| {
+            let mut nearest: Vec<usize> = (0..subjects.len()).filter(|o| *o != subject).collect();
+            nearest.sort_by(|a, b| apart(subject, *a).total_cmp(&apart(subject, *b)));
+            nearest.truncate(3);
+            DeformationPoint {
+                subject,
+                at: places[subject],
+                first_frame: 0,
+                cluster: Some(usize::from(places[subject][0] > -0.2)),
+                nearest,
+            }
+        })
+        .collect()
+}
+
+fn curves(points: &[MapPoint]) -> Vec<SpaceTimeCurve> {
+    points
+        .chunk_by(|a, b| a.subject == b.subject)
+        .map(|run| SpaceTimeCurve {
+            subject: run[0].subject,
+            points: run
+                .iter()
+                .map(|point| SpaceTimePoint {
+                    frame: point.frame,
+                    at: point.at,
+                    share: point.frame as f64 / run.len() as f64,
+                    phase: point.phase,
+                })
+                .collect(),
+        })
+        .collect()
+}
+
+fn rules() -> Vec<RuleView> {
+    [
+        ("Nearest neighbour", 20, 12.4, 0.002),
+        ("Linear rule", 19, 12.1, 0.006),
+        ("Rule in this plane", 18, 12.2, 0.013),
+        ("Clusters, τ", 21, 13.8, 0.0004),
+    ]
+    .into_iter()
+    .map(|(name, correct, chance, p_value)| RuleView {
+        name,
+        what: "",
+        correct,
+        of: 21,
+        chance,
+        p_value,
+    })
+    .collect()
 }

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use cardiomorph::engine::WorkKind;
 use cardiomorph::study::Notice;
 use cardiomorph::ui::*;
 use egui::{Ui, UiBuilder, pos2};
@@ -28,6 +29,7 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
             let view = CommandPaletteView {
                 actions: &example.actions,
                 subjects: &example.rows,
+                selected: Some(9),
             };
             command_palette_ui(ui, &view, commands);
         }
@@ -68,7 +70,7 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
                 message: "line 812: face refers to vertex 9041, but only 9000 are defined"
                     .to_owned(),
                 details: "p12/endo_03.obj".to_owned(),
-                retry: Some(JobKind::Open),
+                retry: Some(WorkKind::Open),
             }];
             let whole = ui.ctx().content_rect();
             let middle = rect(0.0, 0.0, whole.right(), whole.bottom() - 140.0);
@@ -104,9 +106,37 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
             pose_map_header_ui(ui, &view, commands);
             pose_map_ui(ui, &view, commands);
         }
+        "deformations" | "deformations_computing" | "deformations_few" => {
+            let state = match name {
+                "deformations" => MapState::Ready,
+                "deformations_few" => {
+                    MapState::Unanswerable("Fewer than 4 subjects: no deformation map".to_owned())
+                }
+                _ => MapState::Computing {
+                    fraction: 0.42,
+                    seconds_left: Some(12.0),
+                },
+            };
+            let mut view = example.deformation_map(state);
+            if name == "deformations_few" {
+                view.points = &[];
+            }
+            pane_header_ui(
+                ui,
+                |ui| {
+                    tab_ui(ui, "Poses", false);
+                    tab_ui(ui, "Deformations", true);
+                    tab_ui(ui, "3D", false);
+                },
+                |ui| deformation_note(ui, &view, 200.0),
+            );
+            deformation_map_ui(ui, &view, commands);
+        }
+        "space_time" => space_time_ui(ui, &example.space_time(MapState::Ready), commands),
+        "metric" => metric_panel_ui(ui, &example.metric(), commands),
         "activity" => {
             let item = |title: &str, parameters: &str, duration_s, state| WorkItem {
-                kind: JobKind::PoseMap,
+                kind: WorkKind::PoseMap,
                 title: title.to_owned(),
                 parameters: parameters.to_owned(),
                 duration_s,
@@ -170,6 +200,11 @@ fn the_states_of_panels_are_drawn_where_it_is_asked_for() {
         "map_failed",
         "map_empty",
         "map_first",
+        "deformations",
+        "space_time",
+        "metric",
+        "deformations_computing",
+        "deformations_few",
         "activity",
         "empty",
         "empty_hover",
@@ -178,7 +213,11 @@ fn the_states_of_panels_are_drawn_where_it_is_asked_for() {
     for (index, name) in names.into_iter().enumerate() {
         let example = Example::new();
         let mut harness = Harness::builder()
-            .with_size([400.0, 330.0])
+            .with_size(match name {
+                "metric" => [280.0, 640.0],
+                "space_time" | "deformations" => [400.0, 420.0],
+                _ => [400.0, 330.0],
+            })
             .with_theme(egui::Theme::from_dark_mode(index % 2 == 0))
             .with_context_setup(install)
             .wgpu()

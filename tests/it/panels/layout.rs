@@ -1,5 +1,6 @@
 //! Nothing overlaps and nothing is cut off: a law over all widths of all panels.
 
+use cardiomorph::engine::WorkKind;
 use cardiomorph::ui::*;
 use egui::{Rect, Shape, Ui, epaint::ClippedShape};
 use egui_kittest::Harness;
@@ -91,7 +92,7 @@ fn bars_hold_their_text_at_every_width() {
         wrong.extend(faults(width, 36.0, |ui, _, commands| {
             let view = StatusBarView {
                 job: Some(StatusJob {
-                    kind: JobKind::PoseMap,
+                    kind: WorkKind::PoseMap,
                     text: "Quasi-conformal distances of 2500 poses of 100 subjects",
                     fraction: 1.0,
                     seconds_left: Some(86.0),
@@ -116,6 +117,25 @@ fn panes_hold_their_text_at_every_width() {
             let view = example.map(MapState::Ready);
             pose_map_header_ui(ui, &view, commands);
             pose_map_ui(ui, &view, commands);
+        }));
+    }
+    for width in widths(220, 900) {
+        wrong.extend(faults(width, 420.0, |ui, example, commands| {
+            let view = example.deformation_map(MapState::Ready);
+            pane_header_ui(
+                ui,
+                |ui| {
+                    tab_ui(ui, "Deformations", true);
+                },
+                |ui| deformation_note(ui, &view, 120.0),
+            );
+            deformation_map_ui(ui, &view, commands);
+        }));
+        wrong.extend(faults(width, 360.0, |ui, example, commands| {
+            space_time_ui(ui, &example.space_time(MapState::Ready), commands);
+        }));
+        wrong.extend(faults(width, 900.0, |ui, example, commands| {
+            metric_panel_ui(ui, &example.metric(), commands);
         }));
     }
     for width in widths(320, 1200) {

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use cardiomorph::engine::WorkKind;
 use cardiomorph::picture::Quantity;
 use cardiomorph::study::LabelRole;
 use cardiomorph::ui::theme::{colours, space};
@@ -73,7 +74,7 @@ pub fn window(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
     let mut status = ui.new_child(UiBuilder::new().max_rect(rect(0.0, foot + 34.0, w, h)));
     let view = StatusBarView {
         job: Some(StatusJob {
-            kind: JobKind::PoseMap,
+            kind: WorkKind::PoseMap,
             text: "Quasi-conformal distances of 184 poses",
             fraction: 0.71,
             seconds_left: Some(3.4),
@@ -140,14 +141,16 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         title: &example.rows[9].id,
         subtitle: "MINF · frame 3 of 8",
         role: LabelRole::Abnormal,
-        badge: Some("interpolated (linear)"),
+        badge: Some("interpolated"),
+        badge_note: "3 poses between these frames",
+        leave: None,
         colour_bar: Some(ColourBarView {
             title: "Area relative to end-diastole",
             unit: "",
             map,
             limits: [0.5, 2.0],
             logarithmic: true,
-                            ticks: &[],
+            ticks: &[],
             below: [20, 40, 90],
             above: [110, 20, 20],
             note: "fixed for all subjects",
@@ -234,7 +237,9 @@ pub fn time(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         end_diastole: Some(0),
         end_systole: Some(4),
         time_ms: Some(276.0),
-        between: Some("interpolated (linear)"),
+        between: Some("interpolated"),
+        in_betweens: &[2.25, 2.5, 2.75, 3.25, 3.5, 3.75],
+        note: "",
     };
     time_bar_ui(ui, &view, commands);
 }

@@ -1,6 +1,6 @@
 //! What the steps of a path cost, and the slopes of that along lengths, areas and curvatures.
 
-use crate::numeric::{Arithmetic, Lanes};
+use crate::numeric::{Arithmetic, Lanes, both, three};
 
 use super::corner::{dot, minus};
 use super::face_charge::{FaceCharge, of_corners, of_sides};
@@ -23,7 +23,7 @@ impl Weights {
         let one = Lanes::splat(1.0);
         if by_area {
             Self {
-                scale: along.total_area.both(0, block).map(|total| one.over(total)),
+                scale: both(|side| one.over(along.total_area.both(0, block)[side])),
                 offset: Lanes::default(),
             }
         } else {
@@ -36,7 +36,7 @@ impl Weights {
 
     #[inline(always)]
     fn of(&self, areas: [Lanes; 2]) -> [Lanes; 2] {
-        [0, 1].map(|side| self.scale[side] * areas[side] + self.offset)
+        both(|side| self.scale[side] * areas[side] + self.offset)
     }
 }
 
@@ -52,7 +52,7 @@ pub(super) fn charge_steps(plan: &Plan, along: &mut Along, slopes: &mut Slopes) 
         (MetricKind::Rigid, ..) => slopes.face_area.fill(Lanes::default()),
         (MetricKind::Isometric, _, raw, _) => {
             faces(plan, along, slopes, raw, Factor::One, |f, s, l, _| {
-                of_sides(s, l, plan.side_parts[f].map(Lanes::splat))
+                of_sides(s, l, three(|e| Lanes::splat(plan.side_parts[f][e])))
             });
         }
         // The default, which the compiler makes a loop of its own.
@@ -89,24 +89,24 @@ fn faces(
         for b in (0..blocks).rev() {
             let weights = Weights::new(along, plan.params.area_weights, b);
             let weight = weights.of(along.face_area.both(f, b));
-            let s = edges.map(|e| along.stretch[e as usize * blocks + b]);
-            let lengths = edges.map(|e| {
+            let s = three(|e| along.stretch[edges[e] as usize * blocks + b]);
+            let lengths = three(|e| {
                 if raw {
-                    along.length2.both(e as usize, b)
+                    along.length2.both(edges[e] as usize, b)
                 } else {
                     [Lanes::default(); 2]
                 }
             });
             let k = match factor {
                 Factor::One => None,
-                Factor::Change => {
-                    Some(triangle.map(|v| along.curvature_change[v as usize * blocks + b]))
-                }
-                Factor::Frozen => Some(triangle.map(|v| Lanes::splat(plan.frozen[v as usize]))),
+                Factor::Change => Some(three(|c| {
+                    along.curvature_change[triangle[c] as usize * blocks + b]
+                })),
+                Factor::Frozen => Some(three(|c| Lanes::splat(plan.frozen[triangle[c] as usize]))),
             };
-            let found = [0, 1].map(|side| {
-                let l = raw.then(|| lengths.map(|both| both[side]));
-                charge_of(f, s.map(|both| both[side]), l, k)
+            let found = both(|side| {
+                let l = raw.then(|| three(|e| lengths[e][side]));
+                charge_of(f, three(|e| s[e][side]), l, k)
             });
             let mut along_area = [Lanes::default(); 2];
             for side in 0..2 {
@@ -148,7 +148,7 @@ fn lengths_slopes(
 ) {
     for c in 0..3 {
         let at = edges[c] as usize * plan.blocks + block;
-        let [begins, ends] = [0, 1].map(|side| {
+        let [begins, ends] = both(|side| {
             let slope = found[side].length2.map_or(Lanes::default(), |l| l[c]);
             weight[side] * slope
         });
@@ -173,8 +173,7 @@ fn vertices(plan: &Plan, along: &mut Along, slopes: &mut Slopes) {
             let areas = along.vertex_area.both(v, b);
             let of_curvature = Weights::new(along, plan.params.area_weights, b);
             let of_rest = Weights::new(along, plan.regulariser_by_area(), b);
-            let lambda = (along.total_area.both(0, b))
-                .map(|total| total.map(|total| regulariser_factor(&plan.params, total)));
+            let lambda = lambda(plan, along, b);
             let (w, r) = (of_curvature.of(areas), of_rest.of(areas));
             let change = along.curvature_change[at];
             let bend = mu * change * change;
@@ -199,6 +198,13 @@ fn vertices(plan: &Plan, along: &mut Along, slopes: &mut Slopes) {
     }
 }
 
+/// Factor of the regulariser where steps begin and where they end.
+#[inline(always)]
+fn lambda(plan: &Plan, along: &Along, block: usize) -> [Lanes; 2] {
+    let total = along.total_area.both(0, block);
+    both(|side| total[side].map(|total| regulariser_factor(&plan.params, total)))
+}
+
 /// Weights are areas over the whole area, and the unit of the regulariser may be that area too: the
 /// slope of a charge along the whole area is that charge over −area, once for each.
 #[inline(always)]
@@ -211,8 +217,8 @@ fn total_area_slopes(plan: &Plan, along: &Along, slopes: &mut Slopes) {
     let mut carry = 0.0;
     for b in (0..plan.blocks).rev() {
         let total = along.total_area.both(0, b);
-        let both = [0, 1]
-            .map(|side| -(own * along.own[b][side] + rest * along.rest[b][side]).over(total[side]));
-        slopes.total_area[b] = onto_poses(both, &mut carry);
+        let slope =
+            both(|side| -(own * along.own[b][side] + rest * along.rest[b][side]).over(total[side]));
+        slopes.total_area[b] = onto_poses(slope, &mut carry);
     }
 }

@@ -1,6 +1,6 @@
 //! Measures every pose of a path: lengths, areas, angles, curvature; and what changes from step to step.
 
-use crate::numeric::{Arithmetic, Lanes};
+use crate::numeric::{Arithmetic, Lanes, three};
 
 use super::corner::{Axes, angles_rad, cotangents, density, dot, face_shape, minus, stretch};
 use super::state::{Along, Plan, Slopes};
@@ -25,7 +25,7 @@ pub(super) fn measure(plan: &Plan, along: &mut Along, slopes: &mut Slopes) {
 /// A vertex where steps begin and where they end.
 #[inline(always)]
 pub(super) fn points(along: &Along, vertex: u32, block: usize) -> [Axes<Lanes>; 2] {
-    let [x, y, z] = [0, 1, 2].map(|axis| along.points.both(3 * vertex as usize + axis, block));
+    let [x, y, z] = three(|axis| along.points.both(3 * vertex as usize + axis, block));
     [[x[0], y[0], z[0]], [x[1], y[1], z[1]]]
 }
 
@@ -53,7 +53,7 @@ fn faces<const ANGLES: bool>(plan: &Plan, along: &mut Along) {
     for b in 0..plan.blocks {
         let mut total = Lanes::default();
         for (f, triangle) in plan.mesh.triangles.iter().enumerate() {
-            let [p, q, r] = triangle.map(|v| points(along, v, b)[1]);
+            let [p, q, r] = three(|c| points(along, triangle[c], b)[1]);
             let shape = face_shape(p, q, r);
             let area = Lanes::splat(0.5) * shape.0;
             total += area;

@@ -1,6 +1,6 @@
 //! Carries slopes along curvature, areas and lengths back to the vertices.
 
-use crate::numeric::{Arithmetic, Lanes};
+use crate::numeric::{Arithmetic, Lanes, both, three};
 
 use super::corner::{angle_slopes, minus};
 use super::measure::points;
@@ -75,13 +75,13 @@ fn faces<const ANGLES: bool>(plan: &Plan, along: &Along, slopes: &mut Slopes) {
     let half = Lanes::splat(0.5);
     for (f, (triangle, edges)) in mesh.triangles.iter().zip(&mesh.face_edges).enumerate() {
         for b in 0..blocks {
-            let around = triangle.map(|v| slopes.around[v as usize * blocks + b]);
+            let around = three(|c| slopes.around[triangle[c] as usize * blocks + b]);
             let area = slopes.face_area[f * blocks + b]
                 + slopes.total_area[b]
                 + third * (around[0][1] + around[1][1] + around[2][1]);
             let cotangents = along.cotangents[f * blocks + b];
             let turning = if ANGLES {
-                angle_slopes(cotangents, around.map(|both| both[0]))
+                angle_slopes(cotangents, three(|c| around[c][0]))
             } else {
                 [Lanes::default(); 3]
             };
@@ -112,12 +112,12 @@ fn edges(plan: &Plan, along: &Along, slopes: &mut Slopes) {
         for b in (0..blocks).rev() {
             let at = e * blocks + b;
             let (of_p, of_q) = (points(along, p, b), points(along, q, b));
-            let [before, after] = [0, 1].map(|side| minus(of_p[side], of_q[side]));
+            let [before, after] = both(|side| minus(of_p[side], of_q[side]));
             let inverse = along.inverse_length2.both(e, b);
             let (s, slope) = (along.stretch[at], slopes.stretch[at]);
-            let g = [0, 1].map(|side| slope[side] * inverse[side]);
-            let both = [-(two * g[0] * (one + s[0])), two * g[1] * (one - s[1])];
-            let own = two * slopes.length2[at] + onto_poses(both, &mut carry);
+            let g = both(|side| slope[side] * inverse[side]);
+            let along_own = [-(two * g[0] * (one + s[0])), two * g[1] * (one - s[1])];
+            let own = two * slopes.length2[at] + onto_poses(along_own, &mut carry);
             let across = g[0] - g[1];
             for axis in 0..3 {
                 let beside = [across * after[axis], across * before[axis]];

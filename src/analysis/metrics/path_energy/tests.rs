@@ -1,5 +1,6 @@
 //! Energies against sums of pairs, gradients against finite differences.
 
+use proptest::prelude::{ProptestConfig, prop_assert, prop_assume, proptest};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -163,6 +164,189 @@ fn gradients_agree_with_finite_differences_on_fifty_random_paths() {
         for params in all_settings() {
             let error = gradient_error(&path, params, &mut random);
             assert!(error <= 1e-6, "{params:?}: {error:e}");
+        }
+    }
+}
+
+#[test]
+fn the_gradient_of_a_pair_agrees_with_finite_differences_at_both_poses() {
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    for mesh in meshes() {
+        let [a, b] = [0; 2].map(|_| shaken(&mesh, 0.1, &mut random));
+        for params in all_settings() {
+            if params.form != Form::Additive {
+                continue; // Kinks, and weights that differences would move with the poses.
+            }
+            let metric = Metric::new(mesh.faces(), params.check().unwrap());
+            let norms = |a: &[Point3], b: &[Point3]| {
+                let (a, b) = (metric.prepare(a).unwrap(), metric.prepare(b).unwrap());
+                metric.pair(&a, &b, &mut PairScratch::default())
+            };
+            let (found, [at_a, at_b]) = metric.pair_gradient(&a, &b).unwrap();
+            let expected = norms(&a, &b);
+            assert!((found.norm2_a - expected.norm2_a).abs() <= 1e-12 * expected.norm2_a);
+            assert!((found.norm2_b - expected.norm2_b).abs() <= 1e-12 * expected.norm2_b);
+            let moves = shaken(&mesh, 1.0, &mut random);
+            let along = |points: &[Point3], h: f64| -> Vec<Point3> {
+                points
+                    .iter()
+                    .zip(&moves)
+                    .map(|(p, x)| p + h * x.coords)
+                    .collect()
+            };
+            let h = 1e-5;
+            for (slopes, of) in [
+                (at_a, [norms(&along(&a, h), &b), norms(&along(&a, -h), &b)]),
+                (at_b, [norms(&a, &along(&b, h)), norms(&a, &along(&b, -h))]),
+            ] {
+                let differences = (of[0].energy() - of[1].energy()) / (2.0 * h);
+                let exact: f64 = slopes
+                    .iter()
+                    .zip(&moves)
+                    .map(|(g, x)| g.dot(&x.coords))
+                    .sum();
+                let apart = (differences - exact).abs();
+                assert!(
+                    apart <= 1e-6 * exact.abs(),
+                    "{params:?}: {apart} of {exact}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_path_that_waits_costs_nothing_and_pulls_at_nothing() {
+    let mesh = phantom::bowl(1.0, 3, 7);
+    let poses = vec![mesh.vertices().to_vec(); 5];
+    let path = Path {
+        faces: std::sync::Arc::clone(mesh.faces()),
+        poses,
+    };
+    for params in all_settings() {
+        let inner = path.inner();
+        let mut gradient = vec![f64::NAN; inner.len()];
+        let energy = path.energy(params).evaluate(&inner, &mut gradient);
+        assert!(energy.abs() < 1e-24, "{params:?}: {energy:e}");
+        assert!(gradient.iter().all(|g| g.abs() < 1e-11), "{params:?}");
+    }
+}
+
+#[test]
+fn faces_without_area_give_the_energy_of_their_pairs_and_no_nan() {
+    let mesh = phantom::bowl(1.0, 3, 7);
+    let mut random = ChaCha8Rng::seed_from_u64(4);
+    let mut path = Path::random(&mesh, 2, &mut random);
+    let [p, q, r] = mesh.triangles()[5].map(|v| v as usize);
+    path.poses[1][q] = path.poses[1][p]; // two corners in one place
+    path.poses[2][r] = nalgebra::center(&path.poses[2][p], &path.poses[2][q]); // three on a line
+    for params in all_settings() {
+        if params.form == Form::Frozen {
+            continue;
+        }
+        let metric = path.metric(params);
+        let expected: f64 = (path.poses.windows(2))
+            .map(|pair| {
+                let [a, b] = [0, 1].map(|k| metric.prepare(&pair[k]).unwrap());
+                metric.pair(&a, &b, &mut PairScratch::default()).energy()
+            })
+            .sum();
+        let inner = path.inner();
+        let mut gradient = vec![f64::NAN; inner.len()];
+        let found = path.energy(params).evaluate(&inner, &mut gradient);
+        assert!(
+            (found - expected).abs() <= 1e-9 * expected,
+            "{params:?}: {found}, {expected}"
+        );
+        assert!(gradient.iter().all(|g| g.is_finite()), "{params:?}");
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(8))]
+
+    #[test]
+    fn moving_a_path_turns_its_gradient_and_keeps_its_energy(seed in 0..1000_u64, angle in -3.0..3.0_f64) {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let path = Path::random(&phantom::bowl(1.0, 3, 7), 2, &mut random);
+        let turn = nalgebra::Rotation3::from_euler_angles(angle, 0.4, -1.1);
+        let moved = Path {
+            faces: std::sync::Arc::clone(&path.faces),
+            poses: (path.poses.iter())
+                .map(|pose| pose.iter().map(|p| turn * p + Vector3::new(1.0, -0.5, 2.0)).collect())
+                .collect(),
+        };
+        for params in all_settings() {
+            let (there, back) = (path.inner(), moved.inner());
+            let (mut before, mut after) = (vec![0.0; there.len()], vec![0.0; there.len()]);
+            let energy = path.energy(params).evaluate(&there, &mut before);
+            let other = moved.energy(params).evaluate(&back, &mut after);
+            prop_assert!((energy - other).abs() <= 1e-10 * energy, "{params:?}");
+            let size = before.iter().map(|g| g.abs()).fold(0.0, f64::max);
+            for (g, turned) in before.chunks_exact(3).zip(after.chunks_exact(3)) {
+                let apart = turn * Vector3::from_column_slice(g) - Vector3::from_column_slice(turned);
+                prop_assert!(apart.amax() <= 1e-9 * size, "{params:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn scaling_a_path_changes_no_scale_free_energy(seed in 0..1000_u64, scale in 0.02..50.0_f64) {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let path = Path::random(&phantom::sphere(1, 1.0), 3, &mut random);
+        let scaled = Path {
+            faces: std::sync::Arc::clone(&path.faces),
+            poses: (path.poses.iter()).map(|pose| pose.iter().map(|p| p * scale).collect()).collect(),
+        };
+        for params in all_settings() {
+            let free = params.corners == Corners::ScaleFree
+                && params.regulariser == Regulariser::Area
+                && params.kind != MetricKind::Rigid;
+            if free {
+                let before = path.energy(params).energy(&path.inner());
+                let after = scaled.energy(params).energy(&scaled.inner());
+                // A distance is a square root: half as far apart.
+                prop_assert!((before - after).abs() <= 1e-12 * before, "{params:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn renumbering_vertices_and_faces_permutes_the_gradient(seed in 0..1000_u64, step in 1..22_usize) {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mesh = phantom::bowl(1.0, 3, 7);
+        let count = mesh.vertices().len();
+        prop_assume!((2..=step).all(|d| !(step.is_multiple_of(d) && count.is_multiple_of(d))));
+        let path = Path::random(&mesh, 2, &mut random);
+        let place = |v: usize| (v * step) % count;
+        let mut triangles: Vec<[u32; 3]> = (mesh.triangles().iter())
+            .map(|t| [t[1], t[2], t[0]].map(|v| place(v as usize) as u32))
+            .collect();
+        triangles.reverse();
+        let renumbered = Path {
+            faces: std::sync::Arc::new(Faces::new(count, triangles).unwrap()),
+            poses: (path.poses.iter())
+                .map(|pose| {
+                    let mut moved = pose.clone();
+                    for (v, p) in pose.iter().enumerate() {
+                        moved[place(v)] = *p;
+                    }
+                    moved
+                })
+                .collect(),
+        };
+        for params in all_settings() {
+            let (there, back) = (path.inner(), renumbered.inner());
+            let (mut before, mut after) = (vec![0.0; there.len()], vec![0.0; there.len()]);
+            let energy = path.energy(params).evaluate(&there, &mut before);
+            let other = renumbered.energy(params).evaluate(&back, &mut after);
+            prop_assert!((energy - other).abs() <= 1e-11 * energy, "{params:?}");
+            let size = before.iter().map(|g| g.abs()).fold(0.0, f64::max);
+            for (k, g) in before.iter().enumerate() {
+                let (pose, v, axis) = (k / (3 * count), k / 3 % count, k % 3);
+                let other = after[3 * count * pose + 3 * place(v) + axis];
+                prop_assert!((g - other).abs() <= 1e-9 * size, "{params:?}");
+            }
         }
     }
 }

@@ -7,12 +7,12 @@ use nalgebra::Rotation3;
 use super::*;
 use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::PoseDistanceParams;
-use crate::mesh::{TriMesh, Vector3, phantom};
-use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
+use crate::mesh::{Point3, TriMesh, Vector3, phantom};
+use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
 /// A beating bowl without symmetry.
-fn beat(size: f64, squeeze: f64, frames: u32) -> Vec<TriMesh> {
+pub(super) fn beat(size: f64, squeeze: f64, frames: u32) -> Vec<TriMesh> {
     let rest = phantom::bowl(1.0, 6, 12);
     (0..frames)
         .map(|frame| {
@@ -34,7 +34,7 @@ fn beat(size: f64, squeeze: f64, frames: u32) -> Vec<TriMesh> {
         .collect()
 }
 
-fn subject(id: &str, frames: Vec<TriMesh>) -> Arc<Subject> {
+pub(super) fn subject(id: &str, frames: Vec<TriMesh>) -> Arc<Subject> {
     let surface = SurfaceSequence::new(SurfaceKind::Cavity, frames).unwrap();
     let sequence = MeshSequence::new(vec![surface]).unwrap();
     Arc::new(Subject::new(id, sequence, LengthUnit::Millimetre))
@@ -182,7 +182,13 @@ fn folded_faces_and_coinciding_vertices_give_finite_distances() {
                     area_weights,
                     ..MetricParams::default()
                 };
-                let params = PoseDistanceParams { metric }.check().unwrap();
+                let params = PoseDistanceParams {
+                    metric,
+                    transfer: None,
+                    ..PoseDistanceParams::default()
+                }
+                .check()
+                .unwrap();
                 let result = pose_distances(&study, &params, &Progress::default()).unwrap();
                 assert_eq!(result.poses.len(), 6, "{metric:?}");
             }
@@ -202,6 +208,6 @@ fn a_stopped_matrix_says_so() {
     let params = PoseDistanceParams::default().check().unwrap();
     assert_eq!(
         pose_distances(&two_hearts(), &params, &progress),
-        Err(Stopped)
+        Err(PoseDistanceError::Stopped(Stopped))
     );
 }

@@ -2,8 +2,6 @@
 
 use egui::{Pos2, Rect, Vec2, pos2};
 
-use crate::ui::pose_map::MapPoint;
-
 /// The middle of what is seen, and how large.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lens {
@@ -14,15 +12,15 @@ pub struct Lens {
 }
 
 impl Lens {
-    /// The lens that shows all points in a pane of a size.
-    pub fn fit(points: &[MapPoint], width: f32, height: f32) -> Self {
+    /// The lens that shows all places in a pane of a size.
+    pub fn fit(places: impl Iterator<Item = [f64; 2]>, width: f32, height: f32) -> Self {
         let mut low = [f64::INFINITY; 2];
         let mut high = [f64::NEG_INFINITY; 2];
-        for point in points {
+        for place in places {
             for axis in 0..2 {
-                if point.at[axis].is_finite() {
-                    low[axis] = low[axis].min(point.at[axis]);
-                    high[axis] = high[axis].max(point.at[axis]);
+                if place[axis].is_finite() {
+                    low[axis] = low[axis].min(place[axis]);
+                    high[axis] = high[axis].max(place[axis]);
                 }
             }
         }
@@ -75,5 +73,55 @@ impl Lens {
         self.centre[0] += f64::from(offset.x) * shift;
         self.centre[1] -= f64::from(offset.y) * shift;
         self.points_per_unit *= factor;
+    }
+}
+
+/// What the user did to the lens, in terms of the one that shows all: it still fits when the map
+/// takes on another scale.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Moved {
+    shift: [f64; 2],
+    zoom: f64,
+}
+
+impl Moved {
+    /// How `lens` differs from `fitted`; the shift is in points of the screen at the fitted scale.
+    pub fn between(fitted: &Lens, lens: &Lens) -> Self {
+        Self {
+            shift: [0, 1]
+                .map(|axis| (lens.centre[axis] - fitted.centre[axis]) * fitted.points_per_unit),
+            zoom: lens.points_per_unit / fitted.points_per_unit,
+        }
+    }
+
+    /// The lens that differs from `fitted` in this way.
+    pub fn applied_to(&self, fitted: &Lens) -> Lens {
+        Lens {
+            centre: [0, 1]
+                .map(|axis| fitted.centre[axis] + self.shift[axis] / fitted.points_per_unit),
+            points_per_unit: fitted.points_per_unit * self.zoom,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_moved_lens_shows_the_same_part_of_a_map_of_another_scale() {
+        let small = [[0.0, 0.0], [4.0, 1.0], [1.0, 3.0]];
+        let large = small.map(|place| place.map(|x| 1000.0 * x + 7.0));
+        let fitted = Lens::fit(small.into_iter(), 300.0, 200.0);
+        let mut lens = fitted;
+        lens.drag(egui::vec2(30.0, -12.0));
+        lens.zoom_about(egui::vec2(10.0, 5.0), 2.5);
+        let moved = Moved::between(&fitted, &lens);
+        let other = moved.applied_to(&Lens::fit(large.into_iter(), 300.0, 200.0));
+        let rect = Rect::from_min_size(pos2(5.0, 6.0), egui::vec2(300.0, 200.0));
+        for (before, after) in small.into_iter().zip(large) {
+            let apart = lens.on_screen(rect, before) - other.on_screen(rect, after);
+            assert!(apart.length() < 1e-3);
+        }
     }
 }

@@ -1,0 +1,18 @@
+//! Can the classes be told apart?
+
+mod classify;
+mod k_means;
+mod linear_rule;
+mod matching;
+mod nearest;
+mod result;
+
+pub use classify::{
+    CheckedClassesParams, ClassesParamError, ClassesParams, ClassifyError, MOST_COMPONENTS,
+    classify,
+};
+pub use k_means::k_means;
+pub use linear_rule::leave_one_out_linear;
+pub use matching::{Matching, tau};
+pub use nearest::leave_one_out_nearest;
+pub use result::{Accuracy, Classes, Clustering};

@@ -1,0 +1,149 @@
+//! From the map of poses to the map of whole deformations.
+
+use crate::analysis::embedding::{Embedding, EmbeddingError, LleParamError, LleParams, lle};
+use crate::analysis::pose_distances::PoseId;
+use crate::progress::{Progress, Stopped};
+use crate::study::Study;
+
+use super::beats::{Beat, beats};
+use super::params::default_neighbours;
+use super::{CheckedDeformationMapParams, DeformationMap, resampled};
+
+/// The map is a plane.
+const DIMENSIONS: usize = 2;
+
+/// Fewer points always lie on a line.
+const FEWEST: usize = 3;
+
+/// Why there is no map of deformations.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DeformationMapError {
+    /// It was asked to stop.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+    /// A plane needs three points.
+    #[error("a map of deformations needs at least {FEWEST} of them, not {deformations}")]
+    TooFew {
+        /// Deformations there are.
+        deformations: usize,
+    },
+    /// The map of poses is of other poses.
+    #[error("a map of {items} poses was given for {poses} poses")]
+    Poses {
+        /// Rows of the map.
+        items: usize,
+        /// Poses.
+        poses: usize,
+    },
+    /// The embedding refuses its settings.
+    #[error(transparent)]
+    Settings(#[from] LleParamError),
+    /// There is no embedding.
+    #[error(transparent)]
+    Embedding(EmbeddingError),
+}
+
+impl From<EmbeddingError> for DeformationMapError {
+    fn from(error: EmbeddingError) -> Self {
+        match error {
+            EmbeddingError::Stopped(stopped) => Self::Stopped(stopped),
+            other => Self::Embedding(other),
+        }
+    }
+}
+
+/// The map of whole deformations: one point per heart.
+///
+/// 1. **Curves.** The poses of each heart on their map, from end-diastole to the end-diastole of the
+///    next beat, with the share t of the beat as third coordinate: (x, y, w t). Without a typed w,
+///    w = root mean square distance of all poses from their mean / standard deviation of their t.
+/// 2. **Arc length.** Each curve is resampled at equal steps of its length in (x, y, w t). Sampled at
+///    equal times instead, t would be the same number in all curves and cancel in every difference;
+///    so it says where along its way a heart is slow or fast.
+/// 3. **Plane.** The points of a curve one after the other are one vector per heart, and locally linear
+///    embedding ([`lle()`]) maps them. Settings that ask for more neighbours than there are other
+///    hearts get all of them; how many were used stands in the result.
+///
+/// # Errors
+/// If stopped, there are fewer than three hearts, or the embedding fails.
+pub fn deformation_map(
+    study: &Study,
+    poses: &[PoseId],
+    map: &Embedding,
+    params: &CheckedDeformationMapParams,
+    progress: &Progress,
+) -> Result<DeformationMap, DeformationMapError> {
+    if map.len() != poses.len() {
+        return Err(DeformationMapError::Poses {
+            items: map.len(),
+            poses: poses.len(),
+        });
+    }
+    let beats = beats(study, poses);
+    let count = beats.len();
+    if count < FEWEST {
+        return Err(DeformationMapError::TooFew {
+            deformations: count,
+        });
+    }
+    let time_weight = (params.time_weight).unwrap_or_else(|| balancing_weight(&beats, map));
+    let curves: Vec<Vec<[f64; 3]>> = (beats.iter())
+        .map(|beat| {
+            progress.check()?;
+            let curve = closed_curve(beat, map, time_weight);
+            Ok(resampled(&curve, usize::from(params.samples)))
+        })
+        .collect::<Result<_, Stopped>>()?;
+    let neighbours = params.neighbours.map(usize::from);
+    let lle_params = LleParams {
+        neighbours: (neighbours.unwrap_or_else(|| default_neighbours(count))).min(count - 1),
+        regularisation: params.regularisation,
+        dimensions: DIMENSIONS,
+    };
+    let vectors: Vec<f64> = curves.iter().flatten().flatten().copied().collect();
+    Ok(DeformationMap {
+        subjects: beats.iter().map(|beat| beat.subject).collect(),
+        embedding: lle(&vectors, count, &lle_params.check()?, progress)?,
+        curves,
+        time_weight,
+    })
+}
+
+/// (x, y, w t) of the poses of a beat and, at t = 1, of its first pose again.
+fn closed_curve(beat: &Beat, map: &Embedding, time_weight: f64) -> Vec<[f64; 3]> {
+    let again = beat.rows.first().map(|row| (row, &1.0));
+    (beat.rows.iter().zip(&beat.times))
+        .chain(again)
+        .map(|(row, time)| {
+            let [x, y] = place(map, *row);
+            [x, y, time_weight * time]
+        })
+        .collect()
+}
+
+/// The weight with which place and time spread alike; 0 where there is no time.
+fn balancing_weight(beats: &[Beat], map: &Embedding) -> f64 {
+    let times: Vec<f64> = beats.iter().flat_map(|beat| &beat.times).copied().collect();
+    let spread = |axis: usize| {
+        let values: Vec<f64> = (0..map.len()).map(|row| place(map, row)[axis]).collect();
+        variance(&values)
+    };
+    let time = variance(&times);
+    if time > 0.0 {
+        ((spread(0) + spread(1)) / time).sqrt()
+    } else {
+        0.0
+    }
+}
+
+/// Mean squared distance from the mean.
+fn variance(values: &[f64]) -> f64 {
+    let count = values.len().max(1) as f64;
+    let mean = values.iter().sum::<f64>() / count;
+    values.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / count
+}
+
+fn place(map: &Embedding, row: usize) -> [f64; 2] {
+    let point = map.point(row);
+    [0, 1].map(|axis| point.get(axis).copied().unwrap_or(0.0))
+}

@@ -1,0 +1,271 @@
+//! One table: every metric and form on a labelled study and on its noisy copies, beside EF alone and
+//! plain displacement.
+
+use rayon::prelude::*;
+
+use crate::analysis::classification::{Accuracy, Classes, ClassesParams, classify};
+use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::embedding::{Embedding, MapMethod};
+use crate::analysis::measures::measure_study;
+use crate::analysis::metrics::{Form, MetricKind, MetricParams};
+use crate::analysis::pose_distances::{DistanceMatrix, PoseDistanceParams};
+use crate::analysis::transport::CohortTransferParams;
+use crate::progress::Progress;
+use crate::study::Study;
+
+use super::noise_result::mean_and_error;
+use super::pipeline::compared;
+use super::{ExperimentError, Method, Noise, NoiseFamily, NoiseReference, noisy_study};
+
+/// What is compared, on which copies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MetricComparisonParams {
+    /// Ways of comparing poses; EF alone is always added.
+    pub methods: Vec<Method>,
+    /// Levels of noise in percent of the variance of the mesh at rest; 0 is the study itself.
+    pub percents: Vec<f64>,
+    /// Its distribution.
+    pub family: NoiseFamily,
+    /// Noisy copies at each level above 0.
+    pub redraws: u16,
+    /// How pose distances become a plane.
+    pub map: MapMethod,
+    /// How curves become a plane.
+    pub deformations: DeformationMapParams,
+    /// The rules.
+    pub classes: ClassesParams,
+    /// Of the noise.
+    pub seed: u64,
+}
+
+impl MetricComparisonParams {
+    /// All kinds and forms with the default smoothing and this transfer, and plain displacement as
+    /// it is; 0, 1, 2.5 and 5 % of Gaussian noise, three copies each.
+    pub fn all_metrics(transfer: Option<CohortTransferParams>) -> Self {
+        let base = MetricParams::default();
+        let of_kind = |kind| MetricParams { kind, ..base };
+        let of_form = |form| MetricParams { form, ..base };
+        let angle = of_kind(MetricKind::AnglePreserving);
+        let printed_angle = MetricParams {
+            form: Form::Printed,
+            ..angle
+        };
+        let method = |name, metric| Method {
+            name,
+            distances: PoseDistanceParams {
+                metric,
+                transfer,
+                ..PoseDistanceParams::default()
+            },
+        };
+        Self {
+            methods: vec![
+                method("default: quasi-conformal, additive", base),
+                method("quasi-conformal, frozen", of_form(Form::Frozen)),
+                method("quasi-conformal, bilinear", of_form(Form::Bilinear)),
+                method("quasi-conformal, printed", of_form(Form::Printed)),
+                method("angle-preserving", angle),
+                method("angle-preserving, printed", printed_angle),
+                method("isometric", of_kind(MetricKind::Isometric)),
+                method("rigid", of_kind(MetricKind::Rigid)),
+                Method {
+                    name: "plain displacement",
+                    ..Method::procrustes()
+                },
+            ],
+            percents: vec![0.0, 1.0, 2.5, 5.0],
+            family: NoiseFamily::Gaussian,
+            redraws: 3,
+            map: MapMethod::default(),
+            deformations: DeformationMapParams::default(),
+            classes: ClassesParams {
+                permutations: 200,
+                ..ClassesParams::default()
+            },
+            seed: 1,
+        }
+    }
+}
+
+/// How often a rule is right, over the copies of a level.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RuleShare {
+    /// Mean share of right answers, in `0.0..=1.0`.
+    pub share: f64,
+    /// Standard error of that mean from the scatter between copies; 0 for one.
+    pub standard_error: f64,
+    /// The same with permuted labels.
+    pub baseline: f64,
+}
+
+/// One method at one level.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComparisonRow {
+    /// What the method is called.
+    pub method: &'static str,
+    /// Level of noise in percent.
+    pub percent: f64,
+    /// Copies that were drawn.
+    pub copies: usize,
+    /// Subjects with a label that took part in the first copy.
+    pub labelled: usize,
+    /// Nearest neighbour, each subject left out in turn.
+    pub nearest_neighbour: RuleShare,
+    /// Linear rule on the distances, each left out in turn.
+    pub linear_rule: RuleShare,
+    /// Linear rule in the LLE plane, each left out in turn; for EF alone, on EF.
+    pub plane_rule: RuleShare,
+    /// k-means in the LLE plane; for EF alone, on EF.
+    pub tau: RuleShare,
+}
+
+/// By level, then by method, EF alone last.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MetricComparison {
+    /// What was run.
+    pub params: MetricComparisonParams,
+    /// The table.
+    pub rows: Vec<ComparisonRow>,
+}
+
+/// What the row of EF is called.
+const EF_ALONE: &str = "EF alone";
+
+/// Tells the labels of a study apart by every method, on the study and on its noisy copies; all
+/// methods see the same copies. The same bits for any number of threads.
+///
+/// # Errors
+/// If settings are out of range, it was stopped, or a method has no answer.
+pub fn metric_comparison(
+    study: &Study,
+    params: &MetricComparisonParams,
+    progress: &Progress,
+) -> Result<MetricComparison, ExperimentError> {
+    for (name, value) in [
+        ("redraws", usize::from(params.redraws)),
+        ("levels", params.percents.len()),
+    ] {
+        if value == 0 {
+            return Err(ExperimentError::TooFew {
+                name,
+                value,
+                least: 1,
+            });
+        }
+    }
+    let mut tasks = Vec::new();
+    for &percent in &params.percents {
+        let copies = if percent > 0.0 { params.redraws } else { 1 };
+        for method in 0..=params.methods.len() {
+            tasks.extend((0..copies).map(|copy| (percent, method, copy)));
+        }
+    }
+    progress.expect_steps(tasks.len());
+    let answers: Vec<Classes> = tasks
+        .par_iter()
+        .map(|&(percent, method, copy)| {
+            progress.step()?;
+            let noise = Noise {
+                family: params.family,
+                percent,
+                reference: NoiseReference::Shape,
+                seed: params.seed.wrapping_add(u64::from(copy)),
+            };
+            let copy = noisy_study(study, &noise)?;
+            match params.methods.get(method) {
+                Some(method) => by_method(&copy, method, params, &progress.within()),
+                None => by_ejection_fraction(&copy, params, &progress.within()),
+            }
+        })
+        .collect::<Result<_, ExperimentError>>()?;
+    let cases: Vec<_> = tasks.iter().zip(&answers).collect();
+    let rows = cases
+        .chunk_by(|(a, _), (b, _)| (a.0, a.1) == (b.0, b.1))
+        .map(|copies| {
+            let (&(percent, method, _), first) = copies[0];
+            let name = params.methods.get(method).map_or(EF_ALONE, |m| m.name);
+            let over = |rule: fn(&Classes) -> Option<Accuracy>| {
+                let found = copies.iter().filter_map(|(_, classes)| rule(classes));
+                let found: Vec<Accuracy> = found.collect();
+                let shares: Vec<f64> = found.iter().map(Accuracy::share).collect();
+                let (share, standard_error) = mean_and_error(&shares);
+                let baselines: Vec<f64> = found.iter().map(|a| a.baseline).collect();
+                RuleShare {
+                    share,
+                    standard_error,
+                    baseline: mean_and_error(&baselines).0,
+                }
+            };
+            ComparisonRow {
+                method: name,
+                percent,
+                copies: copies.len(),
+                labelled: first.of_row.iter().flatten().count(),
+                nearest_neighbour: over(|c| c.nearest_neighbour),
+                linear_rule: over(|c| c.linear_rule),
+                plane_rule: over(|c| c.plane_rule),
+                tau: over(|c| c.tau),
+            }
+        })
+        .collect();
+    Ok(MetricComparison {
+        params: params.clone(),
+        rows,
+    })
+}
+
+fn by_method(
+    study: &Study,
+    method: &Method,
+    params: &MetricComparisonParams,
+    progress: &Progress,
+) -> Result<Classes, ExperimentError> {
+    let whole = compared(
+        study,
+        &method.distances,
+        params.map,
+        &params.deformations,
+        progress,
+    )?;
+    let labels = labels_of(study, &whole.subjects);
+    let rules = params.classes.check()?;
+    Ok(classify(
+        &whole.distances,
+        &whole.plane,
+        &labels,
+        &rules,
+        progress,
+    )?)
+}
+
+/// The same rules on the one number; subjects without it take no part.
+fn by_ejection_fraction(
+    study: &Study,
+    params: &MetricComparisonParams,
+    progress: &Progress,
+) -> Result<Classes, ExperimentError> {
+    let measures = measure_study(study, progress)?;
+    let (subjects, fractions): (Vec<usize>, Vec<f64>) = (measures.iter().enumerate())
+        .filter_map(|(subject, measured)| Some((subject, measured.ef?)))
+        .unzip();
+    let count = fractions.len();
+    let upper = (0..count)
+        .flat_map(|i| (i + 1..count).map(move |j| (i, j)))
+        .map(|(i, j)| (fractions[i] - fractions[j]).abs())
+        .collect();
+    let distances = DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty);
+    let line = Embedding {
+        dimensions: 1,
+        coordinates: fractions,
+        ..Embedding::default()
+    };
+    let labels = labels_of(study, &subjects);
+    let rules = params.classes.check()?;
+    Ok(classify(&distances, &line, &labels, &rules, progress)?)
+}
+
+fn labels_of<'a>(study: &'a Study, subjects: &[usize]) -> Vec<Option<&'a str>> {
+    (subjects.iter())
+        .map(|&subject| study.subjects[subject].label.as_deref())
+        .collect()
+}

@@ -1,0 +1,137 @@
+//! Do the poses between two poses look like the motion between them (section 3.4.1)?
+
+use crate::analysis::alignment::rigid_motion;
+use crate::analysis::geodesics::{GeodesicParams, geodesic};
+use crate::mesh::{Point3, TriMesh, signed_volume};
+use crate::progress::Progress;
+
+use super::error::step;
+use super::{ExperimentError, Fineness, Motion, ObjectKind, object};
+
+/// What is interpolated, and how.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InterpolationStudyParams {
+    /// Kinds of objects; all motions are applied to each.
+    pub objects: Vec<ObjectKind>,
+    /// How fine their meshes are.
+    pub fineness: Fineness,
+    /// The path.
+    pub geodesic: GeodesicParams,
+}
+
+impl Default for InterpolationStudyParams {
+    /// Sphere and torus, three poses between (fig. 3.7).
+    fn default() -> Self {
+        Self {
+            objects: vec![ObjectKind::ALL[0], ObjectKind::ALL[3]],
+            fineness: Fineness::default(),
+            geodesic: GeodesicParams::default(),
+        }
+    }
+}
+
+/// One path.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InterpolationCase {
+    /// What moves.
+    pub object: ObjectKind,
+    /// How.
+    pub motion: Motion,
+    /// Energy of the path over that of the straight line.
+    pub energy_ratio: f64,
+    /// Longest over shortest step.
+    pub step_ratio: f64,
+    /// Least and greatest volume of an in-between (boundaries are none) over that at rest.
+    pub volume_ratios: [f64; 2],
+    /// Distance of the middle pose from the motion at half its amplitude, after rigid alignment, over
+    /// the whole displacement.
+    pub midpoint_error: f64,
+    /// Pairs of faces that cross.
+    pub self_intersections: usize,
+    /// Start, in-betweens, end, for a picture.
+    pub poses: Vec<Vec<Point3>>,
+}
+
+/// All paths.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InterpolationStudy {
+    /// What was run.
+    pub params: InterpolationStudyParams,
+    /// By object, then motion.
+    pub cases: Vec<InterpolationCase>,
+}
+
+/// Finds the path from every object at rest to each of its deformations.
+///
+/// # Errors
+/// If settings are out of range, it was stopped, or there is no path.
+pub fn interpolation_study(
+    params: &InterpolationStudyParams,
+    progress: &Progress,
+) -> Result<InterpolationStudy, ExperimentError> {
+    let mut cases = Vec::new();
+    progress.expect_steps(params.objects.len() * Motion::ALL.len());
+    for &kind in &params.objects {
+        let mesh = object(kind, params.fineness);
+        for motion in Motion::ALL {
+            progress.step()?;
+            cases.push(interpolated(params, kind, &mesh, motion, progress)?);
+            // A stopped search returns the best path so far.
+            progress.check()?;
+        }
+    }
+    Ok(InterpolationStudy {
+        params: params.clone(),
+        cases,
+    })
+}
+
+fn interpolated(
+    params: &InterpolationStudyParams,
+    kind: ObjectKind,
+    mesh: &TriMesh,
+    motion: Motion,
+    progress: &Progress,
+) -> Result<InterpolationCase, ExperimentError> {
+    let amplitude = motion.typical_amplitude(kind.solid);
+    let at = |share: f64| -> Vec<Point3> {
+        let moved = |p: &Point3| motion.moved(kind.solid, p, share * amplitude);
+        mesh.vertices().iter().map(moved).collect()
+    };
+    let (start, middle, end) = (at(0.0), at(0.5), at(1.0));
+    let checked = (params.geodesic.check()).map_err(|e| step("searching for a path", &e))?;
+    let path = geodesic(mesh.faces(), &start, &end, &checked, &progress.within())
+        .map_err(|e| step("searching for a path", &e))?;
+    let volume = |points: &[Point3]| {
+        let corners = mesh.triangles().iter();
+        signed_volume(
+            corners.map(|face| face.map(|v| points[v as usize])),
+            Point3::origin(),
+        )
+    };
+    let at_rest = volume(&start);
+    let volumes = path.poses.iter().map(|pose| volume(pose) / at_rest);
+    let (least, greatest) = volumes.fold((f64::MAX, f64::MIN), |(low, high), v| {
+        (low.min(v), high.max(v))
+    });
+    let steps = path.step_lengths.iter().copied();
+    let (shortest, longest) = steps.fold((f64::MAX, f64::MIN), |(low, high), s| {
+        (low.min(s), high.max(s))
+    });
+    let found = &path.poses[path.poses.len() / 2];
+    let onto = rigid_motion(found, &middle).map_err(|e| step("aligning objects", &e))?;
+    let square = |a: &[Point3], b: &[Point3]| -> f64 {
+        a.iter().zip(b).map(|(p, q)| (p - q).norm_squared()).sum()
+    };
+    let laid: Vec<Point3> = found.iter().map(|p| onto.apply(p)).collect();
+    Ok(InterpolationCase {
+        object: kind,
+        motion,
+        energy_ratio: path.energy / path.energy_linear,
+        step_ratio: longest / shortest,
+        volume_ratios: [least, greatest],
+        midpoint_error: (square(&laid, &middle) / square(&start, &end)).sqrt(),
+        self_intersections: path.self_intersections,
+        poses: path.poses,
+    })
+}

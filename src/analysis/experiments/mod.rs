@@ -1,0 +1,33 @@
+//! How does the method stand noise, and does it do on known deformations what it should?
+
+mod comparison;
+mod error;
+mod interpolation_study;
+mod motions;
+mod noise;
+mod noise_result;
+mod noise_study;
+mod noisy;
+mod objects;
+mod pipeline;
+mod synthetic;
+#[cfg(test)]
+mod tests;
+mod transfer_study;
+
+pub use comparison::{
+    ComparisonRow, MetricComparison, MetricComparisonParams, RuleShare, metric_comparison,
+};
+pub use error::ExperimentError;
+pub use interpolation_study::{
+    InterpolationCase, InterpolationStudy, InterpolationStudyParams, interpolation_study,
+};
+pub use motions::Motion;
+pub use noise::{NoiseFamily, NoiseReference, coordinate_variance, noise_sigma};
+pub use noise_result::{NoiseCell, NoiseDeformationResult, published_tau};
+pub use noise_study::{NoiseDeformationParams, noise_deformation};
+pub use noisy::{Noise, noisy_study};
+pub use objects::{Fineness, ObjectKind, Solid, object};
+pub use pipeline::Method;
+pub use synthetic::{Deformation, SyntheticCohort, SyntheticParams, synthetic_cohort};
+pub use transfer_study::{TransferCase, TransferStudy, TransferStudyParams, transfer_study};

@@ -1,0 +1,183 @@
+//! Are deformations followed by other objects (section 3.4.2)?
+
+use rayon::prelude::*;
+
+use crate::analysis::alignment::rigid_motion;
+use crate::analysis::transport::{TransportError, TransportParams, transfer_deformation};
+use crate::mesh::{Point3, TriMesh, Vector3, face_normals};
+use crate::progress::Progress;
+
+use super::error::step;
+use super::{
+    Deformation, ExperimentError, Motion, ObjectKind, Solid, SyntheticParams, synthetic_cohort,
+};
+
+/// How many deformations are carried, and by what.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransferStudyParams {
+    /// Kinds of objects.
+    pub objects: Vec<ObjectKind>,
+    /// The deformations; the object is replaced by each of `objects`.
+    pub cohort: SyntheticParams,
+    /// How they are carried.
+    pub transport: TransportParams,
+}
+
+impl Default for TransferStudyParams {
+    /// 6 kinds × 4 motions × 3: 72 deformations.
+    fn default() -> Self {
+        Self {
+            objects: ObjectKind::ALL.to_vec(),
+            cohort: SyntheticParams {
+                per_class: 3,
+                ..SyntheticParams::default()
+            },
+            transport: TransportParams::default(),
+        }
+    }
+}
+
+/// One deformation on another object.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransferCase {
+    /// What moved.
+    pub object: ObjectKind,
+    /// What followed: an ellipsoid, or a deformed torus.
+    pub target: &'static str,
+    /// How.
+    pub motion: Motion,
+    /// ‖carried − true‖ / ‖true‖ of the last displacement, the truth being the same motion applied
+    /// to the target itself, after rigid alignment.
+    pub relative_error: f64,
+    /// Cosine of the angle between both displacements.
+    pub cosine: f64,
+    /// ‖carried‖ / ‖true‖.
+    pub norm_ratio: f64,
+    /// Faces of the last pose whose normal points away from that of the truth.
+    pub flipped_faces: usize,
+    /// Whether it counts as followed: cosine ≥ 0.9, norm within a third, no face flipped.
+    pub followed: bool,
+}
+
+/// All cases.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransferStudy {
+    /// What was run.
+    pub params: TransferStudyParams,
+    /// By kind of object, then class.
+    pub cases: Vec<TransferCase>,
+}
+
+/// A direction nearer than 26° is the same motion to the eye.
+const LEAST_COSINE: f64 = 0.9;
+/// And a size within a third.
+const NORM_RANGE: std::ops::RangeInclusive<f64> = 2.0 / 3.0..=1.5;
+
+/// Carries every deformation onto an ellipsoid (of a sphere) or a deformed torus (of a torus), and
+/// measures it against the same motion of the target itself. The same bits for any number of threads.
+///
+/// # Errors
+/// If settings are out of range, it was stopped, or a motion cannot be carried at all.
+pub fn transfer_study(
+    params: &TransferStudyParams,
+    progress: &Progress,
+) -> Result<TransferStudy, ExperimentError> {
+    let mut tasks = Vec::new();
+    for &object in &params.objects {
+        let still = SyntheticParams {
+            object,
+            ..params.cohort
+        };
+        let cohort = synthetic_cohort(&still)?;
+        for deformation in cohort.deformations {
+            tasks.push((object, cohort.template.clone(), deformation));
+        }
+    }
+    progress.expect_steps(tasks.len());
+    let cases = tasks
+        .par_iter()
+        .map(|(object, template, deformation)| {
+            progress.step()?;
+            carried(params, *object, template, deformation, progress)
+        })
+        .collect::<Result<_, ExperimentError>>()?;
+    Ok(TransferStudy {
+        params: params.clone(),
+        cases,
+    })
+}
+
+fn carried(
+    params: &TransferStudyParams,
+    object: ObjectKind,
+    template: &TriMesh,
+    deformation: &Deformation,
+    progress: &Progress,
+) -> Result<TransferCase, ExperimentError> {
+    let checked = params.transport.check();
+    let checked = checked.map_err(|error| step("carrying a motion", &error))?;
+    let (target, shaped) = target(object);
+    let rest: Vec<Point3> = template.vertices().iter().map(shaped).collect();
+    let (motion, poses) = (Motion::ALL[deformation.class], &deformation.poses);
+    let truth: Vec<Point3> = (rest.iter())
+        .map(|p| motion.moved(object.solid, p, deformation.amplitude))
+        .collect();
+    // The source lies anywhere in space; its motion is carried from beside the target.
+    let source = poses.first().cloned().unwrap_or_default();
+    let beside = rigid_motion(&source, &rest).map_err(|e| step("aligning objects", &e))?;
+    let moved: Vec<Vec<Point3>> = (poses.iter())
+        .map(|pose| pose.iter().map(|p| beside.apply(p)).collect())
+        .collect();
+    let result = transfer_deformation(
+        template.faces(),
+        &moved,
+        &rest,
+        &checked,
+        &progress.within(),
+    )
+    .map_err(|error| match error {
+        TransportError::Stopped(stopped) => stopped.into(),
+        other => step("carrying a motion", &other),
+    })?;
+    let last = result.last().cloned().unwrap_or_default();
+    let onto = rigid_motion(&last, &truth).map_err(|e| step("aligning objects", &e))?;
+    let laid: Vec<Point3> = last.iter().map(|p| onto.apply(p)).collect();
+    let field =
+        |pose: &[Point3]| -> Vec<Vector3> { pose.iter().zip(&rest).map(|(p, q)| p - q).collect() };
+    let (found, true_field) = (field(&laid), field(&truth));
+    let product =
+        |a: &[Vector3], b: &[Vector3]| -> f64 { a.iter().zip(b).map(|(a, b)| a.dot(b)).sum() };
+    let (own, whole) = (
+        product(&found, &found).sqrt(),
+        product(&true_field, &true_field).sqrt(),
+    );
+    let off: Vec<Vector3> = found.iter().zip(&true_field).map(|(a, b)| a - b).collect();
+    let cosine = product(&found, &true_field) / (own * whole);
+    let normals = |points: &[Point3]| face_normals(points, template.triangles());
+    let flipped_faces = (normals(&laid).iter().zip(&normals(&truth)))
+        .filter(|(a, b)| a.dot(b) < 0.0)
+        .count();
+    let norm_ratio = own / whole;
+    Ok(TransferCase {
+        object,
+        target,
+        motion,
+        relative_error: product(&off, &off).sqrt() / whole,
+        cosine,
+        norm_ratio,
+        flipped_faces,
+        followed: cosine >= LEAST_COSINE && NORM_RANGE.contains(&norm_ratio) && flipped_faces == 0,
+    })
+}
+
+/// What follows: axes of 1.3, 0.9 and 0.8; or a torus that is also thicker on one side.
+fn target(object: ObjectKind) -> (&'static str, fn(&Point3) -> Point3) {
+    match object.solid {
+        Solid::Sphere => ("ellipsoid", |p| {
+            Point3::new(1.3 * p.x, 0.9 * p.y, 0.8 * p.z)
+        }),
+        Solid::Torus => ("deformed torus", |p| {
+            Point3::new(1.2 * p.x, 0.9 * p.y, p.z * (1.0 + 0.25 * p.x))
+        }),
+    }
+}

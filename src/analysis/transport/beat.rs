@@ -1,0 +1,131 @@
+//! This beat on that heart.
+
+use std::sync::Arc;
+
+use crate::analysis::alignment::{SizeScale, rigid_motion};
+use crate::mesh::{Point3, TriMesh};
+use crate::progress::Progress;
+use crate::study::{MeshSequence, Subject, SurfaceSequence};
+
+use super::{CheckedTransportParams, TransportError, transfer_deformation};
+
+/// The beat of `from` on the heart `onto`, in the coordinates of `onto`: its end-diastolic pose is
+/// that of `onto`, the frames are those of `from`.
+///
+/// Coordinates of each heart are divided by its [`SizeScale`] and `from` is laid onto `onto` by the
+/// rigid motion of their end-diastolic poses; the displacements are carried from end-diastole on,
+/// through the last frame into the first, and multiplied by the scale of `onto`. End-diastole
+/// is the stated frame, else 0.
+///
+/// # Errors
+/// If stopped, vertices do not correspond, an end-diastole is not there or has no size, or squares
+/// of lengths overflow.
+pub fn transferred_beat(
+    from: &Subject,
+    onto: &Subject,
+    params: &CheckedTransportParams,
+    progress: &Progress,
+) -> Result<MeshSequence, TransportError> {
+    if from.sequence.correspondence() != onto.sequence.correspondence() {
+        return Err(TransportError::NoCorrespondence {
+            from: from.id.clone(),
+            from_vertices: from.sequence.vertex_count(),
+            from_faces: from.sequence.face_count(),
+            onto: onto.id.clone(),
+            onto_vertices: onto.sequence.vertex_count(),
+            onto_faces: onto.sequence.face_count(),
+        });
+    }
+    let (source, target) = (Rest::of(from)?, Rest::of(onto)?);
+    let beat = source.beat_laid_onto(from, &target.pose);
+    let faces = onto.sequence.joined_faces();
+    let carried = transfer_deformation(&faces, &beat, &target.pose, params, progress)?;
+    let restored: Vec<Vec<Point3>> = (carried.iter())
+        .map(|pose| pose.iter().map(|p| target.scale.restored(p)).collect())
+        .collect();
+    let mut frames = in_order_of_frames(restored, source.frame);
+    if let Some(pose) = onto.sequence.pose(target.frame) {
+        frames[source.frame] = pose;
+    }
+    sequence_like(&onto.sequence, &frames)
+}
+
+/// A heart at end-diastole, its size normalised.
+pub(super) struct Rest {
+    pub(super) frame: usize,
+    pub(super) scale: SizeScale,
+    pub(super) pose: Vec<Point3>,
+}
+
+impl Rest {
+    fn of(subject: &Subject) -> Result<Self, TransportError> {
+        let frame = subject.end_diastole.unwrap_or(0);
+        let pose = (subject.sequence.pose(frame)).ok_or_else(|| TransportError::EndDiastole {
+            subject: subject.id.clone(),
+            frame,
+            frames: subject.sequence.frame_count(),
+        })?;
+        let scale = SizeScale::of_end_diastole(&pose).ok_or_else(|| TransportError::NoSize {
+            subject: subject.id.clone(),
+            frame,
+        })?;
+        Ok(Self::new(&pose, frame, scale))
+    }
+
+    pub(super) fn new(pose: &[Point3], frame: usize, scale: SizeScale) -> Self {
+        Self {
+            frame,
+            scale,
+            pose: pose.iter().map(|p| scale.normalised(p)).collect(),
+        }
+    }
+
+    /// All poses from end-diastole on, normalised, moved as one by the rigid motion that lays the
+    /// first onto `target`.
+    pub(super) fn beat_laid_onto(&self, subject: &Subject, target: &[Point3]) -> Vec<Vec<Point3>> {
+        let Ok(motion) = rigid_motion(&self.pose, target) else {
+            return Vec::new();
+        };
+        let frames = subject.sequence.frame_count();
+        (0..frames)
+            .filter_map(|step| subject.sequence.pose((self.frame + step) % frames))
+            .map(|pose| {
+                pose.iter()
+                    .map(|p| motion.apply(&self.scale.normalised(p)))
+                    .collect()
+            })
+            .collect()
+    }
+}
+
+/// Poses that begin with frame `first` of a beat, put in the order of its frames.
+pub(super) fn in_order_of_frames(mut poses: Vec<Vec<Point3>>, first: usize) -> Vec<Vec<Point3>> {
+    let count = poses.len().max(1);
+    poses.rotate_right(first % count);
+    poses
+}
+
+/// Frames as a sequence with the surfaces of another.
+fn sequence_like(
+    like: &MeshSequence,
+    frames: &[Vec<Point3>],
+) -> Result<MeshSequence, TransportError> {
+    let mut offset = 0;
+    let mut surfaces = Vec::new();
+    for surface in like.surfaces() {
+        let faces = surface.faces();
+        let part = offset..offset + faces.vertex_count();
+        offset = part.end;
+        let meshes = (frames.iter().enumerate())
+            .map(|(pose, points)| {
+                let points: Vec<Point3> = points[part.clone()].to_vec();
+                TriMesh::new(points, Arc::clone(faces)).map_err(|_| TransportError::NotFinite {
+                    pose,
+                    norm2: f64::NAN,
+                })
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        surfaces.push(SurfaceSequence::new(surface.kind(), meshes)?);
+    }
+    Ok(MeshSequence::new(surfaces)?)
+}

@@ -1,0 +1,142 @@
+//! Every heart's motion on one heart, so that motions can be compared.
+
+use rayon::prelude::*;
+
+use crate::analysis::alignment::{
+    Comparable, LeftOut, SizeScale, align_poses, comparable_subjects,
+};
+use crate::analysis::metrics::CheckedMetricParams;
+use crate::mesh::Point3;
+use crate::progress::{Progress, Stopped};
+use crate::study::Study;
+
+use super::beat::{Rest, in_order_of_frames};
+use super::{CohortTransferParams, DeformationTransfer, Reference, TransportError};
+
+/// All deformations at one place of the space of poses.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TransferredCohort {
+    /// The heart that all motions were carried onto, its size normalised.
+    pub reference: Vec<Point3>,
+    /// The motions, in the order of the study.
+    pub members: Vec<TransferredSubject>,
+    /// Subjects that take no part, in the order of the study.
+    pub left_out: Vec<LeftOut>,
+}
+
+/// One subject's motion on the reference.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransferredSubject {
+    /// Index into the study's subjects.
+    pub subject: usize,
+    /// Frame at which the pose is the reference.
+    pub end_diastole: usize,
+    /// What the subject's own coordinates were divided by.
+    pub scale: SizeScale,
+    /// One pose per frame, sizes normalised, all surfaces one after the other.
+    pub poses: Vec<Vec<Point3>>,
+}
+
+/// Carries every usable subject's deformation onto the reference.
+///
+/// Usable is what [`comparable_subjects`] says. Coordinates of each subject are divided by its
+/// [`SizeScale`], its end-diastolic pose is laid onto the reference by a rigid motion, its beat moves
+/// with it, and its displacements are carried from end-diastole on. The mean reference is the
+/// mean of the end-diastolic poses, laid onto each other by generalised Procrustes alignment. A
+/// subject whose motion cannot be carried is left out with the reason. Subjects run in parallel;
+/// the result does not depend on the number of threads. Counts one step per displacement.
+///
+/// # Errors
+/// If stopped, settings cannot be used, or the reference is no usable subject.
+pub fn transfer_cohort(
+    study: &Study,
+    metric: &CheckedMetricParams,
+    params: &CohortTransferParams,
+    progress: &Progress,
+) -> Result<TransferredCohort, TransportError> {
+    let checked = params.with_metric(**metric).check()?;
+    let (comparable, mut left_out) = comparable_subjects(study);
+    let rests: Vec<Rest> = (comparable.iter())
+        .map(|member| {
+            let pose = member.subject.sequence.pose(member.end_diastole);
+            Rest::new(&pose.unwrap_or_default(), member.end_diastole, member.scale)
+        })
+        .collect();
+    let reference = match params.reference {
+        Reference::Mean => mean_shape(&rests, progress)?,
+        Reference::Subject(index) => of_subject(study, index, &comparable, &rests, &left_out)?,
+    };
+    let Some(first) = comparable.first() else {
+        return Ok(TransferredCohort {
+            left_out,
+            ..TransferredCohort::default()
+        });
+    };
+    let faces = first.subject.sequence.joined_faces();
+    let transfer = DeformationTransfer::new(&faces, &reference, &checked)?;
+    let frames = comparable.iter().map(|m| m.subject.sequence.frame_count());
+    progress.expect_steps(frames.map(|count| count - 1).sum());
+    let carried: Vec<Result<TransferredSubject, TransportError>> = comparable
+        .par_iter()
+        .zip(&rests)
+        .map(|(member, rest)| {
+            let beat = rest.beat_laid_onto(member.subject, &reference);
+            let poses = transfer.carry(&beat, &reference, progress)?;
+            Ok(TransferredSubject {
+                subject: member.index,
+                end_diastole: rest.frame,
+                scale: rest.scale,
+                poses: in_order_of_frames(poses, rest.frame),
+            })
+        })
+        .collect();
+    let mut members = Vec::with_capacity(carried.len());
+    for (member, result) in comparable.iter().zip(carried) {
+        match result {
+            Ok(subject) => members.push(subject),
+            Err(TransportError::Stopped(stopped)) => return Err(stopped.into()),
+            Err(error) => left_out.push(LeftOut {
+                subject: member.index,
+                reason: format!("its motion cannot be carried onto the reference: {error}"),
+            }),
+        }
+    }
+    left_out.sort_by_key(|left| left.subject);
+    Ok(TransferredCohort {
+        reference,
+        members,
+        left_out,
+    })
+}
+
+/// Mean of the poses after laying them onto each other; the first pose says how it lies.
+fn mean_shape(rests: &[Rest], progress: &Progress) -> Result<Vec<Point3>, Stopped> {
+    let poses: Vec<&[Point3]> = rests.iter().map(|rest| rest.pose.as_slice()).collect();
+    let motions = align_poses(&poses, &progress.within())?;
+    let mut mean = vec![Point3::origin(); poses.first().map_or(0, |pose| pose.len())];
+    for (pose, motion) in poses.iter().zip(&motions) {
+        for (mean, point) in mean.iter_mut().zip(*pose) {
+            *mean += motion.apply(point).coords / poses.len() as f64;
+        }
+    }
+    Ok(mean)
+}
+
+fn of_subject(
+    study: &Study,
+    index: usize,
+    comparable: &[Comparable<'_>],
+    rests: &[Rest],
+    left_out: &[LeftOut],
+) -> Result<Vec<Point3>, TransportError> {
+    let place = comparable.iter().position(|member| member.index == index);
+    if let Some(rest) = place.and_then(|place| rests.get(place)) {
+        return Ok(rest.pose.clone());
+    }
+    let why = left_out.iter().find(|left| left.subject == index);
+    Err(TransportError::Reference {
+        index,
+        subjects: study.subjects.len(),
+        reason: why.map_or_else(|| "there is none".to_owned(), |left| left.reason.clone()),
+    })
+}

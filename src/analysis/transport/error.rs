@@ -1,0 +1,97 @@
+//! Why a motion cannot be carried to another heart.
+
+use crate::analysis::geodesics::GeodesicError;
+use crate::analysis::metrics::MetricError;
+use crate::progress::Stopped;
+use crate::study::SequenceError;
+
+use super::TransportParamError;
+
+/// Why a motion cannot be carried to another heart.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum TransportError {
+    /// Not a failure: it was asked to stop.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+    /// The settings cannot be used.
+    #[error(transparent)]
+    Params(#[from] TransportParamError),
+    /// Vertices of two hearts do not correspond.
+    #[error(
+        "the vertices of {from} ({from_vertices} with {from_faces} faces) do not correspond with \
+         those of {onto} ({onto_vertices} with {onto_faces} faces)"
+    )]
+    NoCorrespondence {
+        /// Whose motion it is.
+        from: String,
+        /// Its vertices.
+        from_vertices: usize,
+        /// Its faces.
+        from_faces: usize,
+        /// Who was to move.
+        onto: String,
+        /// Its vertices.
+        onto_vertices: usize,
+        /// Its faces.
+        onto_faces: usize,
+    },
+    /// A heart has no size that could be normalised.
+    #[error("the size of {subject} at end-diastole (frame {frame}) is not measurable")]
+    NoSize {
+        /// Whose.
+        subject: String,
+        /// Its end-diastolic frame.
+        frame: usize,
+    },
+    /// End-diastole is said to be where no frame is.
+    #[error("end-diastole of {subject} is said to be frame {frame}, but there are {frames} frames")]
+    EndDiastole {
+        /// Whose.
+        subject: String,
+        /// The frame named.
+        frame: usize,
+        /// Frames there are.
+        frames: usize,
+    },
+    /// The heart that all motions were to be carried onto cannot take part.
+    #[error("the reference is to be subject {index} of {subjects}, which cannot be used: {reason}")]
+    Reference {
+        /// The index named.
+        index: usize,
+        /// Subjects of the study.
+        subjects: usize,
+        /// A sentence for the person who wonders.
+        reason: String,
+    },
+    /// A path needs samples, a deformation poses.
+    #[error("there are no poses to carry a motion along")]
+    NoPoses,
+    /// A field needs a displacement for each vertex.
+    #[error("{displacements} displacements for poses of {vertices} vertices")]
+    FieldLength {
+        /// Displacements given.
+        displacements: usize,
+        /// Vertices of the poses.
+        vertices: usize,
+    },
+    /// Products of this metric are not linear, so that no field can be fitted to them.
+    #[error("the form of the metric is no inner product, which transport needs")]
+    NotAnInnerProduct,
+    /// A displacement is NaN, infinite or too large to be squared.
+    #[error("the displacement from pose {pose} has squared length {norm2}")]
+    NotFinite {
+        /// Index of the pose it starts at.
+        pose: usize,
+        /// What was computed.
+        norm2: f64,
+    },
+    /// The metric refuses a pose.
+    #[error(transparent)]
+    Metric(#[from] MetricError),
+    /// There is no path between the hearts.
+    #[error(transparent)]
+    Geodesic(#[from] GeodesicError),
+    /// What was carried does not make a sequence.
+    #[error(transparent)]
+    Sequence(#[from] SequenceError),
+}

@@ -1,0 +1,29 @@
+//! How would this heart move with that one's motion?
+//!
+//! A deformation M₀, M₁, … is carried to another heart N₀ step after step: the displacement
+//! X_i = M_{i+1} − M_i is transported along the geodesic from M_i to N_i, and
+//! N_{i+1} = N_i + X̄_i.
+//!
+//! Source: V. Taimouri, *Shape Analysis in Shape Space*, section 3.3.2.
+
+mod beat;
+mod cohort;
+mod error;
+mod parallel;
+mod params;
+mod pose_path;
+mod transfer;
+
+pub use beat::transferred_beat;
+pub use cohort::{TransferredCohort, TransferredSubject, transfer_cohort};
+pub use error::TransportError;
+pub use parallel::{Products, SampledPath, parallel_transport};
+pub use params::{
+    CheckedTransportParams, CohortTransferParams, Geodesics, Nearness, Reference,
+    TransportParamError, TransportParams,
+};
+pub use pose_path::{PosePath, transport_along};
+pub use transfer::{DeformationTransfer, transfer_deformation};
+
+#[cfg(test)]
+mod tests;

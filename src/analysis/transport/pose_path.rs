@@ -1,0 +1,136 @@
+//! Paths in the space of poses, with the tangent spaces of a metric.
+
+use crate::analysis::metrics::{Metric, PreparedPose};
+use crate::mesh::{Point3, Vector3};
+
+use super::params::is_inner_product;
+use super::{Nearness, Products, SampledPath, TransportError, parallel_transport};
+
+/// Poses nearer than this, relative to their largest coordinate, differ by round-off of an alignment:
+/// the direction from one to the other would be noise.
+const SAME: f64 = 1e-12;
+
+/// A sampled path between poses: velocity is the forward difference, at the last sample the backward
+/// one.
+#[derive(Clone, Debug)]
+pub struct PosePath<'a> {
+    metric: &'a Metric,
+    poses: Vec<PreparedPose>,
+    velocities: Vec<Vec<Vector3>>,
+}
+
+impl<'a> PosePath<'a> {
+    /// Prepares each sample; those equal to the sample before are left out.
+    ///
+    /// # Errors
+    /// If counts of vertices differ, squares overflow, or the metric's form is no inner product.
+    pub fn new(metric: &'a Metric, path: &[Vec<Point3>]) -> Result<Self, TransportError> {
+        if !is_inner_product(metric.params()) {
+            return Err(TransportError::NotAnInnerProduct);
+        }
+        let mut kept: Vec<&[Point3]> = Vec::with_capacity(path.len());
+        for pose in path {
+            if kept.last().is_none_or(|last| !same(last, pose)) {
+                kept.push(pose);
+            }
+        }
+        let poses = (kept.iter())
+            .map(|pose| metric.prepare(pose))
+            .collect::<Result<Vec<_>, _>>()?;
+        let mut velocities: Vec<Vec<Vector3>> = (kept.windows(2))
+            .map(|pair| pair[0].iter().zip(pair[1]).map(|(a, b)| b - a).collect())
+            .collect();
+        // Backward at the last sample.
+        if let Some(last) = velocities.last().cloned() {
+            velocities.push(last);
+        }
+        Ok(Self {
+            metric,
+            poses,
+            velocities,
+        })
+    }
+}
+
+impl SampledPath for PosePath<'_> {
+    fn samples(&self) -> usize {
+        self.velocities.len()
+    }
+
+    fn velocity(&self, sample: usize) -> &[Vector3] {
+        &self.velocities[sample]
+    }
+
+    fn products(&self, sample: usize, field: &[Vector3]) -> Products {
+        let velocity = &self.velocities[sample];
+        let [field, mixed, velocity] = self.metric.products(&self.poses[sample], field, velocity);
+        Products {
+            field,
+            mixed,
+            velocity,
+        }
+    }
+
+    fn lowered_velocity(&self, sample: usize) -> Vec<Vector3> {
+        let velocity = &self.velocities[sample];
+        let mut unit = vec![Vector3::zeros(); velocity.len()];
+        (0..velocity.len())
+            .map(|vertex| {
+                Vector3::from_fn(|axis, _| {
+                    unit[vertex][axis] = 1.0;
+                    let product = self
+                        .metric
+                        .inner_product(&self.poses[sample], velocity, &unit);
+                    unit[vertex][axis] = 0.0;
+                    product
+                })
+            })
+            .collect()
+    }
+}
+
+fn same(a: &[Point3], b: &[Point3]) -> bool {
+    let reach = a.iter().fold(0.0_f64, |m, p| m.max(p.coords.amax()));
+    a.len() == b.len() && (a.iter().zip(b)).all(|(a, b)| (b - a).amax() <= SAME * reach)
+}
+
+/// Carries a field of displacements from the first pose of a path to the last by
+/// [`parallel_transport`], nearest in the metric; velocities are those of [`PosePath`].
+///
+/// Along a straight path the number of samples does not matter: the field stays in the plane
+/// spanned by itself and the path's direction, where product and norm determine it. A path whose
+/// poses are all the same returns the field as it is.
+///
+/// # Errors
+/// If there is no pose, counts differ, the metric's form is no inner product, or squares overflow.
+pub fn transport_along(
+    metric: &Metric,
+    path: &[Vec<Point3>],
+    field: &[Vector3],
+    keep_norm: bool,
+) -> Result<Vec<Vector3>, TransportError> {
+    transport_nearest(metric, path, field, Nearness::Metric, keep_norm)
+}
+
+pub(super) fn transport_nearest(
+    metric: &Metric,
+    path: &[Vec<Point3>],
+    field: &[Vector3],
+    nearness: Nearness,
+    keep_norm: bool,
+) -> Result<Vec<Vector3>, TransportError> {
+    let start = path.first().ok_or(TransportError::NoPoses)?;
+    if field.len() != start.len() {
+        return Err(TransportError::FieldLength {
+            displacements: field.len(),
+            vertices: start.len(),
+        });
+    }
+    let path = PosePath::new(metric, path)?;
+    let carried = parallel_transport(&path, field, nearness, keep_norm);
+    let norm2: f64 = carried.iter().map(Vector3::norm_squared).sum();
+    if !norm2.is_finite() {
+        return Err(TransportError::NotFinite { pose: 0, norm2 });
+    }
+    Ok(carried)
+}

@@ -1,0 +1,161 @@
+//! A whole deformation carried to another heart, step after step.
+
+use crate::analysis::geodesics::GeodesicSolver;
+use crate::analysis::metrics::Metric;
+use crate::mesh::{Faces, Point3, Vector3};
+use crate::progress::{Progress, Stopped};
+
+use super::pose_path::transport_nearest;
+use super::{CheckedTransportParams, Geodesics, TransportError};
+
+/// Carries many deformations on one connectivity: what does not depend on the hearts is computed once.
+#[derive(Clone, Debug)]
+pub struct DeformationTransfer {
+    metric: Metric,
+    /// `None` where the way is straight.
+    solver: Option<GeodesicSolver>,
+    params: CheckedTransportParams,
+    vertex_count: usize,
+}
+
+impl DeformationTransfer {
+    /// Prepares for hearts near a reference pose, such as the one that is to move: it makes the
+    /// search for geodesics short.
+    ///
+    /// # Errors
+    /// If the reference does not fit the faces or cannot be computed with.
+    pub fn new(
+        faces: &Faces,
+        reference: &[Point3],
+        params: &CheckedTransportParams,
+    ) -> Result<Self, TransportError> {
+        let solver = (params.geodesic.as_ref())
+            .map(|geodesic| GeodesicSolver::new(faces, reference, geodesic))
+            .transpose()?;
+        Ok(Self {
+            metric: Metric::new(faces, params.metric),
+            solver,
+            params: *params,
+            vertex_count: faces.vertex_count(),
+        })
+    }
+
+    /// The deformation `source` of the heart `source[0]`, carried to the heart `onto`: as many
+    /// poses, the first of which is `onto`.
+    ///
+    /// N₀ = `onto`, N_{i+1} = N_i + X̄_i, where X̄_i is M_{i+1} − M_i transported along the path from M_i
+    /// to N_i. Both are taken as they lie: align them first, and make sizes comparable. Counts one
+    /// step of progress per displacement.
+    ///
+    /// # Errors
+    /// If stopped, there is no pose, counts differ, or squares of lengths overflow.
+    pub fn carry(
+        &self,
+        source: &[Vec<Point3>],
+        onto: &[Point3],
+        progress: &Progress,
+    ) -> Result<Vec<Vec<Point3>>, TransportError> {
+        let first = source.first().ok_or(TransportError::NoPoses)?;
+        for pose in source.iter().map(Vec::as_slice).chain([onto]) {
+            if pose.len() != self.vertex_count {
+                return Err(TransportError::FieldLength {
+                    displacements: pose.len(),
+                    vertices: self.vertex_count,
+                });
+            }
+        }
+        let bend = match self.params.geodesics {
+            Geodesics::First if source.len() > 1 => self.bend(first, onto, progress)?,
+            _ => Vec::new(),
+        };
+        let mut carried = vec![onto.to_vec()];
+        let mut here = onto.to_vec();
+        for (pose, pair) in source.windows(2).enumerate() {
+            progress.step()?;
+            let path = match self.params.geodesics {
+                Geodesics::First => bent_line(&pair[0], &here, &bend),
+                Geodesics::EveryStep => self.path(&pair[0], &here, progress)?,
+            };
+            let field = difference(&pair[0], &pair[1]);
+            let (nearness, keep_norm) = (self.params.nearness, self.params.keep_norm);
+            let moved = transport_nearest(&self.metric, &path, &field, nearness, keep_norm);
+            let moved = moved.map_err(|error| match error {
+                TransportError::NotFinite { norm2, .. } => {
+                    TransportError::NotFinite { pose, norm2 }
+                }
+                other => other,
+            })?;
+            for (point, x) in here.iter_mut().zip(&moved) {
+                *point += x;
+            }
+            carried.push(here.clone());
+        }
+        Ok(carried)
+    }
+
+    /// How far each in-between of the geodesic lies from the straight line.
+    fn bend(
+        &self,
+        start: &[Point3],
+        end: &[Point3],
+        progress: &Progress,
+    ) -> Result<Vec<Vec<Vector3>>, TransportError> {
+        let path = self.path(start, end, progress)?;
+        let straight = bent_line(start, end, &vec![Vec::new(); path.len().saturating_sub(2)]);
+        let inner = 1..path.len().saturating_sub(1);
+        Ok(inner.map(|k| difference(&straight[k], &path[k])).collect())
+    }
+
+    fn path(
+        &self,
+        start: &[Point3],
+        end: &[Point3],
+        progress: &Progress,
+    ) -> Result<Vec<Vec<Point3>>, TransportError> {
+        let Some(solver) = &self.solver else {
+            return Ok(vec![start.to_vec(), end.to_vec()]);
+        };
+        let path = solver.between(start, end, progress)?;
+        if path.stopped {
+            return Err(Stopped.into());
+        }
+        Ok(path.poses)
+    }
+}
+
+/// The straight line from start to end with one in-between per bend, moved by it.
+fn bent_line(start: &[Point3], end: &[Point3], bends: &[Vec<Vector3>]) -> Vec<Vec<Point3>> {
+    let steps = bends.len() + 1;
+    let mut path = vec![start.to_vec()];
+    for (k, bend) in bends.iter().enumerate() {
+        let t = (k + 1) as f64 / steps as f64;
+        let mut pose: Vec<Point3> = (start.iter().zip(end))
+            .map(|(a, b)| a + (b - a) * t)
+            .collect();
+        for (point, x) in pose.iter_mut().zip(bend) {
+            *point += x;
+        }
+        path.push(pose);
+    }
+    path.push(end.to_vec());
+    path
+}
+
+fn difference(from: &[Point3], to: &[Point3]) -> Vec<Vector3> {
+    from.iter().zip(to).map(|(a, b)| b - a).collect()
+}
+
+/// One deformation carried to one heart, see [`DeformationTransfer::carry`].
+///
+/// # Errors
+/// If stopped, there is no pose, counts differ, or squares of lengths overflow.
+pub fn transfer_deformation(
+    faces: &Faces,
+    source: &[Vec<Point3>],
+    onto: &[Point3],
+    params: &CheckedTransportParams,
+    progress: &Progress,
+) -> Result<Vec<Vec<Point3>>, TransportError> {
+    progress.expect_steps(source.len().saturating_sub(1));
+    DeformationTransfer::new(faces, onto, params)?.carry(source, onto, progress)
+}

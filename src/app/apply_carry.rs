@@ -1,0 +1,237 @@
+//! Commands that play one heart's beat on another, and those about poses between frames.
+
+use crate::engine::WorkKind;
+use crate::picture::Quantity;
+use crate::ui::{Command, ViewMode};
+
+use super::apply::{Effect, Moment, change};
+use super::document::CarriedBeat;
+use super::errors::push_card;
+use super::in_betweens::geodesic_params;
+use super::state::State;
+use super::undo::Gesture;
+
+/// Carries out a command about carried beats or poses between frames.
+pub fn apply(state: &mut State, command: &Command, moment: &Moment) -> Vec<Effect> {
+    match *command {
+        Command::CarryBeat { from, onto } => return carry(state, moment, from, onto),
+        Command::CarryBeatBeside => {
+            if let Some(onto) = state.document.compared() {
+                return carry(state, moment, state.document.subject, onto);
+            }
+        }
+        Command::StopCarrying => change(state, moment, None, |document| document.carried = None),
+        Command::SetInBetweens(count) => {
+            state.results.in_betweens.resume();
+            change(state, moment, None, |document| document.in_betweens = count);
+        }
+        Command::StepPose(step) => step_pose(state, moment, step),
+        _ => {}
+    }
+    Vec::new()
+}
+
+fn carry(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Effect> {
+    let (Some(source), Some(target)) = (state.subject(from), state.subject(onto)) else {
+        return Vec::new();
+    };
+    if from == onto {
+        return Vec::new();
+    }
+    let (ours, theirs) = (&source.sequence, &target.sequence);
+    if ours.correspondence() != theirs.correspondence() {
+        let title = format!("{}’s beat cannot be played on {}", source.id, target.id);
+        let message = format!(
+            "their meshes do not correspond: {} vertices and {} faces, {} vertices and {} faces",
+            ours.vertex_count(),
+            ours.face_count(),
+            theirs.vertex_count(),
+            theirs.face_count()
+        );
+        push_card(&mut state.errors, title, message, None);
+        return Vec::new();
+    }
+    let plays = ours.frame_count() > 1;
+    let beat = CarriedBeat { from, onto };
+    let again = state.document.carrying() == Some(beat);
+    change(state, moment, None, |document| {
+        if document.subject != from {
+            document.select_subject(from);
+        }
+        document.view_mode = ViewMode::SideBySide;
+        document.compare_with = Some(onto);
+        document.carried = Some(beat);
+        document.quantity = Quantity::CarriedDistance;
+    });
+    state.play.playing = plays;
+    // Asked for once more, what was stopped begins again.
+    let retry = again.then_some(Effect::Retry(WorkKind::Transfer));
+    retry.into_iter().collect()
+}
+
+/// The next pose in either direction, poses between frames included.
+fn step_pose(state: &mut State, moment: &Moment, step: i32) {
+    let Some(subject) = state.document.selected() else {
+        return;
+    };
+    let params = geodesic_params(&state.document);
+    let between = params
+        .and_then(|params| state.results.in_betweens.get(subject, &params))
+        .map_or_else(Vec::new, |beat| beat.positions());
+    let mut positions: Vec<f64> = (0..subject.sequence.frame_count())
+        .map(|frame| frame as f64)
+        .chain(between)
+        .collect();
+    positions.sort_by(f64::total_cmp);
+    let here = state.document.position;
+    let count = positions.len() as i64;
+    // From between two poses, a step leads to the nearest one in its direction.
+    let start = if step > 0 {
+        positions.partition_point(|position| *position <= here + 1e-6) as i64 - 1
+    } else {
+        positions.partition_point(|position| *position < here - 1e-6) as i64
+    };
+    let place = (start + i64::from(step)).rem_euclid(count.max(1)) as usize;
+    let Some(position) = positions.get(place).copied() else {
+        return;
+    };
+    state.play.playing = false;
+    change(state, moment, Some(Gesture::Time), |document| {
+        document.position = position;
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::app::apply::apply;
+    use crate::app::in_betweens::tests::straight_paths;
+    use crate::app::testing::{state_of, subject_with_frames};
+    use crate::mesh::phantom;
+    use crate::study::{MeshSequence, Revision, Subject, SurfaceKind, SurfaceSequence};
+    use crate::units::LengthUnit;
+
+    fn give(state: &mut State, command: Command) -> Vec<Effect> {
+        let moment = Moment {
+            now_s: 0.0,
+            pointer_held: false,
+            fresh_revision: Revision(9),
+        };
+        apply(state, command, &moment)
+    }
+
+    fn other_mesh(id: &str) -> Subject {
+        let cavity =
+            SurfaceSequence::new(SurfaceKind::Cavity, vec![phantom::sphere(2, 30.0)]).unwrap();
+        let sequence = MeshSequence::new(vec![cavity]).unwrap();
+        Subject::new(id, sequence, LengthUnit::Millimetre)
+    }
+
+    fn three_hearts() -> State {
+        state_of(vec![
+            subject_with_frames("a", 8),
+            subject_with_frames("b", 4),
+            other_mesh("c"),
+        ])
+    }
+
+    #[test]
+    fn a_dropped_heart_plays_beside_its_target_and_undo_takes_it_back() {
+        let mut state = three_hearts();
+        let before = state.document.clone();
+        let beat = CarriedBeat { from: 1, onto: 0 };
+        let effects = give(&mut state, Command::CarryBeat { from: 1, onto: 0 });
+        assert_eq!(effects, []);
+        assert_eq!(state.document.carrying(), Some(beat));
+        assert_eq!(state.document.subject, 1);
+        assert_eq!(state.document.quantity, Quantity::CarriedDistance);
+        assert!(state.play.playing);
+        let again = give(&mut state, Command::CarryBeat { from: 1, onto: 0 });
+        assert_eq!(again, [Effect::Retry(WorkKind::Transfer)]);
+        give(&mut state, Command::Undo);
+        assert_eq!(state.document, before);
+        give(&mut state, Command::Redo);
+        assert_eq!(state.document.carrying(), Some(beat));
+    }
+
+    #[test]
+    fn whatever_shows_other_hearts_ends_the_carried_beat() {
+        for command in [
+            Command::StopCarrying,
+            Command::SelectSubject(0),
+            Command::SetViewMode(ViewMode::Single),
+            Command::CompareWith(Some(2)),
+        ] {
+            let mut state = three_hearts();
+            give(&mut state, Command::CarryBeat { from: 1, onto: 0 });
+            give(&mut state, command.clone());
+            assert_eq!(state.document.carried, None, "{command:?}");
+            assert_eq!(state.document.quantity, Quantity::Tissue, "{command:?}");
+        }
+    }
+
+    #[test]
+    fn colours_can_be_chosen_beside_a_carried_beat() {
+        let mut state = three_hearts();
+        give(&mut state, Command::CarryBeat { from: 1, onto: 0 });
+        give(&mut state, Command::SetQuantity(Quantity::Tissue));
+        assert!(state.document.carrying().is_some());
+        assert_eq!(state.document.quantity, Quantity::Tissue);
+    }
+
+    #[test]
+    fn a_heart_that_does_not_correspond_is_refused_in_words() {
+        let mut state = three_hearts();
+        let before = state.document.clone();
+        give(&mut state, Command::CarryBeat { from: 0, onto: 2 });
+        assert_eq!(state.document, before);
+        let card = &state.errors[0];
+        assert_eq!(card.title, "a’s beat cannot be played on c");
+        assert!(card.message.contains("42 vertices") && card.message.contains("162 vertices"));
+        give(&mut state, Command::CarryBeat { from: 0, onto: 0 });
+        give(&mut state, Command::CarryBeat { from: 0, onto: 7 });
+        assert_eq!(state.document, before);
+    }
+
+    #[test]
+    fn the_beat_beside_is_chosen_without_a_pointer() {
+        let mut state = three_hearts();
+        give(&mut state, Command::CarryBeatBeside);
+        let beat = CarriedBeat { from: 0, onto: 1 };
+        assert_eq!(state.document.carrying(), Some(beat));
+    }
+
+    #[test]
+    fn steps_lead_through_the_poses_between_frames() {
+        let mut state = three_hearts();
+        let params = geodesic_params(&state.document).unwrap();
+        let subject = Arc::clone(state.document.selected().unwrap());
+        give(&mut state, Command::StepPose(1));
+        assert_eq!(
+            state.document.position, 1.0,
+            "without in-betweens, frame by frame"
+        );
+        let paths = straight_paths(&subject, 3);
+        state.results.in_betweens.put(&subject, &params, 0, &paths);
+        for position in [1.25, 1.5, 1.75, 2.0] {
+            give(&mut state, Command::StepPose(1));
+            assert_eq!(state.document.position, position);
+        }
+        give(&mut state, Command::StepPose(-1));
+        assert_eq!(state.document.position, 1.75);
+        give(&mut state, Command::SetPosition(1.3));
+        give(&mut state, Command::StepPose(-1));
+        assert_eq!(state.document.position, 1.25);
+        give(&mut state, Command::SetPosition(0.0));
+        give(&mut state, Command::StepPose(-1));
+        assert_eq!(
+            state.document.position, 7.75,
+            "before the first frame comes the last interval"
+        );
+        give(&mut state, Command::SetInBetweens(0));
+        give(&mut state, Command::StepPose(1));
+        assert_eq!(state.document.position, 0.0);
+    }
+}

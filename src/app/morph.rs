@@ -1,0 +1,124 @@
+//! Points on their way from the map before to the new one, so that the eye can follow them.
+
+use std::collections::HashMap;
+use std::hash::Hash;
+
+use crate::ui::theme::MORPH_S;
+
+/// Where points come from, and since when they are under way.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Morph {
+    from: Vec<[f64; 2]>,
+    began_s: Option<f64>,
+}
+
+impl Morph {
+    /// Sets out from where points are shown now. A map of another scale is met half-way: the old
+    /// places are taken at the spread that the new ones have, as the pane shows both alike. Points
+    /// that the old map lacks are there at once.
+    pub fn between<K: Eq + Hash>(
+        shown: impl Iterator<Item = (K, [f64; 2])>,
+        targets: &[(K, [f64; 2])],
+        now_s: f64,
+    ) -> Self {
+        let shown: HashMap<K, [f64; 2]> = shown.collect();
+        let pairs: Vec<([f64; 2], [f64; 2])> = targets
+            .iter()
+            .filter_map(|(key, target)| Some((*shown.get(key)?, *target)))
+            .collect();
+        if pairs.is_empty() {
+            return Self::default();
+        }
+        let (old, old_spread) = centre_and_spread(pairs.iter().map(|pair| pair.0));
+        let (new, new_spread) = centre_and_spread(pairs.iter().map(|pair| pair.1));
+        let scale = if old_spread > 0.0 && new_spread > 0.0 {
+            new_spread / old_spread
+        } else {
+            1.0
+        };
+        let from = targets
+            .iter()
+            .map(|(key, target)| {
+                shown.get(key).map_or(*target, |place| {
+                    [0, 1].map(|axis| new[axis] + scale * (place[axis] - old[axis]))
+                })
+            })
+            .collect();
+        Self {
+            from,
+            began_s: Some(now_s),
+        }
+    }
+
+    /// Whether points were under way when they were last asked.
+    pub fn is_under_way(&self) -> bool {
+        self.began_s.is_some()
+    }
+
+    /// Whether points still move at this time; once they do not, they never do again.
+    pub fn moves(&mut self, now_s: f64) -> bool {
+        if self.began_s.is_some_and(|began| now_s - began >= MORPH_S) {
+            *self = Self::default();
+        }
+        self.began_s.is_some()
+    }
+
+    /// Where a point is now, on its way to `target`: slowly off, slowly in.
+    pub fn place(&self, index: usize, target: [f64; 2], now_s: f64) -> [f64; 2] {
+        let (Some(from), Some(began_s)) = (self.from.get(index), self.began_s) else {
+            return target;
+        };
+        let share = ((now_s - began_s) / MORPH_S).clamp(0.0, 1.0);
+        let share = share * share * (3.0 - 2.0 * share);
+        [0, 1].map(|axis| from[axis] + share * (target[axis] - from[axis]))
+    }
+}
+
+/// Mean and root mean square distance from it.
+fn centre_and_spread(places: impl Iterator<Item = [f64; 2]> + Clone) -> ([f64; 2], f64) {
+    let count = places.clone().count().max(1) as f64;
+    let centre = [0, 1].map(|axis| places.clone().map(|place| place[axis]).sum::<f64>() / count);
+    let squares = places.map(|place| {
+        let offset = [0, 1].map(|axis| place[axis] - centre[axis]);
+        offset[0] * offset[0] + offset[1] * offset[1]
+    });
+    (centre, (squares.sum::<f64>() / count).sqrt())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_go_from_old_to_new_places_and_stay_there() {
+        let shown = [(0, [0.0, 0.0]), (1, [2.0, 0.0])];
+        let targets = [(0, [1.0, 1.0]), (1, [3.0, 1.0]), (2, [9.0, 9.0])];
+        let mut morph = Morph::between(shown.into_iter(), &targets, 0.0);
+        // The old places, moved to where the new map lies.
+        assert_eq!(morph.place(0, targets[0].1, 0.0), [1.0, 1.0]);
+        let turned = [(0, [3.0, 1.0]), (1, [1.0, 1.0])];
+        let mut other = Morph::between(shown.into_iter(), &turned, 0.0);
+        assert_eq!(other.place(0, turned[0].1, 0.0), [1.0, 1.0]);
+        assert_eq!(other.place(0, turned[0].1, 0.5 * MORPH_S), [2.0, 1.0]);
+        assert!(other.moves(0.9 * MORPH_S));
+        assert!(!other.moves(MORPH_S));
+        assert_eq!(other.place(0, turned[0].1, 0.0), [3.0, 1.0]);
+        assert_eq!(morph.place(2, targets[2].1, 0.0), [9.0, 9.0]);
+        assert!(morph.moves(0.1));
+    }
+
+    #[test]
+    fn a_map_of_another_scale_begins_at_its_own() {
+        let shown = [(0, [-1.0, 0.0]), (1, [1.0, 0.0])];
+        let targets = [(0, [0.0, -100.0]), (1, [0.0, 100.0])];
+        let morph = Morph::between(shown.into_iter(), &targets, 0.0);
+        assert_eq!(morph.place(1, targets[1].1, 0.0), [100.0, 0.0]);
+    }
+
+    #[test]
+    fn maps_without_a_common_point_do_not_move() {
+        let mut morph = Morph::between([(7, [0.0, 0.0])].into_iter(), &[(1, [5.0, 5.0])], 0.0);
+        assert!(!morph.moves(0.0));
+        assert_eq!(morph.place(0, [5.0, 5.0], 0.0), [5.0, 5.0]);
+    }
+}

@@ -1,0 +1,100 @@
+//! Meshes of commands that take files one by one, checked to correspond and laid onto each other.
+
+use std::path::Path;
+
+use crate::analysis::alignment::{rigid_motion, similarity};
+use crate::cli::outcome::CliError;
+use crate::cli::print::say;
+use crate::cli::words::AlignWord;
+use crate::io::{Limits, read_mesh_with_siblings};
+use crate::mesh::{Point3, TriMesh};
+
+/// Two meshes with the same faces.
+///
+/// # Errors
+/// If one cannot be read, or they do not correspond.
+pub(super) fn read_pair(a: &Path, b: &Path) -> Result<[TriMesh; 2], CliError> {
+    let (mesh_a, mesh_b) = (read(a)?, read(b)?);
+    if mesh_a.faces() == mesh_b.faces() {
+        return Ok([mesh_a, mesh_b]);
+    }
+    let same_count = mesh_a.triangles().len() == mesh_b.triangles().len();
+    Err(CliError::Unusable(format!(
+        "the meshes do not correspond: {} has {} vertices and {} faces, {} has {} and {}{}",
+        a.display(),
+        mesh_a.vertices().len(),
+        mesh_a.triangles().len(),
+        b.display(),
+        mesh_b.vertices().len(),
+        mesh_b.triangles().len(),
+        if same_count {
+            ", connected otherwise"
+        } else {
+            ""
+        }
+    )))
+}
+
+/// The vertices of B, laid onto A as asked.
+///
+/// # Errors
+/// If all vertices of one lie in one place.
+pub(super) fn aligned(
+    target: &[Point3],
+    source: &[Point3],
+    align: AlignWord,
+) -> Result<Vec<Point3>, CliError> {
+    let lay = laying(target, source, align)?;
+    Ok(source.iter().map(lay).collect())
+}
+
+/// The map that lays the source onto the target as asked.
+///
+/// # Errors
+/// If all vertices of one lie in one place.
+pub(super) fn laying(
+    target: &[Point3],
+    source: &[Point3],
+    align: AlignWord,
+) -> Result<Box<dyn Fn(&Point3) -> Point3>, CliError> {
+    Ok(match align {
+        AlignWord::None => Box::new(|point| *point),
+        AlignWord::Rigid => {
+            let motion = rigid_motion(source, target).map_err(CliError::unusable)?;
+            Box::new(move |point| motion.apply(point))
+        }
+        AlignWord::Similarity => {
+            let map = similarity(source, target).map_err(CliError::unusable)?;
+            Box::new(move |point| map.apply(point))
+        }
+    })
+}
+
+/// The mesh in a file, or the first frame of a sequence in one.
+///
+/// # Errors
+/// If it cannot be read.
+pub(super) fn read(path: &Path) -> Result<TriMesh, CliError> {
+    let wrong = |reason: String| CliError::Unusable(format!("{reason}: {}", path.display()));
+    let limits = Limits::default();
+    let size = std::fs::metadata(path)
+        .map_err(|error| wrong(error.to_string()))?
+        .len();
+    if size > limits.file_bytes {
+        let most = limits.file_bytes;
+        return Err(wrong(format!("{size} bytes; at most {most} are read")));
+    }
+    let bytes = std::fs::read(path).map_err(|error| wrong(error.to_string()))?;
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+    let sibling = |name: &str| std::fs::read(folder.join(name)).ok();
+    let file = read_mesh_with_siblings(&name, &bytes, &limits, &sibling)
+        .map_err(|error| wrong(error.to_string()))?;
+    for notice in &file.notices {
+        say(&format!("{}: {}", path.display(), notice.text));
+    }
+    file.frames
+        .into_iter()
+        .next()
+        .ok_or_else(|| wrong("holds no mesh".to_owned()))
+}

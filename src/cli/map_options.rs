@@ -1,0 +1,85 @@
+//! The options by which commands say how poses and deformations are mapped; defaults are those of the window.
+
+use clap::Args;
+
+use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::pose_distances::PoseDistanceParams;
+use crate::analysis::transport::{CohortTransferParams, Reference};
+use crate::cli::metric_options::MetricOptions;
+use crate::cli::outcome::CliError;
+use crate::engine::{DeformationMapSettings, PoseMapParams};
+use crate::study::Study;
+
+/// How poses are carried together, and how their curves are compared.
+#[derive(Clone, Debug, Args)]
+pub struct MapOptions {
+    /// Onto what all motions are carried before poses are compared: none, mean, or the id of a subject
+    #[arg(long, value_name = "REFERENCE", default_value = "none")]
+    pub transfer: String,
+    /// Also map poses by Isomap, each linked to its K nearest
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
+    pub isomap: Option<u16>,
+    /// Weight of time in the curves of deformations [default: RMS radius over standard deviation of time]
+    #[arg(long, value_name = "W", allow_negative_numbers = true)]
+    pub time_weight: Option<f64>,
+    /// Nearest deformations that each is linked to in the map of deformations [default: by their number]
+    #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
+    pub neighbours: Option<u16>,
+    /// Share of the trace that keeps the weights of that map well determined
+    #[arg(long, value_name = "R", default_value_t = DeformationMapParams::default().regularisation, allow_negative_numbers = true)]
+    pub regularisation: f64,
+}
+
+impl MapOptions {
+    /// The settings that they name, on poses mapped by `method`.
+    ///
+    /// # Errors
+    /// Wrong usage, if a setting is out of range or no subject has the id.
+    pub fn settings(
+        &self,
+        metric: &MetricOptions,
+        method: MapMethod,
+        study: &Study,
+    ) -> Result<DeformationMapSettings, CliError> {
+        metric.checked()?;
+        let transfer = self
+            .reference(study)?
+            .map(|reference| CohortTransferParams {
+                reference,
+                ..CohortTransferParams::default()
+            });
+        let map = DeformationMapParams {
+            time_weight: self.time_weight,
+            neighbours: self.neighbours,
+            regularisation: self.regularisation,
+            ..DeformationMapParams::default()
+        };
+        map.check()
+            .map_err(|error| CliError::Usage(error.to_string()))?;
+        let distances = PoseDistanceParams {
+            metric: metric.params(),
+            transfer,
+            ..PoseDistanceParams::default()
+        };
+        Ok(DeformationMapSettings {
+            poses: PoseMapParams { distances, method },
+            map,
+        })
+    }
+
+    fn reference(&self, study: &Study) -> Result<Option<Reference>, CliError> {
+        let index = match self.transfer.as_str() {
+            "none" => return Ok(None),
+            "mean" => return Ok(Some(Reference::Mean)),
+            id => study.subjects.iter().position(|subject| subject.id == id),
+        };
+        let index = index.ok_or_else(|| {
+            CliError::Usage(format!(
+                "--transfer takes none, mean or the id of a subject; there is no {:?}",
+                self.transfer
+            ))
+        })?;
+        Ok(Some(Reference::Subject(index)))
+    }
+}

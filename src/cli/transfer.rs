@@ -1,0 +1,98 @@
+//! `transfer`: the deformation of one heart carried onto another.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use serde_json::json;
+
+use crate::analysis::transport::{CheckedTransportParams, TransportParams, transfer_deformation};
+use crate::cli::args::TransferArgs;
+use crate::cli::corresponding::{laying, read};
+use crate::cli::input::opened_study;
+use crate::cli::interpolate::pose_files;
+use crate::cli::outcome::CliError;
+use crate::cli::print::{print, print_json};
+use crate::cli::words::Switch;
+use crate::cli::work::run_work;
+use crate::engine::write_files;
+use crate::mesh::{Faces, Point3};
+use crate::study::Subject;
+
+pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
+    let params = checked(args)?;
+    let from = only_subject(&args.from)?;
+    let faces = Arc::new(from.sequence.joined_faces());
+    let onto = target(&args.onto, &faces)?;
+    let frames = 0..from.sequence.frame_count();
+    let mut source: Vec<Vec<Point3>> = frames.filter_map(|f| from.sequence.pose(f)).collect();
+    let first = source.first().cloned().unwrap_or_default();
+    let lay = laying(&onto, &first, args.align)?;
+    for point in source.iter_mut().flatten() {
+        *point = lay(point);
+    }
+    let (work_faces, work_onto) = (Arc::clone(&faces), onto);
+    let poses = run_work(move |progress| {
+        progress.begin_phase("carrying the beat", 0.0, 1.0);
+        transfer_deformation(&work_faces, &source, &work_onto, &params, progress)
+    })?;
+    write_files(&pose_files(&faces, &poses, &args.out)?).map_err(CliError::Unusable)?;
+    if args.json {
+        return print_json(&json!({ "poses": poses.len(), "vertices": faces.vertex_count() }));
+    }
+    print(&format!("{} poses: {}", poses.len(), args.out.display()))
+}
+
+fn checked(args: &TransferArgs) -> Result<CheckedTransportParams, CliError> {
+    let default = TransportParams::default();
+    let params = TransportParams {
+        metric: args.metric.params(),
+        in_betweens: args.in_betweens.unwrap_or(default.in_betweens),
+        keep_norm: args.keep_norm == Switch::On,
+        geodesics: args.geodesics.into(),
+        most_vertices: match args.coarse_vertices {
+            Some(vertices) => Some(vertices).filter(|&vertices| vertices > 0),
+            None => default.most_vertices,
+        },
+        ..default
+    };
+    let checked = params.check();
+    checked.map_err(|error| CliError::Usage(error.to_string()))
+}
+
+/// The one subject that a path holds.
+fn only_subject(path: &Path) -> Result<Arc<Subject>, CliError> {
+    let study = opened_study(&[path.to_owned()])?;
+    match study.subjects.as_slice() {
+        [subject] => Ok(Arc::clone(subject)),
+        subjects => Err(CliError::Unusable(format!(
+            "{} subjects where one is needed: {}",
+            subjects.len(),
+            path.display()
+        ))),
+    }
+}
+
+/// The vertices to carry onto: of a mesh file, or of the first frame of a folder's only subject.
+fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
+    let (points, found) = if path.is_dir() {
+        let sequence = &only_subject(path)?.sequence;
+        (
+            sequence.pose(0).unwrap_or_default(),
+            sequence.joined_faces(),
+        )
+    } else {
+        let mesh = read(path)?;
+        (mesh.vertices().to_vec(), Faces::clone(mesh.faces()))
+    };
+    if found == *faces {
+        return Ok(points);
+    }
+    Err(CliError::Unusable(format!(
+        "the mesh has {} vertices and {} faces, the sequence {} and {}, or they are connected otherwise: {}",
+        found.vertex_count(),
+        found.triangles().len(),
+        faces.vertex_count(),
+        faces.triangles().len(),
+        path.display()
+    )))
+}

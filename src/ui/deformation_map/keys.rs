@@ -1,0 +1,89 @@
+//! The keyboard on the map of deformations: arrows go from heart to heart, Enter plays one.
+
+use egui::{EventFilter, Key, Ui};
+
+use crate::ui::command::Command;
+use crate::ui::deformation_map::{DeformationMapView, play};
+use crate::ui::map_ground::Ground;
+
+/// The heart that the keyboard is on, while the map has it.
+pub fn step(
+    ui: &Ui,
+    view: &DeformationMapView,
+    ground: &Ground,
+    commands: &mut Vec<Command>,
+) -> Option<usize> {
+    let response = &ground.response;
+    if !response.has_focus() {
+        return None;
+    }
+    let arrows = EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: true,
+        ..EventFilter::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
+    let id = response.id.with("on key");
+    let kept: Option<usize> = ui.data(|data| data.get_temp(id));
+    let selected = view
+        .points
+        .iter()
+        .position(|point| Some(point.subject) == view.selected);
+    let mut here = kept
+        .filter(|index| *index < view.points.len())
+        .or(selected)
+        .unwrap_or(0);
+    for (key, direction) in [
+        (Key::ArrowRight, [1.0, 0.0]),
+        (Key::ArrowLeft, [-1.0, 0.0]),
+        (Key::ArrowUp, [0.0, 1.0]),
+        (Key::ArrowDown, [0.0, -1.0]),
+    ] {
+        if ui.input(|input| input.key_pressed(key)) {
+            let places = view.points.iter().map(|point| point.at);
+            here = next(places, here, direction).unwrap_or(here);
+        }
+    }
+    ui.data_mut(|data| data.insert_temp(id, here));
+    if ui.input(|input| input.key_pressed(Key::Enter)) {
+        commands.push(play(&view.points[here]));
+    }
+    Some(here)
+}
+
+/// The nearest place on one side: what lies aside counts twice, so that steps go where the arrow
+/// points. `None` where nothing lies on that side.
+fn next(
+    places: impl Iterator<Item = [f64; 2]> + Clone,
+    here: usize,
+    direction: [f64; 2],
+) -> Option<usize> {
+    let from = places.clone().nth(here)?;
+    places
+        .enumerate()
+        .filter(|(index, _)| *index != here)
+        .filter_map(|(index, place)| {
+            let offset = [place[0] - from[0], place[1] - from[1]];
+            let ahead = offset[0] * direction[0] + offset[1] * direction[1];
+            let aside = offset[0] * direction[1] - offset[1] * direction[0];
+            (ahead > 0.0 && ahead.is_finite() && aside.abs() <= 2.0 * ahead)
+                .then(|| (index, ahead + 2.0 * aside.abs()))
+        })
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(index, _)| index)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn arrows_go_to_the_nearest_heart_on_their_side() {
+        let places = [[0.0, 0.0], [1.0, 0.1], [3.0, 0.0], [0.0, 2.0], [-1.0, 5.0]];
+        let go = |from, direction| next(places.into_iter(), from, direction);
+        assert_eq!(go(0, [1.0, 0.0]), Some(1));
+        assert_eq!(go(1, [1.0, 0.0]), Some(2));
+        assert_eq!(go(0, [0.0, 1.0]), Some(3));
+        assert_eq!(go(2, [1.0, 0.0]), None);
+    }
+}

@@ -1,0 +1,124 @@
+//! The ground of a plane map: dragging moves it, scrolling and pinching zoom, a double click shows all.
+
+use egui::{Key, Pos2, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+
+use crate::picture::nice_floor;
+use crate::ui::map_ground::lens::Moved;
+use crate::ui::map_ground::{Lens, REACH};
+use crate::ui::theme::{colours, line};
+
+/// Air around the points, for marks and their names.
+const AIR: egui::Vec2 = vec2(34.0, 26.0);
+
+/// A piece of ground on screen, as it lies in this frame.
+pub struct Ground {
+    /// Where it is on screen.
+    pub rect: Rect,
+    /// What the pointer does on it.
+    pub response: Response,
+    /// Which part of the map is seen.
+    pub lens: Lens,
+}
+
+/// Takes the space above `below` points for a map with these places, and moves its lens. `name` is
+/// what the map is called aloud.
+pub fn ground_ui(
+    ui: &mut Ui,
+    name: &str,
+    places: impl Iterator<Item = [f64; 2]>,
+    below: f32,
+) -> Ground {
+    let size = vec2(
+        ui.available_width().max(60.0),
+        (ui.available_height() - below).max(40.0),
+    );
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, name));
+    let id = response.id.with("lens");
+    let fitted = Lens::fit(
+        places,
+        rect.width() - 2.0 * AIR.x,
+        rect.height() - 2.0 * AIR.y,
+    );
+    let kept: Option<Moved> = ui.data(|data| data.get_temp(id));
+    let mut lens = kept.map_or(fitted, |moved| moved.applied_to(&fitted));
+    if response.double_clicked() {
+        ui.data_mut(|data| data.remove::<Moved>(id));
+        lens = fitted;
+    } else if turn_lens(ui, &response, rect, &mut lens) {
+        let moved = Moved::between(&fitted, &lens);
+        ui.data_mut(|data| data.insert_temp(id, moved));
+    }
+    Ground {
+        rect,
+        response,
+        lens,
+    }
+}
+
+impl Ground {
+    /// Where a place of the map lies on screen.
+    pub fn on_screen(&self, place: [f64; 2]) -> Pos2 {
+        self.lens.on_screen(self.rect, place)
+    }
+
+    /// The place nearest to a pointer, if it is within reach.
+    pub fn nearest(
+        &self,
+        places: impl Iterator<Item = [f64; 2]>,
+        pointer: Option<Pos2>,
+    ) -> Option<usize> {
+        let pointer = pointer?;
+        places
+            .enumerate()
+            .map(|(index, place)| (index, (self.on_screen(place) - pointer).length()))
+            .filter(|(_, distance)| *distance <= REACH)
+            .min_by(|a, b| a.1.total_cmp(&b.1))
+            .map(|(index, _)| index)
+    }
+
+    /// Draws lines by which distances can be compared; they carry no numbers, for the axes have none.
+    pub fn draw_grid(&self, ui: &Ui) {
+        let painter = ui.painter_at(self.rect);
+        let step = nice_floor(110.0 / self.lens.points_per_unit) * self.lens.points_per_unit;
+        if !(step.is_finite() && step > 12.0) {
+            return;
+        }
+        let origin = self.on_screen([0.0, 0.0]);
+        let stroke = Stroke::new(line::THIN, colours(ui).grid);
+        let (rect, step) = (self.rect, step as f32);
+        let mut x = rect.left() + (origin.x - rect.left()).rem_euclid(step);
+        while x < rect.right() {
+            painter.vline(x, rect.y_range(), stroke);
+            x += step;
+        }
+        let mut y = rect.top() + (origin.y - rect.top()).rem_euclid(step);
+        while y < rect.bottom() {
+            painter.hline(rect.x_range(), y, stroke);
+            y += step;
+        }
+    }
+}
+
+/// Dragging moves, scrolling and pinching zoom, and so do the keys while the map has the keyboard.
+fn turn_lens(ui: &Ui, response: &Response, rect: Rect, lens: &mut Lens) -> bool {
+    let before = *lens;
+    if response.dragged() {
+        lens.drag(response.drag_delta());
+    }
+    if response.contains_pointer()
+        && let Some(pointer) = response.hover_pos()
+    {
+        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
+        let factor = pinch * (scroll * 0.004).exp();
+        lens.zoom_about(pointer - rect.center(), f64::from(factor));
+    }
+    if response.has_focus() {
+        for (key, factor) in [(Key::Plus, 1.25), (Key::Equals, 1.25), (Key::Minus, 0.8)] {
+            if ui.input(|input| input.key_pressed(key)) {
+                lens.zoom_about(vec2(0.0, 0.0), factor);
+            }
+        }
+    }
+    before != *lens
+}

@@ -1,0 +1,158 @@
+//! Every change of a setting is one command, and wrong numbers are none.
+
+use egui_kittest::{Harness, kittest::Queryable as _};
+
+use super::*;
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::metrics::{Form, MetricKind};
+use crate::analysis::transport::{CohortTransferParams, Reference};
+
+#[derive(Default)]
+struct Scene {
+    poses: PoseMapParams,
+    deformations: DeformationMapParams,
+    commands: Vec<Command>,
+}
+
+fn harness(scene: Scene) -> Harness<'static, Scene> {
+    let subjects: Vec<MapSubject> = (0..3)
+        .map(|index| MapSubject {
+            id: format!("P{index}"),
+            ..MapSubject::default()
+        })
+        .collect();
+    Harness::builder()
+        .with_size([280.0, 900.0])
+        .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+        .build_ui_state(
+            move |ui, scene: &mut Scene| {
+                let view = MetricPanelView {
+                    poses: scene.poses,
+                    deformations: scene.deformations,
+                    subjects: &subjects,
+                    selected: Some(2),
+                    neighbours: Some(5),
+                    time_weight: Some(1.42),
+                };
+                let mut commands = Vec::new();
+                metric_panel_ui(ui, &view, &mut commands);
+                for command in &commands {
+                    match command {
+                        Command::SetPoseMap(params) => scene.poses = *params,
+                        Command::SetDeformationMap(params) => scene.deformations = *params,
+                        _ => {}
+                    }
+                }
+                scene.commands.extend(commands);
+            },
+            scene,
+        )
+}
+
+fn choose(harness: &mut Harness<'_, Scene>, chooser: &str, choice: &str) {
+    harness.get_by_label(chooser).click();
+    harness.run();
+    harness.get_by_label(choice).click();
+    harness.run();
+}
+
+fn type_into(harness: &mut Harness<'_, Scene>, field: &str, text: &str) {
+    harness
+        .get_by_role_and_label(egui::accesskit::Role::TextInput, field)
+        .focus();
+    harness.run();
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
+    harness.run();
+    harness
+        .get_by_role_and_label(egui::accesskit::Role::TextInput, field)
+        .type_text(text);
+    harness.run();
+    harness.key_press(egui::Key::Enter);
+    harness.run();
+}
+
+#[test]
+fn kind_and_form_are_chosen_and_say_what_they_ignore() {
+    let mut harness = harness(Scene::default());
+    harness.run();
+    choose(&mut harness, "Form: Additive", "Frozen weights");
+    harness.get_by_label_contains("Frozen weights: ignores");
+    choose(&mut harness, "Kind: Quasi-conformal", "Isometric");
+    harness.get_by_label_contains("Isometric: ignores");
+    let metric = harness.state().poses.distances.metric;
+    assert_eq!(
+        (metric.kind, metric.form),
+        (MetricKind::Isometric, Form::Frozen)
+    );
+    assert_eq!(harness.state().commands.len(), 2);
+}
+
+#[test]
+fn a_weight_is_typed_and_a_wrong_one_is_refused_with_a_reason() {
+    let mut harness = harness(Scene::default());
+    harness.run();
+    type_into(&mut harness, "Displacement, λ", "0.5");
+    assert_eq!(harness.state().poses.distances.metric.lambda, 0.5);
+    type_into(&mut harness, "Displacement, λ", "-1");
+    assert_eq!(harness.state().poses.distances.metric.lambda, 0.5);
+    harness.get_by_label("lambda must be zero or positive and finite, not -1");
+    type_into(&mut harness, "Averaging", "2.5");
+    harness.get_by_label("must be a whole number, not 2.5");
+    assert_eq!(harness.state().commands.len(), 1);
+}
+
+#[test]
+fn motions_are_carried_onto_the_mean_or_a_subject() {
+    let mut harness = harness(Scene::default());
+    harness.run();
+    choose(
+        &mut harness,
+        "Transfer onto: no heart",
+        "the mean heart of the cohort",
+    );
+    let transfer = |harness: &Harness<'_, Scene>| harness.state().poses.distances.transfer;
+    assert_eq!(transfer(&harness), Some(CohortTransferParams::default()));
+    choose(&mut harness, "Transfer onto: the mean heart", "P2");
+    assert_eq!(
+        transfer(&harness).map(|transfer| transfer.reference),
+        Some(Reference::Subject(2))
+    );
+}
+
+#[test]
+fn isomap_asks_for_its_neighbours() {
+    let mut harness = harness(Scene::default());
+    harness.run();
+    assert!(harness.query_all_by_label("Neighbours").count() >= 1);
+    choose(&mut harness, "Method: SMACOF", "Isomap: along neighbours");
+    assert_eq!(
+        harness.state().poses.method,
+        MapMethod::Isomap { neighbours: 10 }
+    );
+}
+
+#[test]
+fn settings_of_the_deformation_map_may_be_left_to_the_program() {
+    let mut harness = harness(Scene::default());
+    harness.run();
+    type_into(&mut harness, "Time weight", "0");
+    assert_eq!(harness.state().deformations.time_weight, Some(0.0));
+    type_into(&mut harness, "Neighbours", "8");
+    assert_eq!(harness.state().deformations.neighbours, Some(8));
+    type_into(&mut harness, "Regularisation", "0");
+    harness.get_by_label_contains("regularisation must be above 0");
+    assert_eq!(harness.state().commands.len(), 2);
+}
+
+#[test]
+fn the_way_back_is_open_once_something_was_changed() {
+    let mut harness = harness(Scene::default());
+    harness.run();
+    harness.get_by_label("Reset to defaults").click();
+    harness.run();
+    assert!(harness.state().commands.is_empty());
+    choose(&mut harness, "Method: SMACOF", "MDS: classical scaling");
+    harness.get_by_label("Reset to defaults").click();
+    harness.run();
+    assert_eq!(harness.state().commands.last(), Some(&Command::ResetMaps));
+}

@@ -1,0 +1,130 @@
+//! Metrics, forms and methods in the words of the window, with what each ignores.
+
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
+
+/// All metrics in the order in which they are offered.
+pub const METRICS: [MetricKind; 4] = [
+    MetricKind::QuasiConformal,
+    MetricKind::AnglePreserving,
+    MetricKind::Isometric,
+    MetricKind::Rigid,
+];
+
+/// All forms in the order in which they are offered.
+pub const FORMS: [Form; 4] = [Form::Additive, Form::Bilinear, Form::Frozen, Form::Printed];
+
+/// What a metric is called.
+pub fn metric_name(kind: MetricKind) -> &'static str {
+    match kind {
+        MetricKind::Isometric => "Isometric",
+        MetricKind::Rigid => "Rigid",
+        MetricKind::AnglePreserving => "Angle-preserving",
+        MetricKind::QuasiConformal => "Quasi-conformal",
+    }
+}
+
+/// What a form is called.
+pub fn form_name(form: Form) -> &'static str {
+    match form {
+        Form::Printed => "As printed",
+        Form::Bilinear => "Bilinear",
+        Form::Frozen => "Frozen weights",
+        Form::Additive => "Additive",
+    }
+}
+
+/// What a method of mapping is called.
+pub fn method_name(method: MapMethod) -> &'static str {
+    match method {
+        MapMethod::ClassicalMds => "MDS",
+        MapMethod::Smacof => "SMACOF",
+        MapMethod::Isomap { .. } => "Isomap",
+    }
+}
+
+/// Whether a metric has forms, corners and a regulariser.
+pub fn has_forms(kind: MetricKind) -> bool {
+    matches!(
+        kind,
+        MetricKind::QuasiConformal | MetricKind::AnglePreserving
+    )
+}
+
+/// Whether the weight μ plays a part.
+pub fn has_curvature_weight(metric: &MetricParams) -> bool {
+    metric.kind == MetricKind::QuasiConformal && metric.form == Form::Additive
+}
+
+/// Whether the rings over which curvature is averaged play a part.
+pub fn has_rings(metric: &MetricParams) -> bool {
+    metric.kind == MetricKind::QuasiConformal && metric.area_weights
+}
+
+/// One sentence: what a metric ignores and what it charges.
+pub fn metric_sentence(metric: &MetricParams) -> String {
+    let name = metric_name(metric.kind);
+    let (ignores, charges) = match metric.kind {
+        MetricKind::Isometric => (
+            "position, turning and bending without stretch",
+            "change of lengths on the surface",
+        ),
+        MetricKind::Rigid => ("position and turning", "every other displacement"),
+        MetricKind::AnglePreserving => ("position, turning and even growth", "change of angles"),
+        MetricKind::QuasiConformal => (
+            "position, turning and even growth",
+            "change of angles and of curvature",
+        ),
+    };
+    let displacement = if metric.lambda > 0.0 && metric.kind != MetricKind::Rigid {
+        ", and by λ every displacement"
+    } else {
+        ""
+    };
+    format!("{name}: ignores {ignores}; charges {charges}{displacement}")
+}
+
+/// One sentence: how a form puts its terms together, and what it is good for.
+pub fn form_sentence(form: Form) -> &'static str {
+    match form {
+        Form::Additive => {
+            "Additive: an inner product everywhere; terms of angle and, by μ, of curvature add up"
+        }
+        Form::Bilinear => {
+            "Bilinear: ignores angles that change where curvature does not; along a path it can vanish"
+        }
+        Form::Frozen => {
+            "Frozen weights: ignores how curvature changes on the way; an inner product for each pair"
+        }
+        Form::Printed => {
+            "As printed: ignores signs, so it is no inner product; for single steps only"
+        }
+    }
+}
+
+/// One sentence: what size does.
+pub fn corners_sentence(corners: Corners) -> &'static str {
+    match corners {
+        Corners::ScaleFree => "Size does not matter: corners are measured relative to their edges",
+        Corners::Raw => "As printed: corners count with the fourth power of their size",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_metric_says_what_it_ignores() {
+        for kind in METRICS {
+            let mut metric = MetricParams {
+                kind,
+                ..MetricParams::default()
+            };
+            let sentence = metric_sentence(&metric);
+            assert!(sentence.starts_with(metric_name(kind)) && sentence.contains("ignores"));
+            metric.lambda = 0.0;
+            assert!(!metric_sentence(&metric).contains('λ'));
+        }
+    }
+}

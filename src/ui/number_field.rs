@@ -1,0 +1,283 @@
+//! A number to type, with its name and unit: wrong ones are refused with a reason and change nothing.
+
+use egui::{Align, Key, Layout, RichText, Sense, TextEdit, Ui, UiBuilder, vec2};
+
+use crate::ui::style::note;
+use crate::ui::theme::{colours, space};
+
+/// What a field shows.
+#[derive(Clone, Copy, Debug)]
+pub struct NumberField<'a> {
+    /// "Curvature, μ".
+    pub name: &'a str,
+    /// Behind the number; empty for what has none.
+    pub unit: &'a str,
+    /// What it does, for the hover.
+    pub what: &'a str,
+    /// The number in force; `None` where the program finds it.
+    pub value: Option<f64>,
+    /// What stands in an empty field that the program fills: "automatic: 5". Fields without it
+    /// must not be empty.
+    pub automatic: Option<&'a str>,
+    /// Whether it plays a part now.
+    pub enabled: bool,
+}
+
+/// What was typed and why it was refused, while it is not the number in force.
+#[derive(Clone, Debug, Default)]
+struct Typed {
+    text: String,
+    refused: Option<String>,
+}
+
+/// Width of the field and of the unit behind it; a narrow pane has a smaller field, and no room for
+/// units where there are none.
+const FIELD: f32 = 84.0;
+const NARROW_FIELD: f32 = 56.0;
+const UNIT: f32 = 38.0;
+const NARROW: f32 = 250.0;
+
+/// Draws the field; a number that is confirmed (Enter, or the keyboard goes elsewhere) and that
+/// `accept` takes comes back as what `accept` makes of it.
+pub fn number_field_ui<T>(
+    ui: &mut Ui,
+    field: &NumberField,
+    accept: impl Fn(Option<f64>) -> Result<T, String>,
+) -> Option<T> {
+    let id = ui.scope_id().with(("number field", field.name));
+    let shown = field.value.map(number_text).unwrap_or_default();
+    let kept: Option<Typed> = ui.data(|data| data.get_temp(id));
+    let mut typed = kept.clone().unwrap_or(Typed {
+        text: shown.clone(),
+        refused: None,
+    });
+    let response = row_ui(ui, field.name, field.what, field.enabled, |ui| {
+        let narrow = ui.available_width() < NARROW;
+        if !(narrow && field.unit.is_empty()) {
+            let (unit_rect, _) = ui.allocate_exact_size(vec2(UNIT, 20.0), Sense::hover());
+            let at = unit_rect.left_center();
+            let colour = colours(ui).muted;
+            let font = crate::ui::style::note_font();
+            ui.painter()
+                .text(at, egui::Align2::LEFT_CENTER, field.unit, font, colour);
+        }
+        let width = if narrow { NARROW_FIELD } else { FIELD };
+        let mut edit = TextEdit::singleline(&mut typed.text)
+            .desired_width(width)
+            .align(egui::Align2::RIGHT_CENTER)
+            .margin(vec2(6.0, 2.0));
+        if let Some(hint) = field.automatic {
+            edit = edit.hint_text(note(hint));
+        }
+        if typed.refused.is_some() {
+            edit = edit.text_color(colours(ui).error);
+        }
+        ui.add(edit).accessible_name(field.name)
+    });
+    if response.changed() {
+        typed.refused = None;
+    }
+    let mut answer = None;
+    let escaped = response.has_focus() && ui.input(|input| input.key_pressed(Key::Escape));
+    if escaped || !field.enabled {
+        typed = Typed {
+            text: shown.clone(),
+            refused: None,
+        };
+    } else if response.lost_focus() && typed.text.trim() != shown {
+        match read(&typed.text, field.automatic.is_some()).and_then(&accept) {
+            Ok(value) => answer = Some(value),
+            Err(why) => typed.refused = Some(why),
+        }
+    }
+    let settled = answer.is_some()
+        || escaped
+        || !(response.has_focus() || response.changed() || typed.refused.is_some());
+    if settled && kept.is_some() {
+        ui.data_mut(|data| data.remove::<Typed>(id));
+    } else if !settled {
+        ui.data_mut(|data| data.insert_temp(id, typed.clone()));
+    }
+    if let Some(why) = typed.refused.filter(|_| answer.is_none()) {
+        let text = RichText::new(why).small().color(colours(ui).error);
+        ui.add(egui::Label::new(text).wrap());
+    }
+    answer
+}
+
+/// A name on the left and a control on the right, in one line.
+pub fn row_ui<R>(
+    ui: &mut Ui,
+    name: &str,
+    what: &str,
+    enabled: bool,
+    control: impl FnOnce(&mut Ui) -> R,
+) -> R {
+    let size = vec2(ui.available_width(), space::ROW + 2.0);
+    let (row, _) = ui.allocate_exact_size(size, Sense::hover());
+    let mut right = ui.new_child(
+        UiBuilder::new()
+            .max_rect(row)
+            .layout(Layout::right_to_left(Align::Center)),
+    );
+    right.spacing_mut().item_spacing.x = space::SMALL;
+    if !enabled {
+        right.disable();
+    }
+    let answer = control(&mut right);
+    let mut rest = row;
+    rest.set_right((right.min_rect().left() - space::MEDIUM).max(row.left()));
+    let mut left = ui.new_child(
+        UiBuilder::new()
+            .max_rect(rest)
+            .layout(Layout::left_to_right(Align::Center)),
+    );
+    if !enabled {
+        left.disable();
+    }
+    let label = left.add(egui::Label::new(name).truncate());
+    if !what.is_empty() {
+        label.on_hover_text(what);
+    }
+    answer
+}
+
+/// A number as a person types it: as many digits as it has, powers of ten where it is small.
+pub fn number_text(value: f64) -> String {
+    if value != 0.0 && (value.abs() < 1e-4 || value.abs() >= 1e6) {
+        return format!("{value:e}");
+    }
+    // Six figures are more than anybody chose; the rest is round-off.
+    let digits = 5 - value.abs().max(1e-4).log10().floor() as i32;
+    let text = format!("{value:.*}", digits.clamp(0, 12) as usize);
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// The number that was typed; `None` for an empty field.
+fn read(text: &str, may_be_empty: bool) -> Result<Option<f64>, String> {
+    let text = text.trim().replace(',', ".").replace('−', "-");
+    if text.is_empty() {
+        return if may_be_empty {
+            Ok(None)
+        } else {
+            Err("A number is needed here".to_owned())
+        };
+    }
+    match text.parse::<f64>() {
+        Ok(value) if value.is_finite() => Ok(Some(value)),
+        _ => Err(format!("“{text}” is not a number")),
+    }
+}
+
+/// A whole number from a field, or why it is none.
+pub fn whole(value: f64, most: u32) -> Result<u32, String> {
+    if value.fract() != 0.0 || value < 0.0 {
+        return Err(format!(
+            "must be a whole number, not {}",
+            number_text(value)
+        ));
+    }
+    if value > f64::from(most) {
+        return Err(format!("must be at most {most}"));
+    }
+    Ok(value as u32)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui_kittest::{Harness, kittest::Queryable as _};
+
+    #[test]
+    fn numbers_are_shown_as_they_are_typed() {
+        for (value, text) in [
+            (0.001, "0.001"),
+            (3.0, "3"),
+            (0.0, "0"),
+            (1e-5, "1e-5"),
+            (0.1 + 0.2, "0.3"),
+            (1024.0, "1024"),
+            (2.5e7, "2.5e7"),
+        ] {
+            assert_eq!(number_text(value), text);
+            assert_eq!(
+                read(text, false).map(|v| v.map(number_text)),
+                Ok(Some(text.to_owned()))
+            );
+        }
+        assert_eq!(read("0,5", false), Ok(Some(0.5)));
+        assert_eq!(read(" ", true), Ok(None));
+        assert!(read("", false).is_err() && read("x", true).is_err());
+        assert!(whole(2.5, 9).is_err() && whole(10.0, 9).is_err());
+    }
+
+    fn harness() -> Harness<'static, (Option<f64>, Vec<Option<f64>>)> {
+        Harness::builder()
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                |ui, (value, taken): &mut (Option<f64>, Vec<Option<f64>>)| {
+                    let field = NumberField {
+                        name: "Weight",
+                        unit: "mm",
+                        what: "",
+                        value: *value,
+                        automatic: Some("automatic"),
+                        enabled: true,
+                    };
+                    let accept = |number: Option<f64>| match number {
+                        Some(n) if n < 0.0 => Err(format!("must not be negative, not {n}")),
+                        other => Ok(other),
+                    };
+                    if let Some(number) = number_field_ui(ui, &field, accept) {
+                        *value = number;
+                        taken.push(number);
+                    }
+                },
+                (Some(3.0), Vec::new()),
+            )
+    }
+
+    fn type_into(harness: &mut Harness<'_, (Option<f64>, Vec<Option<f64>>)>, text: &str) {
+        let (role, name) = (egui::accesskit::Role::TextInput, "Weight");
+        harness.get_by_role_and_label(role, name).focus();
+        harness.run();
+        harness.key_press_modifiers(egui::Modifiers::COMMAND, Key::A);
+        harness.run();
+        if text.is_empty() {
+            harness.key_press(Key::Delete);
+        } else {
+            harness.get_by_role_and_label(role, name).type_text(text);
+        }
+        harness.run();
+        harness.key_press(Key::Enter);
+        harness.run();
+    }
+
+    #[test]
+    fn a_number_counts_once_it_is_confirmed() {
+        let mut harness = harness();
+        harness.run();
+        type_into(&mut harness, "4.5");
+        assert_eq!(harness.state().1, [Some(4.5)]);
+        type_into(&mut harness, "");
+        assert_eq!(harness.state().1, [Some(4.5), None]);
+    }
+
+    #[test]
+    fn a_wrong_number_is_refused_with_a_reason_and_stays_to_be_mended() {
+        let mut harness = harness();
+        harness.run();
+        type_into(&mut harness, "-2");
+        assert!(harness.state().1.is_empty());
+        harness.get_by_label("must not be negative, not -2");
+        type_into(&mut harness, "two");
+        harness.get_by_label("“two” is not a number");
+        type_into(&mut harness, "2");
+        assert_eq!(harness.state().1, [Some(2.0)]);
+        assert!(harness.query_by_label_contains("not a number").is_none());
+    }
+}

@@ -1,0 +1,123 @@
+//! A subject held by the pointer: let go on another one, its beat plays on that heart.
+
+use egui::{Align2, DragAndDrop, Id, LayerId, Order, Rect, Response, Stroke, StrokeKind, Ui, vec2};
+
+use crate::ui::command::Command;
+use crate::ui::style::text_font;
+use crate::ui::theme::{colours, line, radius, space};
+
+/// The subject under the pointer, as egui carries it from where it was taken to where it is let go.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DraggedSubject {
+    /// Index into the study's subjects.
+    pub subject: usize,
+    /// Pseudonym.
+    pub id: String,
+    /// Hearts whose vertices correspond have the same number.
+    pub correspondence: usize,
+}
+
+/// The subject that the pointer holds, if any.
+pub fn dragged_subject(ui: &Ui) -> Option<DraggedSubject> {
+    DragAndDrop::payload::<DraggedSubject>(ui.ctx()).map(|dragged| DraggedSubject::clone(&dragged))
+}
+
+/// A place where a dragged subject can be let go: another subject's row or picture.
+#[derive(Clone, Copy, Debug)]
+pub struct SubjectTarget<'a> {
+    /// Where it is.
+    pub rect: Rect,
+    /// Index of the subject that is there.
+    pub subject: usize,
+    /// Its pseudonym.
+    pub id: &'a str,
+    /// Hearts whose vertices correspond have the same number.
+    pub correspondence: usize,
+}
+
+/// Lights the target up while a subject that fits is held over it, and takes what is let go there.
+/// `response` is the widget that the target is part of.
+pub fn subject_target_ui(
+    ui: &Ui,
+    response: &Response,
+    target: &SubjectTarget,
+    commands: &mut Vec<Command>,
+) {
+    let Some(dragged) = dragged_subject(ui).filter(|dragged| dragged.subject != target.subject)
+    else {
+        return;
+    };
+    let fits = dragged.correspondence == target.correspondence;
+    let pointer = ui.input(|input| input.pointer.latest_pos());
+    let over = response.contains_pointer() && pointer.is_some_and(|at| target.rect.contains(at));
+    if fits {
+        let colours = colours(ui);
+        let colour = if over {
+            colours.accent
+        } else {
+            colours.accent.gamma_multiply(0.35)
+        };
+        let width = if over { line::STRONG } else { line::THIN };
+        ui.painter().rect_stroke(
+            target.rect.shrink(1.0),
+            f32::from(radius::CONTROL),
+            Stroke::new(width, colour),
+            StrokeKind::Inside,
+        );
+    }
+    if !over {
+        return;
+    }
+    if ui.input(|input| input.pointer.any_released()) {
+        DragAndDrop::take_payload::<DraggedSubject>(ui.ctx());
+        // What does not fit is asked for all the same: the answer says why it cannot be done.
+        commands.push(Command::CarryBeat {
+            from: dragged.subject,
+            onto: target.subject,
+        });
+        return;
+    }
+    let words = if fits {
+        format!("Play {}’s beat on {}", dragged.id, target.id)
+    } else {
+        format!("{} does not correspond with {}", target.id, dragged.id)
+    };
+    ui.ctx()
+        .data_mut(|data| data.insert_temp(words_id(), words));
+}
+
+fn words_id() -> Id {
+    Id::unique("dragged subject words")
+}
+
+/// Draws what the pointer holds beside it. Call once a frame, after all targets.
+pub fn dragged_subject_ui(ui: &Ui) {
+    let over: Option<String> = ui.ctx().data_mut(|data| data.remove_temp(words_id()));
+    let Some(dragged) = dragged_subject(ui) else {
+        return;
+    };
+    let Some(at) = ui.input(|input| input.pointer.latest_pos()) else {
+        return;
+    };
+    let words = over.unwrap_or_else(|| format!("{}’s beat: let go on another heart", dragged.id));
+    let colours = colours(ui);
+    let layer = LayerId::new(Order::Tooltip, Id::unique("dragged subject"));
+    let painter = ui.ctx().layer_painter(layer);
+    let galley = painter.layout_no_wrap(words, text_font(), colours.strong);
+    let size = galley.size() + vec2(2.0 * space::MEDIUM, space::MEDIUM);
+    let area = ui.ctx().content_rect().shrink(space::SMALL);
+    let mut card = Align2::LEFT_TOP.anchor_size(at + vec2(14.0, 12.0), size);
+    card = card.translate(vec2(
+        (area.right() - card.right()).min(0.0),
+        (area.bottom() - card.bottom()).min(0.0),
+    ));
+    painter.rect(
+        card,
+        f32::from(radius::CONTROL),
+        colours.control.gamma_multiply(0.94),
+        (line::THIN, colours.accent),
+        StrokeKind::Inside,
+    );
+    let text_at = card.min + vec2(space::MEDIUM, 0.5 * space::MEDIUM);
+    painter.galley(text_at, galley, colours.strong);
+}

@@ -1,0 +1,278 @@
+//! Maps of deformations, poses through time, and their settings: from a click to what every view shows.
+
+use super::*;
+
+use cardiomorph::analysis::metrics::MetricKind;
+use cardiomorph::engine::WorkKind;
+
+fn with_deformations() -> Harness<'static, App> {
+    let mut harness = mapped_window();
+    wait(&mut harness, "deformations and classes", |app| {
+        app.state().deformations().is_some() && app.state().classes().is_some() && !app.busy()
+    });
+    harness.run();
+    harness
+}
+
+fn shown(harness: &mut Harness<'_, App>, pane: Pane) {
+    give(harness, Command::ShowPane(pane));
+    harness.run();
+}
+
+fn subject(harness: &Harness<'_, App>) -> usize {
+    harness.state().state().document.subject
+}
+
+#[test]
+fn every_heart_becomes_a_point_and_classes_are_told_beside_chance() {
+    let mut harness = with_deformations();
+    let state = harness.state().state();
+    let map = state.deformations().unwrap();
+    assert_eq!(map.subjects.len(), 23);
+    assert_eq!(map.embedding.len(), 23);
+    let accuracy = state.classes().unwrap().nearest_neighbour.unwrap();
+    assert_eq!(accuracy.of, 23);
+    let said = format!("Nearest neighbour: {} of 23 · chance", accuracy.correct);
+    shown(&mut harness, Pane::DeformationMap);
+    harness.get_by_label_contains(&said);
+    harness.get_by_label_contains(" · error ");
+    harness.get_by_label("Deformation of N01, normal");
+    harness.get_by_label("Deformation of P14, abnormal");
+}
+
+#[test]
+fn a_click_on_a_deformation_plays_that_heart() {
+    let mut harness = with_deformations();
+    shown(&mut harness, Pane::DeformationMap);
+    // The outermost heart has no neighbour within reach of the click.
+    let map = harness.state().state().deformations().unwrap().clone();
+    let far = |row: usize| map.embedding.point(row)[0].hypot(map.embedding.point(row)[1]);
+    let row = (0..23).max_by(|a, b| far(*a).total_cmp(&far(*b))).unwrap();
+    let wanted = map.subjects[row];
+    let state = harness.state().state();
+    let heart = state.document.study().subjects[wanted].clone();
+    let role = cardiomorph::ui::role_name(state.document.study().role(&heart));
+    let name = format!("Deformation of {}, {role}", heart.id);
+    harness.get_by_label(&name).click();
+    harness.step();
+    harness.step();
+    assert_eq!(subject(&harness), wanted);
+    assert!(harness.state().state().play.playing);
+    wait(&mut harness, "that heart", |app| {
+        app.hearts_on_screen().first().map(|heart| heart.0) == Some(wanted)
+    });
+    give(&mut harness, Command::TogglePlay);
+}
+
+#[test]
+fn a_click_on_a_curve_through_time_plays_that_heart() {
+    let mut harness = with_deformations();
+    shown(&mut harness, Pane::SpaceTime);
+    let canvas = harness.get_by_label("Curves through poses and time").rect();
+    // The uppermost curve at mid-beat is not crossed there by another.
+    let study = harness.state().state().document.study().clone();
+    let middle = |index: usize| {
+        let heart = &study.subjects[index];
+        let role = cardiomorph::ui::role_name(study.role(heart));
+        let name = format!("Curve of {}, {role}", heart.id);
+        harness.get_by_label(&name).rect().center()
+    };
+    let apart = |index: usize| {
+        let others = (0..23).filter(|other| *other != index);
+        let nearest = others.map(|other| (middle(other) - middle(index)).length());
+        nearest.fold(f32::INFINITY, f32::min)
+    };
+    let lonely = (0..23)
+        .max_by(|a, b| apart(*a).total_cmp(&apart(*b)))
+        .unwrap();
+    let at = middle(lonely);
+    assert!(canvas.contains(at));
+    click_at(&mut harness, at);
+    harness.step();
+    assert_eq!(subject(&harness), lonely);
+    assert!(harness.state().state().play.playing);
+    give(&mut harness, Command::TogglePlay);
+}
+
+#[test]
+fn a_changed_setting_keeps_the_old_maps_until_new_ones_move_in_and_undo_takes_it_back() {
+    let mut harness = with_deformations();
+    let before = harness.state().state().deformations().unwrap().clone();
+    let mut settings = harness.state().state().document.deformation_map;
+    settings.neighbours = Some(9);
+    give(&mut harness, Command::SetDeformationMap(settings));
+    assert!(
+        harness.state().state().deformations().is_some(),
+        "the old map stays"
+    );
+    wait(&mut harness, "another map", |app| {
+        app.state().deformations().unwrap().embedding.neighbours == Some(9)
+    });
+    give(&mut harness, Command::Undo);
+    wait(&mut harness, "the map before", |app| {
+        app.state().deformations().unwrap().embedding.neighbours == before.embedding.neighbours
+            && !app.busy()
+    });
+    harness.run();
+    let after = harness.state().state().deformations().unwrap().clone();
+    for (a, b) in after
+        .embedding
+        .coordinates
+        .iter()
+        .zip(&before.embedding.coordinates)
+    {
+        assert!((a - b).abs() < 1e-6, "the same map lies the same way round");
+    }
+}
+
+#[test]
+fn points_move_to_their_new_places_and_then_rest() {
+    let mut harness = with_deformations();
+    shown(&mut harness, Pane::DeformationMap);
+    harness.remove_cursor();
+    // The harness has animations switched off, as people can: then points are there at once.
+    harness
+        .ctx
+        .all_styles_mut(|style| style.animation_time = 0.12);
+    let places = |harness: &Harness<'_, App>| -> Vec<egui::Pos2> {
+        let hearts = harness.get_all_by_label_contains("Deformation of ");
+        hearts.map(|heart| heart.rect().center()).collect()
+    };
+    let delay = |harness: &Harness<'_, App>| {
+        harness.output().viewport_output[&egui::ViewportId::ROOT].repaint_delay
+    };
+    let before = places(&harness);
+    let shown_before = harness.state().state().deformations().unwrap().clone();
+    let mut settings = harness.state().state().document.deformation_map;
+    settings.neighbours = Some(4);
+    harness
+        .state_mut()
+        .push(Command::SetDeformationMap(settings));
+    let begin = Instant::now();
+    while harness.state().state().deformations() == Some(&shown_before) {
+        assert!(begin.elapsed() < Duration::from_secs(30), "no other map");
+        harness.step();
+    }
+    let mut seen = vec![places(&harness)];
+    for _ in 0..15 {
+        harness.step();
+        seen.push(places(&harness));
+    }
+    // The heart that goes farthest is the one to watch.
+    let far = |heart: usize| (seen[15][heart] - seen[0][heart]).length();
+    let heart = (0..before.len())
+        .max_by(|a, b| far(*a).total_cmp(&far(*b)))
+        .unwrap();
+    let seen: Vec<egui::Pos2> = seen.iter().map(|places| places[heart]).collect();
+    let (start, end) = (seen[0], seen[15]);
+    assert!(far(heart) > 10.0, "another neighbourhood is another map");
+    assert!(
+        (start - before[heart]).length() < (start - end).length(),
+        "points set out from about where they were"
+    );
+    let between = seen
+        .iter()
+        .filter(|at| (**at - start).length() > 0.2 && (**at - end).length() > 0.2)
+        .count();
+    assert!(between >= 3, "the way is seen, not only its ends: {seen:?}");
+    wait(&mut harness, "rest", |app| !app.busy());
+    harness.run();
+    harness.step();
+    assert_eq!(
+        delay(&harness),
+        Duration::MAX,
+        "a map at rest asks for no repaint"
+    );
+}
+
+#[test]
+fn the_panel_changes_the_metric_and_the_way_back_is_one_undo() {
+    let mut harness = with_deformations();
+    shown(&mut harness, Pane::Metric);
+    harness.get_by_label("Kind: Quasi-conformal").click();
+    harness.run();
+    harness.get_by_label("Rigid").click();
+    harness.run_steps(3);
+    let kind =
+        |harness: &Harness<'_, App>| harness.state().state().document.map.distances.metric.kind;
+    assert_eq!(kind(&harness), MetricKind::Rigid);
+    harness.get_by_label_contains("Rigid: ignores position and turning");
+    wait(&mut harness, "the rigid map", |app| !app.busy());
+    give(&mut harness, Command::ResetMaps);
+    assert_eq!(kind(&harness), MetricKind::QuasiConformal);
+    give(&mut harness, Command::Undo);
+    assert_eq!(kind(&harness), MetricKind::Rigid);
+}
+
+#[test]
+fn three_hearts_have_no_deformation_map_and_are_told_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = env!("CARGO_BIN_EXE_cardiomorph");
+    let status = std::process::Command::new(program)
+        .args(["demo", "--vertices", "400", "--out"])
+        .arg(folder.path())
+        .status()
+        .unwrap();
+    assert!(status.success());
+    let manifest = folder.path().join("study.toml");
+    let text = std::fs::read_to_string(&manifest).unwrap();
+    let parts: Vec<&str> = text.split("[[subject]]").collect();
+    std::fs::write(&manifest, parts[..4].join("[[subject]]")).unwrap();
+    let mut harness = window(AppOptions::opening(vec![manifest]));
+    wait_for_heart(&mut harness);
+    wait(&mut harness, "the map", |app| {
+        app.state().map().is_some() && !app.busy()
+    });
+    assert_eq!(harness.state().state().document.study().subjects.len(), 3);
+    shown(&mut harness, Pane::DeformationMap);
+    harness.get_by_label("Fewer than 4 subjects: no deformation map");
+    assert!(harness.state().state().errors.is_empty());
+}
+
+#[test]
+fn a_stopped_map_of_poses_stops_the_map_of_deformations_and_both_come_back() {
+    let mut harness = window(AppOptions::built_in(BuiltInParams {
+        vertices: 2_500,
+        ..BuiltInParams::default()
+    }));
+    wait(&mut harness, "the map", |app| {
+        app.state().deformations().is_some() && !app.busy()
+    });
+    shown(&mut harness, Pane::DeformationMap);
+    let before = harness.state().state().deformations().unwrap().clone();
+    let mut other = harness.state().state().document.map;
+    other.distances.metric.mu *= 2.0;
+    give(&mut harness, Command::SetPoseMap(other));
+    assert!(harness.state().busy());
+    harness.get_by_label("Deformation of N01, normal");
+    give(&mut harness, Command::Cancel(WorkKind::PoseMap));
+    wait(&mut harness, "the end of the work", |app| !app.busy());
+    harness.get_by_label("Stopped; this is the map before");
+    assert_eq!(harness.state().state().deformations(), Some(&before));
+    harness.get_by_label("Retry").click();
+    harness.step();
+    wait(&mut harness, "the new map", |app| {
+        !app.busy() && app.state().deformations() != Some(&before)
+    });
+    harness.run();
+    assert!(
+        harness
+            .query_by_label("Stopped; this is the map before")
+            .is_none()
+    );
+}
+
+#[test]
+fn tabs_of_the_maps_come_to_the_front_from_the_palette() {
+    let mut harness = with_deformations();
+    harness.get_by_label("Pose map");
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::K);
+    harness.run_steps(4);
+    harness.event(egui::Event::Text("map of deformations".to_owned()));
+    harness.run_steps(4);
+    harness.key_press(egui::Key::Enter);
+    harness.run_steps(6);
+    harness.get_by_label("Deformation map");
+    assert!(harness.query_by_label("Pose map").is_none());
+    assert!(!harness.state().state().sheets.palette);
+}
