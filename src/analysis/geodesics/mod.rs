@@ -7,7 +7,6 @@
 
 mod coarse;
 mod ends;
-mod frames;
 mod interpolate;
 mod minimise;
 mod params;

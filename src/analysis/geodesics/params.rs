@@ -25,7 +25,7 @@ impl Default for GeodesicParams {
         Self {
             metric: MetricParams::default(),
             in_betweens: 3,
-            tolerance: 1e-6,
+            tolerance: 1e-3,
             most_iterations: 1_000,
             most_vertices: None,
         }

@@ -165,15 +165,15 @@ impl GeodesicSolver {
                 || !progress.stop_requested(),
             )
         };
-        let levels = time_levels(count);
         let stiffness = own.as_ref().or(self.stiffness.as_ref());
-        let mut best = from(&levels, stiffness)?;
+        let mut best = from(&[count], stiffness)?;
         if !has_many_minima(&self.params) {
             return Ok(best);
         }
         let mut energy = PathEnergy::new(&self.metric, start, end, count)?;
         let mut least = energy.energy(&best.coordinates);
-        for (levels, stiffness) in [(&levels[..], None), (&[count], stiffness), (&[count], None)] {
+        let levels = time_levels(count);
+        for (levels, stiffness) in [(&levels[..], stiffness), (&levels, None), (&[count], None)] {
             if best.stopped {
                 break;
             }

@@ -1,28 +1,31 @@
 //! How stiff each direction of a path is, about: what makes the search short.
 
 use crate::analysis::metrics::{CheckedMetricParams, Corners, MetricKind, Regulariser};
-use crate::mesh::{Edge, Faces, Point3, Vector3};
+use crate::mesh::{Faces, Point3, Vector3};
 use crate::numeric::SparseCholesky;
-
-use super::frames::Frames;
 
 /// Added to the diagonal, as a share of its mean, so that fields which the metric does not charge
 /// do not make the matrix singular; small enough not to be felt by those it charges.
 const SHIFT: f64 = 1e-6;
 
+/// Stiffness of sides against turning, as a share of that against stretching.
+///
+/// A side under strain resists turning (or gives way to it) with about its strain, and the straight
+/// line between two beating or galloping poses strains sides by some tenths. Without this share the
+/// search steps into high-frequency wrinkles: on the horse, 60 iterations lower the energy to 0.50 of the
+/// straight line's without it and to 0.36 with it; on an endocardium, 6 iterations to 0.986 and to 0.978.
+/// Between 0.03 and 1 it makes little difference.
+const TENSION: f64 = 0.1;
+
 /// The inverse of T ⊗ 4G, factorised: about the Hessian of the path energy.
 ///
 /// With the metric frozen at one pose, ⟨⟨X, Y⟩⟩ = Xᵀ G Y, the energy is Σ 2 XᵢᵀG Xᵢ, a quadratic
 /// form with Hessian 4 T ⊗ G where T = tridiag(−1, 2, −1) couples neighbouring poses. G holds the
-/// corner terms (or edge terms) and the regulariser, and not the curvature term, which
-/// with its averages would fill it; what is left out costs iterations, never accuracy. Each pose has it
-/// in its own [`Frames`].
+/// corner terms (or edge terms), a tension of the sides and the regulariser, and not the curvature term, which
+/// with its averages would fill it; what is left out costs iterations, never accuracy.
 #[derive(Clone, Debug)]
 pub(super) struct Stiffness {
     factor: SparseCholesky,
-    reference: Vec<Point3>,
-    edges: Vec<Edge>,
-    triangles: Vec<[u32; 3]>,
 }
 
 impl Stiffness {
@@ -84,29 +87,17 @@ impl Stiffness {
             entries.push((k, k, value + even + SHIFT * mean));
         }
         let factor = SparseCholesky::new(size, &entries).ok()?;
-        Some(Self {
-            factor,
-            reference: pose.to_vec(),
-            edges: faces.edges(),
-            triangles: faces.triangles().to_vec(),
-        })
+        Some(Self { factor })
     }
 
-    /// The frames of a path's poses, given flat.
-    pub fn frames(&self, poses: &[f64]) -> Frames {
-        Frames::new(&self.reference, &self.edges, &self.triangles, poses)
-    }
-
-    /// Multiplies a gradient over any number of poses by the inverse, in their frames.
-    pub fn solve(&self, frames: &Frames, gradient: &mut [f64]) {
+    /// Multiplies a gradient over any number of poses by the inverse.
+    pub fn solve(&self, gradient: &mut [f64]) {
         let size = self.factor.size();
         if size == 0 {
             return;
         }
-        frames.turn_back(gradient);
         self.factor.solve(gradient);
         solve_in_time(gradient, size);
-        frames.turn(gradient);
         for value in gradient {
             *value *= 0.25;
         }
@@ -170,6 +161,19 @@ fn face_block(
     }
     let c = side_form(length2, params, corner_weights);
     let mut block = [[0.0; 9]; 9];
+    let stiffest = (0..3).map(|e| c[e][e]).fold(0.0, f64::max);
+    for e in 0..3 {
+        if length2[e] > 0.0 {
+            let (p, q) = (3 * e, 3 * ((e + 1) % 3));
+            let tension = TENSION * stiffest / length2[e];
+            for axis in 0..3 {
+                block[p + axis][p + axis] += tension;
+                block[q + axis][q + axis] += tension;
+                block[p + axis][q + axis] -= tension;
+                block[q + axis][p + axis] -= tension;
+            }
+        }
+    }
     for (i, row) in block.iter_mut().enumerate() {
         for (j, entry) in row.iter_mut().enumerate() {
             for e in 0..3 {
@@ -249,10 +253,10 @@ mod tests {
         }
     }
 
-    /// Near a path that does not move, the energy is the quadratic form: its gradient put through
-    /// the inverse gives the displacement back.
+    /// Near a path that does not move, the energy is the quadratic form XᵀHX / 2; what is solved for, P,
+    /// differs from it by the tension only, which no field feels more than the stiffest.
     #[test]
-    fn of_small_displacements_it_inverts_the_hessian() {
+    fn of_small_displacements_it_nearly_inverts_the_hessian() {
         let ball = phantom::sphere(1, 2.0);
         for (kind, corners, area_weights, regulariser) in [
             (
@@ -302,11 +306,11 @@ mod tests {
             let moved: Vec<f64> = still.iter().zip(&small).map(|(x, d)| x + d).collect();
             let mut back = vec![0.0; still.len()];
             energy.evaluate(&moved, &mut back);
-            stiffness.solve(&stiffness.frames(&still), &mut back);
-            let error = |(a, b): (&f64, &f64)| (a - b).abs();
-            let worst = back.iter().zip(&small).map(error).fold(0.0, f64::max);
-            // Of second order in the displacement, relative to edges of about 1.
-            assert!(worst < 2e-6, "{kind:?} {corners:?}: {worst:e}");
+            stiffness.solve(&mut back);
+            let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+            // P⁻¹H has no eigenvalue above 1, and of a field that turns and stretches none near 0.
+            let share = dot(&back, &small) / dot(&small, &small);
+            assert!((0.3..1.0).contains(&share), "{kind:?} {corners:?}: {share}");
         }
     }
 }

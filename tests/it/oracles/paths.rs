@@ -35,6 +35,8 @@ fn params(case: &Case) -> GeodesicParams {
             ..as_printed(kind, form, corners)
         },
         in_betweens: stated["k_intermediate"].as_u64().unwrap() as u16,
+        tolerance: 1e-6,
+        most_iterations: 2_000,
         ..GeodesicParams::default()
     }
 }

@@ -1,0 +1,100 @@
+//! Cheapest paths between real poses: a horse at a gallop, a heart from end-diastole to end-systole.
+
+use std::path::{Path, PathBuf};
+
+use cardiomorph::analysis::geodesics::{GeodesicParams, GeodesicPath, geodesic};
+use cardiomorph::io::{Limits, open_paths};
+use cardiomorph::mesh::{CappedSheet, Faces, Point3, sheets};
+use cardiomorph::progress::Progress;
+use cardiomorph::study::{SurfaceKind, SurfaceSequence};
+
+/// A path under `data`, or `None` with a message where the shared folder is absent.
+fn shared_data(place: &str) -> Option<PathBuf> {
+    let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
+        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared"),
+        PathBuf::from,
+    );
+    let path = shared.join("data").join(place);
+    if !path.exists() {
+        println!("skipped: {} is absent", path.display());
+        return None;
+    }
+    Some(path)
+}
+
+fn surface(folder: PathBuf, kind: SurfaceKind) -> SurfaceSequence {
+    let opened = open_paths(&[folder], &Limits::default(), &Progress::default()).unwrap();
+    let sequence = &opened.study.subjects[0].sequence;
+    sequence.surface(kind).unwrap().clone()
+}
+
+/// Volume inside the surface, its openings closed by lids.
+fn volumes(faces: &Faces, poses: &[Vec<Point3>]) -> Vec<f64> {
+    let caps: Vec<CappedSheet> = (sheets(faces).unwrap().iter())
+        .map(|sheet| CappedSheet::new(faces.vertex_count(), sheet).unwrap())
+        .collect();
+    let of = |pose: &Vec<Point3>| caps.iter().map(|cap| cap.signed_volume(pose)).sum::<f64>();
+    poses.iter().map(|pose| of(pose).abs()).collect()
+}
+
+/// With the default metric and 7 in-betweens: volumes within the range of the ends ± 2 %, no step
+/// over twice another, cheaper than the straight line.
+fn is_sound(name: &str, surface: &SurfaceSequence, from: usize, to: usize) -> GeodesicPath {
+    let params = GeodesicParams {
+        in_betweens: 7,
+        ..GeodesicParams::default()
+    };
+    let faces = surface.faces();
+    let (start, end) = (
+        surface.frames()[from].vertices(),
+        surface.frames()[to].vertices(),
+    );
+    let params = params.check().unwrap();
+    let path = geodesic(faces, start, end, &params, &Progress::default()).unwrap();
+    let volumes = volumes(faces, &path.poses);
+    let steps = path.step_lengths.iter();
+    let longest = steps.clone().copied().fold(0.0, f64::max);
+    let shortest = steps.copied().fold(f64::INFINITY, f64::min);
+    let (ends, inside) = ([volumes[0], volumes[8]], &volumes[1..8]);
+    println!(
+        "{name}: energy {:.4} of the straight line's, longest step {:.3} of the shortest, {} iterations, \
+         {} pairs of faces cross, volumes {volumes:.4?}",
+        path.energy / path.energy_linear,
+        longest / shortest,
+        path.iterations,
+        path.self_intersections,
+    );
+    let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+    for volume in inside {
+        assert!(
+            (0.98 * low..=1.02 * high).contains(volume),
+            "{name}: {volumes:?}"
+        );
+    }
+    assert!(longest <= 2.0 * shortest, "{name}: {:?}", path.step_lengths);
+    assert!(path.energy < path.energy_linear, "{name}");
+    path
+}
+
+#[test]
+fn the_way_from_end_diastole_to_end_systole_does_not_collapse() {
+    for (kind, name) in [
+        (SurfaceKind::Endocardium, "endocardium"),
+        (SurfaceKind::Epicardium, "epicardium"),
+    ] {
+        let Some(folder) = shared_data("cine_mri/bivme_patient1") else {
+            return;
+        };
+        // End-diastole is the largest volume of the table, end-systole the smallest.
+        let path = is_sound(name, &surface(folder, kind), 24, 9);
+        assert_eq!(path.self_intersections, 0, "{name}");
+    }
+}
+
+#[test]
+fn the_way_of_a_galloping_horse_does_not_collapse() {
+    let Some(folder) = shared_data("horse_gallop") else {
+        return;
+    };
+    is_sound("horse", &surface(folder, SurfaceKind::Other), 0, 5);
+}
