@@ -166,8 +166,12 @@ impl AnalysisRequest {
     }
 }
 
-fn distance_words(params: &PoseDistanceParams) -> String {
-    let metric = metric_words(&params.metric);
+/// How poses are compared, as summaries and the activity list say it.
+pub fn distance_words(params: &PoseDistanceParams) -> String {
+    let mut metric = metric_words(&params.metric);
+    if params.smoothing > 0.0 {
+        metric += &format!(", smoothed over {} √area", params.smoothing);
+    }
     match params.transfer {
         None => metric,
         Some(transfer) => match transfer.reference {
