@@ -66,8 +66,14 @@ fn draws_have_the_moments_of_their_family() {
             |power: i32| draws.iter().map(|x| (x - mean).powi(power)).sum::<f64>() / DRAWS as f64;
         let (variance, name) = (central(2), family.name());
         assert!(mean.abs() <= 0.01 * sigma, "{name} {mean}");
-        assert!((variance / sigma.powi(2) - 1.0).abs() <= 0.015, "{name} {variance}");
-        let (skew, kurt) = (central(3) / variance.powf(1.5), central(4) / variance.powi(2) - 3.0);
+        assert!(
+            (variance / sigma.powi(2) - 1.0).abs() <= 0.015,
+            "{name} {variance}"
+        );
+        let (skew, kurt) = (
+            central(3) / variance.powf(1.5),
+            central(4) / variance.powi(2) - 3.0,
+        );
         assert!((skew - skewness).abs() <= 0.05, "{name} {skew}");
         assert!((kurt - kurtosis).abs() <= 0.05, "{name} {kurt}");
         let largest = draws.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
