@@ -1,9 +1,11 @@
-//! Cost of the energy of a path and its gradient, on one core.
+//! Cost of the energy of a path and its gradient, and of the cheapest path, on one core.
 
 use std::time::Duration;
 
+use cardiomorph::analysis::geodesics::{GeodesicParams, GeodesicSolver, geodesic};
 use cardiomorph::analysis::metrics::{Metric, MetricParams, PathEnergy};
 use cardiomorph::mesh::{Point3, TriMesh, phantom};
+use cardiomorph::progress::Progress;
 use criterion::{Criterion, criterion_group, criterion_main};
 
 /// An egg that narrows and bends with `amount`.
@@ -61,12 +63,61 @@ fn energy_and_gradient(criterion: &mut Criterion) {
     }
 }
 
+/// The upper half of a ball bulges, as in the oracles.
+fn bulged(sphere: &TriMesh) -> Vec<Point3> {
+    (sphere.vertices().iter())
+        .map(|p| Point3::from(p.coords * (1.0 + 0.6 * p.z.max(0.0).powi(2))))
+        .collect()
+}
+
+/// The whole path with 3 in-betweens, and one of many on the same faces for the transport: 1 in-between,
+/// on all vertices and on 500.
+fn whole_paths(criterion: &mut Criterion) {
+    for (vertices, level) in [(642, 3), (2_562, 4)] {
+        let sphere = phantom::sphere(level, 1.0);
+        let (start, end) = (sphere.vertices(), bulged(&sphere));
+        let Ok(params) = GeodesicParams::default().check() else {
+            return;
+        };
+        let progress = Progress::default();
+        if let Ok(path) = geodesic(sphere.faces(), start, &end, &params, &progress) {
+            eprintln!(
+                "path over {vertices} vertices: energy {:.9} of the straight line's, {} iterations, converged {}",
+                path.energy / path.energy_linear,
+                path.iterations,
+                path.converged
+            );
+        }
+        criterion.bench_function(&format!("geodesic_3_in_betweens_{vertices}"), |bencher| {
+            bencher.iter(|| geodesic(sphere.faces(), start, &end, &params, &progress));
+        });
+        for most_vertices in [None, Some(500)] {
+            let params = GeodesicParams {
+                in_betweens: 1,
+                most_vertices,
+                ..GeodesicParams::default()
+            };
+            let Ok(params) = params.check() else {
+                return;
+            };
+            let Ok(solver) = GeodesicSolver::new(sphere.faces(), start, &params) else {
+                return;
+            };
+            let on = most_vertices.map_or_else(|| "all".to_owned(), |most| most.to_string());
+            criterion.bench_function(
+                &format!("shared_geodesic_1_in_between_{vertices}_on_{on}"),
+                |bencher| bencher.iter(|| solver.between(start, &end, &progress)),
+            );
+        }
+    }
+}
+
 criterion_group! {
     name = benches;
     config = Criterion::default()
         .sample_size(20)
         .warm_up_time(Duration::from_millis(500))
         .measurement_time(Duration::from_secs(3));
-    targets = energy_and_gradient
+    targets = energy_and_gradient, whole_paths
 }
 criterion_main!(benches);

@@ -11,16 +11,23 @@ pub struct GeodesicParams {
     pub metric: MetricParams,
     /// Poses between the two ends.
     pub in_betweens: u16,
-    /// Stop when the energy is expected to fall by less than this share of itself.
+    /// Stop when eight iterations lowered the energy by less than this share of itself, and the next one
+    /// is not expected to lower it by more.
     pub tolerance: f64,
-    /// Stop after so many iterations of each level.
+    /// Stop after so many iterations of each search.
     pub most_iterations: u32,
-    /// Find the path on a decimated mesh of about so many vertices, and prolong it to the whole;
-    /// `None`: on the mesh as it is.
+    /// Find the path on a decimated mesh of at most so many vertices, and prolong its offsets from the
+    /// straight line to the whole; `None`: on the mesh as it is.
+    ///
+    /// Offsets are smooth where limbs do not turn: on hearts of 1,600 vertices a path found on 1,000 has 85 % of
+    /// the gain in energy, one found on 500 some 60 %, 300 some 50 %. On the horse, whose legs turn, prolonged
+    /// paths cost more than the straight line, which is then given.
     pub most_vertices: Option<u32>,
 }
 
 impl Default for GeodesicParams {
+    /// Tolerance: on hearts 1e-3 ends after some 20 iterations, within 0.7 % of the energy that
+    /// hundreds more reach; those make wrinkles below the scale at which the default metric charges curvature.
     fn default() -> Self {
         Self {
             metric: MetricParams::default(),
