@@ -11,7 +11,7 @@ use crate::analysis::experiments::{
     interpolation_study, metric_comparison, noise_deformation, transfer_study,
 };
 use crate::analysis::transport::CohortTransferParams;
-use crate::cli::args::{ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs};
+use crate::cli::experiment_args::{ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs};
 use crate::cli::input::opened_study;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};

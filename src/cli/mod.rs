@@ -6,6 +6,7 @@ mod corresponding;
 mod demo;
 mod embed;
 mod experiment;
+mod experiment_args;
 mod figure;
 mod info;
 mod input;

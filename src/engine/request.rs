@@ -254,7 +254,8 @@ mod tests {
         let request = AnalysisRequest::PoseMap(PoseMapParams::default());
         assert_eq!(
             request.parameters(),
-            "quasi-conformal, additive form, μ = 0.001, scale-free corners, λ = 3, SMACOF"
+            "quasi-conformal, additive form, μ = 0.001, scale-free corners, λ = 3, \
+             smoothed over 0.1 √area, SMACOF"
         );
         let mut metric = MetricParams {
             kind: MetricKind::Rigid,
