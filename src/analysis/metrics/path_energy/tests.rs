@@ -236,12 +236,9 @@ fn with_the_size_of_the_ends_swelling_makes_no_step_shorter() {
     };
     let path = |scale: f64| Path {
         faces: std::sync::Arc::clone(ball.faces()),
-        poses: vec![
-            moved(0.0, 1.0),
-            moved(1.0, scale),
-            moved(2.0, scale),
-            moved(3.0, 1.0),
-        ],
+        poses: [(0.0, 1.0), (1.0, scale), (2.0, scale), (3.0, 1.0)]
+            .map(|(by, scale)| moved(by, scale))
+            .to_vec(),
     };
     let params = MetricParams {
         lambda: 100.0,
@@ -249,12 +246,10 @@ fn with_the_size_of_the_ends_swelling_makes_no_step_shorter() {
     };
     let cost = |path: &Path, of_ends: bool| {
         let energy = path.energy(params);
-        let mut energy = if of_ends {
-            energy.with_size_of_ends()
-        } else {
-            energy
-        };
-        energy.energy(&path.inner())
+        match of_ends {
+            true => energy.with_size_of_ends().energy(&path.inner()),
+            false => { energy }.energy(&path.inner()),
+        }
     };
     assert!(
         cost(&path(1.2), false) < cost(&path(1.0), false),
