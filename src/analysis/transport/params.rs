@@ -106,6 +106,9 @@ impl Default for CohortTransferParams {
     /// displacement away from those of 7 in-betweens on all vertices, and 35 % without
     /// in-betweens. Of 23 built-in hearts, 18 have a nearest neighbour that is normal or not as
     /// they are, whatever the row; 20 without transfer, and 18 by displacement alone.
+    ///
+    /// Taken once, before the search for geodesics was given another preconditioner: paths with several
+    /// minima, as on SPECT, may now be others.
     fn default() -> Self {
         Self {
             reference: Reference::Mean,

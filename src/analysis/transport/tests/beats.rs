@@ -280,7 +280,8 @@ fn one_geodesic_bent_for_all_steps_is_near_a_geodesic_for_each() {
     let first = greatest_gap(&beat(3, Geodesics::First), &best) / moved;
     let straight = greatest_gap(&beat(0, Geodesics::First), &best) / moved;
     assert!(first < 0.02, "{first}");
-    assert!(straight > 1e-6 && straight < 0.05, "{straight}");
+    // Hearts this different: the straight way misses a tenth of the motion.
+    assert!(straight > 4.0 * first, "{straight} {first}");
 }
 
 fn sequence_at_rest(sequence: &MeshSequence, frames: usize) -> MeshSequence {
