@@ -1,12 +1,11 @@
 //! Writes what is on screen: a figure of the 3D view, all tables as files.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::analysis::embedding::MapMethod;
-use crate::analysis::pose_distances::PoseDistanceParams;
-use crate::engine::{AnalysisRequest, Cache, Engine, ExportFile, PoseMapParams, metric_words, run};
-use crate::io::{distances_csv, frames_csv, poses_csv, subjects_csv, summary_json};
+use crate::engine::{
+    AnalysisTables, Cache, DeformationMapSettings, Engine, ExportFile, distance_words,
+};
 use crate::picture::figure::{
     FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,
     encoded_png,
@@ -14,7 +13,6 @@ use crate::picture::figure::{
 use crate::picture::{HeartNumbers, PictureTheme, SceneSettings, scene_with_numbers};
 use crate::progress::Progress;
 use crate::render::{Camera, Headless};
-use crate::study::Study;
 
 use super::pictures::Heart;
 use super::play::pose_in;
@@ -166,63 +164,14 @@ pub fn write_tables(engine: &mut Engine, state: &State, folder: PathBuf) {
     if study.subjects.is_empty() {
         return;
     }
-    let distances = state.document.map.distances;
-    let words = metric_words(&distances.metric);
+    let settings = DeformationMapSettings {
+        poses: state.document.map,
+        map: state.document.deformation_map,
+    };
+    let words = distance_words(&settings.poses.distances);
     engine.start_export("Tables", words, move |progress| {
-        tables(&study, distances, &folder, progress)
+        let tables = AnalysisTables::of(&study, &settings, &Cache::default(), progress)
+            .map_err(|error| error.to_string())?;
+        Ok(tables.files(&folder, Vec::new())?.0)
     });
-}
-
-fn tables(
-    study: &Study,
-    distances: PoseDistanceParams,
-    folder: &Path,
-    progress: &Progress,
-) -> Result<Vec<ExportFile>, String> {
-    let cache = Cache::default();
-    let answer = |request: AnalysisRequest| {
-        run(study, &request, &cache, progress).map_err(|error| error.to_string())
-    };
-    let map = |method| {
-        let request = AnalysisRequest::PoseMap(PoseMapParams { distances, method });
-        let outcome = answer(request)?;
-        outcome
-            .pose_map()
-            .cloned()
-            .ok_or_else(|| "the map of poses is missing".to_owned())
-    };
-    let measures = answer(AnalysisRequest::Measures)?;
-    let measures = measures
-        .measures()
-        .ok_or_else(|| "the measures are missing".to_owned())?;
-    let mds = map(MapMethod::ClassicalMds)?;
-    let smacof = map(MapMethod::Smacof)?;
-    let poses = &mds.distances.poses;
-    let summary = summary_json(
-        study,
-        measures,
-        &mds.distances,
-        &metric_words(&distances.metric),
-        &[("mds", &mds.embedding), ("smacof", &smacof.embedding)],
-        None,
-    );
-    let summary = serde_json::to_string_pretty(&summary).map_err(|error| error.to_string())?;
-    let tables = [
-        ("measures.csv", subjects_csv(study, measures)),
-        ("frames.csv", frames_csv(study, measures)),
-        ("distances.csv", distances_csv(study, &mds.distances)),
-        ("poses_mds.csv", poses_csv(study, poses, &mds.embedding)),
-        (
-            "poses_smacof.csv",
-            poses_csv(study, poses, &smacof.embedding),
-        ),
-        ("summary.json", summary + "\n"),
-    ];
-    Ok(tables
-        .into_iter()
-        .map(|(name, text)| ExportFile {
-            path: folder.join(name),
-            bytes: text.into_bytes(),
-        })
-        .collect())
 }

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Parser, Subcommand};
 
+use crate::cli::experiment_args::ExperimentCommand;
 use crate::cli::map_options::MapOptions;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
@@ -51,6 +52,9 @@ pub enum Command {
     Embed(EmbedArgs),
     /// Renders a figure
     Figure(FigureArgs),
+    /// Runs an experiment
+    #[command(subcommand)]
+    Experiment(ExperimentCommand),
 }
 
 /// Options of `demo`.

@@ -17,6 +17,9 @@ pub struct MapOptions {
     /// Onto what all motions are carried before poses are compared: none, mean, or the id of a subject
     #[arg(long, value_name = "REFERENCE", default_value = "none")]
     pub transfer: String,
+    /// Radius below which poses are smoothed before they are compared, in shares of √area; 0: not at all
+    #[arg(long, value_name = "R", default_value_t = PoseDistanceParams::default().smoothing, allow_negative_numbers = true)]
+    pub smoothing: f64,
     /// Also map poses by Isomap, each linked to its K nearest
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
     pub isomap: Option<u16>,
@@ -60,8 +63,11 @@ impl MapOptions {
         let distances = PoseDistanceParams {
             metric: metric.params(),
             transfer,
-            ..PoseDistanceParams::default()
+            smoothing: self.smoothing,
         };
+        distances
+            .check()
+            .map_err(|error| CliError::Usage(error.to_string()))?;
         Ok(DeformationMapSettings {
             poses: PoseMapParams { distances, method },
             map,

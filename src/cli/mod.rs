@@ -5,6 +5,8 @@ mod args;
 mod corresponding;
 mod demo;
 mod embed;
+mod experiment;
+mod experiment_args;
 mod figure;
 mod info;
 mod input;

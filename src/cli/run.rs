@@ -6,7 +6,9 @@ use crate::cli::args::Command;
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::hear_ctrl_c;
-use crate::cli::{analyze, demo, embed, figure, info, interpolate, measure, metric, transfer};
+use crate::cli::{
+    analyze, demo, embed, experiment, figure, info, interpolate, measure, metric, transfer,
+};
 
 /// Runs one command. Errors are said once, here, on standard error.
 pub fn run(command: Command) -> ExitCode {
@@ -21,6 +23,7 @@ pub fn run(command: Command) -> ExitCode {
         Command::Transfer(args) => transfer::transfer(&args),
         Command::Embed(args) => embed::embed(&args),
         Command::Figure(args) => figure::figure(&args),
+        Command::Experiment(command) => experiment::experiment(&command),
     })
 }
 

@@ -2,11 +2,9 @@
 
 use std::path::Path;
 
-use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::pose_distances::PoseDistances;
-use crate::engine::{ExportFile, PoseMap};
-use crate::io::{deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv};
+use crate::engine::ExportFile;
+use crate::io::{frames_csv, subjects_csv};
 use crate::study::Study;
 
 /// `frames.csv` and `subjects.csv`.
@@ -19,36 +17,6 @@ pub(super) fn measure_files(
         file(folder, "frames.csv", frames_csv(study, measures)),
         file(folder, "subjects.csv", subjects_csv(study, measures)),
     ]
-}
-
-/// `distances.csv`.
-pub(super) fn distances_file(
-    study: &Study,
-    distances: &PoseDistances,
-    folder: &Path,
-) -> ExportFile {
-    file(folder, "distances.csv", distances_csv(study, distances))
-}
-
-/// `poses_mds.csv`, `poses_smacof.csv`, …: the map of poses by the method of that name.
-pub(super) fn poses_file(study: &Study, method: &str, map: &PoseMap, folder: &Path) -> ExportFile {
-    let table = poses_csv(study, &map.distances.poses, &map.embedding);
-    file(folder, &format!("poses_{method}.csv"), table)
-}
-
-/// `deformations_lle.csv`.
-pub(super) fn deformations_file(study: &Study, map: &DeformationMap, folder: &Path) -> ExportFile {
-    file(folder, "deformations_lle.csv", deformations_csv(study, map))
-}
-
-/// `measures.csv` is what `subjects.csv` is to `measure`: one table under the name that a whole
-/// analysis promises.
-pub(super) fn measures_file(
-    study: &Study,
-    measures: &[SubjectMeasures],
-    folder: &Path,
-) -> ExportFile {
-    file(folder, "measures.csv", subjects_csv(study, measures))
 }
 
 /// A line per subject for people: EF in percent, volumes with their unit.

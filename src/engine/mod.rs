@@ -17,6 +17,7 @@ mod request;
 mod run;
 mod run_pairs;
 mod slot;
+mod tables;
 mod workers;
 
 pub use activity::{Activity, ActivityLog, ActivityState, WorkKind};
@@ -28,8 +29,9 @@ pub use open::{OpenSource, open};
 pub use outcome::AnalysisOutcome;
 pub use request::{
     AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap,
-    PoseMapParams, metric_words,
+    PoseMapParams, distance_words, metric_words,
 };
 pub use run::run;
 pub use slot::{Showing, Slot};
+pub use tables::AnalysisTables;
 pub use workers::{Workers, configure_threads};

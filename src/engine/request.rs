@@ -166,8 +166,12 @@ impl AnalysisRequest {
     }
 }
 
-fn distance_words(params: &PoseDistanceParams) -> String {
-    let metric = metric_words(&params.metric);
+/// How poses are compared, as summaries and the activity list say it.
+pub fn distance_words(params: &PoseDistanceParams) -> String {
+    let mut metric = metric_words(&params.metric);
+    if params.smoothing > 0.0 {
+        metric += &format!(", smoothed over {} √area", params.smoothing);
+    }
     match params.transfer {
         None => metric,
         Some(transfer) => match transfer.reference {
@@ -250,7 +254,8 @@ mod tests {
         let request = AnalysisRequest::PoseMap(PoseMapParams::default());
         assert_eq!(
             request.parameters(),
-            "quasi-conformal, additive form, μ = 0.001, scale-free corners, λ = 3, SMACOF"
+            "quasi-conformal, additive form, μ = 0.001, scale-free corners, λ = 3, \
+             smoothed over 0.1 √area, SMACOF"
         );
         let mut metric = MetricParams {
             kind: MetricKind::Rigid,

@@ -135,7 +135,7 @@ pub fn interpolation_csv(study: &InterpolationStudy) -> String {
 }
 
 /// The word for what a level is a share of.
-fn reference_word(reference: NoiseReference) -> &'static str {
+pub(super) fn reference_word(reference: NoiseReference) -> &'static str {
     match reference {
         NoiseReference::Shape => "shape",
         NoiseReference::Displacement => "displacement",

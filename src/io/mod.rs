@@ -4,6 +4,8 @@ mod binary_cursor;
 mod csv_mesh;
 mod detect;
 mod experiment_csv;
+mod experiment_json;
+mod experiment_svg;
 mod gltf_file;
 mod limits;
 mod mesh_draft;
@@ -24,6 +26,8 @@ mod write_study;
 
 pub use detect::{mesh_file_endings, read_mesh, read_mesh_with_siblings};
 pub use experiment_csv::{comparison_csv, interpolation_csv, noise_csv, transfer_study_csv};
+pub use experiment_json::{comparison_json, noise_json};
+pub use experiment_svg::noise_svg;
 pub use limits::Limits;
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;

@@ -215,7 +215,8 @@ fn a_path_found_on_few_vertices_is_close_to_that_of_all() {
     };
     let few = found(ball.faces(), ball.vertices(), &end, params);
     let gain = (few.energy_linear - few.energy) / (whole.energy_linear - whole.energy);
-    assert!(gain > 0.8 && gain <= 1.0, "{gain}");
+    // A third of the vertices: more than half of what all of them gain.
+    assert!(gain > 0.5 && gain <= 1.0, "{gain}");
     let bow = whole.poses.iter().enumerate().map(|(k, pose)| {
         let t = k as f64 / 4.0;
         let straight = ball

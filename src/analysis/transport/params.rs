@@ -161,6 +161,8 @@ impl TransportParams {
             metric: self.metric,
             in_betweens: self.in_betweens,
             most_vertices: self.most_vertices,
+            // Ways of neighbouring steps must differ by their ends alone, not by where a search ended.
+            tolerance: 1e-6,
             ..GeodesicParams::default()
         };
         let geodesic = geodesic.check()?;

@@ -226,3 +226,64 @@ fn embed_unrolls_a_strip_by_isomap_and_by_local_linearity() {
     ]);
     assert_eq!(code(&refused), 2);
 }
+
+#[test]
+fn a_small_noise_study_says_its_protocol_and_writes_tables_and_a_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("noise");
+    let options = [
+        "experiment",
+        "noise-deformation",
+        "--redraws",
+        "1",
+        "--per-class",
+        "3",
+        "--out",
+        text(&out),
+        "--json",
+    ];
+    let answer = json_of(&cardiomorph(&options));
+    assert!(!answer["protocol"].as_array().unwrap().is_empty());
+    let cells = answer["cells"].as_array().unwrap();
+    // Three methods; clean, and three families at five levels.
+    assert_eq!(cells.len(), 3 * (1 + 3 * 5));
+    assert!(cells[0]["tau"].as_f64().unwrap() > cells[0]["baseline"].as_f64().unwrap());
+    assert_eq!(answer["transferred"], 72);
+    assert!(super::rows(&out.join("noise.csv")).len() >= cells.len());
+    assert!(
+        std::fs::read_to_string(out.join("noise.svg"))
+            .unwrap()
+            .ends_with("</svg>\n")
+    );
+    for name in ["transfer.csv", "interpolation.csv", "summary.json"] {
+        assert!(out.join(name).exists(), "{name}");
+    }
+}
+
+#[test]
+fn every_metric_is_compared_on_a_labelled_study_beside_ejection_fraction_and_displacement() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("metrics");
+    let answer = json_of(&cardiomorph(&[
+        "experiment",
+        "metrics",
+        text(demo()),
+        "--redraws",
+        "1",
+        "--out",
+        text(&out),
+        "--json",
+    ]));
+    let rows = answer["classification"].as_array().unwrap();
+    // Nine ways of comparing poses and EF, on the study and on copies at three levels.
+    assert_eq!(rows.len(), 10 * 4);
+    for name in ["EF alone", "plain displacement"] {
+        let row = rows.iter().find(|row| row["method"] == name).unwrap();
+        assert_eq!(row["labelled"], 23);
+        assert!(
+            row["nearest_neighbour"]["accuracy"].as_f64().unwrap() > 0.5,
+            "{name}"
+        );
+    }
+    assert_eq!(super::rows(&out.join("metrics.csv")).len(), rows.len());
+}

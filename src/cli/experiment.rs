@@ -1,0 +1,177 @@
+//! `experiment`: the studies of noise, of transfer and interpolation, and of metrics on a labelled cohort.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use serde_json::{Value, json};
+
+use crate::analysis::experiments::{
+    InterpolationStudyParams, MetricComparisonParams, NoiseDeformationParams,
+    NoiseDeformationResult, NoiseReference, TransferStudy, TransferStudyParams,
+    interpolation_study, metric_comparison, noise_deformation, transfer_study,
+};
+use crate::analysis::transport::CohortTransferParams;
+use crate::cli::experiment_args::{ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs};
+use crate::cli::input::opened_study;
+use crate::cli::outcome::CliError;
+use crate::cli::print::{print, print_json};
+use crate::cli::words::Switch;
+use crate::cli::work::run_work;
+use crate::engine::{ExportFile, write_files};
+use crate::io::{
+    comparison_csv, comparison_json, interpolation_csv, noise_csv, noise_json, noise_svg,
+    transfer_study_csv,
+};
+
+pub(super) fn experiment(command: &ExperimentCommand) -> Result<(), CliError> {
+    match command {
+        ExperimentCommand::NoiseDeformation(args) => noise(args),
+        ExperimentCommand::Metrics(args) => metrics(args),
+    }
+}
+
+/// Section 3.4: noise, transfer and interpolation of synthetic deformations.
+fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
+    let params = noise_params(args);
+    let result = run_work(move |progress| {
+        progress.begin_phase("classifying noisy deformations", 0.0, 1.0);
+        noise_deformation(&params, progress)
+    })?;
+    let transfers = run_work(|progress| {
+        progress.begin_phase("carrying deformations", 0.0, 1.0);
+        transfer_study(&TransferStudyParams::default(), progress)
+    })?;
+    let interpolations = run_work(|progress| {
+        progress.begin_phase("interpolating deformations", 0.0, 1.0);
+        interpolation_study(&InterpolationStudyParams::default(), progress)
+    })?;
+    let mut summary = noise_json(&result);
+    if let Value::Object(object) = &mut summary {
+        object.insert("transferred".to_owned(), json!(transfers.cases.len()));
+        object.insert("followed".to_owned(), json!(followed(&transfers)));
+    }
+    let files = vec![
+        file(&args.out, "noise.csv", noise_csv(&result)),
+        file(&args.out, "noise.svg", noise_svg(&result)),
+        file(&args.out, "transfer.csv", transfer_study_csv(&transfers)),
+        file(
+            &args.out,
+            "interpolation.csv",
+            interpolation_csv(&interpolations),
+        ),
+        file(&args.out, "summary.json", pretty(&summary)?),
+    ];
+    write_files(&files).map_err(CliError::Unusable)?;
+    if args.json {
+        return print_json(&summary);
+    }
+    print(&noise_table(&result))?;
+    print(&format!(
+        "transfer: {} of {} deformations followed\n{}",
+        followed(&transfers),
+        transfers.cases.len(),
+        args.out.display()
+    ))
+}
+
+fn noise_params(args: &NoiseDeformationArgs) -> NoiseDeformationParams {
+    let mut params = NoiseDeformationParams {
+        redraws: args.redraws,
+        seed: args.seed,
+        ..NoiseDeformationParams::default()
+    };
+    params.cohort.per_class = args.per_class;
+    if args.whole == Switch::Off {
+        // The default metric, plain Procrustes and the printed metric; the others say why.
+        params.methods.truncate(3);
+        params.references = vec![NoiseReference::Shape];
+    }
+    params
+}
+
+fn followed(study: &TransferStudy) -> usize {
+    study.cases.iter().filter(|case| case.followed).count()
+}
+
+/// The protocol, then a line per cell.
+fn noise_table(result: &NoiseDeformationResult) -> String {
+    let mut lines = result.protocol();
+    for cell in &result.cells {
+        let published = cell.published.map_or_else(String::new, |share| {
+            format!(", table 3.1 has {:.1}", 100.0 * share)
+        });
+        lines.push(format!(
+            "{:28} {:9} {:5} %  τ {:5.1} ± {:.1} % (chance {:.1}{published})",
+            cell.method,
+            cell.family.map_or("clean", |family| family.name()),
+            cell.percent,
+            100.0 * cell.tau,
+            100.0 * cell.standard_error,
+            100.0 * cell.baseline,
+        ));
+    }
+    lines.join("\n")
+}
+
+/// Every metric and form on a labelled study and on its noisy copies.
+fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
+    let study = opened_study(&args.study)?;
+    let transfer = (args.transfer == Switch::On).then(CohortTransferParams::default);
+    let params = MetricComparisonParams {
+        redraws: args.redraws,
+        seed: args.seed,
+        ..MetricComparisonParams::all_metrics(transfer)
+    };
+    let work_study = Arc::clone(&study);
+    let comparison = run_work(move |progress| {
+        progress.begin_phase("comparing metrics", 0.0, 1.0);
+        metric_comparison(&work_study, &params, progress)
+    })?;
+    let summary = comparison_json(&comparison);
+    let files = vec![
+        file(&args.out, "metrics.csv", comparison_csv(&comparison)),
+        file(&args.out, "summary.json", pretty(&summary)?),
+    ];
+    write_files(&files).map_err(CliError::Unusable)?;
+    if args.json {
+        return print_json(&summary);
+    }
+    let head = "| noise | metric | nearest neighbour | linear rule | rule in the plane | τ |\n|---|---|---|---|---|---|";
+    let mut lines = vec![head.to_owned()];
+    lines.extend(comparison.rows.iter().map(|row| {
+        let rules = [
+            row.nearest_neighbour,
+            row.linear_rule,
+            row.plane_rule,
+            row.tau,
+        ];
+        let cells = rules.map(|rule| {
+            format!(
+                "{:.0} ± {:.0} ({:.0})",
+                100.0 * rule.share,
+                100.0 * rule.standard_error,
+                100.0 * rule.baseline
+            )
+        });
+        format!(
+            "| {} % | {} | {} |",
+            row.percent,
+            row.method,
+            cells.join(" | ")
+        )
+    }));
+    lines.push(args.out.display().to_string());
+    print(&lines.join("\n"))
+}
+
+fn pretty(value: &Value) -> Result<String, CliError> {
+    let text = serde_json::to_string_pretty(value).map_err(CliError::unusable)?;
+    Ok(text + "\n")
+}
+
+fn file(folder: &Path, name: &str, text: String) -> ExportFile {
+    ExportFile {
+        path: folder.join(name),
+        bytes: text.into_bytes(),
+    }
+}

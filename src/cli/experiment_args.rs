@@ -1,0 +1,62 @@
+//! Experiments with their options.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+use crate::cli::words::Switch;
+
+/// Experiments.
+#[derive(Debug, Subcommand)]
+pub enum ExperimentCommand {
+    /// Classifies synthetic deformations under noise, carries and interpolates them
+    NoiseDeformation(NoiseDeformationArgs),
+    /// Tells the labels of a study apart by every metric, on the study and on noisy copies
+    Metrics(MetricComparisonArgs),
+}
+
+/// Options of `experiment noise-deformation`.
+#[derive(Debug, Args)]
+pub struct NoiseDeformationArgs {
+    /// Draws of objects, amplitudes and noise, all anew
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
+    pub redraws: u16,
+    /// Deformations of each of the four classes
+    #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u16).range(2..))]
+    pub per_class: u16,
+    /// Also without smoothing, Procrustes with it, and levels in percent of displacement
+    #[arg(long, value_enum, default_value_t = Switch::Off)]
+    pub whole: Switch,
+    /// Draws everything random
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Folder to write into; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `experiment metrics`.
+#[derive(Debug, Args)]
+pub struct MetricComparisonArgs {
+    /// Studies, folders and files, together as one study; the built-in cohort if none is given
+    #[arg(value_name = "STUDY")]
+    pub study: Vec<PathBuf>,
+    /// Noisy copies at each level
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..))]
+    pub redraws: u16,
+    /// Whether all motions are carried onto the cohort's mean shape first
+    #[arg(long, value_enum, default_value_t = Switch::Off)]
+    pub transfer: Switch,
+    /// Draws the noise
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Folder to write into; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
