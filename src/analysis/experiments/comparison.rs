@@ -134,6 +134,8 @@ const EF_ALONE: &str = "EF alone";
 /// Tells the labels of a study apart by every method, on the study and on its noisy copies; all
 /// methods see the same copies. The same bits for any number of threads.
 ///
+#[doc = include_str!("COMPARISON.md")]
+///
 /// # Errors
 /// If settings are out of range, it was stopped, or a method has no answer.
 pub fn metric_comparison(

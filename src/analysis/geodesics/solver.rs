@@ -1,6 +1,6 @@
 //! Many paths on one connectivity, each the cheapest between its ends.
 
-use crate::analysis::metrics::{Form, Metric, MetricKind, PathEnergy};
+use crate::analysis::metrics::{Form, Metric, MetricError, MetricKind, PathEnergy};
 use crate::mesh::{Decimation, Faces, Point3, crossing_faces};
 use crate::progress::Progress;
 
@@ -69,6 +69,18 @@ impl GeodesicSolver {
         Ok(Some(Box::new(Coarse { decimation, solver })))
     }
 
+    /// What is minimised. Its regulariser takes its size from the ends, so that poses which swell
+    /// gain nothing.
+    fn path_energy(
+        &self,
+        start: &[Point3],
+        end: &[Point3],
+        in_betweens: usize,
+    ) -> Result<PathEnergy, MetricError> {
+        let energy = PathEnergy::new(&self.metric, start, end, in_betweens)?;
+        Ok(energy.with_size_of_ends())
+    }
+
     /// The path between two poses. Hears "stop", counts no steps: many may run at once.
     ///
     /// # Errors
@@ -93,7 +105,7 @@ impl GeodesicSolver {
         let count = usize::from(self.params.in_betweens);
         let ends = [flat(start), flat(end)];
         let ends = [ends[0].as_slice(), ends[1].as_slice()];
-        let mut energy = PathEnergy::new(&self.metric, start, end, count)?;
+        let mut energy = self.path_energy(start, end, count)?;
         let straight = resampled(ends[0], &[], ends[1], count);
         let energy_linear = energy.energy(&straight);
         if !energy_linear.is_finite() {
@@ -167,7 +179,7 @@ impl GeodesicSolver {
         let count = usize::from(self.params.in_betweens);
         let from = |levels: &[usize], stiffness: Option<&Stiffness>| {
             cheapest(
-                |count| PathEnergy::new(&self.metric, start, end, count),
+                |count| self.path_energy(start, end, count),
                 stiffness,
                 ends,
                 levels,
@@ -180,7 +192,7 @@ impl GeodesicSolver {
         if !has_many_minima(&self.params) {
             return Ok(best);
         }
-        let mut energy = PathEnergy::new(&self.metric, start, end, count)?;
+        let mut energy = self.path_energy(start, end, count)?;
         let mut least = energy.energy(&best.coordinates);
         let levels = time_levels(count);
         for (levels, stiffness) in [(&levels[..], stiffness), (&levels, None), (&[count], None)] {

@@ -37,6 +37,8 @@ pub struct PathEnergy {
     along: Along,
     slopes: Slopes,
     steps: Vec<f64>,
+    /// Mean factor of the regulariser at both ends.
+    factor_of_ends: f64,
 }
 
 impl PathEnergy {
@@ -56,6 +58,7 @@ impl PathEnergy {
             in_betweens,
             blocks: (in_betweens + 1).div_ceil(LANES),
             frozen: frozen.into_iter().map(f64::sqrt).collect(),
+            rest_factor: None,
             side_parts: metric.mesh.side_parts(metric.params.area_weights).collect(),
             mesh: metric.mesh.clone(),
             params: metric.params,
@@ -64,6 +67,7 @@ impl PathEnergy {
             along: Along::new(&plan),
             slopes: Slopes::new(&plan),
             steps: vec![0.0; in_betweens + 1],
+            factor_of_ends: 0.5 * (ends[0].regulariser_factor + ends[1].regulariser_factor),
             plan,
         };
         path.lay(0, start);
@@ -71,6 +75,18 @@ impl PathEnergy {
         path.along.keep_as_start();
         path.lay(1, end);
         Ok(path)
+    }
+
+    /// Measures the displacements of the regulariser by the size of the two ends, all along the path, and
+    /// not by that of each pose.
+    ///
+    /// For searches: where displacement is relative to the size of each pose, the way is shorter for poses
+    /// that swell, since that makes every step a smaller part of them. The volume of the horse between
+    /// two poses of its gallop then rises by 7 % with λ = 3 where it should stay.
+    #[must_use]
+    pub fn with_size_of_ends(mut self) -> Self {
+        self.plan.rest_factor = Some(self.factor_of_ends);
+        self
     }
 
     /// Energy of the path with these poses between its ends, and its gradient.

@@ -201,6 +201,9 @@ fn vertices(plan: &Plan, along: &mut Along, slopes: &mut Slopes) {
 /// Factor of the regulariser where steps begin and where they end.
 #[inline(always)]
 fn lambda(plan: &Plan, along: &Along, block: usize) -> [Lanes; 2] {
+    if let Some(factor) = plan.rest_factor {
+        return [Lanes::splat(factor); 2];
+    }
     let total = along.total_area.both(0, block);
     both(|side| total[side].map(|total| regulariser_factor(&plan.params, total)))
 }
@@ -212,7 +215,8 @@ fn total_area_slopes(plan: &Plan, along: &Along, slopes: &mut Slopes) {
     let once = |does: bool| Lanes::splat(if does { 1.0 } else { 0.0 });
     let own = once(plan.params.area_weights);
     let by_area = plan.regulariser_by_area();
-    let relative = by_area && plan.params.corners == Corners::ScaleFree;
+    let own_unit = plan.rest_factor.is_none();
+    let relative = by_area && own_unit && plan.params.corners == Corners::ScaleFree;
     let rest = once(by_area) + once(relative);
     let mut carry = 0.0;
     for b in (0..plan.blocks).rev() {

@@ -16,6 +16,8 @@ pub(super) struct Plan {
     pub blocks: usize,
     /// |ΔK| of the two ends, per vertex; empty unless the form is frozen.
     pub frozen: Vec<f64>,
+    /// Factor of the regulariser where it is the same along the whole path; `None`: that of each pose.
+    pub rest_factor: Option<f64>,
     /// Part of a face's weight that each of its sides has; for the isometric metric.
     pub side_parts: Vec<[f64; 3]>,
 }

@@ -124,8 +124,12 @@ fn the_energy_is_the_sum_over_pairs_to_round_off() {
 }
 
 /// How far the gradient along a random direction is from central differences of fourth order.
-fn gradient_error(path: &Path, params: MetricParams, random: &mut ChaCha8Rng) -> f64 {
-    let mut energy = path.energy(params);
+fn gradient_error(
+    path: &Path,
+    params: MetricParams,
+    mut energy: PathEnergy,
+    random: &mut ChaCha8Rng,
+) -> f64 {
     let inner = path.inner();
     let direction: Vec<f64> = inner
         .iter()
@@ -159,11 +163,19 @@ fn gradient_error(path: &Path, params: MetricParams, random: &mut ChaCha8Rng) ->
 #[test]
 fn gradients_agree_with_finite_differences_on_fifty_random_paths() {
     let mut random = ChaCha8Rng::seed_from_u64(2);
+    let mut other = ChaCha8Rng::seed_from_u64(20);
     for round in 0..50 {
         let path = Path::random(&meshes()[round % 3], [1, 3, 5][round / 3 % 3], &mut random);
         for params in all_settings() {
-            let error = gradient_error(&path, params, &mut random);
+            let error = gradient_error(&path, params, path.energy(params), &mut random);
             assert!(error <= 1e-6, "{params:?}: {error:e}");
+            if params.form != Form::Printed {
+                let of_ends = path.energy(params).with_size_of_ends();
+                assert!(
+                    gradient_error(&path, params, of_ends, &mut other) <= 1e-6,
+                    "{params:?}"
+                );
+            }
         }
     }
 }
@@ -213,6 +225,39 @@ fn the_gradient_of_a_pair_agrees_with_finite_differences_at_both_poses() {
             }
         }
     }
+}
+
+#[test]
+fn with_the_size_of_the_ends_swelling_makes_no_step_shorter() {
+    let ball = phantom::sphere(2, 1.0);
+    let moved = |by: f64, scale: f64| -> Vec<Point3> {
+        let shift = Vector3::new(by, 0.0, 0.0);
+        ball.vertices().iter().map(|p| p * scale + shift).collect()
+    };
+    let path = |scale: f64| Path {
+        faces: std::sync::Arc::clone(ball.faces()),
+        poses: [(0.0, 1.0), (1.0, scale), (2.0, scale), (3.0, 1.0)]
+            .map(|(by, scale)| moved(by, scale))
+            .to_vec(),
+    };
+    let params = MetricParams {
+        lambda: 100.0,
+        ..MetricParams::default()
+    };
+    let cost = |path: &Path, of_ends: bool| {
+        let energy = path.energy(params);
+        match of_ends {
+            true => energy.with_size_of_ends().energy(&path.inner()),
+            false => { energy }.energy(&path.inner()),
+        }
+    };
+    assert!(
+        cost(&path(1.2), false) < cost(&path(1.0), false),
+        "relative to each pose it does"
+    );
+    assert!(cost(&path(1.2), true) > cost(&path(1.0), true));
+    let unmoved = cost(&path(1.0), true) / cost(&path(1.0), false);
+    assert!((unmoved - 1.0).abs() < 1e-12, "equal sizes, equal energies");
 }
 
 #[test]
