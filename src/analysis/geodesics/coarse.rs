@@ -1,7 +1,6 @@
 //! The same path found on fewer vertices, and carried over to all of them.
 
 use crate::mesh::{Decimation, Point3};
-use crate::progress::Progress;
 
 use super::ends::flat;
 use super::minimise::{Inner, resampled};
@@ -21,13 +20,13 @@ impl Coarse {
         start: &[Point3],
         end: &[Point3],
         ends: &[&[f64]; 2],
-        progress: &Progress,
+        go_on: &dyn Fn() -> bool,
     ) -> Result<Inner, GeodesicError> {
         let [start, end] = [start, end].map(|pose| self.decimation.restricted(pose));
         let few = [flat(&start), flat(&end)];
         let mut inner = self
             .solver
-            .search(&start, &end, [&few[0], &few[1]], progress)?;
+            .search(&start, &end, [&few[0], &few[1]], go_on)?;
         let count = usize::from(self.solver.params.in_betweens);
         let straight = resampled(&few[0], &[], &few[1], count);
         let mut fine = resampled(ends[0], &[], ends[1], count);

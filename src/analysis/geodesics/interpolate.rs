@@ -9,6 +9,9 @@ use crate::study::MeshSequence;
 use super::ends::check_ends;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath, GeodesicSolver};
 
+/// Evaluations of the energy that hearts take; the bar waits at its end for more difficult ends.
+const USUAL_EVALUATIONS: usize = 60;
+
 /// The path from `start` to `end` that minimises the path energy.
 ///
 /// Ends are taken as they lie: where one is turned or shifted against the other, that is charged
@@ -33,7 +36,9 @@ pub fn geodesic(
     } else {
         start
     };
-    GeodesicSolver::new(faces, reference, params)?.between(start, end, progress)
+    let solver = GeodesicSolver::new(faces, reference, params)?;
+    progress.expect_steps(USUAL_EVALUATIONS);
+    solver.path(start, end, &|| progress.step().is_ok())
 }
 
 /// One path per interval of a beat: frame i → i + 1, and the last → 0 where there are more than two

@@ -91,6 +91,16 @@ impl GeodesicSolver {
         end: &[Point3],
         progress: &Progress,
     ) -> Result<GeodesicPath, GeodesicError> {
+        self.path(start, end, &|| !progress.stop_requested())
+    }
+
+    /// The same, with `go_on` asked after each evaluation of the energy.
+    pub(super) fn path(
+        &self,
+        start: &[Point3],
+        end: &[Point3],
+        go_on: &dyn Fn() -> bool,
+    ) -> Result<GeodesicPath, GeodesicError> {
         check_ends(&self.faces, start, end)?;
         let count = usize::from(self.params.in_betweens);
         let ends = [flat(start), flat(end)];
@@ -111,7 +121,7 @@ impl GeodesicSolver {
                 stopped: false,
             }
         } else {
-            self.search(start, end, ends, progress)?
+            self.search(start, end, ends, go_on)?
         };
         let mut found = energy.energy(&inner.coordinates);
         // Stopped early, an unfinished path of few poses may be worse than none.
@@ -134,7 +144,7 @@ impl GeodesicSolver {
         poses.push(end.to_vec());
         let mut self_intersections = 0;
         for pose in &poses[1..poses.len() - 1] {
-            match crossing_faces(pose, self.faces.triangles(), || !progress.stop_requested()) {
+            match crossing_faces(pose, self.faces.triangles(), go_on) {
                 Some(count) => self_intersections += count,
                 None => stopped = true,
             }
@@ -156,10 +166,10 @@ impl GeodesicSolver {
         start: &[Point3],
         end: &[Point3],
         ends: [&[f64]; 2],
-        progress: &Progress,
+        go_on: &dyn Fn() -> bool,
     ) -> Result<Inner, GeodesicError> {
         if let Some(coarse) = &self.coarse {
-            return coarse.search(start, end, &ends, progress);
+            return coarse.search(start, end, &ends, go_on);
         }
         let own = self.own_stiffness(start, end)?;
         let content = Content {
@@ -174,7 +184,7 @@ impl GeodesicSolver {
                 ends,
                 levels,
                 &content,
-                || !progress.stop_requested(),
+                go_on,
             )
         };
         let stiffness = own.as_ref().or(self.stiffness.as_ref());

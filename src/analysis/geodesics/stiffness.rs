@@ -162,10 +162,10 @@ fn face_block(
     let c = side_form(length2, params, corner_weights);
     let mut block = [[0.0; 9]; 9];
     let stiffest = (0..3).map(|e| c[e][e]).fold(0.0, f64::max);
-    for e in 0..3 {
-        if length2[e] > 0.0 {
+    for (e, &length2) in length2.iter().enumerate() {
+        if length2 > 0.0 {
             let (p, q) = (3 * e, 3 * ((e + 1) % 3));
-            let tension = TENSION * stiffest / length2[e];
+            let tension = TENSION * stiffest / length2;
             for axis in 0..3 {
                 block[p + axis][p + axis] += tension;
                 block[q + axis][q + axis] += tension;

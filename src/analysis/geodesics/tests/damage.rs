@@ -187,3 +187,30 @@ fn a_stopped_path_is_the_straight_line_or_better() {
     assert_eq!(at_once.poses.len(), 9);
     assert!(at_once.energy <= at_once.energy_linear);
 }
+
+#[test]
+fn a_path_stopped_on_its_way_is_the_best_so_far_and_ends_at_once() {
+    let ball = phantom::sphere(3, 1.0);
+    let end = bent(ball.vertices(), 0.3, 1.0);
+    let params = exact().check().unwrap();
+    let solver = GeodesicSolver::new(ball.faces(), ball.vertices(), &params).unwrap();
+    let ask = |most: usize| {
+        let asked = std::cell::Cell::new(0);
+        let path = solver.path(ball.vertices(), &end, &|| {
+            asked.set(asked.get() + 1);
+            asked.get() <= most
+        });
+        (path.unwrap(), asked.get())
+    };
+    let whole = found(ball.faces(), ball.vertices(), &end, exact());
+    let mut before = whole.energy_linear;
+    for most in [4, 12, 20] {
+        let (path, asked) = ask(most);
+        assert!(path.stopped && !path.converged);
+        // Once by the search, and once for each pose whose crossings are not counted.
+        assert!(asked <= most + 1 + 3, "{asked}");
+        assert!(path.energy <= before && path.energy >= whole.energy * (1.0 - 1e-9));
+        before = path.energy;
+    }
+    assert!(before < whole.energy_linear);
+}
