@@ -51,7 +51,7 @@ impl CarriedHeart {
             timing: from.timing.clone(),
             end_diastole: from.end_diastole,
             end_systole: from.end_systole,
-            anatomy: onto.anatomy.clone(),
+            anatomy: onto.anatomy,
             ..Subject::new(
                 carried_title(from, onto),
                 MeshSequence::clone(sequence),

@@ -48,6 +48,9 @@ pub(super) fn aligned(
     Ok(source.iter().map(lay).collect())
 }
 
+/// Where a point goes.
+pub(super) type Laying = Box<dyn Fn(&Point3) -> Point3>;
+
 /// The map that lays the source onto the target as asked.
 ///
 /// # Errors
@@ -56,7 +59,7 @@ pub(super) fn laying(
     target: &[Point3],
     source: &[Point3],
     align: AlignWord,
-) -> Result<Box<dyn Fn(&Point3) -> Point3>, CliError> {
+) -> Result<Laying, CliError> {
     Ok(match align {
         AlignWord::None => Box::new(|point| *point),
         AlignWord::Rigid => {

@@ -77,7 +77,7 @@ pub fn relative_density(
     let total: f64 = contributions.iter().sum();
     let fits = poses[1].len() == count && contributions.len() == faces.len();
     let in_range = |face: &[u32; 3]| face.iter().all(|&vertex| (vertex as usize) < count);
-    if !fits || !faces.iter().all(in_range) || !(total.is_finite() && total > 0.0) {
+    if !(fits && faces.iter().all(in_range) && total.is_finite() && total > 0.0) {
         return None;
     }
     let areas = poses.map(|points| relative_areas(faces, points));

@@ -81,7 +81,7 @@ pub fn number_field_ui<T>(
     let escaped = response.has_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     if escaped || !field.enabled {
         typed = Typed {
-            text: shown.clone(),
+            text: shown,
             refused: None,
         };
     } else if response.lost_focus() && typed.text.trim() != shown {

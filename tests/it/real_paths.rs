@@ -112,7 +112,7 @@ fn the_way_of_a_galloping_horse_does_not_collapse() {
         "horse",
         &surface(folder, SurfaceKind::Other),
         [0, 5],
-        1e-2,
-        0.03,
+        GeodesicParams::default().tolerance,
+        0.02,
     );
 }

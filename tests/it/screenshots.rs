@@ -99,7 +99,7 @@ fn screenshots_are_taken_when_asked_for() {
             name: "carried_beat.png",
             pixels_per_point: 1.0,
             commands: vec![
-                dark.clone(),
+                dark,
                 Command::CarryBeat { from: 15, onto: 2 },
                 Command::TogglePlay,
                 Command::SetPosition(3.5),

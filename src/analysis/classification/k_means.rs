@@ -62,9 +62,9 @@ pub fn k_means(
     Ok(best.map(numbered_by_first_rows).unwrap_or_default())
 }
 
-fn numbered_by_first_rows(clustering: Clustering) -> Clustering {
+fn numbered_by_first_rows(mut clustering: Clustering) -> Clustering {
     let mut numbers = Vec::new();
-    let clusters = (clustering.clusters.iter())
+    clustering.clusters = (clustering.clusters.iter())
         .map(|cluster| {
             let known = numbers.iter().position(|known| known == cluster);
             known.unwrap_or_else(|| {
@@ -73,10 +73,7 @@ fn numbered_by_first_rows(clustering: Clustering) -> Clustering {
             })
         })
         .collect();
-    Clustering {
-        clusters,
-        ..clustering
-    }
+    clustering
 }
 
 #[derive(Clone, Copy)]

@@ -33,7 +33,7 @@ pub(super) fn flattest(
     } else {
         by_shifted_inverse(&columns, count, progress)?
     };
-    settled(weights, vectors)
+    settled(weights, &vectors)
 }
 
 /// M = (1 − W)ᵀ(1 − W), its lower triangle.
@@ -153,7 +153,7 @@ fn centre(x: &mut [f64]) {
 /// Turns vectors within the space they span so that their images under 1 − W are orthogonal.
 fn settled(
     weights: &LocalWeights,
-    vectors: Vec<Vec<f64>>,
+    vectors: &[Vec<f64>],
 ) -> Result<(Vec<f64>, Vec<Vec<f64>>), EmbeddingError> {
     let count = vectors.len();
     let images: Vec<Vec<f64>> = vectors.iter().map(|v| missed(weights, v)).collect();
@@ -166,7 +166,7 @@ fn settled(
     let eigen = symmetric_eigen(count, &products)?;
     let turned = eigen.vectors.iter().rev().map(|turn| {
         let mut sum = vec![0.0; weights.neighbours().len()];
-        for (part, vector) in turn.iter().zip(&vectors) {
+        for (part, vector) in turn.iter().zip(vectors) {
             sum.iter_mut().zip(vector).for_each(|(s, x)| *s += part * x);
         }
         sum
@@ -213,8 +213,8 @@ mod tests {
         let matrix = normal_matrix(&weights, &Progress::default()).unwrap();
         let whole = by_whole_decomposition(&matrix, 3).unwrap();
         let iterated = by_shifted_inverse(&matrix, 3, &Progress::default()).unwrap();
-        let (a, va) = settled(&weights, whole).unwrap();
-        let (b, vb) = settled(&weights, iterated).unwrap();
+        let (a, va) = settled(&weights, &whole).unwrap();
+        let (b, vb) = settled(&weights, &iterated).unwrap();
         for k in 0..3 {
             assert!((a[k] - b[k]).abs() < 1e-9 * a[k], "{} {}", a[k], b[k]);
             let along: f64 = va[k].iter().zip(&vb[k]).map(|(a, b)| a * b).sum();

@@ -40,7 +40,7 @@ fn levels_are_shares_of_the_variance_that_numpy_finds() {
             .unwrap()
         {
             let at = |column: usize| row[column].as_f64().unwrap();
-            let sigma = noise_sigma(&[points.clone()], at(0), NoiseReference::Shape);
+            let sigma = noise_sigma(std::slice::from_ref(&points), at(0), NoiseReference::Shape);
             assert!((sigma / at(2) - 1.0).abs() < 1e-12, "{name} {}", at(0));
             assert!((3.0_f64.sqrt() * sigma / at(3) - 1.0).abs() < 1e-12);
         }
