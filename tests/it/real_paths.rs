@@ -99,10 +99,8 @@ fn the_way_from_end_diastole_to_end_systole_does_not_collapse() {
     }
 }
 
-/// The default metric charges change of angles and of curvature, and of size only through
-/// displacement. Legs that turn lose volume along the straight line (3.2 % below the smaller end), and swell along
-/// the path: by 2.3 % above the larger end at this tolerance, by 7 % at 1e-3. So the margin is 3 %, not the
-/// 2 % that hearts keep.
+/// Legs that turn lose volume along the straight line, 3.2 % below the smaller end; the path keeps it within 0.6 %
+/// above the larger one.
 #[test]
 fn the_way_of_a_galloping_horse_does_not_collapse() {
     let Some(folder) = shared_data("horse_gallop") else {
