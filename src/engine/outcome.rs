@@ -24,7 +24,7 @@ pub enum AnalysisOutcome {
     DeformationMap(Arc<DeformationMap>),
     /// What is said of classes; rows are those of the map of deformations.
     Classes(Arc<Classes>),
-    /// One path per interval of the beat; see [`AnalysisRequest::InBetweens`].
+    /// One path per interval of the beat; see [`AnalysisRequest::InBetweens`](super::AnalysisRequest::InBetweens).
     InBetweens(Arc<Vec<Arc<GeodesicPath>>>),
     /// The path of one interval.
     Interval(Arc<GeodesicPath>),

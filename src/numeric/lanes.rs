@@ -74,7 +74,7 @@ impl Arithmetic for f64 {
     }
 }
 
-/// Numbers that take the same steps together; never mixed but by [`Lanes::sum`] and the shifts.
+/// Numbers that take the same steps together; never mixed but by the sum of all and by shifts.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Lanes(pub [f64; LANES]);
 

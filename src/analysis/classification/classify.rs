@@ -128,9 +128,9 @@ pub enum ClassifyError {
 /// Tells classes apart by clusters, neighbours and linear rules, each beside chance.
 ///
 /// `labels` names the class of each row of the distances and of the map; rows without one are clustered,
-/// and otherwise left out. Clusters are those of [`k_means`] in the plane, τ is by the best match
-/// ([`tau()`]), the nearest neighbour is by the distances ([`leave_one_out_nearest`]). The linear rule on the
-/// distances is [`leave_one_out_linear`] on the leading coordinates of their classical scaling: at
+/// and otherwise left out. Clusters are those of [`k_means()`](super::k_means()) in the plane, τ is by the best match
+/// ([`tau()`]), the nearest neighbour is by the distances ([`leave_one_out_nearest`](super::leave_one_out_nearest)). The linear rule on the
+/// distances is [`leave_one_out_linear`](super::leave_one_out_linear) on the leading coordinates of their classical scaling: at
 /// most [`MOST_COMPONENTS`], and fewer than half the cases; the one in the plane takes the map as it is.
 /// Both see coordinates made from all cases, though of no label: the baseline does, too.
 ///

@@ -76,7 +76,7 @@ fn faces<const ANGLES: bool>(plan: &Plan, along: &mut Along) {
     }
 }
 
-/// K of each vertex as [`super::curvature_density`] or the angle deficit, and its change.
+/// K of each vertex as the density of the metric or the angle deficit, and its change.
 #[inline(always)]
 fn curvature(plan: &Plan, along: &mut Along, slopes: &mut Slopes) {
     let (mesh, blocks) = (&plan.mesh, plan.blocks);
