@@ -15,6 +15,11 @@ pub enum MapMethod {
     },
 }
 
+impl MapMethod {
+    /// Isomap with as many neighbours as suit the poses of some twenty hearts.
+    pub const ISOMAP: Self = Self::Isomap { neighbours: 10 };
+}
+
 /// Coordinates of items, `dimensions` numbers each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Embedding {
