@@ -9,6 +9,7 @@ mod line_search;
 mod lower_columns;
 mod sparse_cholesky;
 mod symmetric_eigen;
+mod vectors;
 
 pub use dense_cholesky::{factorise_positive, solve_lower, solve_positive};
 pub use lanczos::{LeadingEigenError, leading_eigen};
@@ -17,3 +18,4 @@ pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
 pub use lower_columns::LowerColumns;
 pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};
+pub use vectors::{add_scaled, dot};
