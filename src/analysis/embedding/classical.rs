@@ -144,13 +144,7 @@ mod tests {
     use super::*;
 
     fn distances_of(points: &[[f64; 2]]) -> DistanceMatrix {
-        let mut upper = Vec::new();
-        for (i, p) in points.iter().enumerate() {
-            for q in &points[i + 1..] {
-                upper.push((p[0] - q[0]).hypot(p[1] - q[1]));
-            }
-        }
-        DistanceMatrix::from_upper(points.len(), upper).unwrap()
+        DistanceMatrix::of_points(&points.concat(), points.len()).unwrap()
     }
 
     fn spiral(count: u32) -> Vec<[f64; 2]> {

@@ -132,15 +132,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn of_points(points: &[[f64; 2]]) -> DistanceMatrix {
-        let upper = (0..points.len())
-            .flat_map(|i| {
-                let p = points[i];
-                points[i + 1..]
-                    .iter()
-                    .map(move |q| (p[0] - q[0]).hypot(p[1] - q[1]))
-            })
-            .collect();
-        DistanceMatrix::from_upper(points.len(), upper).unwrap()
+        DistanceMatrix::of_points(&points.concat(), points.len()).unwrap()
     }
 
     fn arc(items: u32) -> Vec<[f64; 2]> {
