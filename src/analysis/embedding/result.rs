@@ -30,8 +30,8 @@ pub struct Embedding {
     /// Kruskal's stress 1, √(Σ(d − δ)² / Σδ²) over pairs, δ the given distances; those along the
     /// graph for Isomap. None where distances on the map mean nothing, as with local linearity.
     pub stress: Option<f64>,
-    /// Eigenvalues of classical scaling, descending, all of them for up to 512 items; negative ones
-    /// show that the distances are not Euclidean. Of principal components: the variances. Of locally
+    /// Eigenvalues of classical scaling, descending: all of them for up to 512 items, where negative ones
+    /// show that the distances are not Euclidean; those of the axes and the next one for more. Of principal components: the variances. Of locally
     /// linear maps: those of the axes, ascending.
     pub eigenvalues: Option<Vec<f64>>,
     /// Majorisation steps done.
