@@ -57,6 +57,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("mod.rs", &[]),
     ("alignment", &[]),
     ("measures", &[]),
+    ("medial", &["measures"]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),

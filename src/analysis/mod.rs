@@ -7,6 +7,7 @@ pub mod embedding;
 pub mod experiments;
 pub mod geodesics;
 pub mod measures;
+pub mod medial;
 pub mod metrics;
 pub mod pose_distances;
 pub mod transport;
