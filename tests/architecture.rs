@@ -58,6 +58,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("alignment", &[]),
     ("measures", &[]),
     ("medial", &["measures"]),
+    ("medial_space", &["medial"]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),
