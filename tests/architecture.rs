@@ -57,6 +57,8 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("mod.rs", &[]),
     ("alignment", &[]),
     ("measures", &[]),
+    ("segments", &["measures"]),
+    ("thickness_methods", &["medial", "segments", "measures"]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),

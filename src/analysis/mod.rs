@@ -9,4 +9,6 @@ pub mod geodesics;
 pub mod measures;
 pub mod metrics;
 pub mod pose_distances;
+pub mod segments;
+pub mod thickness_methods;
 pub mod transport;
