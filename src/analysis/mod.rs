@@ -11,4 +11,6 @@ pub mod medial;
 pub mod medial_space;
 pub mod metrics;
 pub mod pose_distances;
+pub mod segments;
+pub mod thickness_methods;
 pub mod transport;
