@@ -61,7 +61,10 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ("medial_space", &["medial"]),
     ("segments", &["measures"]),
     ("thickness_methods", &["medial", "segments", "measures"]),
-    ("thickening", &["medial", "medial_space", "segments", "measures"]),
+    (
+        "thickening",
+        &["medial", "medial_space", "segments", "measures"],
+    ),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),

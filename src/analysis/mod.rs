@@ -12,5 +12,6 @@ pub mod medial_space;
 pub mod metrics;
 pub mod pose_distances;
 pub mod segments;
+pub mod thickening;
 pub mod thickness_methods;
 pub mod transport;

@@ -134,7 +134,10 @@ impl AtomDifference {
     /// Norm, with ρ the mean radius of all atoms that are compared.
     pub fn norm(&self, norm: AtomNorm, mean_radius: f64) -> f64 {
         let angles2: f64 = self.angles_rad.iter().map(|angle| angle * angle).sum();
-        let (way2, log2) = (self.distance * self.distance, self.log_radius * self.log_radius);
+        let (way2, log2) = (
+            self.distance * self.distance,
+            self.log_radius * self.log_radius,
+        );
         match norm {
             AtomNorm::Printed => (way2 + mean_radius * log2 + angles2).sqrt(),
             AtomNorm::Fletcher => (way2 + mean_radius * mean_radius * (log2 + angles2)).sqrt(),

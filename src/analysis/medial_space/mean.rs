@@ -66,7 +66,9 @@ mod tests {
     fn the_mean_is_where_tangents_cancel() {
         let directions: Vec<Vector3> = (0..9)
             .map(|i| f64::from(i))
-            .map(|i| Vector3::new((2.0 * i).sin(), 0.7 * (3.0 * i).cos(), 1.0 + 0.1 * i).normalize())
+            .map(|i| {
+                Vector3::new((2.0 * i).sin(), 0.7 * (3.0 * i).cos(), 1.0 + 0.1 * i).normalize()
+            })
             .collect();
         let mean = frechet_mean(&directions, &[1.0; 9]).unwrap();
         let pull: Vector3 = directions.iter().map(|d| log(&mean, d).tangent).sum();

@@ -65,7 +65,8 @@ pub fn medial_distance(
     check(b)?;
     same_count(a, b)?;
     let rho = mean_radius(a, b);
-    let norms = |norm| (a.iter().zip(b)).map(move |(a, b)| AtomDifference::new(a, b).norm(norm, rho));
+    let norms =
+        |norm| (a.iter().zip(b)).map(move |(a, b)| AtomDifference::new(a, b).norm(norm, rho));
     Ok(match kind {
         MedialDistance::PrintedSum => norms(AtomNorm::Printed).sum(),
         MedialDistance::Product => norms(AtomNorm::Fletcher).map(|d| d * d).sum::<f64>().sqrt(),
@@ -157,7 +158,11 @@ fn check(atoms: &[Atom]) -> Result<(), MedialSpaceError> {
         atom.radius > 0.0
             && atom.radius.is_finite()
             && atom.position.iter().all(|x| x.is_finite())
-            && atom.spokes.iter().flat_map(|s| s.iter()).all(|x| x.is_finite())
+            && atom
+                .spokes
+                .iter()
+                .flat_map(|s| s.iter())
+                .all(|x| x.is_finite())
     };
     match atoms.iter().position(|atom| !good(atom)) {
         Some(atom) => Err(MedialSpaceError::BadAtom { atom }),

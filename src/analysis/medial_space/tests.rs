@@ -149,10 +149,16 @@ fn radii_that_are_none_and_numbers_that_are_none_are_refused() {
     let mut bad = [good; 3];
     bad[1].radius = 0.0;
     let expected = Err(MedialSpaceError::BadAtom { atom: 1 });
-    assert_eq!(medial_distance(&bad, &[good; 3], MedialDistance::Product), expected);
+    assert_eq!(
+        medial_distance(&bad, &[good; 3], MedialDistance::Product),
+        expected
+    );
     bad[1].radius = 1.0;
     bad[1].position.x = f64::NAN;
-    assert_eq!(medial_distance(&[good; 3], &bad, MedialDistance::Product), expected);
+    assert_eq!(
+        medial_distance(&[good; 3], &bad, MedialDistance::Product),
+        expected
+    );
     let opposite = Atom {
         spokes: [Vector3::z(), -Vector3::z()],
         ..good

@@ -15,8 +15,9 @@ pub(super) struct ThickeningCurve {
 
 /// ln r of each atom less its mean over the beat, one column of atoms per pose.
 pub(super) fn centred_logs(radii: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let mut columns: Vec<Vec<f64>> =
-        (radii.iter()).map(|radii| radii.iter().map(|r| r.ln()).collect()).collect();
+    let mut columns: Vec<Vec<f64>> = (radii.iter())
+        .map(|radii| radii.iter().map(|r| r.ln()).collect())
+        .collect();
     let atoms = columns.first().map_or(0, Vec::len);
     for atom in 0..atoms {
         let mean = columns.iter().map(|column| column[atom]).sum::<f64>() / radii.len() as f64;
@@ -74,7 +75,9 @@ impl ThickeningCurve {
     pub fn thickening(&self, columns: &[Vec<f64>]) -> Vec<f64> {
         let mut sums = vec![0.0; columns.first().map_or(0, Vec::len)];
         for (column, c) in columns.iter().zip(&self.shape) {
-            sums.iter_mut().zip(column).for_each(|(sum, x)| *sum += self.rise * c * x);
+            sums.iter_mut()
+                .zip(column)
+                .for_each(|(sum, x)| *sum += self.rise * c * x);
         }
         sums
     }

@@ -26,7 +26,9 @@ impl RegularMesh {
         for triangle in &triangles {
             let [a, b, c] = triangle.map(|atom| positions[atom as usize]);
             let third = (b - a).cross(&(c - a)).norm() / 6.0;
-            triangle.iter().for_each(|&atom| areas[atom as usize] += third);
+            triangle
+                .iter()
+                .for_each(|&atom| areas[atom as usize] += third);
         }
         let whole = areas.iter().sum();
         Self {
@@ -61,8 +63,9 @@ impl Diffusion {
         // An atom without a face has nobody to share with: it keeps what it has.
         let lone = |area: f64| if area > 0.0 { area } else { 1.0 };
         let masses: Vec<f64> = mesh.areas.iter().map(|&area| lone(area)).collect();
-        let mut entries: Vec<(usize, usize, f64)> =
-            (masses.iter().enumerate()).map(|(i, &m)| (i, i, m)).collect();
+        let mut entries: Vec<(usize, usize, f64)> = (masses.iter().enumerate())
+            .map(|(i, &m)| (i, i, m))
+            .collect();
         for &triangle in &mesh.triangles {
             for corner in 0..3 {
                 let [i, j, k] = [0, 1, 2].map(|step| triangle[(corner + step) % 3] as usize);
@@ -71,7 +74,11 @@ impl Diffusion {
                 if doubled_area > 0.0 {
                     // ½ cot of the corner at i, times half the time of the two steps.
                     let weight = 0.25 * time * u.dot(&v) / doubled_area;
-                    entries.extend([(j, j, weight), (k, k, weight), (j.max(k), j.min(k), -weight)]);
+                    entries.extend([
+                        (j, j, weight),
+                        (k, k, weight),
+                        (j.max(k), j.min(k), -weight),
+                    ]);
                 }
             }
         }
@@ -85,7 +92,10 @@ impl Diffusion {
     pub fn apply(&self, columns: &mut [f64]) {
         for _ in 0..2 {
             for column in columns.chunks_exact_mut(self.masses.len()) {
-                column.iter_mut().zip(&self.masses).for_each(|(x, mass)| *x *= mass);
+                column
+                    .iter_mut()
+                    .zip(&self.masses)
+                    .for_each(|(x, mass)| *x *= mass);
             }
             self.factors.solve(columns);
         }

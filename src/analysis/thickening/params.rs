@@ -33,8 +33,8 @@ impl Default for ThickeningParams {
         Self {
             tolerance: None,
             ratio: RatioForm::GeometricMean,
-            core: 0.35,
-            border: 0.55,
+            core: 0.25,
+            border: 0.4,
             least_share: 0.02,
             least_thickening: 1.1_f64.ln(),
             smoothing: 0.01,
@@ -97,7 +97,12 @@ impl ThickeningParams {
             ("least share", self.least_share, 0.0, 0.5),
             ("least thickening", self.least_thickening, 0.0, 2.0),
             ("smoothing", self.smoothing, 0.0, 0.5),
-            ("redraws", f64::from(self.redraws), 0.0, f64::from(MOST_REDRAWS)),
+            (
+                "redraws",
+                f64::from(self.redraws),
+                0.0,
+                f64::from(MOST_REDRAWS),
+            ),
         ];
         for (name, value, least, most) in ranges {
             if !(least..=most).contains(&value) {

@@ -123,6 +123,8 @@ pub struct Thickening {
     pub well: f64,
     /// Area over which thickening was averaged, as a share of the regular medial surface.
     pub averaged_share: f64,
+    /// Standard deviation of the noise of averaged thickening.
+    pub averaged_noise: f64,
     /// Area of the regular medial surface at end-diastole, in the square of the coordinates' unit.
     pub regular_area: f64,
     /// Largest side of the box of the medial surface at end-diastole: the heart's size.

@@ -4,8 +4,8 @@ use cardiomorph::analysis::medial::Atom;
 use cardiomorph::analysis::medial_space::{
     AtomAction, AtomDifference, AtomNorm, MedialDistance, PoseDescriptor, RatioForm, StillAtom,
     angle, atom_distance, atom_log, atom_log_pole, exp, exp_pole, frechet_mean, log, log_pole,
-    mean_direction, mean_radius, medial_distance, pose_descriptor, pose_distance,
-    spoke_angle_rad, spokes_from_gradient,
+    mean_direction, mean_radius, medial_distance, pose_descriptor, pose_distance, spoke_angle_rad,
+    spokes_from_gradient,
 };
 use nalgebra::{Matrix3, Rotation3};
 
@@ -26,7 +26,10 @@ fn all_near(name: &str, found: &[f64], expected: &[f64], tolerance: f64) {
 }
 
 fn vectors(numbers: &[f64]) -> Vec<Vector3> {
-    numbers.chunks_exact(3).map(Vector3::from_row_slice).collect()
+    numbers
+        .chunks_exact(3)
+        .map(Vector3::from_row_slice)
+        .collect()
 }
 
 fn flat(vectors: &[Vector3]) -> Vec<f64> {
@@ -53,7 +56,12 @@ fn exponentials_at_the_pole_agree_with_fifty_digits() {
     let found: Vec<Vector3> = (tangents.chunks_exact(2))
         .map(|v| exp_pole([v[0], v[1]]))
         .collect();
-    all_near("exp", &flat(&found), &case.numbers("expected", "point"), 1e-14);
+    all_near(
+        "exp",
+        &flat(&found),
+        &case.numbers("expected", "point"),
+        1e-14,
+    );
     let general: Vec<Vector3> = (tangents.chunks_exact(2))
         .map(|v| exp(&Vector3::z(), &Vector3::new(v[0], v[1], 0.0)))
         .collect();
@@ -77,7 +85,12 @@ fn logarithms_at_the_pole_agree_with_fifty_digits_down_to_the_antipode() {
     let case = Case::load("sphere", "antipode");
     let (p, x) = (case.field("p")[0], case.field("x")[0]);
     let opposite = log(&p, &x);
-    near("antipode", opposite.tangent.norm(), case.number("distance"), 1e-15);
+    near(
+        "antipode",
+        opposite.tangent.norm(),
+        case.number("distance"),
+        1e-15,
+    );
     assert!(opposite.antipodal && log_pole(&x).antipodal);
 }
 
@@ -85,8 +98,7 @@ fn logarithms_at_the_pole_agree_with_fifty_digits_down_to_the_antipode() {
 fn exponentials_and_logarithms_at_any_base_agree_with_geomstats() {
     let case = Case::load("sphere", "exp_log_general");
     let [p, q, v] = ["p", "q", "v"].map(|key| case.field(key));
-    let [exp_v, log_q] =
-        ["exp_v", "log_q"].map(|key| vectors(&case.numbers("expected", key)));
+    let [exp_v, log_q] = ["exp_v", "log_q"].map(|key| vectors(&case.numbers("expected", key)));
     let distances = case.numbers("expected", "dist");
     for row in 0..p.len() {
         assert!((exp(&p[row], &v[row]) - exp_v[row]).amax() <= 1e-13);
@@ -113,7 +125,10 @@ fn means_of_directions_agree_with_geomstats() {
 #[test]
 fn atoms_and_medial_surfaces_are_as_far_apart_as_in_numpy() {
     let case = Case::load("sphere", "medial_atoms");
-    let (a, b) = (atoms(&case, "inputs", "atoms1"), atoms(&case, "inputs", "atoms2"));
+    let (a, b) = (
+        atoms(&case, "inputs", "atoms1"),
+        atoms(&case, "inputs", "atoms2"),
+    );
     let rho = mean_radius(&a, &b);
     near("rho", rho, case.number("rho_mean_radius"), 1e-11);
     let parts = case.numbers("expected", "components");
@@ -124,8 +139,18 @@ fn atoms_and_medial_surfaces_are_as_far_apart_as_in_numpy() {
         let [inner, outer] = found.angles_rad;
         let found = [found.distance, found.log_radius, inner, outer];
         all_near("parts", &found, &parts[4 * i..4 * i + 4], 1e-11);
-        near("printed", atom_distance(a, b, AtomNorm::Printed, rho), printed[i], 1e-11);
-        near("fletcher", atom_distance(a, b, AtomNorm::Fletcher, rho), fletcher[i], 1e-11);
+        near(
+            "printed",
+            atom_distance(a, b, AtomNorm::Printed, rho),
+            printed[i],
+            1e-11,
+        );
+        near(
+            "fletcher",
+            atom_distance(a, b, AtomNorm::Fletcher, rho),
+            fletcher[i],
+            1e-11,
+        );
         let tangent = atom_log(a, b).tangent;
         near("log", tangent.spokes[0].norm(), found[2], 1e-11);
     }
@@ -135,7 +160,12 @@ fn atoms_and_medial_surfaces_are_as_far_apart_as_in_numpy() {
     let product = case.number("d_surface_fletcher_l2");
     near("product", whole(MedialDistance::Product), product, 1e-11);
     let squares: f64 = printed.iter().map(|d| d * d).sum();
-    near("l2", squares.sqrt(), case.number("d_surface_printed_l2"), 1e-11);
+    near(
+        "l2",
+        squares.sqrt(),
+        case.number("d_surface_printed_l2"),
+        1e-11,
+    );
 }
 
 #[test]
@@ -210,9 +240,19 @@ fn the_descriptor_of_a_pose_agrees_with_numpy() {
     all_near("ANV", printed.normal.unwrap().as_slice(), &expected, 1e-12);
     near("r̂", printed.ratio(), case.number("r_hat_product"), 1e-12);
     near("ρ", printed.rho, case.number("rho_mean_norm"), 1e-12);
-    near("ρ ln r̂", printed.rho * printed.log_ratio, case.number("rho_log_rhat"), 1e-12);
+    near(
+        "ρ ln r̂",
+        printed.rho * printed.log_ratio,
+        case.number("rho_log_rhat"),
+        1e-12,
+    );
     let mean = pose_descriptor(&still, RatioForm::GeometricMean).unwrap();
-    near("mean", mean.ratio(), case.number("r_hat_geometric_mean"), 1e-12);
+    near(
+        "mean",
+        mean.ratio(),
+        case.number("r_hat_geometric_mean"),
+        1e-12,
+    );
 }
 
 #[test]
