@@ -35,6 +35,11 @@ impl CappedSheet {
         &self.loops
     }
 
+    /// Triangles of the sheet, without lids.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
     /// Vertices of the sheet, ascending.
     pub fn vertices(&self) -> Vec<u32> {
         let mut vertices: Vec<u32> = self.triangles.iter().flatten().copied().collect();

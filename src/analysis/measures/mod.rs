@@ -13,3 +13,4 @@ pub use inner_side::InnerSideError;
 pub use measure::{measure_study, measure_subject, untold_volumes};
 pub use result::{FrameMeasures, PhaseSource, SubjectMeasures};
 pub use volumes::UntoldVolume;
+pub(in crate::analysis) use volumes::wall_inner_side;

@@ -232,6 +232,25 @@ impl<'a> Wall<'a> {
     }
 }
 
+/// The inner side of a wall at its first frame: the part of a closed sheet that looks into the cavity, or the inner one of two sheets.
+///
+/// # Errors
+/// If the wall is open, of more than two sheets, or its inner side cannot be told.
+pub(in crate::analysis) fn wall_inner_side(
+    surface: &SurfaceSequence,
+) -> Result<CappedSheet, UntoldVolume> {
+    let mut untold = Vec::new();
+    match Wall::new(surface, &mut untold)?.form {
+        WallForm::Joined {
+            inner: Some(inner), ..
+        }
+        | WallForm::Nested { inner, .. } => Ok(inner),
+        WallForm::Joined { inner: None, .. } => {
+            Err(untold.pop().unwrap_or(InnerSideError::NoCavity.into()))
+        }
+    }
+}
+
 /// Two sheets as inner and outer one, if the smaller lies in the larger: nine in ten of its
 /// vertices, because rims may lie in one plane, where rounding decides.
 fn nested(

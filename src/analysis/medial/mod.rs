@@ -2,10 +2,20 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.2.
 
+mod balls;
+mod beat;
+mod connectivity;
+mod ends;
 mod error;
+mod face_tree;
+mod orientation;
 mod params;
 mod result;
+mod smoothing;
+mod surface;
 
+pub use beat::medial_beat;
 pub use error::MedialError;
 pub use params::{CheckedMedialParams, MedialParamError, MedialParams};
 pub use result::{Atom, EndSpoke, MedialBeat, MedialSurface};
+pub use surface::medial_surface;
