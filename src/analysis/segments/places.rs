@@ -46,10 +46,7 @@ pub fn segment(axis: &LongAxis, point: Point3) -> Option<Segment> {
     if !axis.is_oriented() {
         return None;
     }
-    Some(Segment::at(
-        wall_depth(axis, point)?,
-        axis.angle_rad(point),
-    ))
+    Some(Segment::at(wall_depth(axis, point)?, axis.angle_rad(point)))
 }
 
 /// Depth with the end of the cavity counted as beyond it.
