@@ -42,7 +42,10 @@ pub enum ThickeningError {
         /// Its radius.
         radius: f64,
     },
-    /// The medial surface has no area, so that nothing can be averaged over it.
+    /// All regular atoms lie on a line or in a point.
+    #[error("the regular part of the medial surface has no area")]
+    NoArea,
+    /// Nothing can be averaged over the medial surface.
     #[error(transparent)]
     Smoothing(#[from] SparseCholeskyError),
     /// Asked to stop.

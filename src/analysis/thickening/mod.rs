@@ -14,6 +14,8 @@ mod regions;
 mod result;
 mod steadiness;
 mod steps;
+#[cfg(test)]
+mod tests;
 #[expect(
     clippy::module_inception,
     reason = "the room's main function carries the room's name"

@@ -54,6 +54,9 @@ pub fn thickening(
     progress.expect_steps(beat.frames.len());
     let middle = mean_shape(beat);
     let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
+    if mesh.whole.is_nan() || mesh.whole <= 0.0 {
+        return Err(ThickeningError::NoArea);
+    }
     let neighbours = Neighbours::new(middle.len(), &mesh.triangles);
     let [ed, es] = phases(beat, measures);
     let rest = positions(beat, ed);
