@@ -35,6 +35,16 @@ impl CappedSheet {
         &self.loops
     }
 
+    /// Triangles of the sheet, without lids.
+    pub fn triangles(&self) -> &[[u32; 3]] {
+        &self.triangles
+    }
+
+    /// Corners of all triangles at given positions, lids included: a closed surface.
+    pub fn closed(&self, vertices: &[Point3]) -> Vec<[Point3; 3]> {
+        self.corners(vertices).collect()
+    }
+
     /// Vertices of the sheet, ascending.
     pub fn vertices(&self) -> Vec<u32> {
         let mut vertices: Vec<u32> = self.triangles.iter().flatten().copied().collect();

@@ -232,6 +232,40 @@ impl<'a> Wall<'a> {
     }
 }
 
+/// The inner side of a wall at its first frame: the part of a closed sheet that looks into the cavity, or the inner one of two sheets.
+///
+/// # Errors
+/// If the wall is open, of more than two sheets, or its inner side cannot be told.
+pub(in crate::analysis) fn wall_inner_side(
+    surface: &SurfaceSequence,
+) -> Result<CappedSheet, UntoldVolume> {
+    let mut untold = Vec::new();
+    match Wall::new(surface, &mut untold)?.form {
+        WallForm::Joined {
+            inner: Some(inner), ..
+        }
+        | WallForm::Nested { inner, .. } => Ok(inner),
+        WallForm::Joined { inner: None, .. } => {
+            Err(untold.pop().unwrap_or(InnerSideError::NoCavity.into()))
+        }
+    }
+}
+
+/// Triangles of the inner side of a wall given as one surface: of the inner of two sheets, or the part
+/// of a closed one that looks to the cavity.
+pub(super) fn sides_of_wall(surface: &SurfaceSequence) -> Result<Vec<[u32; 3]>, UntoldVolume> {
+    let mut untold = Vec::new();
+    let inner = match Wall::new(surface, &mut untold)?.form {
+        WallForm::Joined { inner, .. } => inner,
+        WallForm::Nested { inner, .. } => Some(inner),
+    };
+    match (inner, untold.pop()) {
+        (Some(inner), _) => Ok(inner.triangles().to_vec()),
+        (None, Some(reason)) => Err(reason),
+        (None, None) => Err(UntoldVolume::NotNested),
+    }
+}
+
 /// Two sheets as inner and outer one, if the smaller lies in the larger: nine in ten of its
 /// vertices, because rims may lie in one plane, where rounding decides.
 fn nested(

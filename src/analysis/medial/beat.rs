@@ -1,0 +1,115 @@
+//! Atoms of a heart over its beat.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+
+use super::error::MedialError;
+use super::params::CheckedMedialParams;
+use super::result::{MedialBeat, MedialSurface};
+use super::surface::{WallAtlas, joined_points};
+use crate::analysis::measures::wall_inner_side;
+use crate::mesh::{Faces, Point3, TriMesh};
+use crate::progress::Progress;
+use crate::study::{MeshSequence, Subject, SurfaceKind};
+
+/// Atoms of a heart at every frame, one per vertex of the endocardium, or of the inner side of a closed wall.
+///
+/// All frames are smoothed over the same length, by the median over frames of their walls' median thickness, so that a
+/// ratio of radii compares equally smooth walls.
+///
+/// # Errors
+/// If there is no wall or its inner side cannot be told, a frame cannot be used, or it was stopped.
+pub fn medial_beat(
+    subject: &Subject,
+    params: &CheckedMedialParams,
+    progress: &Progress,
+) -> Result<MedialBeat, MedialError> {
+    let template = Template::new(&subject.sequence)?;
+    let frames: Vec<Vec<&TriMesh>> = (0..subject.sequence.frame_count())
+        .map(|frame| meshes_at(&subject.sequence, &template.kinds, frame))
+        .collect();
+    let atlas = WallAtlas::new(&frames, template.vertices.clone(), false)?;
+    progress.expect_steps(frames.len() * (1 + atlas.steps_per_frame()));
+    let measured: Vec<(Vec<Point3>, f64)> = (frames.par_iter())
+        .map(|meshes| {
+            progress.step()?;
+            let points = joined_points(meshes);
+            let thickness = atlas.thickness(&points);
+            Ok((points, thickness))
+        })
+        .collect::<Result<_, MedialError>>()?;
+    let mut thicknesses: Vec<f64> = measured.iter().map(|&(_, thickness)| thickness).collect();
+    let middle = thicknesses.len() / 2;
+    let typical = *thicknesses.select_nth_unstable_by(middle, f64::total_cmp).1;
+    let frames: Vec<MedialSurface> = (measured.par_iter().enumerate())
+        .map(|(frame, (points, _))| atlas.surface(frame, points, typical, params, progress))
+        .collect::<Result<_, MedialError>>()?;
+    let regular = (0..template.vertices.len())
+        .map(|atom| frames.iter().all(|frame| frame.end[atom].is_none()))
+        .collect();
+    Ok(MedialBeat {
+        surface: template.kinds[0],
+        vertices: template.vertices,
+        faces: template.faces,
+        frames,
+        regular,
+    })
+}
+
+/// Of which vertices there are atoms, and on which surfaces.
+struct Template {
+    /// Surfaces of the wall, that of the vertices first.
+    kinds: Vec<SurfaceKind>,
+    vertices: Vec<u32>,
+    faces: Arc<Faces>,
+}
+
+impl Template {
+    fn new(sequence: &MeshSequence) -> Result<Self, MedialError> {
+        let has = |kind: &SurfaceKind| sequence.surface(*kind).is_some();
+        let inner = [SurfaceKind::Endocardium, SurfaceKind::Cavity]
+            .into_iter()
+            .find(has);
+        if let (Some(kind), true) = (inner, has(&SurfaceKind::Epicardium))
+            && let Some(surface) = sequence.surface(kind)
+        {
+            let faces = Arc::clone(surface.faces());
+            return Ok(Self {
+                kinds: vec![kind, SurfaceKind::Epicardium],
+                vertices: (0..faces.vertex_count() as u32).collect(),
+                faces,
+            });
+        }
+        let Some(wall) = sequence.surface(SurfaceKind::Wall) else {
+            let found: Vec<&str> = sequence
+                .surfaces()
+                .iter()
+                .map(|s| s.kind().name())
+                .collect();
+            return Err(MedialError::NoWall {
+                found: found.join(" and "),
+            });
+        };
+        let inner = wall_inner_side(wall)?;
+        let vertices = inner.vertices();
+        let place = |v: &u32| vertices.partition_point(|other| other < v) as u32;
+        let triangles = inner.triangles().iter().map(|t| t.each_ref().map(place));
+        Ok(Self {
+            kinds: vec![SurfaceKind::Wall],
+            faces: Arc::new(Faces::new(vertices.len(), triangles.collect())?),
+            vertices,
+        })
+    }
+}
+
+/// The meshes of these surfaces at a frame.
+fn meshes_at<'a>(
+    sequence: &'a MeshSequence,
+    kinds: &[SurfaceKind],
+    frame: usize,
+) -> Vec<&'a TriMesh> {
+    (kinds.iter())
+        .filter_map(|&kind| sequence.surface(kind)?.frames().get(frame))
+        .collect()
+}

@@ -1,0 +1,125 @@
+//! Where the medial surface ends, and the third spoke of its atoms there.
+
+use super::balls::{Ball, Fit, WallOfPose};
+use super::face_tree::Facing;
+use super::params::CheckedMedialParams;
+use super::result::{Atom, EndSpoke};
+use super::surface::WallAtlas;
+use crate::mesh::{Point3, Vector3};
+
+/// Half length of S₀ + S₁ below which it gives no direction: spokes within 6° of opposite.
+const LEAST_BEND: f64 = 0.05;
+
+/// Longest third spoke in radii, where 1/cos θ is no limit.
+const MOST_ETA: f64 = 10.0;
+
+/// Distance to the surface, in radii, at which a third spoke has come to it.
+const AT_SURFACE: f64 = 1e-3;
+
+/// Steps along a third spoke; each goes as far as no face can be.
+const MOST_MARCHES: usize = 32;
+
+impl Ball {
+    /// Whether it is held by the side across.
+    pub(super) fn touches(&self) -> bool {
+        matches!(self.fit, Fit::Touches | Fit::TouchesBoundary)
+    }
+}
+
+/// The third spoke of every atom at which the sheet ends: at the template's own open boundary, where the ball touches
+/// the other side's, leaks or has no room, and where the angle between the spokes is small, as on a rim.
+pub(super) fn end_spokes(
+    wall: &WallOfPose<'_>,
+    atlas: &WallAtlas,
+    balls: &[Ball],
+    atoms: &[Atom],
+    normals: &[Vector3],
+    params: &CheckedMedialParams,
+) -> Vec<Option<EndSpoke>> {
+    let cos_end = params.end_rad.cos();
+    let ends: Vec<usize> = (0..atoms.len())
+        .filter(|&probe| {
+            let [inner, outer] = atoms[probe].spokes;
+            wall.boundary[atlas.vertex(probe) as usize]
+                || balls[probe].fit != Fit::Touches
+                || inner.dot(&outer) > cos_end
+        })
+        .collect();
+    let mut spokes = vec![None; atoms.len()];
+    if ends.is_empty() {
+        return spokes;
+    }
+    let mut position_of: Vec<Option<Point3>> = vec![None; atlas.connectivity.vertex_count()];
+    for (probe, atom) in atoms.iter().enumerate() {
+        position_of[atlas.vertex(probe) as usize] = Some(atom.position);
+    }
+    for probe in ends {
+        let atom = &atoms[probe];
+        let away = away_from_neighbours(atlas, &position_of, probe, atom.position);
+        spokes[probe] = Some(end_spoke(wall, atom, normals[probe], away));
+    }
+    spokes
+}
+
+/// Sum of the directions from the neighbouring atoms.
+fn away_from_neighbours(
+    atlas: &WallAtlas,
+    position_of: &[Option<Point3>],
+    probe: usize,
+    position: Point3,
+) -> Vector3 {
+    let rows = &atlas.connectivity.rows;
+    rows.neighbours[rows.of(atlas.vertex(probe) as usize)]
+        .iter()
+        .filter_map(|&other| Some(position - position_of[other as usize]?))
+        .sum()
+}
+
+/// b halves the angle between the spokes; where they are opposite, it leads in the sheet away from the neighbours.
+/// η is how far the surface is along b, in radii.
+fn end_spoke(wall: &WallOfPose<'_>, atom: &Atom, normal: Vector3, away: Vector3) -> EndSpoke {
+    let half = 0.5 * (atom.spokes[0] + atom.spokes[1]);
+    let cos = half.norm();
+    let in_sheet = away - normal.dot(&away) * normal;
+    let direction = if cos > LEAST_BEND {
+        half / cos
+    } else {
+        let any = || {
+            let axis = Vector3::ith(normal.iamin(), 1.0);
+            (axis - normal.dot(&axis) * normal).normalize()
+        };
+        in_sheet.try_normalize(0.0).unwrap_or_else(any)
+    };
+    // Rounding may leave the half sum of equal spokes a little longer than they are.
+    let most = (1.0 / cos.clamp(1.0 / MOST_ETA, 1.0)).max(1.0);
+    EndSpoke {
+        direction,
+        eta: marched(wall, atom, direction, most)
+            .unwrap_or(1.0)
+            .clamp(1.0, most),
+    }
+}
+
+/// Distance to the surface along a direction in radii, if it is met within `most`.
+fn marched(wall: &WallOfPose<'_>, atom: &Atom, direction: Vector3, most: f64) -> Option<f64> {
+    if atom.radius <= 0.0 {
+        return None;
+    }
+    let facing = Facing::any([0, wall.faces.triangles.len() as u32]);
+    let mut along = 0.0;
+    for _ in 0..MOST_MARCHES {
+        let point = atom.position + along * atom.radius * direction;
+        let found = wall
+            .tree
+            .nearest(wall.faces, point, &facing, f64::INFINITY, None)?;
+        let step = found.squared.sqrt() / atom.radius;
+        along += step;
+        if step <= AT_SURFACE {
+            return Some(along);
+        }
+        if along > most {
+            return None;
+        }
+    }
+    Some(along)
+}

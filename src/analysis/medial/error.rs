@@ -1,0 +1,50 @@
+//! Why a heart has no medial surface.
+
+use crate::analysis::measures::UntoldVolume;
+use crate::mesh::MeshError;
+use crate::progress::Stopped;
+
+/// Why atoms cannot be computed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum MedialError {
+    /// Thickness needs two sides.
+    #[error(
+        "no wall: endocardium and epicardium, or a closed wall, are needed, but there is only {found}"
+    )]
+    NoWall {
+        /// Words for the surfaces that are there.
+        found: String,
+    },
+    /// The wall's inner side cannot be told.
+    #[error(transparent)]
+    InnerSide(#[from] UntoldVolume),
+    /// A surface without a single face that has an area.
+    #[error("frame {frame}: surface {surface} has {faces} faces, none of which has an area")]
+    NoArea {
+        /// The frame.
+        frame: usize,
+        /// Place of the surface, the template first.
+        surface: usize,
+        /// Its faces.
+        faces: usize,
+    },
+    /// The sides lie the wrong way round, cross each other, or are too far apart to be a wall.
+    #[error(
+        "frame {frame}: {without} of {atoms} vertices have no ball between the sides; \
+         they cross, coincide or do not face each other"
+    )]
+    NoRoom {
+        /// The frame.
+        frame: usize,
+        /// Vertices without a ball.
+        without: usize,
+        /// Vertices of the template.
+        atoms: usize,
+    },
+    /// Connectivity of the template is broken.
+    #[error(transparent)]
+    Mesh(#[from] MeshError),
+    /// Asked to stop.
+    #[error(transparent)]
+    Stopped(#[from] Stopped),
+}

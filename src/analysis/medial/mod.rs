@@ -1,0 +1,21 @@
+//! Where is the middle of the wall, and how thick is it there?
+//!
+//! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.2.
+
+mod balls;
+mod beat;
+mod connectivity;
+mod ends;
+mod error;
+mod face_tree;
+mod orientation;
+mod params;
+mod result;
+mod smoothing;
+mod surface;
+
+pub use beat::medial_beat;
+pub use error::MedialError;
+pub use params::{CheckedMedialParams, MedialParamError, MedialParams};
+pub use result::{Atom, EndSpoke, MedialBeat, MedialSurface};
+pub use surface::medial_surface;

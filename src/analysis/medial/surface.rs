@@ -1,0 +1,330 @@
+//! Atoms of one pose.
+
+use rayon::prelude::*;
+
+use super::balls::{Ball, Fit, WallOfPose};
+use super::connectivity::Connectivity;
+use super::ends::end_spokes;
+use super::error::MedialError;
+use super::face_tree::{FaceTree, FacesOfPose};
+use super::orientation::{Opposite, turn_into_muscle, typical_thickness};
+use super::params::CheckedMedialParams;
+use super::result::{Atom, MedialSurface};
+use super::smoothing::smooth;
+use crate::mesh::{Point3, TriMesh, Vector3, face_normals, vertex_normals};
+use crate::progress::Progress;
+
+/// Vertices between two questions whether to go on: some milliseconds.
+const CHUNK: usize = 256;
+
+/// Diameter of the largest ball over the typical thickness: a wall four times as thick as its median is none.
+const MOST_THICKNESS: f64 = 4.0;
+
+/// Share of vertices that must have a ball; the rest of a wall cannot be trusted where fewer have.
+const LEAST_FITTING: f64 = 0.5;
+
+/// Atoms of a wall at one pose, one per vertex of the template.
+///
+/// With `others`, the template is the inner surface, usually the endocardium, and the others the outer one. Without, it
+/// is a closed wall, of which every vertex of both sides has its atom.
+///
+/// Surfaces are smoothed over [`smoothing`](super::MedialParams::smoothing); from every vertex p the largest ball that
+/// touches p and the side across gives x = p + r n, S₀ = −n, S₁ = (q − x) / r, q being where it touches across. Since the tangent plane of the
+/// medial surface halves the angle between the spokes, its normal is N = (S₁ − S₀) / |S₁ − S₀|.
+///
+/// Of surfaces open at the base, balls may run out; their atoms take the mean radius of their neighbours
+/// and are end atoms. Where sides cross or coincide, r = 0, and atoms are end atoms too.
+///
+/// # Errors
+/// If a surface has no area, half of the vertices have no ball, or it was stopped.
+pub fn medial_surface(
+    template: &TriMesh,
+    others: &[&TriMesh],
+    params: &CheckedMedialParams,
+    progress: &Progress,
+) -> Result<MedialSurface, MedialError> {
+    let meshes: Vec<&TriMesh> = std::iter::once(template)
+        .chain(others.iter().copied())
+        .collect();
+    let frames = [meshes];
+    let probes: Vec<u32> = (0..template.vertices().len() as u32).collect();
+    let atlas = WallAtlas::new(&frames, probes, others.is_empty())?;
+    progress.expect_steps(atlas.steps_per_frame());
+    let pose = joined_points(&frames[0]);
+    let thickness = atlas.thickness(&pose);
+    atlas.surface(0, &pose, thickness, params, progress)
+}
+
+/// Vertices of all surfaces, one after the other.
+pub(super) fn joined_points(meshes: &[&TriMesh]) -> Vec<Point3> {
+    meshes
+        .iter()
+        .flat_map(|mesh| mesh.vertices())
+        .copied()
+        .collect()
+}
+
+/// What all frames of a wall share: connectivity, sides, the plan of the tree, and of which vertices there are atoms.
+#[derive(Clone, Debug)]
+pub(super) struct WallAtlas {
+    pub connectivity: Connectivity,
+    opposite: Opposite,
+    tree: FaceTree,
+    /// Vertices of which there are atoms.
+    pub probes: Vec<u32>,
+    /// Places in `probes`, so that neighbours mostly follow each other.
+    order: Vec<u32>,
+    /// Whether probes lie on both sides, so that each atom must be told which of its spokes is the inner one.
+    both_sides: bool,
+}
+
+impl WallAtlas {
+    /// Prepares a wall by all its frames.
+    ///
+    /// # Errors
+    /// If a surface has no area at frame 0.
+    pub fn new(
+        frames: &[Vec<&TriMesh>],
+        probes: Vec<u32>,
+        both_sides: bool,
+    ) -> Result<Self, MedialError> {
+        let mut connectivity = Connectivity::new(frames)?;
+        let first = frames.first().map_or(&[][..], Vec::as_slice);
+        for (surface, mesh) in first.iter().enumerate() {
+            if crate::mesh::area(mesh.vertices(), mesh.triangles()) <= 0.0 {
+                return Err(MedialError::NoArea {
+                    frame: 0,
+                    surface,
+                    faces: mesh.triangles().len(),
+                });
+            }
+        }
+        let points = joined_points(first);
+        let opposite = turn_into_muscle(&mut connectivity, &points);
+        let tree = FaceTree::new(FacesOfPose {
+            points: &points,
+            triangles: &connectivity.triangles,
+            normals: &[],
+        });
+        let order = probe_order(&connectivity, &tree, &probes);
+        Ok(Self {
+            connectivity,
+            opposite,
+            tree,
+            probes,
+            order,
+            both_sides,
+        })
+    }
+
+    /// Steps of progress that [`Self::surface`] takes.
+    pub fn steps_per_frame(&self) -> usize {
+        self.probes.len().div_ceil(CHUNK)
+    }
+
+    /// About how thick the wall is at a pose, in coordinates.
+    pub fn thickness(&self, points: &[Point3]) -> f64 {
+        let normals = face_normals(points, &self.connectivity.triangles);
+        let faces = FacesOfPose {
+            points,
+            triangles: &self.connectivity.triangles,
+            normals: &normals,
+        };
+        let mut tree = self.tree.clone();
+        tree.fit(faces);
+        typical_thickness(&self.connectivity, self.opposite, &tree, faces)
+    }
+
+    /// Atoms at a pose of a wall about as thick as this.
+    ///
+    /// # Errors
+    /// If half of the vertices have no ball, or it was stopped.
+    pub fn surface(
+        &self,
+        frame: usize,
+        points: &[Point3],
+        thickness: f64,
+        params: &CheckedMedialParams,
+        progress: &Progress,
+    ) -> Result<MedialSurface, MedialError> {
+        let triangles = &self.connectivity.triangles;
+        let smoothed = smooth(&self.connectivity, points, params.smoothing * thickness);
+        progress.check()?;
+        let face_normals = face_normals(&smoothed.points, triangles);
+        let faces = FacesOfPose {
+            points: &smoothed.points,
+            triangles,
+            normals: &face_normals,
+        };
+        let mut tree = self.tree.clone();
+        tree.fit(faces);
+        let wall = WallOfPose {
+            faces,
+            tree: &tree,
+            normals: &vertex_normals(&smoothed.once, triangles),
+            boundary: &self.connectivity.boundary,
+            cos_separation: params.separation_rad.cos(),
+            most_radius: 0.5 * MOST_THICKNESS * thickness,
+        };
+        let mut balls = self.balls(&wall, 0.5 * thickness, progress)?;
+        let without = balls.iter().filter(|ball| !ball.touches()).count();
+        if without as f64 > (1.0 - LEAST_FITTING) * balls.len() as f64 {
+            return Err(MedialError::NoRoom {
+                frame,
+                without,
+                atoms: balls.len(),
+            });
+        }
+        self.lend_radii(&mut balls);
+        let (atoms, normals) = self.atoms(&wall, &balls);
+        let end = end_spokes(&wall, self, &balls, &atoms, &normals, params);
+        Ok(MedialSurface {
+            atoms,
+            normals,
+            end,
+        })
+    }
+
+    /// The vertex that stands for a probe.
+    pub fn vertex(&self, probe: usize) -> u32 {
+        self.connectivity.representative[self.probes[probe] as usize]
+    }
+
+    /// One ball per probe. Each starts from the one before it in its chunk.
+    fn balls(
+        &self,
+        wall: &WallOfPose<'_>,
+        radius: f64,
+        progress: &Progress,
+    ) -> Result<Vec<Ball>, MedialError> {
+        let found: Result<Vec<Vec<Ball>>, _> = (self.order.par_chunks(CHUNK))
+            .map(|chunk| {
+                progress.step()?;
+                let (mut radius, mut hint) = (radius, None);
+                Ok(chunk
+                    .iter()
+                    .map(|&probe| {
+                        let ball = wall.ball(self.vertex(probe as usize), radius, hint);
+                        if ball.touches() {
+                            (radius, hint) = (ball.radius, ball.face);
+                        }
+                        ball
+                    })
+                    .collect())
+            })
+            .collect();
+        let found = found.map_err(MedialError::Stopped)?;
+        let mut balls: Vec<Option<Ball>> = vec![None; self.probes.len()];
+        for (&probe, ball) in self.order.iter().zip(found.into_iter().flatten()) {
+            balls[probe as usize] = Some(ball);
+        }
+        // Every probe stands in the order once.
+        Ok(balls.into_iter().flatten().collect())
+    }
+
+    /// Balls that leak take the mean radius of their neighbours that have one, from these outwards.
+    fn lend_radii(&self, balls: &mut [Ball]) {
+        let mut open: Vec<usize> = (0..balls.len())
+            .filter(|&probe| balls[probe].fit == Fit::Leaks)
+            .collect();
+        if open.is_empty() {
+            return;
+        }
+        let rows = &self.connectivity.rows;
+        let mut radius_of: Vec<Option<f64>> = vec![None; self.connectivity.vertex_count()];
+        let mut fitting = (0.0, 0_usize);
+        for (probe, ball) in balls.iter().enumerate().filter(|(_, ball)| ball.touches()) {
+            radius_of[self.vertex(probe) as usize] = Some(ball.radius);
+            fitting = (fitting.0 + ball.radius, fitting.1 + 1);
+        }
+        let mean = fitting.0 / fitting.1.max(1) as f64;
+        while !open.is_empty() {
+            let lent: Vec<Option<f64>> = (open.iter())
+                .map(|&probe| {
+                    let known = rows.neighbours[rows.of(self.vertex(probe) as usize)]
+                        .iter()
+                        .filter_map(|&other| radius_of[other as usize]);
+                    let (sum, count) = known.fold((0.0, 0), |(s, n), r| (s + r, n + 1));
+                    (count > 0).then(|| sum / f64::from(count))
+                })
+                .collect();
+            let stuck = lent.iter().all(Option::is_none);
+            let mut left = Vec::new();
+            for (&probe, radius) in open.iter().zip(lent) {
+                let Some(radius) = radius.or(stuck.then_some(mean)) else {
+                    left.push(probe);
+                    continue;
+                };
+                let vertex = self.vertex(probe) as usize;
+                radius_of[vertex] = Some(radius);
+                balls[probe].radius = radius;
+            }
+            open = left;
+        }
+    }
+
+    /// Atoms and normals from balls.
+    fn atoms(&self, wall: &WallOfPose<'_>, balls: &[Ball]) -> (Vec<Atom>, Vec<Vector3>) {
+        let middle = middle_of(wall.faces);
+        (balls.iter().enumerate())
+            .map(|(probe, ball)| {
+                let vertex = self.vertex(probe) as usize;
+                let inwards = match wall.normals[vertex] {
+                    normal if normal == Vector3::zeros() => Vector3::z(),
+                    normal => normal,
+                };
+                let position = wall.faces.points[vertex] + ball.radius * inwards;
+                let across = ball.across.try_normalize(0.0).unwrap_or(inwards);
+                let mut spokes = [-inwards, across];
+                let mut normal = (across + inwards).try_normalize(1e-9).unwrap_or(inwards);
+                if self.both_sides && normal.dot(&(position - middle)) < 0.0 {
+                    spokes.swap(0, 1);
+                    normal = -normal;
+                }
+                let atom = Atom {
+                    position,
+                    radius: ball.radius,
+                    spokes,
+                };
+                (atom, normal)
+            })
+            .unzip()
+    }
+}
+
+/// Area-weighted centroid of all faces: of a cup, a point of its cavity.
+fn middle_of(faces: FacesOfPose<'_>) -> Point3 {
+    let (sum, whole) =
+        faces
+            .triangles
+            .iter()
+            .fold((Vector3::zeros(), 0.0), |(sum, whole), triangle| {
+                let [a, b, c] = triangle.map(|v| faces.points[v as usize]);
+                let area = (b - a).cross(&(c - a)).norm();
+                (
+                    sum + area / 3.0 * (a.coords + b.coords + c.coords),
+                    whole + area,
+                )
+            });
+    Point3::from(sum / f64::max(whole, f64::MIN_POSITIVE))
+}
+
+/// Places of probes in the order in which the tree holds their faces; those without a face last.
+fn probe_order(connectivity: &Connectivity, tree: &FaceTree, probes: &[u32]) -> Vec<u32> {
+    let mut rank = vec![u32::MAX; connectivity.vertex_count()];
+    let mut next = 0;
+    for &face in tree.order() {
+        for vertex in connectivity.triangles[face as usize] {
+            let rank = &mut rank[vertex as usize];
+            if *rank == u32::MAX {
+                *rank = next;
+                next += 1;
+            }
+        }
+    }
+    let mut order: Vec<u32> = (0..probes.len() as u32).collect();
+    order.sort_by_key(|&probe| {
+        rank[connectivity.representative[probes[probe as usize] as usize] as usize]
+    });
+    order
+}

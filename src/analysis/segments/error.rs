@@ -1,0 +1,29 @@
+//! Why places on a heart cannot be told.
+
+/// Why a heart has no long axis, or a surface no places on it.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SegmentError {
+    /// The frame is past the last one.
+    #[error("frame {frame} of a beat of {frames} frames")]
+    NoFrame {
+        /// The frame asked for.
+        frame: usize,
+        /// How many there are.
+        frames: usize,
+    },
+    /// Nothing is said to be a ventricle.
+    #[error("no surface is said to be endocardium, epicardium, cavity or wall")]
+    NoHeart,
+    /// A closed surface without landmarks: its base cannot be told from its apex.
+    #[error("{kind} is closed and no landmarks are stated, so that base and apex cannot be told")]
+    NoRim {
+        /// The word for the surface.
+        kind: &'static str,
+    },
+    /// Nothing lies below the base.
+    #[error("apex and base are {length} units apart, which makes no long axis")]
+    NoLength {
+        /// Their distance in coordinates.
+        length: f64,
+    },
+}

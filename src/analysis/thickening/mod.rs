@@ -1,0 +1,30 @@
+//! Which part of the wall does not thicken?
+//!
+//! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.6.
+
+mod averaged;
+mod confidence;
+mod curve;
+mod diffusion;
+mod error;
+mod neighbours;
+mod noise;
+mod params;
+mod patches;
+mod regions;
+mod result;
+mod steadiness;
+mod steps;
+#[cfg(test)]
+mod tests;
+#[expect(
+    clippy::module_inception,
+    reason = "the room's main function carries the room's name"
+)]
+mod thickening;
+
+pub use error::ThickeningError;
+pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
+pub use result::{Extent, Patch, PatchSegment, Phase, Steadiness, Thickening, ThickeningStep};
+pub use steps::{phase_of, thickness_ratios};
+pub use thickening::thickening;

@@ -1,0 +1,129 @@
+//! What counts as still, as a patch, and as noise.
+
+use crate::analysis::medial_space::RatioForm;
+
+/// Settings of the search for the part of the wall that does not thicken;
+/// [`ThickeningParams::check`] makes them usable.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ThickeningParams {
+    /// |ln PT| of a step up to which an atom counts as still (M̂ of 4.4). `None`: as much as noise alone
+    /// makes of PT = 1, twice its standard deviation, but at least ln 1.05.
+    pub tolerance: Option<f64>,
+    /// What r̂ of a descriptor is made of.
+    pub ratio: RatioForm,
+    /// A patch has a core that thickens over the beat by less than this share of what the well wall does …
+    pub core: f64,
+    /// … and by less than this in ln PT from end-diastole to end-systole: "roughly equal to one".
+    pub still: f64,
+    /// It reaches as far as the wall thickens by less than this share of what the well wall does.
+    pub border: f64,
+    /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that.
+    pub least_share: f64,
+    /// Where even the part that works best thickens by less than this (ln PT from end-diastole to
+    /// end-systole), failure is global and no part of it is called a patch.
+    pub least_thickening: f64,
+    /// Least area over which thickening is averaged, as a share of the regular medial surface.
+    pub smoothing: f64,
+    /// Redraws of the noise by which confidence is told; 0: none, confidence 1.
+    pub redraws: u32,
+    /// Of the redraws.
+    pub seed: u64,
+}
+
+impl Default for ThickeningParams {
+    fn default() -> Self {
+        Self {
+            tolerance: None,
+            ratio: RatioForm::GeometricMean,
+            core: 0.2,
+            still: 1.1_f64.ln(),
+            border: 0.4,
+            least_share: 0.02,
+            least_thickening: 1.1_f64.ln(),
+            smoothing: 0.01,
+            redraws: 50,
+            seed: 2009,
+        }
+    }
+}
+
+/// Settings that have been checked; read them like the fields of [`ThickeningParams`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CheckedThickeningParams(ThickeningParams);
+
+impl std::ops::Deref for CheckedThickeningParams {
+    type Target = ThickeningParams;
+
+    fn deref(&self) -> &ThickeningParams {
+        &self.0
+    }
+}
+
+/// Redraws beyond this tell nothing more: the standard error of a share is then below 2 %.
+const MOST_REDRAWS: u32 = 1000;
+
+/// Why settings cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ThickeningParamError {
+    /// A number out of range.
+    #[error("{name} must be between {least} and {most}, not {value}")]
+    Range {
+        /// Which.
+        name: &'static str,
+        /// What it was.
+        value: f64,
+        /// Its limits.
+        least: f64,
+        /// And the upper one.
+        most: f64,
+    },
+    /// The border must take in the core.
+    #[error("the border, {border}, must not be below the core, {core}")]
+    Order {
+        /// Share of the core.
+        core: f64,
+        /// Share of the border.
+        border: f64,
+    },
+}
+
+impl ThickeningParams {
+    /// Makes settings usable.
+    ///
+    /// # Errors
+    /// If a number is out of range or not a number, or the border lies below the core.
+    pub fn check(self) -> Result<CheckedThickeningParams, ThickeningParamError> {
+        let ranges = [
+            ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),
+            ("core", self.core, 0.0, 1.0),
+            ("still", self.still, 0.0, 2.0),
+            ("border", self.border, 0.0, 1.0),
+            ("least share", self.least_share, 0.0, 0.5),
+            ("least thickening", self.least_thickening, 0.0, 2.0),
+            ("smoothing", self.smoothing, 0.0, 0.5),
+            (
+                "redraws",
+                f64::from(self.redraws),
+                0.0,
+                f64::from(MOST_REDRAWS),
+            ),
+        ];
+        for (name, value, least, most) in ranges {
+            if !(least..=most).contains(&value) {
+                return Err(ThickeningParamError::Range {
+                    name,
+                    value,
+                    least,
+                    most,
+                });
+            }
+        }
+        if self.border < self.core {
+            return Err(ThickeningParamError::Order {
+                core: self.core,
+                border: self.border,
+            });
+        }
+        Ok(CheckedThickeningParams(self))
+    }
+}

@@ -1,0 +1,57 @@
+//! Connected parts of the wall that do not thicken: found by their core, followed to their border.
+
+use super::diffusion::RegularMesh;
+use super::neighbours::Neighbours;
+use super::params::CheckedThickeningParams;
+
+/// Thickening of the part of the wall that works well: the value that a fifth of the area exceeds. With patches of up to
+/// three fifths of the wall it is the median of what is left.
+pub(super) const WELL_QUANTILE: f64 = 0.8;
+
+/// Value below which a share of the area lies; 0 without area.
+pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
+    let mut order: Vec<usize> = (0..values.len()).filter(|&i| areas[i] > 0.0).collect();
+    order.sort_unstable_by(|&i, &j| values[i].total_cmp(&values[j]).then(i.cmp(&j)));
+    let whole: f64 = order.iter().map(|&i| areas[i]).sum();
+    let mut below = 0.0;
+    for &i in &order {
+        below += areas[i];
+        if below >= share * whole {
+            return values[i];
+        }
+    }
+    order.last().map_or(0.0, |&i| values[i])
+}
+
+/// Share of the least area of a patch that its core must have, so that one atom in noise makes none.
+const CORE_AREA: f64 = 0.5;
+
+/// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `border` of what
+/// the well wall does, with the least area together, half of which thickens by less than `core` of it and
+/// less than `still`. By falling area.
+pub(super) fn still_parts(
+    thickening: &[f64],
+    well: f64,
+    mesh: &RegularMesh,
+    neighbours: &Neighbours,
+    params: &CheckedThickeningParams,
+) -> Vec<Vec<u32>> {
+    let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
+        .map(|(&value, &area)| area > 0.0 && value <= params.border * well)
+        .collect();
+    let core = params.still.min(params.core * well);
+    let area_below = |part: &[u32], limit: f64| -> f64 {
+        (part.iter().map(|&atom| atom as usize))
+            .filter(|&atom| thickening[atom] <= limit)
+            .map(|atom| mesh.areas[atom])
+            .sum()
+    };
+    let least = params.least_share * mesh.whole;
+    let mut parts: Vec<(f64, Vec<u32>)> = (neighbours.parts(&inside).into_iter())
+        .filter(|part| area_below(part, core) >= (CORE_AREA * least).max(f64::MIN_POSITIVE))
+        .map(|part| (area_below(&part, f64::INFINITY), part))
+        .filter(|(area, _)| *area >= least)
+        .collect();
+    parts.sort_by(|a, b| b.0.total_cmp(&a.0));
+    parts.into_iter().map(|(_, part)| part).collect()
+}

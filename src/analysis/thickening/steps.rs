@@ -1,0 +1,154 @@
+//! From one pose to the next: PT of every atom, the atoms that stand still, and their descriptor.
+
+use crate::analysis::medial::{MedialBeat, MedialSurface};
+use crate::analysis::medial_space::{
+    PoseDescriptor, RatioForm, StillAtom, pose_descriptor, spoke_angle_rad,
+};
+use crate::mesh::Point3;
+use crate::progress::{Progress, Stopped};
+
+use super::diffusion::RegularMesh;
+use super::result::{Phase, ThickeningStep};
+use super::steadiness::gap;
+
+/// PT = r(t₂) / r(t₁) of every atom (4.4); 1 where an atom has no ball at one of the poses, as
+/// an end atom may.
+pub fn thickness_ratios(earlier: &MedialSurface, later: &MedialSurface) -> Vec<f64> {
+    (earlier.atoms.iter().zip(&later.atoms))
+        .map(|(earlier, later)| {
+            let ratio = later.radius / earlier.radius;
+            let told = ratio > 0.0 && ratio.is_finite();
+            if told { ratio } else { 1.0 }
+        })
+        .collect()
+}
+
+/// Half of the beat of the step from a pose to the next: contraction from end-diastole to end-systole,
+/// the beat taken as a circle.
+pub fn phase_of(from: usize, end_diastole: usize, end_systole: usize, poses: usize) -> Phase {
+    let after_filling = |pose: usize| (pose + poses - end_diastole) % poses;
+    if after_filling(from) < after_filling(end_systole) {
+        Phase::Contraction
+    } else {
+        Phase::Expansion
+    }
+}
+
+/// What steps are judged by.
+pub(super) struct Judge<'a> {
+    /// ln r of a well wall over the beat.
+    pub well_curve: &'a [f64],
+    /// Of |ln PT|.
+    pub tolerance: f64,
+    /// What r̂ is made of.
+    pub ratio: RatioForm,
+}
+
+/// Steps from every pose to the next and from the last to the first.
+pub(super) fn steps(
+    beat: &MedialBeat,
+    mesh: &RegularMesh,
+    [ed, es]: [usize; 2],
+    judge: &Judge<'_>,
+    progress: &Progress,
+) -> Result<Vec<ThickeningStep>, Stopped> {
+    let (poses, tolerance) = (beat.frames.len(), judge.tolerance);
+    let well_at = |pose: usize| judge.well_curve[pose];
+    (0..poses)
+        .map(|from| {
+            progress.step()?;
+            let to = (from + 1) % poses;
+            let pt = thickness_ratios(&beat.frames[from], &beat.frames[to]);
+            let phase = phase_of(from, ed, es, poses);
+            let takes_part = |&atom: &usize| mesh.areas[atom] > 0.0;
+            let still: Vec<u32> = (0..pt.len())
+                .filter(takes_part)
+                .filter(|&atom| pt[atom].ln().abs() <= tolerance)
+                .map(|atom| atom as u32)
+                .collect();
+            let well: f64 = (0..pt.len())
+                .filter(takes_part)
+                .filter(|&atom| works_well(phase, pt[atom], tolerance))
+                .map(|atom| mesh.areas[atom])
+                .sum();
+            let descriptor = descriptor_of(&beat.frames[from], &pt, &still, judge.ratio);
+            Ok(ThickeningStep {
+                from,
+                to,
+                phase,
+                telling: (well_at(to) - well_at(from)).abs() > 2.0 * tolerance,
+                well_share: well / mesh.whole,
+                gap: gap_of(beat, from, descriptor.as_ref()),
+                descriptor,
+                pt,
+                still,
+            })
+        })
+        .collect()
+}
+
+/// Table 4.1: a well wall thickens in contraction and thins in expansion.
+fn works_well(phase: Phase, pt: f64, tolerance: f64) -> bool {
+    match phase {
+        Phase::Contraction => pt.ln() > tolerance,
+        Phase::Expansion => pt.ln() < -tolerance,
+    }
+}
+
+/// Descriptor of a pose from some of its atoms.
+pub(super) fn descriptor_of(
+    surface: &MedialSurface,
+    pt: &[f64],
+    atoms: &[u32],
+    form: RatioForm,
+) -> Option<PoseDescriptor> {
+    let still: Vec<StillAtom> = (atoms.iter().map(|&atom| atom as usize))
+        .map(|atom| StillAtom {
+            position: surface.atoms[atom].position,
+            log_pt: pt[atom].ln(),
+            normal: surface.normals[atom],
+            spoke_angle_rad: spoke_angle_rad(&surface.normals[atom], &surface.atoms[atom].spokes),
+        })
+        .collect();
+    pose_descriptor(&still, form)
+}
+
+/// From MP to the medial surface of its pose, in coordinates.
+pub(super) fn gap_of(
+    beat: &MedialBeat,
+    pose: usize,
+    descriptor: Option<&PoseDescriptor>,
+) -> Option<f64> {
+    let atoms = &beat.frames[pose].atoms;
+    let position = |atom: u32| -> Point3 { atoms[atom as usize].position };
+    descriptor.map(|descriptor| gap(&descriptor.position, position, beat.faces.triangles()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn contraction_goes_from_end_diastole_to_end_systole_around_the_beat() {
+        let phases = |ed, es| -> Vec<bool> {
+            (0..6)
+                .map(|from| phase_of(from, ed, es, 6) == Phase::Contraction)
+                .collect()
+        };
+        assert_eq!(phases(0, 2), [true, true, false, false, false, false]);
+        assert_eq!(phases(5, 2), [true, true, false, false, false, true]);
+        assert_eq!(phases(3, 1), [true, false, false, true, true, true]);
+        let two: Vec<Phase> = (0..2).map(|from| phase_of(from, 0, 1, 2)).collect();
+        assert_eq!(two, [Phase::Contraction, Phase::Expansion]);
+    }
+
+    #[test]
+    fn a_well_wall_does_what_table_4_1_says() {
+        for (pt, contracts, expands) in
+            [(1.2, true, false), (0.8, false, true), (1.03, false, false)]
+        {
+            assert_eq!(works_well(Phase::Contraction, pt, 0.05), contracts);
+            assert_eq!(works_well(Phase::Expansion, pt, 0.05), expands);
+        }
+    }
+}
