@@ -11,6 +11,8 @@ mod noise;
 #[cfg(test)]
 mod paths;
 #[cfg(test)]
+mod thickness;
+#[cfg(test)]
 mod transport;
 
 use std::path::{Path, PathBuf};
