@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use rayon::prelude::*;
 
-use crate::analysis::segments::LongAxis;
+use crate::analysis::segments::{CAP_SHARE, LongAxis};
 use crate::mesh::{Point3, TriMesh, plane_section};
 use crate::progress::{Progress, Stopped};
 
@@ -43,7 +43,8 @@ impl Frame {
 /// Slices lie evenly between base and end of the cavity, across the long axis. In each the centre line is the curve
 /// whose `chords` perpendiculars, evenly spaced, it halves between the two contours. Slices in which a contour
 /// is not closed (where the rim is tilted) say nothing, and so do vertices that lie more than
-/// a slice away from one that does: the method is not defined over the apex, to which slices are tangent.
+/// half a slice away from one that does, or over the end of the cavity ([`CAP_SHARE`]), to which slices are
+/// tangent. Towards it chords become longer than the wall is thick, because the wall leans.
 ///
 /// Source: Sheehan et al. (1986), Circulation 74(2), 293–305.
 pub(super) fn centreline(
@@ -82,8 +83,10 @@ pub(super) fn centreline(
         })
         .collect::<Result<_, Stopped>>()?;
     let at = |vertex: Point3| {
-        let place = axis.depth(vertex) * slices as f64 - 0.5;
-        between(&found, place, frame.flat(vertex))
+        let depth = axis.depth(vertex);
+        let place = depth * slices as f64 - 0.5;
+        let told = (depth < 1.0 - CAP_SHARE).then(|| between(&found, place, frame.flat(vertex)));
+        told.flatten()
     };
     Ok(inner
         .vertices()
