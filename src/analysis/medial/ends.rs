@@ -39,10 +39,9 @@ pub(super) fn end_spokes(
     let cos_end = params.end_rad.cos();
     let ends: Vec<usize> = (0..atoms.len())
         .filter(|&probe| {
-            let [inner, outer] = atoms[probe].spokes;
             wall.boundary[atlas.vertex(probe) as usize]
                 || balls[probe].fit != Fit::Touches
-                || inner.dot(&outer) > cos_end
+                || balls[probe].cos_separation > cos_end
         })
         .collect();
     let mut spokes = vec![None; atoms.len()];
