@@ -145,19 +145,21 @@ impl WallOfPose<'_> {
         }
     }
 
+    /// The ball at its foot. Seen from behind, as where the sides coincide or cross, the side across leaves no room.
     fn touching(&self, vertex: u32, radius: f64, found: &Nearest) -> Ball {
         let corners = self.faces.triangles[found.face as usize];
         let carriers = (corners.iter().zip(found.weights)).filter(|&(_, weight)| weight > 0.0);
         let at_boundary = found.weights.contains(&0.0)
             && carriers.map(|(&v, _)| v).all(|v| self.boundary[v as usize]);
-        let fit = match (radius <= 0.0, at_boundary) {
-            (true, _) => Fit::NoRoom,
-            (false, true) => Fit::TouchesBoundary,
+        let normal = self.normals[vertex as usize];
+        let centre = self.faces.points[vertex as usize] + radius * normal;
+        let from_behind = self.interpolated_normal(found).dot(&(centre - found.point)) <= 0.0;
+        let fit = match (radius <= 0.0 || from_behind, at_boundary) {
+            (true, false) => Fit::NoRoom,
+            (_, true) => Fit::TouchesBoundary,
             (false, false) => Fit::Touches,
         };
         let Fit::NoRoom = fit else {
-            let normal = self.normals[vertex as usize];
-            let centre = self.faces.points[vertex as usize] + radius * normal;
             let to_foot = (found.point - centre).try_normalize(0.0).unwrap_or(normal);
             return Ball {
                 radius,

@@ -102,8 +102,9 @@ fn a_wall_of_two_nested_sheets_is_a_wall() {
     let both = surface(&wall, &[], &usual()).unwrap();
     let one = surface(&inner, &[&outer], &usual()).unwrap();
     for vertex in 0..inner.vertices().len() {
-        assert!((both.atoms[vertex].position - one.atoms[vertex].position).norm() < 1e-6);
-        assert!((both.normals[vertex] - one.normals[vertex]).norm() < 1e-6);
+        // Typical thickness is measured from the other side, which changes smoothing a little.
+        assert!((both.atoms[vertex].position - one.atoms[vertex].position).norm() < 1e-4);
+        assert!((both.normals[vertex] - one.normals[vertex]).norm() < 1e-4);
     }
     let outer_side = &both.atoms[inner.vertices().len()];
     assert!((outer_side.radius - 0.2).abs() < 0.004);
