@@ -7,6 +7,8 @@ mod explicit_paths;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod medial;
+#[cfg(test)]
 mod noise;
 #[cfg(test)]
 mod paths;
