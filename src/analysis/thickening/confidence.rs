@@ -34,7 +34,14 @@ pub(super) fn confidences(
         let drawn = redrawn(estimate, mesh, &mut random);
         let well = area_quantile(&drawn, &mesh.areas, WELL_QUANTILE);
         let mut again = vec![false; drawn.len()];
-        for part in still_parts(&drawn, well, mesh, &surface.neighbours, params) {
+        for part in still_parts(
+            &drawn,
+            well,
+            mesh,
+            &surface.neighbours,
+            estimate.least_share,
+            params,
+        ) {
             part.iter().for_each(|&atom| again[atom as usize] = true);
         }
         for (found, part) in found.iter_mut().zip(parts) {

@@ -17,7 +17,8 @@ pub struct ThickeningParams {
     pub still: f64,
     /// It reaches as far as the wall thickens by less than this share of what the well wall does.
     pub border: f64,
-    /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that.
+    /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
+    /// both are doubled where fewer than four poses tell.
     pub least_share: f64,
     /// Where even the part that works best thickens by less than this (ln PT from end-diastole to
     /// end-systole), failure is global and no part of it is called a patch.
@@ -31,6 +32,10 @@ pub struct ThickeningParams {
 }
 
 impl Default for ThickeningParams {
+    /// Chosen on the built-in cohort and the labels of ACDC as wholes, not on single hearts. In the cohort (23 hearts, 2,450
+    /// vertices) patches thicken by 0.05 to 0.2 of the well wall, the apex of normal hearts by 0.3 and that of
+    /// hypertrophic ones by 0.2; the border between is where a patch ends by half. `still` keeps normal
+    /// hearts of ACDC, which thicken unevenly but everywhere (median PT 1.8), from having patches.
     fn default() -> Self {
         Self {
             tolerance: None,

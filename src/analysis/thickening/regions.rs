@@ -34,6 +34,7 @@ pub(super) fn still_parts(
     well: f64,
     mesh: &RegularMesh,
     neighbours: &Neighbours,
+    least_share: f64,
     params: &CheckedThickeningParams,
 ) -> Vec<Vec<u32>> {
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
@@ -46,7 +47,7 @@ pub(super) fn still_parts(
             .map(|atom| mesh.areas[atom])
             .sum()
     };
-    let least = params.least_share * mesh.whole;
+    let least = least_share * mesh.whole;
     let mut parts: Vec<(f64, Vec<u32>)> = (neighbours.parts(&inside).into_iter())
         .filter(|part| area_below(part, core) >= (CORE_AREA * least).max(f64::MIN_POSITIVE))
         .map(|part| (area_below(&part, f64::INFINITY), part))

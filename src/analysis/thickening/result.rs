@@ -126,6 +126,9 @@ pub struct Thickening {
     pub well: f64,
     /// ln r of the part that works well over the beat, less that at end-diastole, as the heart's own curve has it.
     pub well_curve: Vec<f64>,
+    /// Least area that made a patch, as a share of the regular medial surface: twice the setting where fewer than
+    /// four poses tell.
+    pub least_share: f64,
     /// Area over which thickening was averaged, as a share of the regular medial surface.
     pub averaged_share: f64,
     /// Standard deviation of the noise of averaged thickening.

@@ -21,6 +21,9 @@ use super::steps::{Judge, steps, thickness_ratios};
 
 /// Fewest regular atoms: with a dozen a patch would be one of them.
 const LEAST_ATOMS: usize = 30;
+/// And the least share of all: where more than half of the sheet ends, as under noise that leaves atoms no ball
+/// in one pose or the other, what remains is torn.
+const LEAST_REGULAR: f64 = 0.5;
 /// Thickening of one heart over the beat, and the patches that do not take part in it.
 ///
 /// 1. PT of each atom for consecutive poses, the last to the first, and for end-diastole to end-systole;
@@ -34,7 +37,7 @@ const LEAST_ATOMS: usize = 30;
 ///    failure is global.
 ///
 /// # Errors
-/// If there are fewer than two poses or 30 regular atoms, a radius is not positive, or on "stop".
+/// If there are fewer than two poses, or than 30 regular atoms or half of all, a radius is not positive, or on "stop".
 pub fn thickening(
     beat: &MedialBeat,
     measures: &SubjectMeasures,
@@ -64,11 +67,13 @@ pub fn thickening(
     let parts = if found.hardly_thickens(params) {
         Vec::new()
     } else {
+        let least = found.least_share;
         still_parts(
             &found.thickening,
             found.well,
             mesh,
             &surface.neighbours,
+            least,
             params,
         )
     };
@@ -104,6 +109,7 @@ pub fn thickening(
         },
         well: found.well,
         well_curve,
+        least_share: found.least_share,
         averaged_share: found.share,
         averaged_noise: found.noise,
         regular_area: at_rest.whole,
@@ -234,11 +240,12 @@ fn check(beat: &MedialBeat) -> Result<(), ThickeningError> {
         }
     }
     let regular = beat.regular.iter().filter(|&&regular| regular).count();
-    if regular < LEAST_ATOMS {
+    let least = LEAST_ATOMS.max((LEAST_REGULAR * atoms as f64) as usize);
+    if regular < least {
         return Err(ThickeningError::TooFewAtoms {
             regular,
             atoms,
-            least: LEAST_ATOMS,
+            least,
         });
     }
     Ok(())

@@ -29,7 +29,10 @@ fn damage_is_refused_with_its_numbers() {
     assert_eq!(run(&bad).to_string(), expected);
     let mut ends = good.clone();
     ends.regular[9..].fill(false);
-    let expected = format!("only 9 of {count} atoms are regular; at least 30 are needed");
+    let expected = format!(
+        "only 9 of {count} atoms are regular; at least {} are needed",
+        count / 2
+    );
     assert_eq!(run(&ends).to_string(), expected);
     let mut flat = good.clone();
     for frame in &mut flat.frames {
