@@ -13,8 +13,10 @@ pub(super) const PIECES: usize = Segment::COUNT;
 /// Triangles are cut this often in four before each part is given to the piece in which it lies.
 const CUTS: u32 = 2;
 
-/// Steps of a sequence that fills a cube evenly. Voxels are given to a piece by a place within them that
-/// follows it: were it their middle, a border along the grid would take or leave whole layers at once.
+/// Places within a voxel by which it is shared out among pieces.
+const SAMPLES: u32 = 2;
+
+/// Steps of a sequence that fills a cube evenly, from which these places are taken: were it their middle, a border along the grid would take or leave whole layers at once.
 ///
 /// Source: powers of 1/1.22074408, where 1.22074408⁴ = 1.22074408 + 1 (Roberts 2018, the R₃ sequence).
 const SPREAD: [f64; 3] = [0.819_172_513, 0.671_043_607, 0.549_700_478];
@@ -44,11 +46,14 @@ pub(super) fn volume_over_area(
             progress.check()?;
         }
         if label == VoxelLabel::Wall {
-            let within = SPREAD.map(|share| (counted * share).fract() - 0.5);
-            counted += 1.0;
-            let place = voxels.centre(voxel) + voxels.spacing * Vector3::from(within);
-            if let Some(piece) = piece(axis, place) {
-                volumes[piece] += cube;
+            let centre = voxels.centre(voxel);
+            for _ in 0..SAMPLES {
+                let within = SPREAD.map(|share| (counted * share).fract() - 0.5);
+                counted += 1.0;
+                let place = centre + voxels.spacing * Vector3::from(within);
+                if let Some(piece) = piece(axis, place) {
+                    volumes[piece] += cube / f64::from(SAMPLES);
+                }
             }
         }
     }
