@@ -135,7 +135,7 @@ fn smoothing_takes_most_of_the_noise_off_a_fine_wall() {
     );
 }
 
-/// Prints how radii and normals stand noise: `cargo test --release --lib medial::tests::known -- --ignored --nocapture`.
+/// Prints how radii and normals stand noise: `cargo test --lib medial::tests::known -- --ignored --nocapture`.
 #[test]
 #[ignore = "prints the table that the default smoothing was chosen by"]
 fn the_default_smoothing_is_chosen_by_this_table() {
