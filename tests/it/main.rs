@@ -9,6 +9,8 @@ mod clinical_oracles;
 #[cfg(test)]
 mod golden;
 #[cfg(test)]
+mod medial_noise;
+#[cfg(test)]
 mod oracles;
 #[cfg(test)]
 mod panels;
