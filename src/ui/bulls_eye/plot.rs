@@ -3,7 +3,7 @@
 use egui::{Pos2, Rect, pos2};
 
 use crate::analysis::segments::{Level, Segment, segment_on_plot};
-use crate::ui::theme::{space, text};
+use crate::ui::theme::{space, type_size};
 
 /// What of the wall was clicked.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +30,7 @@ pub struct Plot {
 impl Plot {
     /// The greatest disc with room for a line of text around it.
     pub fn new(rect: Rect) -> Self {
-        let margin = text::NOTE + 2.0 * space::SMALL;
+        let margin = type_size::NOTE + 2.0 * space::SMALL;
         Self {
             rect,
             centre: rect.center(),
