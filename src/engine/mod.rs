@@ -18,6 +18,7 @@ mod run;
 mod run_pairs;
 mod slot;
 mod tables;
+mod thickening;
 mod workers;
 
 pub use activity::{Activity, ActivityLog, ActivityState, WorkKind};
@@ -29,9 +30,10 @@ pub use open::{OpenSource, open};
 pub use outcome::AnalysisOutcome;
 pub use request::{
     AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap,
-    PoseMapParams, distance_words, metric_words,
+    PoseMapParams, distance_words, medial_words, metric_words, thickening_words,
 };
 pub use run::run;
 pub use slot::{Showing, Slot};
 pub use tables::AnalysisTables;
+pub use thickening::{SubjectThickening, ThickeningSettings};
 pub use workers::{Workers, configure_threads};

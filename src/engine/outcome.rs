@@ -6,8 +6,10 @@ use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::geodesics::GeodesicPath;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::medial::MedialBeat;
 use crate::analysis::pose_distances::PoseDistances;
 use crate::engine::request::PoseMap;
+use crate::engine::thickening::{SubjectThickening, beat_bytes};
 use crate::mesh::Point3;
 use crate::study::MeshSequence;
 
@@ -32,6 +34,10 @@ pub enum AnalysisOutcome {
     Transfer(Arc<MeshSequence>),
     /// Share of each face in the squared distance, surfaces one after the other.
     Contribution(Arc<Vec<f64>>),
+    /// The middle of one heart's wall over the beat.
+    MedialBeat(Arc<MedialBeat>),
+    /// How one heart's wall thickens.
+    Thickening(Arc<SubjectThickening>),
 }
 
 impl AnalysisOutcome {
@@ -62,6 +68,8 @@ impl AnalysisOutcome {
                 sequence.frame_count() * sequence.vertex_count() * size_of::<Point3>()
             }
             Self::Contribution(shares) => size_of_val(&***shares),
+            Self::MedialBeat(beat) => beat_bytes(beat),
+            Self::Thickening(found) => found.own_bytes() + beat_bytes(&found.beat),
         }
     }
 
@@ -133,6 +141,22 @@ impl AnalysisOutcome {
     pub fn contribution(&self) -> Option<&Arc<Vec<f64>>> {
         match self {
             Self::Contribution(shares) => Some(shares),
+            _ => None,
+        }
+    }
+
+    /// The atoms over the beat, if that is what it is.
+    pub fn medial_beat(&self) -> Option<&Arc<MedialBeat>> {
+        match self {
+            Self::MedialBeat(beat) => Some(beat),
+            _ => None,
+        }
+    }
+
+    /// The thickening of a heart, if that is what it is.
+    pub fn thickening(&self) -> Option<&Arc<SubjectThickening>> {
+        match self {
+            Self::Thickening(found) => Some(found),
             _ => None,
         }
     }

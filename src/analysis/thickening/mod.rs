@@ -26,4 +26,4 @@ pub use error::ThickeningError;
 pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
 pub use result::{Extent, Patch, PatchSegment, Phase, Steadiness, Thickening, ThickeningStep};
 pub use steps::{phase_of, thickness_ratios};
-pub use thickening::thickening;
+pub use thickening::{phases, thickening};
