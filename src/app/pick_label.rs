@@ -149,6 +149,7 @@ fn number(prepared: &PreparedSubject, quantity: Quantity, value: f64) -> String 
             format!("moved {value:.1} {}", prepared.unit.length_symbol())
         }
         Quantity::AreaRatio => format!("area × {value:.2}"),
+        Quantity::ThicknessRatio => format!("PT {value:.2} ×"),
         Quantity::Contribution => format!("difference {value:.2} × mean"),
         Quantity::CarriedDistance => {
             format!(

@@ -1,0 +1,169 @@
+//! The wall laid flat: the polar map of 17 segments, anterior up and septum left, linked with all views.
+
+mod draw;
+mod layout;
+#[cfg(test)]
+mod tests;
+
+use egui::{Role, Sense, Ui, WidgetInfo};
+
+use crate::analysis::segments::Segment;
+use crate::engine::WorkKind;
+use crate::picture::WallPart;
+use crate::ui::command::{BullsEyeQuantity, Command};
+use crate::ui::controls::{choice_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
+use crate::ui::patch_panel::WallState;
+use crate::ui::theme::space;
+
+/// A patch on the plot.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BullsEyePatch {
+    /// Closed borders, x to the right and y up in the unit disc.
+    pub borders: Vec<Vec<[f64; 2]>>,
+    /// Whether it is selected.
+    pub selected: bool,
+}
+
+/// What the pane shows. Values are ratios of thickness, 1 for unchanged.
+#[derive(Clone, Debug)]
+pub struct BullsEyeView<'a> {
+    /// The selected subject.
+    pub subject: Option<&'a str>,
+    /// How its wall stands.
+    pub state: &'a WallState,
+    /// Why there is no map, where the wall is known and the long axis is not.
+    pub without_axis: Option<&'a str>,
+    /// What is shown.
+    pub quantity: BullsEyeQuantity,
+    /// The pose of [`BullsEyeQuantity::Ratio`]: "ES", "frame 3".
+    pub moment: &'a str,
+    /// One colour for each segment.
+    pub by_segment: bool,
+    /// Atoms, x to the right and y up in the unit disc.
+    pub points: &'a [[f64; 2]],
+    /// Faces over atoms.
+    pub faces: &'a [[u32; 3]],
+    /// Ratio of each atom; not a number where it does not take part.
+    pub values: &'a [f32],
+    /// Mean ratio of each segment.
+    pub segments: [Option<f64>; Segment::COUNT],
+    /// Borders of the patches.
+    pub patches: &'a [BullsEyePatch],
+    /// The selected segment.
+    pub selected: Option<Segment>,
+    /// Whether septum and anterior wall are known, and so segments have names.
+    pub oriented: bool,
+    /// Ratios at the ends of the colours.
+    pub limits: [f64; 2],
+}
+
+/// Draws the pane.
+pub fn bulls_eye_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
+    if view.points.is_empty() {
+        without_map_ui(ui, view, commands);
+        return;
+    }
+    let frame = egui::Frame::new().inner_margin(egui::Margin {
+        left: space::LARGE as i8,
+        right: space::LARGE as i8,
+        top: space::SMALL as i8,
+        bottom: space::MEDIUM as i8,
+    });
+    frame.show(ui, |ui| {
+        choosers_ui(ui, view, commands);
+        map_ui(ui, view, commands);
+    });
+}
+
+fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
+    let what = "The thickness of the wall, laid flat from apex to base, appears here.";
+    match (view.state, view.without_axis) {
+        (WallState::NotAssessed(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
+        (WallState::Computing { fraction }, _) => {
+            empty_pane_ui(ui, "Measuring the wall", what, |ui| {
+                let width = 180f32.min(ui.available_width());
+                progress_bar_ui(ui, width, *fraction, "Measuring the wall");
+            });
+        }
+        (WallState::Stopped, _) => empty_pane_ui(ui, "Measuring was stopped", what, |ui| {
+            if ui.button("Measure the wall").clicked() {
+                commands.push(Command::Retry(WorkKind::Medial));
+            }
+        }),
+        (WallState::Ready, Some(why)) => empty_pane_ui(ui, "No bull’s-eye", why, |_| {}),
+        _ => empty_pane_ui(ui, "No bull’s-eye", what, |_| {}),
+    }
+}
+
+/// What a quantity is called on the chooser.
+fn quantity_name(quantity: BullsEyeQuantity) -> &'static str {
+    match quantity {
+        BullsEyeQuantity::Ratio => "PT, this pose",
+        BullsEyeQuantity::Thickening => "Thickening",
+    }
+}
+
+fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space::SMALL;
+        chooser_ui(ui, "Bull’s-eye", quantity_name(view.quantity), |ui| {
+            for quantity in BullsEyeQuantity::ALL {
+                if choice_ui(ui, quantity_name(quantity), quantity == view.quantity) {
+                    commands.push(Command::SetBullsEye(quantity));
+                }
+            }
+        });
+        let segments = egui::Button::new("17").selected(view.by_segment);
+        let response = ui.add(segments);
+        response.widget_info(|| {
+            WidgetInfo::selected(Role::Button, true, view.by_segment, "By segment")
+        });
+        let hint = "One colour for each of the 17 segments";
+        if response.on_hover_text(hint).clicked() {
+            commands.push(Command::ToggleBullsEyeSegments);
+        }
+    });
+}
+
+fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
+    let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Bull’s-eye"));
+    let (disc, bar) = layout::places(area, view.oriented);
+    if disc.radius < 20.0 {
+        return;
+    }
+    let pointed = |at: Option<egui::Pos2>| disc.segment_at(at?).filter(|_| view.oriented);
+    let hovered = pointed(response.hover_pos());
+    draw::plot(ui, view, &disc, hovered);
+    draw::names(ui, view, &disc, area);
+    draw::colour_bar(ui, view, bar);
+    if response.clicked() {
+        let clicked = pointed(response.interact_pointer_pos());
+        // The selected one again, or beside the plot: nothing is selected.
+        let part = clicked
+            .filter(|segment| view.selected != Some(*segment))
+            .map(WallPart::Segment);
+        if view.oriented && (part.is_some() || view.selected.is_some()) {
+            commands.push(Command::SelectPart(part));
+        }
+    }
+    if let Some(segment) = hovered {
+        response.on_hover_text_at_pointer(hover_text(view, segment));
+    }
+}
+
+/// "12 mid anterolateral · PT 1.52 × at ES".
+fn hover_text(view: &BullsEyeView, segment: Segment) -> String {
+    let name = format!("{} {}", segment.number(), segment.name());
+    let value = view.segments[segment.index()];
+    match (value, view.quantity) {
+        (None, _) => format!("{name} · no value"),
+        (Some(ratio), BullsEyeQuantity::Ratio) => {
+            format!("{name} · PT {ratio:.2} × at {}", view.moment)
+        }
+        (Some(ratio), BullsEyeQuantity::Thickening) => {
+            let percent = draw::value_text(view.quantity, ratio);
+            format!("{name} · thickening {percent} %, ED to ES")
+        }
+    }
+}
