@@ -17,6 +17,12 @@ struct AskedWall {
 }
 
 impl AskedWall {
+    fn only_thresholds_differ(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.subject, &other.subject)
+            && self.settings.medial == other.settings.medial
+            && self.settings != other.settings
+    }
+
     fn request(&self) -> AnalysisRequest {
         AnalysisRequest::Thickening {
             subject: self.index,
@@ -31,9 +37,14 @@ pub struct AskedWalls(Option<AskedWall>);
 
 impl AskedWalls {
     /// Asks for the wall of the selected heart, then for that of the one beside it; free if it is there or
-    /// under way.
+    /// under way. While a threshold is dragged, what was begun is finished first: patches follow the drag, where
+    /// each step would stop the one before.
     pub fn request(&mut self, state: &State, engine: &mut Engine) {
+        let computing = matches!(engine.showing(WorkKind::Medial), Showing::Computing { .. });
         if let Some(wanted) = wanted(state) {
+            if computing && self.0.as_ref().is_some_and(|asked| asked.only_thresholds_differ(&wanted)) {
+                return;
+            }
             engine.request(state.document.study(), wanted.request());
             self.0 = Some(wanted);
         }

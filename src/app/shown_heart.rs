@@ -151,7 +151,8 @@ impl MadeNumbers {
         heart: &Arc<Heart>,
         medial: Option<&ShownMedial>,
     ) -> Option<Arc<HeartNumbers>> {
-        let quantity = state.document.quantity;
+        // Where atoms have the colours, the wall under the pointer says PT.
+        let quantity = state.document.bar_quantity();
         let source = match quantity {
             Quantity::CarriedDistance if place.carried => {
                 Source::Lists(Arc::clone(&state.carried_heart()?.distances))

@@ -6,7 +6,8 @@ use std::sync::atomic::AtomicU64;
 use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
 use crate::picture::{
-    CohortLimits, HeartScene, MedialSettings, PictureTheme, Quantity, SceneSettings, heart_scene,
+    CohortLimits, HeartScene, MedialSettings, PictureTheme, Quantity, SceneSettings, WallPart,
+    heart_scene,
 };
 use crate::render::{Camera, ViewId};
 use crate::ui::theme::{colours, line, radius, type_size};
@@ -152,7 +153,10 @@ impl Viewport {
         let legends = self.draw(ui, &settings, &cells, meter);
         self.overlays_ui(ui, state, &cells, (area, legends.as_ref()), commands);
         targets_ui(ui, &response, state, &cells, commands);
-        let quantity = state.document.quantity;
+        let quantity = state.document.bar_quantity();
+        if let Some(now) = &clicked {
+            commands.extend(part_command(state, &cells, now.as_ref()));
+        }
         let pinned = match clicked {
             Some(now) => now,
             None => self.pinned.clone(),
@@ -302,6 +306,21 @@ fn pointed(
     let quiet = !state.play.playing && !response.dragged();
     let hovered = quiet.then(|| at(response.hover_pos())).flatten();
     (hovered, clicked)
+}
+
+/// A click on a patch of the selected heart selects it; elsewhere, lets go of what was selected.
+fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Option<Command> {
+    let document = &state.document;
+    let on_patch = clicked.filter(|_| document.visibility.patches).and_then(|picked| {
+        let mut own = cells.iter().filter(|cell| cell.heart.index == document.subject);
+        let cell = own.find(|cell| picked.is_on(cell))?;
+        let atom = picked.atom(cell)?;
+        let found = &cell.heart.medial.as_ref()?.found.thickening;
+        let mut patches = found.patches.iter();
+        patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
+    });
+    let part = on_patch.map(WallPart::Patch);
+    (part != document.part).then_some(Command::SelectPart(part))
 }
 
 /// The number of a frame over its heart in the grid of all phases; the one that the time bar

@@ -33,6 +33,11 @@ pub struct BullsEyeData {
 /// Ratios at the ends of the colours, unless others were typed.
 const LIMITS: [f64; 2] = [0.5, 2.0];
 
+fn patch_name(found: &SubjectThickening, index: usize) -> String {
+    let share = found.thickening.patches.get(index).map_or(0.0, |patch| patch.share);
+    format!("Patch {} · {:.0} % of the LV", index + 1, 100.0 * share)
+}
+
 impl BullsEyeData {
     /// Lays the wall flat again where it changed, and takes the values of the pose on screen.
     pub fn refresh(&mut self, state: &State) {
@@ -53,6 +58,7 @@ impl BullsEyeData {
             .filter(|_| state.document.visibility.patches)
             .map(|(index, borders)| BullsEyePatch {
                 borders: borders.clone(),
+                name: patch_name(found, index),
                 selected: selected == Some(index),
             })
             .collect();

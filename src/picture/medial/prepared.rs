@@ -91,6 +91,11 @@ impl PreparedMedial {
             .filter(|ratio| ratio.is_finite())
     }
 
+    /// The atom that a vertex takes its number from; surfaces count as in the sequence.
+    pub fn atom_at(&self, surface: usize, vertex: usize) -> Option<u32> {
+        self.atom_of.get(surface)?.get(vertex).copied().flatten()
+    }
+
     /// PT on all surfaces of a heart at all of its poses: between frames in proportion.
     pub fn numbers(&self, prepared: &PreparedSubject) -> Option<HeartNumbers> {
         let at_frames: Vec<Vec<f32>> = (0..self.beat.frames.len())

@@ -33,7 +33,7 @@ fn beat(subject: &Subject) -> Arc<MedialBeat> {
         ..MedialParams::default()
     };
     let params = params.check().unwrap();
-    Arc::new(medial_beat(subject, &params, &Progress::ignored()).unwrap())
+    Arc::new(medial_beat(subject, &params, &Progress::default()).unwrap())
 }
 
 #[test]

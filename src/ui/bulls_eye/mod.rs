@@ -20,6 +20,8 @@ use crate::ui::theme::space;
 pub struct BullsEyePatch {
     /// Closed borders, x to the right and y up in the unit disc.
     pub borders: Vec<Vec<[f64; 2]>>,
+    /// "Patch 1 · 31 % of the LV".
+    pub name: String,
     /// Whether it is selected.
     pub selected: bool,
 }
@@ -133,11 +135,19 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
         return;
     }
     let pointed = |at: Option<egui::Pos2>| disc.segment_at(at?).filter(|_| view.oriented);
-    let hovered = pointed(response.hover_pos());
+    let border = |at: Option<egui::Pos2>| patch_at(view, &disc, at?);
+    let on_border = border(response.hover_pos());
+    let hovered = pointed(response.hover_pos()).filter(|_| on_border.is_none());
     draw::plot(ui, view, &disc, hovered);
     draw::names(ui, view, &disc, area);
     draw::colour_bar(ui, view, bar);
-    if response.clicked() {
+    if response.clicked()
+        && let Some(patch) = border(response.interact_pointer_pos())
+    {
+        let again = view.patches[patch].selected;
+        let part = (!again).then_some(WallPart::Patch(patch));
+        commands.push(Command::SelectPart(part));
+    } else if response.clicked() {
         let clicked = pointed(response.interact_pointer_pos());
         // The selected one again, or beside the plot: nothing is selected.
         let part = clicked
@@ -147,9 +157,39 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
             commands.push(Command::SelectPart(part));
         }
     }
-    if let Some(segment) = hovered {
+    if let Some(patch) = on_border {
+        response
+            .on_hover_cursor(egui::CursorIcon::PointingHand)
+            .on_hover_text_at_pointer(&view.patches[patch].name);
+    } else if let Some(segment) = hovered {
         response.on_hover_text_at_pointer(hover_text(view, segment));
     }
+}
+
+/// The patch whose border is at a place.
+fn patch_at(view: &BullsEyeView, disc: &layout::Disc, at: egui::Pos2) -> Option<usize> {
+    const REACH: f32 = 5.0;
+    let distance = |patch: &BullsEyePatch| {
+        let sides = patch.borders.iter().flat_map(|border| {
+            let next = border.iter().cycle().skip(1);
+            border.iter().zip(next)
+        });
+        sides
+            .map(|(a, b)| distance_to(at, disc.at(*a), disc.at(*b)))
+            .fold(f32::INFINITY, f32::min)
+    };
+    let near = view.patches.iter().map(distance).enumerate();
+    near.filter(|(_, distance)| *distance <= REACH)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(patch, _)| patch)
+}
+
+/// Distance from a place to a line between two others.
+fn distance_to(at: egui::Pos2, a: egui::Pos2, b: egui::Pos2) -> f32 {
+    let along = b - a;
+    let length = along.length_sq().max(f32::EPSILON);
+    let share = ((at - a).dot(along) / length).clamp(0.0, 1.0);
+    (at - a - share * along).length()
 }
 
 /// "12 mid anterolateral · PT 1.52 × at ES".

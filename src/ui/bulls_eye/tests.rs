@@ -9,6 +9,7 @@ struct Shown {
     oriented: bool,
     selected: Option<Segment>,
     map: bool,
+    patches: Vec<BullsEyePatch>,
 }
 
 impl Default for Shown {
@@ -18,6 +19,7 @@ impl Default for Shown {
             oriented: true,
             selected: None,
             map: true,
+            patches: Vec::new(),
         }
     }
 }
@@ -41,7 +43,7 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
                     faces: &faces,
                     values: &[1.0, 1.2, 1.5, f32::NAN, 0.8],
                     segments: [Some(1.52); Segment::COUNT],
-                    patches: &[],
+                    patches: &shown.patches,
                     selected: shown.selected,
                     oriented: shown.oriented,
                     limits: [0.5, 2.0],
@@ -57,7 +59,10 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
 fn click_on(harness: &mut Harness<'static, Vec<Command>>, segment: Segment, named: bool) {
     let area = harness.get_by_label("Bull’s-eye").rect();
     let (disc, _) = layout::places(area, named);
-    let at = disc.middle_of(segment);
+    click_at(harness, disc.middle_of(segment));
+}
+
+fn click_at(harness: &mut Harness<'static, Vec<Command>>, at: egui::Pos2) {
     harness.hover_at(at);
     harness.step();
     harness.drag_at(at);
@@ -81,6 +86,25 @@ fn a_click_selects_the_segment_and_a_second_one_lets_it_go() {
     });
     click_on(&mut shown, segment.unwrap(), true);
     assert_eq!(*shown.state(), [Command::SelectPart(None)]);
+}
+
+#[test]
+fn a_click_on_a_border_selects_its_patch() {
+    let patch = |selected| BullsEyePatch {
+        borders: vec![vec![[0.3, 0.3], [0.8, 0.3], [0.3, 0.8]]],
+        name: "Patch 1".to_owned(),
+        selected,
+    };
+    for (selected, part) in [(false, Some(WallPart::Patch(0))), (true, None)] {
+        let mut shown = harness(Shown {
+            patches: vec![patch(selected)],
+            ..Shown::default()
+        });
+        let area = shown.get_by_label("Bull’s-eye").rect();
+        let (disc, _) = layout::places(area, true);
+        click_at(&mut shown, disc.at([0.55, 0.32]));
+        assert_eq!(*shown.state(), [Command::SelectPart(part)]);
+    }
 }
 
 #[test]
