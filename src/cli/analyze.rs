@@ -58,7 +58,7 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
         }
     }
     let (files, summary) = tables.files(folder, drawn).map_err(CliError::Unusable)?;
-    write_files(&files).map_err(CliError::Unusable)?;
+    write_files(files).map_err(CliError::Unusable)?;
     Ok(summary)
 }
 
@@ -90,7 +90,9 @@ fn figures(
             let figure = studio.figure(index, systole, settings, None, FIGURE_SIZE)?;
             files.push(ExportFile {
                 path: folder.join(format!("{}.png", file_name(&subject.id))),
-                bytes: encoded_png(&figure.canvas, &figure.settings).map_err(CliError::unusable)?,
+                bytes: encoded_png(&figure.canvas, &figure.settings)
+                    .map_err(CliError::unusable)?
+                    .into(),
             });
             progress.step()?;
         }
