@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::engine::{
-    AnalysisTables, Cache, DeformationMapSettings, Engine, ExportFile, TableSettings, distance_words,
+    AnalysisTables, Cache, DeformationMapSettings, Engine, ExportFile, TableSettings,
+    distance_words,
 };
 use crate::picture::figure::{
     FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,

@@ -137,7 +137,10 @@ mod tests {
             path: path.clone(),
             bytes: b"subject,frame\n".to_vec().into(),
         };
-        assert_eq!(write_files(vec![file]).unwrap(), std::slice::from_ref(&path));
+        assert_eq!(
+            write_files(vec![file]).unwrap(),
+            std::slice::from_ref(&path)
+        );
         assert_eq!(fs::read(&path).unwrap(), b"subject,frame\n");
         let names: Vec<_> = fs::read_dir(path.parent().unwrap()).unwrap().collect();
         assert_eq!(names.len(), 1, "nothing passing is left behind");

@@ -134,10 +134,7 @@ impl AnalysisTables {
     ///
     /// # Errors
     /// If the summary cannot be written as JSON.
-    pub fn files(
-        mut self,
-        more: Vec<ExportFile>,
-    ) -> Result<(Vec<ExportFile>, Value), String> {
+    pub fn files(mut self, more: Vec<ExportFile>) -> Result<(Vec<ExportFile>, Value), String> {
         let folder = &self.folder;
         let mut files: Vec<ExportFile> = (self.tables.into_iter())
             .map(|(name, text)| ExportFile {

@@ -135,3 +135,6 @@ impl WallTables {
         ]
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -155,7 +155,12 @@ pub fn segments_csv(wall: &AssessedWall<'_>) -> String {
         let found = thickening_of_segments(wall.beat, wall.thickening, wall.segments);
         for segment in Segment::all() {
             let number = segment.number().to_string();
-            table.row(place_row(wall, number, segment.name(), found[segment.index()]));
+            table.row(place_row(
+                wall,
+                number,
+                segment.name(),
+                found[segment.index()],
+            ));
         }
     } else {
         let atoms = &wall.beat.frames[wall.thickening.end_diastole].atoms;
@@ -164,7 +169,12 @@ pub fn segments_csv(wall: &AssessedWall<'_>) -> String {
             .collect();
         let found = thickening_of_levels(wall.beat, wall.thickening, &levels);
         for level in Level::ALL {
-            table.row(place_row(wall, String::new(), level.name(), found[level.index()]));
+            table.row(place_row(
+                wall,
+                String::new(),
+                level.name(),
+                found[level.index()],
+            ));
         }
     }
     table.text
