@@ -4,7 +4,8 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::engine::{
-    AnalysisTables, Cache, DeformationMapSettings, Engine, ExportFile, distance_words,
+    AnalysisTables, Cache, DeformationMapSettings, Engine, ExportFile, TableSettings,
+    distance_words,
 };
 use crate::picture::figure::{
     FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,
@@ -70,7 +71,10 @@ pub fn write_figure(
     );
     engine.start_export("Figure", words, move |progress| {
         let bytes = drawn(&figure, progress)?;
-        Ok(vec![ExportFile { path, bytes }])
+        Ok(vec![ExportFile {
+            path,
+            bytes: bytes.into(),
+        }])
     });
 }
 
@@ -157,14 +161,17 @@ pub fn write_tables(engine: &mut Engine, state: &State, folder: PathBuf) {
     if study.subjects.is_empty() {
         return;
     }
-    let settings = DeformationMapSettings {
-        poses: state.document.map,
-        map: state.document.deformation_map,
+    let settings = TableSettings {
+        deformations: DeformationMapSettings {
+            poses: state.document.map,
+            map: state.document.deformation_map,
+        },
+        ..TableSettings::default()
     };
-    let words = distance_words(&settings.poses.distances);
+    let words = distance_words(&settings.deformations.poses.distances);
     engine.start_export("Tables", words, move |progress| {
-        let tables = AnalysisTables::of(&study, &settings, &Cache::default(), progress)
+        let tables = AnalysisTables::of(&study, &settings, &folder, &Cache::default(), progress)
             .map_err(|error| error.to_string())?;
-        Ok(tables.files(&folder, Vec::new())?.0)
+        Ok(tables.files(Vec::new())?.0)
     });
 }

@@ -68,9 +68,9 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
     })?;
     let file = ExportFile {
         path: args.out.clone(),
-        bytes,
+        bytes: bytes.into(),
     };
-    write_files(&[file]).map_err(CliError::Unusable)?;
+    write_files(vec![file]).map_err(CliError::Unusable)?;
     let out = args.out.display().to_string();
     if args.json {
         let [width, height] = size;

@@ -16,6 +16,7 @@ mod measure;
 mod metric;
 mod metric_options;
 mod outcome;
+mod patch_options;
 mod print;
 mod run;
 mod tables;

@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 
+use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, MetricKind, Regulariser};
 use crate::analysis::transport::Geodesics;
 use crate::io::MeshFormat;
@@ -96,6 +97,24 @@ impl From<GeodesicsWord> for Geodesics {
         match word {
             GeodesicsWord::First => Self::First,
             GeodesicsWord::EveryStep => Self::EveryStep,
+        }
+    }
+}
+
+/// Words of `--patch-ratio`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RatioWord {
+    /// The same for few and for many atoms
+    GeometricMean,
+    /// As printed: grows with the number of atoms
+    Product,
+}
+
+impl From<RatioWord> for RatioForm {
+    fn from(word: RatioWord) -> Self {
+        match word {
+            RatioWord::GeometricMean => Self::GeometricMean,
+            RatioWord::Product => Self::Product,
         }
     }
 }

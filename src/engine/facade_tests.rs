@@ -197,7 +197,7 @@ fn an_export_is_written_whole_or_not_at_all() {
     let path = folder.path().join("out/table.csv");
     let file = ExportFile {
         path: path.clone(),
-        bytes: b"a,b\n".to_vec(),
+        bytes: b"a,b\n".to_vec().into(),
     };
     engine.start_export("Tables", "", move |_| Ok(vec![file]));
     let mut written = None;

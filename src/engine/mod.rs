@@ -19,12 +19,13 @@ mod run_pairs;
 mod slot;
 mod tables;
 mod thickening;
+mod wall_tables;
 mod workers;
 
 pub use activity::{Activity, ActivityLog, ActivityState, WorkKind};
 pub use cache::Cache;
 pub use engine::Engine;
-pub use export::{ExportFile, write_files};
+pub use export::{ExportFile, FileBytes, PassingFile, write_files};
 pub use job::{Ending, Job, JobError, JobWatch, Wake};
 pub use open::{OpenSource, open};
 pub use outcome::AnalysisOutcome;
@@ -34,6 +35,7 @@ pub use request::{
 };
 pub use run::run;
 pub use slot::{Showing, Slot};
-pub use tables::AnalysisTables;
+pub use tables::{AnalysisTables, TableSettings};
 pub use thickening::{SubjectThickening, ThickeningSettings};
+pub use wall_tables::Unassessed;
 pub use workers::{Workers, configure_threads};

@@ -9,7 +9,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::pose_distances::PoseDistances;
 use crate::engine::request::PoseMap;
-use crate::engine::thickening::{SubjectThickening, beat_bytes};
+use crate::engine::thickening::SubjectThickening;
 use crate::mesh::Point3;
 use crate::study::MeshSequence;
 
@@ -41,7 +41,7 @@ pub enum AnalysisOutcome {
 }
 
 impl AnalysisOutcome {
-    /// Memory that it holds, near enough to bound a cache by it.
+    /// Memory that it holds, near enough to bound a cache by it, without [`Self::shared_beat`].
     pub fn bytes(&self) -> usize {
         let matrix = |distances: &PoseDistances| {
             size_of_val(distances.distances.upper()) + size_of_val(&*distances.poses)
@@ -68,8 +68,17 @@ impl AnalysisOutcome {
                 sequence.frame_count() * sequence.vertex_count() * size_of::<Point3>()
             }
             Self::Contribution(shares) => size_of_val(&***shares),
-            Self::MedialBeat(beat) => beat_bytes(beat),
-            Self::Thickening(found) => found.own_bytes() + beat_bytes(&found.beat),
+            Self::MedialBeat(_) => 0,
+            Self::Thickening(found) => found.own_bytes(),
+        }
+    }
+
+    /// The atoms that it holds; answers with other settings of thickening hold the same.
+    pub(super) fn shared_beat(&self) -> Option<&Arc<MedialBeat>> {
+        match self {
+            Self::MedialBeat(beat) => Some(beat),
+            Self::Thickening(found) => Some(&found.beat),
+            _ => None,
         }
     }
 

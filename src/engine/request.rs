@@ -107,6 +107,17 @@ pub enum AnalysisRequest {
     },
 }
 
+/// How much of a subject an answer depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reads {
+    /// Its surfaces.
+    Surfaces,
+    /// And its end-diastole.
+    Shape,
+    /// And its end-systole, unit and landmarks: all but its label and what is said of the patient.
+    Heart,
+}
+
 /// The map of all poses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseMap {
@@ -142,6 +153,15 @@ impl AnalysisRequest {
             Self::Transfer { from, onto, .. } => Some([from, onto]),
             Self::Contribution { a, b, .. } => Some([a.subject, b.subject]),
             _ => None,
+        }
+    }
+
+    /// How much of [its subjects](Self::subjects) the answer depends on.
+    pub(super) fn reads(&self) -> Reads {
+        match self {
+            Self::MedialBeat { .. } => Reads::Surfaces,
+            Self::Thickening { .. } => Reads::Heart,
+            _ => Reads::Shape,
         }
     }
 

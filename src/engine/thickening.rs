@@ -154,3 +154,6 @@ fn measures_of(
         None => Ok(measure_subject(subject_of(study, index)?)),
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -2,6 +2,7 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.6.
 
+mod by_place;
 mod confidence;
 mod curve;
 mod diffusion;
@@ -22,6 +23,7 @@ mod tests;
 )]
 mod thickening;
 
+pub use by_place::{PlaceThickening, thickening_of_levels, thickening_of_segments};
 pub use error::ThickeningError;
 pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
 pub use result::{Extent, Patch, PatchSegment, Phase, Steadiness, Thickening, ThickeningStep};
