@@ -16,7 +16,7 @@ pub struct MedialParams {
 impl Default for MedialParams {
     fn default() -> Self {
         Self {
-            smoothing: 0.25,
+            smoothing: 0.3,
             separation_rad: 60_f64.to_radians(),
             end_rad: 120_f64.to_radians(),
         }

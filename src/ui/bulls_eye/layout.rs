@@ -2,7 +2,7 @@
 
 use egui::{Pos2, Rect, vec2};
 
-use crate::analysis::segments::{RING_RADII, Segment, height_at};
+use crate::analysis::segments::{Segment, ring, segment_on_plot};
 use crate::ui::theme::space;
 
 /// Height of the colour bar with its numbers and title.
@@ -49,23 +49,12 @@ impl Disc {
     /// The segment drawn at a place; `None` beside the plot.
     pub fn segment_at(&self, place: Pos2) -> Option<Segment> {
         let offset = (place - self.centre) / self.radius;
-        let radius = f64::from(offset.length());
-        if radius > 1.0 {
-            return None;
-        }
-        let angle = f64::from((-offset.y).atan2(offset.x));
-        // The inner ring is the apex.
-        let depth = if radius < RING_RADII[0] {
-            1.0
-        } else {
-            1.0 - height_at(radius)
-        };
-        Some(Segment::at(depth, angle))
+        segment_on_plot([f64::from(offset.x), f64::from(-offset.y)])
     }
 
     /// Middle of a segment on the plot.
     pub fn middle_of(&self, segment: Segment) -> Pos2 {
-        let [inner, outer] = crate::analysis::segments::ring(segment.level());
+        let [inner, outer] = ring(segment.level());
         if inner == 0.0 {
             return self.centre;
         }
