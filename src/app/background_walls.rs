@@ -42,7 +42,12 @@ impl AskedWalls {
     pub fn request(&mut self, state: &State, engine: &mut Engine) {
         let computing = matches!(engine.showing(WorkKind::Medial), Showing::Computing { .. });
         if let Some(wanted) = wanted(state) {
-            if computing && self.0.as_ref().is_some_and(|asked| asked.only_thresholds_differ(&wanted)) {
+            if computing
+                && self
+                    .0
+                    .as_ref()
+                    .is_some_and(|asked| asked.only_thresholds_differ(&wanted))
+            {
                 return;
             }
             engine.request(state.document.study(), wanted.request());

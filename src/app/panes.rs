@@ -102,7 +102,7 @@ pub fn pane_title(pane: Pane) -> &'static str {
         Pane::Curves => "Volume",
         Pane::Measures => "Measures",
         Pane::Patch => "Patch",
-        Pane::BullsEye => "Bull’s-eye",
+        Pane::BullsEye => "Bull's-eye",
     }
 }
 

@@ -58,7 +58,9 @@ impl Picked {
     /// The atom of the medial surface that belongs to the vertex.
     pub fn atom(&self, cell: &Cell) -> Option<u32> {
         let surfaces = &cell.heart.heart.prepared.surfaces;
-        let place = surfaces.iter().position(|surface| surface.role == self.role)?;
+        let place = surfaces
+            .iter()
+            .position(|surface| surface.role == self.role)?;
         let medial = cell.heart.medial.as_ref()?;
         medial.prepared.atom_at(place, self.vertex)
     }

@@ -311,14 +311,18 @@ fn pointed(
 /// A click on a patch of the selected heart selects it; elsewhere, lets go of what was selected.
 fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Option<Command> {
     let document = &state.document;
-    let on_patch = clicked.filter(|_| document.visibility.patches).and_then(|picked| {
-        let mut own = cells.iter().filter(|cell| cell.heart.index == document.subject);
-        let cell = own.find(|cell| picked.is_on(cell))?;
-        let atom = picked.atom(cell)?;
-        let found = &cell.heart.medial.as_ref()?.found.thickening;
-        let mut patches = found.patches.iter();
-        patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
-    });
+    let on_patch = clicked
+        .filter(|_| document.visibility.patches)
+        .and_then(|picked| {
+            let mut own = cells
+                .iter()
+                .filter(|cell| cell.heart.index == document.subject);
+            let cell = own.find(|cell| picked.is_on(cell))?;
+            let atom = picked.atom(cell)?;
+            let found = &cell.heart.medial.as_ref()?.found.thickening;
+            let mut patches = found.patches.iter();
+            patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
+        });
     let part = on_patch.map(WallPart::Patch);
     (part != document.part).then_some(Command::SelectPart(part))
 }

@@ -7,8 +7,8 @@
 use std::io::Write;
 use std::time::{Duration, Instant};
 
-use cardiomorph::app::{App, AppOptions};
 use cardiomorph::analysis::segments::Segment;
+use cardiomorph::app::{App, AppOptions};
 use cardiomorph::picture::{Quantity, WallPart};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;

@@ -34,7 +34,11 @@ pub struct BullsEyeData {
 const LIMITS: [f64; 2] = [0.5, 2.0];
 
 fn patch_name(found: &SubjectThickening, index: usize) -> String {
-    let share = found.thickening.patches.get(index).map_or(0.0, |patch| patch.share);
+    let share = found
+        .thickening
+        .patches
+        .get(index)
+        .map_or(0.0, |patch| patch.share);
     format!("Patch {} · {:.0} % of the LV", index + 1, 100.0 * share)
 }
 

@@ -92,8 +92,8 @@ fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>)
                 commands.push(Command::Retry(WorkKind::Medial));
             }
         }),
-        (WallState::Ready, Some(why)) => empty_pane_ui(ui, "No bull’s-eye", why, |_| {}),
-        _ => empty_pane_ui(ui, "No bull’s-eye", what, |_| {}),
+        (WallState::Ready, Some(why)) => empty_pane_ui(ui, "No bull's-eye", why, |_| {}),
+        _ => empty_pane_ui(ui, "No bull's-eye", what, |_| {}),
     }
 }
 
@@ -108,7 +108,7 @@ fn quantity_name(quantity: BullsEyeQuantity) -> &'static str {
 fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
-        chooser_ui(ui, "Bull’s-eye", quantity_name(view.quantity), |ui| {
+        chooser_ui(ui, "Bull's-eye", quantity_name(view.quantity), |ui| {
             for quantity in BullsEyeQuantity::ALL {
                 if choice_ui(ui, quantity_name(quantity), quantity == view.quantity) {
                     commands.push(Command::SetBullsEye(quantity));
@@ -129,7 +129,7 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
 
 fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Bull’s-eye"));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Bull's-eye"));
     let (disc, bar) = layout::places(area, view.oriented);
     if disc.radius < 20.0 {
         return;

@@ -118,7 +118,7 @@ fn a_segment_of_the_bulls_eye_is_selected_everywhere() {
     give(&mut harness, Command::ShowPane(Pane::BullsEye));
     harness.run_steps(2);
     // The apex is in the middle, above the colour bar.
-    let area = harness.get_by_label("Bull’s-eye").rect();
+    let area = harness.get_by_label("Bull's-eye").rect();
     let middle = area.center() - egui::vec2(0.0, 20.0);
     click_at(&mut harness, middle);
     harness.run_steps(2);
@@ -146,7 +146,10 @@ fn a_blood_pool_alone_is_not_assessed_and_says_why() {
     wait(&mut harness, "the answer", |app| {
         matches!(wall(app), Some((Err(_), true)))
     });
-    assert!(harness.state().state().errors.is_empty(), "that is no error");
+    assert!(
+        harness.state().state().errors.is_empty(),
+        "that is no error"
+    );
     give(&mut harness, Command::ShowPane(Pane::Patch));
     harness.run_steps(2);
     assert!(harness.get_all_by_label("Not assessed").count() >= 1);
