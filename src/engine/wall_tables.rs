@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 
 use crate::engine::cache::Cache;
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
+use crate::engine::outcome::AnalysisOutcome;
 use crate::engine::request::{AnalysisError, AnalysisRequest};
 use crate::engine::run::run;
 use crate::engine::thickening::ThickeningSettings;
@@ -82,7 +83,7 @@ impl WallTables {
         &mut self,
         study: &Study,
         index: usize,
-        answer: Result<super::AnalysisOutcome, AnalysisError>,
+        answer: Result<AnalysisOutcome, AnalysisError>,
         progress: &Progress,
     ) -> Result<Value, AnalysisError> {
         let subject = &study.subjects[index];
