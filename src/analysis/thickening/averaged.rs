@@ -10,9 +10,9 @@ use super::thickening::Surface;
 
 /// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above …
 const MOST_AVERAGING: f64 = 4.0;
-/// … this share of what the well wall does: three times as much stays below the default distance from the core's
-/// limit to what is well.
-const MOST_NOISE: f64 = 0.1;
+/// … this share of what the well wall does: twice as much stays below the distance, a tenth, from the core's default
+/// limit to what thickens least in normal hearts, the apex.
+const MOST_NOISE: f64 = 0.05;
 /// Least thickening of the well wall, in standard deviations of averaged noise, that is thickening at all.
 const SURE: f64 = 3.0;
 /// How much larger a patch must be where too few poses are there to tell it from what one of them has wrong.

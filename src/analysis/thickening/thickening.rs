@@ -30,7 +30,7 @@ const LEAST_REGULAR: f64 = 0.5;
 ///    M̂ per step, with its descriptor (4.4, 4.5).
 /// 2. What persists over all steps: ln r of each atom is projected on the heart's own curve c(t) (see
 ///    [`super::curve::ThickeningCurve`]) and averaged over neighbourhoods of the medial mesh; the area grows until noise,
-///    told from what the curve leaves, is a tenth of what the well wall does. All poses speak;
+///    told from what the curve leaves, is a twentieth of what the well wall does. All poses speak;
 ///    with two this is ln PT.
 /// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the heart's own well wall, by
 ///    hysteresis; a path and a descriptor for each. Where even the well wall hardly thickens, there are none:

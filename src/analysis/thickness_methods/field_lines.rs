@@ -44,17 +44,12 @@ pub(super) fn line_lengths(
     order.sort_by(|&a, &b| potential[a as usize].total_cmp(&potential[b as usize]));
     let (inner, outer) = rayon::join(
         || {
-            lengths(
-                graph,
-                &tangents,
-                order.iter().copied(),
-                Towards::Inner,
-                progress,
-            )
+            let up = order.iter().copied();
+            lengths(graph, &tangents, &up, Towards::Inner, progress)
         },
         || {
             let down = order.iter().rev().copied();
-            lengths(graph, &tangents, down, Towards::Outer, progress)
+            lengths(graph, &tangents, &down, Towards::Outer, progress)
         },
     );
     Ok((inner?.iter().zip(outer?)).map(|(a, b)| a + b).collect())
@@ -90,7 +85,7 @@ fn tangent(graph: &WallGraph, potential: &[f64], node: usize) -> [f64; 3] {
 fn lengths(
     graph: &WallGraph,
     tangents: &[[f64; 3]],
-    order: impl Iterator<Item = u32> + Clone,
+    order: &(impl Iterator<Item = u32> + Clone),
     towards: Towards,
     progress: &Progress,
 ) -> Result<Vec<f64>, Stopped> {

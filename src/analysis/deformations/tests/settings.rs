@@ -40,7 +40,7 @@ fn uneven_times_go_on_past_the_end_of_the_recording() {
 #[test]
 fn after_the_last_frame_a_beat_is_on_its_way_to_the_first() {
     let ways = [ellipse(4, 1.0, 1.0), ellipse(4, 1.0, 1.0)];
-    let beats = crate::analysis::deformations::beats::beats(&study_of(&ways), &poses_of(&ways));
+    let beats = beats::beats(&study_of(&ways), &poses_of(&ways));
     let between = beats[1].at(0.875);
     assert_eq!((between.from, between.to, between.share), (7, 4, 0.5));
 }

@@ -121,7 +121,7 @@ fn a_frame_whose_sides_coincide_is_named() {
     let heart = subject(vec![
         (
             SurfaceKind::Endocardium,
-            vec![endo.clone(), endo.clone(), collapsed],
+            vec![endo.clone(), endo, collapsed],
         ),
         (SurfaceKind::Epicardium, vec![epi; 3]),
     ]);

@@ -12,7 +12,7 @@ fn a_seam_of_doubled_vertices_is_closed() {
         let mut points = mesh.vertices().to_vec();
         points.extend((0..8).map(|ring| mesh.vertices()[1 + 20 * ring]));
         let twin = |v: u32, others: [u32; 3]| {
-            let on_seam = v > 0 && (v - 1) % 20 == 0;
+            let on_seam = v > 0 && (v - 1).is_multiple_of(20);
             let last = others.iter().any(|&o| o > 0 && (o - 1) % 20 == 19);
             if on_seam && last {
                 count + (v - 1) / 20

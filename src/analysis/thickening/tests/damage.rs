@@ -34,7 +34,7 @@ fn damage_is_refused_with_its_numbers() {
         count / 2
     );
     assert_eq!(run(&ends).to_string(), expected);
-    let mut flat = good.clone();
+    let mut flat = good;
     for frame in &mut flat.frames {
         frame
             .atoms
