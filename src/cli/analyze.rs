@@ -1,4 +1,4 @@
-//! `analyze`: measures, distances, the map of poses, a summary and figures, into one folder.
+//! `analyze`: measures, distances, maps, patches of the wall, a summary and figures, into one folder.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -14,7 +14,7 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
-use crate::engine::{AnalysisTables, Cache, ExportFile, write_files};
+use crate::engine::{AnalysisTables, Cache, ExportFile, TableSettings, Unassessed, write_files};
 use crate::picture::figure::encoded_png;
 use crate::picture::{PictureTheme, Quantity, SceneSettings};
 use crate::study::Study;
@@ -41,14 +41,19 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
     let method = (args.maps.isomap).map_or_else(MapMethod::default, |neighbours| {
         MapMethod::Isomap { neighbours }
     });
-    let settings = args.maps.settings(&args.metric, method, &study)?;
-    let work_study = Arc::clone(&study);
+    let settings = TableSettings {
+        deformations: args.maps.settings(&args.metric, method, &study)?,
+        thickening: args.patches.settings()?,
+    };
+    let (work_study, work_folder) = (Arc::clone(&study), folder.to_owned());
     let tables = run_work(move |progress| {
-        AnalysisTables::of(&work_study, &settings, &Cache::default(), progress)
+        let cache = Cache::default();
+        AnalysisTables::of(&work_study, &settings, &work_folder, &cache, progress)
     })?;
     if let Some(reason) = &tables.without_deformations {
         say(&format!("cardiomorph: no map of deformations: {reason}"));
     }
+    say_unassessed(&study, tables.unassessed());
     let mut drawn = Vec::new();
     if args.figures == Switch::On {
         match figures(&study, &tables.measures, folder) {
@@ -57,9 +62,22 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
             Err(error) => say(&format!("cardiomorph: no figures: {error}")),
         }
     }
-    let (files, summary) = tables.files(folder, drawn).map_err(CliError::Unusable)?;
-    write_files(&files).map_err(CliError::Unusable)?;
+    let (files, summary) = tables.files(drawn).map_err(CliError::Unusable)?;
+    write_files(files).map_err(CliError::Unusable)?;
     Ok(summary)
+}
+
+/// Says how many walls could not be assessed, and why the first of them: the summary has all reasons.
+fn say_unassessed(study: &Study, unassessed: &[Unassessed]) {
+    if let Some(first) = unassessed.first() {
+        let id = (study.subjects.get(first.subject)).map_or("", |subject| &subject.id);
+        say(&format!(
+            "cardiomorph: {} of {} walls not assessed, such as {id}: {}",
+            unassessed.len(),
+            study.subjects.len(),
+            first.reason
+        ));
+    }
 }
 
 /// One figure per subject: end-systole, coloured by the way that each place has come since
@@ -87,10 +105,12 @@ fn figures(
                 .and_then(|measures| measures.end_systole);
             let last = subject.sequence.frame_count() - 1;
             let systole = measured.or(subject.end_systole).unwrap_or(last).min(last);
-            let figure = studio.figure(index, systole, settings, None, FIGURE_SIZE)?;
+            let figure = studio.figure(index, systole, settings, None, FIGURE_SIZE, None)?;
             files.push(ExportFile {
                 path: folder.join(format!("{}.png", file_name(&subject.id))),
-                bytes: encoded_png(&figure.canvas, &figure.settings).map_err(CliError::unusable)?,
+                bytes: encoded_png(&figure.canvas, &figure.settings)
+                    .map_err(CliError::unusable)?
+                    .into(),
             });
             progress.step()?;
         }

@@ -9,6 +9,7 @@ use crate::cli::experiment_args::ExperimentCommand;
 use crate::cli::map_options::MapOptions;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
+use crate::cli::patch_options::PatchOptions;
 use crate::cli::words::{
     AlignWord, DemoFormat, EmbedInput, EmbedMethod, GeodesicsWord, QuantityWord, Switch, ThemeWord,
     ViewWord,
@@ -117,6 +118,8 @@ pub struct AnalyzeArgs {
     pub metric: MetricOptions,
     #[command(flatten)]
     pub maps: MapOptions,
+    #[command(flatten)]
+    pub patches: PatchOptions,
     /// Whether a figure is rendered of every subject
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub figures: Switch,

@@ -41,9 +41,9 @@ pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
     let (raw, map) = map?;
     let table = ExportFile {
         path: args.out.clone(),
-        bytes: coordinates_csv(&map).into_bytes(),
+        bytes: coordinates_csv(&map).into_bytes().into(),
     };
-    write_files(&[table]).map_err(CliError::Unusable)?;
+    write_files(vec![table]).map_err(CliError::Unusable)?;
     report(&map, raw, items, args)
 }
 

@@ -65,7 +65,7 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
         ),
         file(&args.out, "summary.json", pretty(&summary)?),
     ];
-    write_files(&files).map_err(CliError::Unusable)?;
+    write_files(files).map_err(CliError::Unusable)?;
     if args.json {
         return print_json(&summary);
     }
@@ -136,7 +136,7 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
         file(&args.out, "metrics.csv", comparison_csv(&comparison)),
         file(&args.out, "summary.json", pretty(&summary)?),
     ];
-    write_files(&files).map_err(CliError::Unusable)?;
+    write_files(files).map_err(CliError::Unusable)?;
     if args.json {
         return print_json(&summary);
     }
@@ -192,7 +192,7 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
         file(&args.out, "partners.csv", partners_csv(&found)),
         file(&args.out, "summary.json", pretty(&summary)?),
     ];
-    write_files(&files).map_err(CliError::Unusable)?;
+    write_files(files).map_err(CliError::Unusable)?;
     if args.json {
         return print_json(&summary);
     }
@@ -229,6 +229,6 @@ fn pretty(value: &Value) -> Result<String, CliError> {
 fn file(folder: &Path, name: &str, text: String) -> ExportFile {
     ExportFile {
         path: folder.join(name),
-        bytes: text.into_bytes(),
+        bytes: text.into_bytes().into(),
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn interpolate(args: &InterpolateArgs) -> Result<(), CliError> {
         progress.begin_phase("minimising energy", 0.0, 1.0);
         geodesic(&faces, &start, &moved, &params, progress)
     })?;
-    write_files(&pose_files(a.faces(), &path.poses, &args.out)?).map_err(CliError::Unusable)?;
+    write_files(pose_files(a.faces(), &path.poses, &args.out)?).map_err(CliError::Unusable)?;
     report(&path, args)?;
     // The best so far is written and said, but it is not what was asked for.
     if path.stopped {
@@ -91,7 +91,7 @@ pub(super) fn pose_files(
                 .map_err(CliError::unusable)?;
             Ok(ExportFile {
                 path: folder.join(format!("pose_{index:0width$}.ply")),
-                bytes,
+                bytes: bytes.into(),
             })
         })
         .collect()

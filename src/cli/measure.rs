@@ -14,7 +14,7 @@ pub(super) fn measure(args: &MeasureArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
     let measures = measured(&study, &Cache::default().into())?;
     let files = tables::measure_files(&study, &measures, &args.out);
-    let written = write_files(&files).map_err(CliError::Unusable)?;
+    let written = write_files(files).map_err(CliError::Unusable)?;
     if args.json {
         let files: Vec<String> = written
             .iter()

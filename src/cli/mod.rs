@@ -17,6 +17,7 @@ mod medial;
 mod metric;
 mod metric_options;
 mod outcome;
+mod patch_options;
 mod print;
 mod run;
 mod tables;

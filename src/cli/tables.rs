@@ -52,6 +52,6 @@ pub(super) fn overview(study: &Study, measures: &[SubjectMeasures]) -> String {
 fn file(folder: &Path, name: &str, text: String) -> ExportFile {
     ExportFile {
         path: folder.join(name),
-        bytes: text.into_bytes(),
+        bytes: text.into_bytes().into(),
     }
 }

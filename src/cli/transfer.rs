@@ -35,7 +35,7 @@ pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
         progress.begin_phase("carrying the beat", 0.0, 1.0);
         transfer_deformation(&work_faces, &source, &work_onto, &params, progress)
     })?;
-    write_files(&pose_files(&faces, &poses, &args.out)?).map_err(CliError::Unusable)?;
+    write_files(pose_files(&faces, &poses, &args.out)?).map_err(CliError::Unusable)?;
     if args.json {
         return print_json(&json!({ "poses": poses.len(), "vertices": faces.vertex_count() }));
     }

@@ -2,6 +2,7 @@
 
 use clap::ValueEnum;
 
+use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, MetricKind, Regulariser};
 use crate::analysis::transport::Geodesics;
 use crate::io::MeshFormat;
@@ -100,6 +101,24 @@ impl From<GeodesicsWord> for Geodesics {
     }
 }
 
+/// Words of `--patch-ratio`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum RatioWord {
+    /// The same for few and for many atoms
+    GeometricMean,
+    /// As printed: grows with the number of atoms
+    Product,
+}
+
+impl From<RatioWord> for RatioForm {
+    fn from(word: RatioWord) -> Self {
+        match word {
+            RatioWord::GeometricMean => Self::GeometricMean,
+            RatioWord::Product => Self::Product,
+        }
+    }
+}
+
 /// Words of `--input`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EmbedInput {
@@ -133,6 +152,8 @@ pub enum QuantityWord {
     Displacement,
     /// Area relative to end-diastole
     AreaRatio,
+    /// PT, thickness of the wall relative to end-diastole
+    ThicknessRatio,
 }
 
 impl From<QuantityWord> for Quantity {
@@ -141,6 +162,7 @@ impl From<QuantityWord> for Quantity {
             QuantityWord::Tissue => Self::Tissue,
             QuantityWord::Displacement => Self::Displacement,
             QuantityWord::AreaRatio => Self::AreaRatio,
+            QuantityWord::ThicknessRatio => Self::ThicknessRatio,
         }
     }
 }

@@ -28,13 +28,15 @@ pub enum WorkKind {
     Transfer,
     /// Which places make two poses differ.
     Contribution,
+    /// Atoms of a wall, how it thickens, and its patches.
+    Medial,
     /// Writing tables or a figure.
     Export,
 }
 
 impl WorkKind {
     /// What analyses do; the others are opening and exporting.
-    pub const ANALYSES: [Self; 7] = [
+    pub const ANALYSES: [Self; 8] = [
         Self::Measures,
         Self::PoseMap,
         Self::DeformationMap,
@@ -42,6 +44,7 @@ impl WorkKind {
         Self::InBetweens,
         Self::Transfer,
         Self::Contribution,
+        Self::Medial,
     ];
 }
 

@@ -1,19 +1,34 @@
 //! Results that were computed before, keyed by what they answer.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
+use crate::engine::activity::WorkKind;
 use crate::engine::outcome::AnalysisOutcome;
-use crate::engine::request::AnalysisRequest;
-use crate::study::{Revision, ShapeKey, Study};
+use crate::engine::request::{AnalysisRequest, Reads};
+use crate::engine::thickening::beat_bytes;
+use crate::study::{Anatomy, Revision, ShapeKey, Study, Subject};
+use crate::units::LengthUnit;
 
-/// Most results kept. A few settings tried back and forth on one study are some dozens, and a beat has
-/// an answer per interval.
+/// Most results kept of one kind of work. A few settings tried back and forth on one study are some
+/// dozens, and a beat has an answer per interval.
 const MOST_ENTRIES: usize = 128;
-/// Most bytes kept: all pairs of 4,000 poses are 64 MB.
-const MOST_BYTES: usize = 256 << 20;
 
-/// A bounded map from study state and request to the answer; the one used longest ago goes first.
+/// Most bytes kept of one kind of work; of all kinds together some 900 MB.
+fn most_bytes(kind: WorkKind) -> usize {
+    match kind {
+        // All pairs of 4,000 poses are 64 MB.
+        WorkKind::PoseMap => 256 << 20,
+        // Atoms of 2,500 vertices at 25 frames are 5 MB; of 40,000, on the inner side of a wall, 70 MB.
+        WorkKind::Medial => 192 << 20,
+        // Three poses of 2,500 vertices in each of 25 intervals are 5 MB.
+        WorkKind::InBetweens => 128 << 20,
+        _ => 64 << 20,
+    }
+}
+
+/// A bounded map from study state and request to the answer. Of each kind of work the answer used longest
+/// ago goes first; going through the hearts of a cohort one by one pushes out no answer about all of them.
 ///
 /// Nothing in it is ever wrong: an edit makes another [`Revision`], under which nothing is found but
 /// what depends on shapes that the edit left alone.
@@ -30,9 +45,38 @@ pub struct Cache {
 struct Entry {
     revision: Revision,
     /// What the subjects of the study were known by.
-    shapes: Vec<ShapeKey>,
+    hearts: Vec<HeartKey>,
     request: AnalysisRequest,
     outcome: AnalysisOutcome,
+}
+
+/// All that an answer about one heart can depend on, and that an edit can change.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct HeartKey {
+    shape: ShapeKey,
+    end_systole: Option<usize>,
+    unit: LengthUnit,
+    anatomy: Option<Anatomy>,
+}
+
+impl HeartKey {
+    fn of(subject: &Subject) -> Self {
+        Self {
+            shape: subject.shape_key(),
+            end_systole: subject.end_systole,
+            unit: subject.unit,
+            anatomy: subject.anatomy,
+        }
+    }
+
+    /// Whether nothing has changed that an answer has read.
+    fn agrees(&self, other: &Self, reads: Reads) -> bool {
+        match reads {
+            Reads::Surfaces => self.shape.sequence == other.shape.sequence,
+            Reads::Shape => self.shape == other.shape,
+            Reads::Heart => self == other,
+        }
+    }
 }
 
 impl Entry {
@@ -43,8 +87,9 @@ impl Entry {
         self.revision == study.revision
             || request.subjects().is_some_and(|subjects| {
                 subjects.iter().all(|&index| {
-                    let now = study.subjects.get(index).map(|s| s.shape_key());
-                    now.is_some() && now.as_ref() == self.shapes.get(index)
+                    let now = study.subjects.get(index).map(|s| HeartKey::of(s));
+                    (now.zip(self.hearts.get(index)))
+                        .is_some_and(|(now, then)| now.agrees(then, request.reads()))
                 })
             })
     }
@@ -68,23 +113,26 @@ impl Cache {
     pub fn similar(&self, request: &AnalysisRequest) -> Option<(Vec<ShapeKey>, AnalysisOutcome)> {
         let entries = self.lock();
         let entry = entries.iter().rev().find(|e| e.request == *request)?;
-        Some((entry.shapes.clone(), entry.outcome.clone()))
+        let shapes = entry.hearts.iter().map(|heart| heart.shape).collect();
+        Some((shapes, entry.outcome.clone()))
     }
 
-    /// Keeps an answer, and lets the oldest go if there are too many. An answer that is larger
-    /// than all that may be kept is not kept.
+    /// Keeps an answer, and lets the oldest of its kind go if there are too many. An answer that is
+    /// larger than all that may be kept of its kind is not kept.
     pub fn put(&self, study: &Study, request: AnalysisRequest, outcome: AnalysisOutcome) {
         let mut entries = self.lock();
         entries.retain(|entry| entry.revision != study.revision || entry.request != request);
         entries.push(Entry {
             revision: study.revision,
-            shapes: study.subjects.iter().map(|s| s.shape_key()).collect(),
+            hearts: study.subjects.iter().map(|s| HeartKey::of(s)).collect(),
             request,
             outcome,
         });
-        let mut bytes: usize = entries.iter().map(|entry| entry.outcome.bytes()).sum();
-        while entries.len() > MOST_ENTRIES || (bytes > MOST_BYTES && !entries.is_empty()) {
-            bytes -= entries.remove(0).outcome.bytes();
+        let kind = request.kind();
+        while too_much(&entries, kind)
+            && let Some(oldest) = entries.iter().position(|e| e.request.kind() == kind)
+        {
+            entries.remove(oldest);
         }
     }
 
@@ -114,12 +162,29 @@ impl Cache {
     }
 }
 
+/// Whether more is held of a kind than may be. Atoms that several answers share count once.
+fn too_much(entries: &[Entry], kind: WorkKind) -> bool {
+    let mut count = 0;
+    let mut bytes = 0;
+    let mut beats = Vec::new();
+    for entry in entries.iter().filter(|e| e.request.kind() == kind) {
+        count += 1;
+        bytes += entry.outcome.bytes();
+        if let Some(beat) = entry.outcome.shared_beat()
+            && !beats.contains(&Arc::as_ptr(beat))
+        {
+            beats.push(Arc::as_ptr(beat));
+            bytes += beat_bytes(beat);
+        }
+    }
+    count > MOST_ENTRIES || bytes > most_bytes(kind)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::analysis::metrics::MetricParams;
     use crate::analysis::pose_distances::{DistanceMatrix, PoseDistanceParams, PoseDistances};
-    use std::sync::Arc;
 
     fn request(mu: f64) -> AnalysisRequest {
         AnalysisRequest::PoseDistances(PoseDistanceParams {

@@ -162,7 +162,7 @@ impl Engine {
             let job = Job::spawn(jobs, Arc::clone(wake), move |progress: &Progress| {
                 let files = make(progress)?;
                 progress.check().map_err(|stopped| stopped.to_string())?;
-                write_files(&files)
+                write_files(files)
             });
             log.record(WorkKind::Export, name, parameters, Arc::clone(job.watch()));
             job

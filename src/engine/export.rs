@@ -1,15 +1,80 @@
 //! Writes finished files whole: what stands under a name is never half a file.
 
-use std::fs;
+use std::fs::{self, File};
+use std::io::{BufWriter, Write};
 use std::path::{Path, PathBuf};
 
 /// A file that is to be written.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Debug)]
 pub struct ExportFile {
     /// Where to.
     pub path: PathBuf,
     /// All of it.
-    pub bytes: Vec<u8>,
+    pub bytes: FileBytes,
+}
+
+/// What a file holds.
+#[derive(Debug)]
+pub enum FileBytes {
+    /// In memory.
+    Held(Vec<u8>),
+    /// Beside its place already, since it may be larger than memory.
+    Passing(PassingFile),
+}
+
+impl From<Vec<u8>> for FileBytes {
+    fn from(bytes: Vec<u8>) -> Self {
+        Self::Held(bytes)
+    }
+}
+
+/// A file that grows under a passing name beside its place; dropped, it is gone.
+#[derive(Debug)]
+pub struct PassingFile {
+    place: PathBuf,
+    passing: PathBuf,
+    file: BufWriter<File>,
+}
+
+impl PassingFile {
+    /// An empty one, making folders as needed.
+    ///
+    /// # Errors
+    /// If it cannot be made: why, and which.
+    pub fn create(place: PathBuf) -> Result<Self, String> {
+        let passing = passing_name(&place);
+        let made = make_folder(&place).and_then(|()| File::create(&passing));
+        match made {
+            Ok(file) => Ok(Self {
+                file: BufWriter::new(file),
+                place,
+                passing,
+            }),
+            Err(error) => Err(cannot_write(&error, &place)),
+        }
+    }
+
+    /// Adds text at the end.
+    ///
+    /// # Errors
+    /// If it cannot be written: why, and which.
+    pub fn write(&mut self, text: &str) -> Result<(), String> {
+        let written = self.file.write_all(text.as_bytes());
+        written.map_err(|error| cannot_write(&error, &self.place))
+    }
+
+    /// Gives it its name.
+    fn finish(&mut self) -> std::io::Result<()> {
+        self.file.flush()?;
+        fs::rename(&self.passing, &self.place)
+    }
+}
+
+impl Drop for PassingFile {
+    fn drop(&mut self) {
+        // Gone already where it has got its name.
+        fs::remove_file(&self.passing).ok();
+    }
 }
 
 /// Writes every file, making folders as needed, and returns the paths.
@@ -19,29 +84,45 @@ pub struct ExportFile {
 ///
 /// # Errors
 /// At the first file that cannot be written: why, and which.
-pub fn write_files(files: &[ExportFile]) -> Result<Vec<PathBuf>, String> {
+pub fn write_files(files: Vec<ExportFile>) -> Result<Vec<PathBuf>, String> {
+    let mut paths = Vec::with_capacity(files.len());
     for file in files {
-        write_whole(&file.path, &file.bytes)
-            .map_err(|error| format!("cannot write: {error}: {}", file.path.display()))?;
+        let written = match file.bytes {
+            FileBytes::Held(bytes) => write_whole(&file.path, &bytes),
+            FileBytes::Passing(mut passing) => passing.finish(),
+        };
+        written.map_err(|error| cannot_write(&error, &file.path))?;
+        paths.push(file.path);
     }
-    Ok(files.iter().map(|file| file.path.clone()).collect())
+    Ok(paths)
+}
+
+fn cannot_write(error: &std::io::Error, path: &Path) -> String {
+    format!("cannot write: {error}: {}", path.display())
 }
 
 fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    if let Some(folder) = path
-        .parent()
-        .filter(|folder| !folder.as_os_str().is_empty())
-    {
-        fs::create_dir_all(folder)?;
-    }
-    let mut passing = path.as_os_str().to_owned();
-    passing.push(".partial");
-    let passing = PathBuf::from(passing);
+    make_folder(path)?;
+    let passing = passing_name(path);
     let written = fs::write(&passing, bytes).and_then(|()| fs::rename(&passing, path));
     if written.is_err() {
         fs::remove_file(&passing).ok();
     }
     written
+}
+
+/// Makes the folder that a file is to stand in.
+fn make_folder(path: &Path) -> std::io::Result<()> {
+    let folder = path.parent();
+    folder
+        .filter(|folder| !folder.as_os_str().is_empty())
+        .map_or(Ok(()), fs::create_dir_all)
+}
+
+fn passing_name(path: &Path) -> PathBuf {
+    let mut passing = path.as_os_str().to_owned();
+    passing.push(".partial");
+    PathBuf::from(passing)
 }
 
 #[cfg(test)]
@@ -54,9 +135,12 @@ mod tests {
         let path = folder.path().join("report/tables/frames.csv");
         let file = ExportFile {
             path: path.clone(),
-            bytes: b"subject,frame\n".to_vec(),
+            bytes: b"subject,frame\n".to_vec().into(),
         };
-        assert_eq!(write_files(&[file]).unwrap(), std::slice::from_ref(&path));
+        assert_eq!(
+            write_files(vec![file]).unwrap(),
+            std::slice::from_ref(&path)
+        );
         assert_eq!(fs::read(&path).unwrap(), b"subject,frame\n");
         let names: Vec<_> = fs::read_dir(path.parent().unwrap()).unwrap().collect();
         assert_eq!(names.len(), 1, "nothing passing is left behind");
@@ -67,12 +151,36 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let blocked = folder.path().join("taken");
         fs::create_dir(&blocked).unwrap();
-        let error = write_files(&[ExportFile {
+        let error = write_files(vec![ExportFile {
             path: blocked.clone(),
-            bytes: vec![1],
+            bytes: vec![1].into(),
         }])
         .unwrap_err();
         assert!(error.starts_with("cannot write: "), "{error}");
         assert!(error.ends_with(&blocked.display().to_string()), "{error}");
+    }
+
+    #[test]
+    fn a_file_that_grows_has_its_name_only_once_it_is_whole() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("report/atoms.csv");
+        let grown = || {
+            let mut passing = PassingFile::create(path.clone()).unwrap();
+            passing.write("subject\n").unwrap();
+            passing.write("N01\n").unwrap();
+            passing
+        };
+        let names = || fs::read_dir(path.parent().unwrap()).unwrap().count();
+        let passing = grown();
+        assert!(!path.exists() && names() == 1);
+        drop(passing);
+        assert_eq!(names(), 0, "what was given up is gone");
+        let file = ExportFile {
+            path: path.clone(),
+            bytes: FileBytes::Passing(grown()),
+        };
+        write_files(vec![file]).unwrap();
+        assert_eq!(fs::read(&path).unwrap(), b"subject\nN01\n");
+        assert_eq!(names(), 1, "nothing passing is left behind");
     }
 }

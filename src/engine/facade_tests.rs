@@ -197,7 +197,7 @@ fn an_export_is_written_whole_or_not_at_all() {
     let path = folder.path().join("out/table.csv");
     let file = ExportFile {
         path: path.clone(),
-        bytes: b"a,b\n".to_vec(),
+        bytes: b"a,b\n".to_vec().into(),
     };
     engine.start_export("Tables", "", move |_| Ok(vec![file]));
     let mut written = None;
@@ -219,4 +219,41 @@ fn an_export_is_written_whole_or_not_at_all() {
 fn the_activity_list_names_files_without_their_folders() {
     let source = OpenSource::Paths(vec![PathBuf::from("/home/Jane Doe/n01/endo_0.ply")]);
     assert_eq!(source.words(), "endo_0.ply");
+}
+
+#[test]
+fn thickening_is_stopped_retried_and_follows_a_slider() {
+    let mut engine = engine();
+    let study = opened(&mut engine, 2_500);
+    let mut params = ThickeningSettings::default();
+    let request = AnalysisRequest::Thickening { subject: 9, params };
+    engine.request(&study, request);
+    engine.cancel(WorkKind::Medial);
+    until(&mut engine, |engine| !engine.busy());
+    let stopped = |engine: &Engine| {
+        let showing = engine.showing(WorkKind::Medial);
+        matches!(showing, Showing::Stopped { .. })
+    };
+    assert!(stopped(&engine));
+    engine.request(&study, request);
+    assert!(
+        stopped(&engine),
+        "what was stopped does not begin by itself"
+    );
+    engine.retry(&study, request);
+    until(&mut engine, |engine| !engine.busy());
+    let found = |engine: &Engine| {
+        let outcome = engine.latest(WorkKind::Medial).unwrap();
+        Arc::clone(outcome.thickening().unwrap())
+    };
+    let first = found(&engine);
+    for step in 1..4 {
+        params.thickening.tolerance = Some(0.05 * f64::from(step));
+        engine.request(&study, AnalysisRequest::Thickening { subject: 9, params });
+        until(&mut engine, |engine| !engine.busy());
+        assert!(Arc::ptr_eq(&found(&engine).beat, &first.beat));
+        assert_eq!(found(&engine).thickening.tolerance, 0.05 * f64::from(step));
+    }
+    assert_eq!(engine.activities()[0].name, "Thickening");
+    assert!(engine.activities()[0].parameters.contains("± 0.15"));
 }

@@ -18,20 +18,24 @@ mod run;
 mod run_pairs;
 mod slot;
 mod tables;
+mod thickening;
+mod wall_tables;
 mod workers;
 
 pub use activity::{Activity, ActivityLog, ActivityState, WorkKind};
 pub use cache::Cache;
 pub use engine::Engine;
-pub use export::{ExportFile, write_files};
+pub use export::{ExportFile, FileBytes, PassingFile, write_files};
 pub use job::{Ending, Job, JobError, JobWatch, Wake};
 pub use open::{OpenSource, open};
 pub use outcome::AnalysisOutcome;
 pub use request::{
     AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap,
-    PoseMapParams, distance_words, metric_words,
+    PoseMapParams, distance_words, medial_words, metric_words, thickening_words,
 };
 pub use run::run;
 pub use slot::{Showing, Slot};
-pub use tables::AnalysisTables;
+pub use tables::{AnalysisTables, TableSettings};
+pub use thickening::{SubjectThickening, ThickeningSettings};
+pub use wall_tables::Unassessed;
 pub use workers::{Workers, configure_threads};

@@ -6,8 +6,10 @@ use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::geodesics::GeodesicPath;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::medial::MedialBeat;
 use crate::analysis::pose_distances::PoseDistances;
 use crate::engine::request::PoseMap;
+use crate::engine::thickening::SubjectThickening;
 use crate::mesh::Point3;
 use crate::study::MeshSequence;
 
@@ -32,10 +34,14 @@ pub enum AnalysisOutcome {
     Transfer(Arc<MeshSequence>),
     /// Share of each face in the squared distance, surfaces one after the other.
     Contribution(Arc<Vec<f64>>),
+    /// The middle of one heart's wall over the beat.
+    MedialBeat(Arc<MedialBeat>),
+    /// How one heart's wall thickens.
+    Thickening(Arc<SubjectThickening>),
 }
 
 impl AnalysisOutcome {
-    /// Memory that it holds, near enough to bound a cache by it.
+    /// Memory that it holds, near enough to bound a cache by it, without [`Self::shared_beat`].
     pub fn bytes(&self) -> usize {
         let matrix = |distances: &PoseDistances| {
             size_of_val(distances.distances.upper()) + size_of_val(&*distances.poses)
@@ -62,6 +68,17 @@ impl AnalysisOutcome {
                 sequence.frame_count() * sequence.vertex_count() * size_of::<Point3>()
             }
             Self::Contribution(shares) => size_of_val(&***shares),
+            Self::MedialBeat(_) => 0,
+            Self::Thickening(found) => found.own_bytes(),
+        }
+    }
+
+    /// The atoms that it holds; answers with other settings of thickening hold the same.
+    pub(super) fn shared_beat(&self) -> Option<&Arc<MedialBeat>> {
+        match self {
+            Self::MedialBeat(beat) => Some(beat),
+            Self::Thickening(found) => Some(&found.beat),
+            _ => None,
         }
     }
 
@@ -133,6 +150,22 @@ impl AnalysisOutcome {
     pub fn contribution(&self) -> Option<&Arc<Vec<f64>>> {
         match self {
             Self::Contribution(shares) => Some(shares),
+            _ => None,
+        }
+    }
+
+    /// The atoms over the beat, if that is what it is.
+    pub fn medial_beat(&self) -> Option<&Arc<MedialBeat>> {
+        match self {
+            Self::MedialBeat(beat) => Some(beat),
+            _ => None,
+        }
+    }
+
+    /// The thickening of a heart, if that is what it is.
+    pub fn thickening(&self) -> Option<&Arc<SubjectThickening>> {
+        match self {
+            Self::Thickening(found) => Some(found),
             _ => None,
         }
     }

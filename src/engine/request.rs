@@ -6,10 +6,14 @@ use crate::analysis::classification::ClassesParams;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::{Embedding, MapMethod};
 use crate::analysis::geodesics::GeodesicParams;
+use crate::analysis::medial::MedialParams;
+use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
+use crate::analysis::thickening::ThickeningParams;
 use crate::analysis::transport::{Reference, TransportParams};
 use crate::engine::activity::WorkKind;
+use crate::engine::thickening::ThickeningSettings;
 use crate::progress::Stopped;
 
 /// Settings of the map of all poses.
@@ -87,6 +91,31 @@ pub enum AnalysisRequest {
         /// transfer.
         distances: PoseDistanceParams,
     },
+    /// The middle of one heart's wall over the beat: atoms and their radii.
+    MedialBeat {
+        /// Whose wall.
+        subject: usize,
+        /// How balls are laid into it.
+        params: MedialParams,
+    },
+    /// How one heart's wall thickens, and which patches of it do not.
+    Thickening {
+        /// Whose wall.
+        subject: usize,
+        /// How balls are laid into it, and what counts as still.
+        params: ThickeningSettings,
+    },
+}
+
+/// How much of a subject an answer depends on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Reads {
+    /// Its surfaces.
+    Surfaces,
+    /// And its end-diastole.
+    Shape,
+    /// And its end-systole, unit and landmarks: all but its label and what is said of the patient.
+    Heart,
 }
 
 /// The map of all poses.
@@ -109,6 +138,7 @@ impl AnalysisRequest {
             Self::InBetweens { .. } | Self::Interval { .. } => WorkKind::InBetweens,
             Self::Transfer { .. } => WorkKind::Transfer,
             Self::Contribution { .. } => WorkKind::Contribution,
+            Self::MedialBeat { .. } | Self::Thickening { .. } => WorkKind::Medial,
         }
     }
 
@@ -116,12 +146,22 @@ impl AnalysisRequest {
     /// are. `None` where it depends on the whole study.
     pub fn subjects(&self) -> Option<[usize; 2]> {
         match *self {
-            Self::InBetweens { subject, .. } | Self::Interval { subject, .. } => {
-                Some([subject, subject])
-            }
+            Self::InBetweens { subject, .. }
+            | Self::Interval { subject, .. }
+            | Self::MedialBeat { subject, .. }
+            | Self::Thickening { subject, .. } => Some([subject, subject]),
             Self::Transfer { from, onto, .. } => Some([from, onto]),
             Self::Contribution { a, b, .. } => Some([a.subject, b.subject]),
             _ => None,
+        }
+    }
+
+    /// How much of [its subjects](Self::subjects) the answer depends on.
+    pub(super) fn reads(&self) -> Reads {
+        match self {
+            Self::MedialBeat { .. } => Reads::Surfaces,
+            Self::Thickening { .. } => Reads::Heart,
+            _ => Reads::Shape,
         }
     }
 
@@ -136,6 +176,8 @@ impl AnalysisRequest {
             Self::InBetweens { .. } | Self::Interval { .. } => "Poses between frames",
             Self::Transfer { .. } => "Transfer of a beat",
             Self::Contribution { .. } => "Contributions to a distance",
+            Self::MedialBeat { .. } => "Medial surface",
+            Self::Thickening { .. } => "Thickening",
         }
     }
 
@@ -162,6 +204,8 @@ impl AnalysisRequest {
                 format!("{} poses between the hearts, {metric}", params.in_betweens)
             }
             Self::Contribution { distances, .. } => metric_words(&distances.metric),
+            Self::MedialBeat { params, .. } => medial_words(params),
+            Self::Thickening { params, .. } => thickening_words(params),
         }
     }
 }
@@ -225,6 +269,50 @@ pub fn metric_words(metric: &MetricParams) -> String {
         Corners::ScaleFree => "scale-free corners",
     };
     format!("{kind}, {form}, {corners}, λ = {}", metric.lambda)
+}
+
+/// How balls are laid into the wall, as summaries and the activity list say it.
+pub fn medial_words(params: &MedialParams) -> String {
+    let smoothing = match params.smoothing {
+        0.0 => "surfaces as they are".to_owned(),
+        share => format!("smoothed over {share} thicknesses"),
+    };
+    format!(
+        "{smoothing}, separation {}, end {}",
+        degrees(params.separation_rad),
+        degrees(params.end_rad)
+    )
+}
+
+/// Settings of the search for patches, as summaries and the activity list say it.
+pub fn thickening_words(settings: &ThickeningSettings) -> String {
+    let ThickeningParams {
+        tolerance,
+        ratio,
+        core,
+        border,
+        least_share,
+        least_thickening,
+        smoothing,
+        redraws,
+        seed,
+    } = settings.thickening;
+    let tolerance = tolerance.map_or_else(|| "by noise".to_owned(), |t| format!("± {t}"));
+    let ratio = match ratio {
+        RatioForm::GeometricMean => "geometric mean",
+        RatioForm::Product => "product",
+    };
+    format!(
+        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core {core}, border {border}, \
+         least share {least_share}, least thickening {least_thickening:.3}, averaged over {smoothing}, \
+         {redraws} redraws, seed {seed}",
+        medial_words(&settings.medial)
+    )
+}
+
+/// An angle as a person would say it; rounding of radians leaves no trace.
+fn degrees(angle_rad: f64) -> String {
+    format!("{}°", (angle_rad.to_degrees() * 1e6).round() / 1e6)
 }
 
 /// Why a request brought no answer.

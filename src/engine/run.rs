@@ -16,7 +16,7 @@ use crate::engine::outcome::AnalysisOutcome;
 use crate::engine::request::{
     AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap, PoseMapParams,
 };
-use crate::engine::run_pairs;
+use crate::engine::{run_pairs, thickening};
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
@@ -94,6 +94,14 @@ pub fn run(
         AnalysisRequest::Contribution { a, b, distances } => {
             let shares = run_pairs::contribution(study, [*a, *b], distances, progress)?;
             AnalysisOutcome::Contribution(Arc::new(shares))
+        }
+        AnalysisRequest::MedialBeat { subject, params } => {
+            let beat = thickening::atoms(study, *subject, params, progress)?;
+            AnalysisOutcome::MedialBeat(Arc::new(beat))
+        }
+        AnalysisRequest::Thickening { subject, params } => {
+            let found = thickening::subject_thickening(study, *subject, params, cache, progress)?;
+            AnalysisOutcome::Thickening(Arc::new(found))
         }
     };
     cache.put(study, *request, outcome.clone());

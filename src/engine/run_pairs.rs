@@ -111,7 +111,7 @@ pub(super) fn contribution(
     })
 }
 
-fn subject_of(study: &Study, index: usize) -> Result<&Subject, AnalysisError> {
+pub(super) fn subject_of(study: &Study, index: usize) -> Result<&Subject, AnalysisError> {
     let subject = study.subjects.get(index).map(|subject| &**subject);
     subject.ok_or_else(|| {
         let count = study.subjects.len();

@@ -1,6 +1,6 @@
 //! All tables of a whole analysis with their summary; the window's export and the command line write these.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use serde_json::{Value, json};
@@ -17,22 +17,38 @@ use crate::engine::request::{
     PoseMapParams, distance_words,
 };
 use crate::engine::run::run;
+use crate::engine::thickening::ThickeningSettings;
+use crate::engine::wall_tables::{Unassessed, WallTables};
 use crate::io::{
     deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv, summary_json,
 };
 use crate::progress::Progress;
 use crate::study::Study;
 
-/// Share of the work until poses are mapped; the rest tells deformations apart.
-const POSES_SHARE: f32 = 0.9;
+/// Share of the work until poses are mapped; the rest tells deformations apart …
+const POSES_SHARE: f32 = 0.75;
+/// … until here, and then assesses walls.
+const CLASSES_SHARE: f32 = 0.8;
+
+/// Settings of an analysis of a whole study.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TableSettings {
+    /// How poses and deformations are compared and mapped.
+    pub deformations: DeformationMapSettings,
+    /// How walls are assessed.
+    pub thickening: ThickeningSettings,
+}
 
 /// What an analysis of a whole study found.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct AnalysisTables {
     /// The measures, for figures.
     pub measures: Arc<Vec<SubjectMeasures>>,
-    /// Name of each file and what it holds.
+    /// Name of each file and what it holds, without those of walls.
     pub tables: Vec<(String, String)>,
+    /// Atoms, patches and segments.
+    walls: WallTables,
+    folder: PathBuf,
     /// What `summary.json` says, without the list of files.
     pub summary: Value,
     /// Why there is no map of deformations, where there is none.
@@ -40,15 +56,17 @@ pub struct AnalysisTables {
 }
 
 impl AnalysisTables {
-    /// Does the whole analysis. Poses are mapped by classical scaling, by stress majorisation and by
-    /// the method of the settings.
+    /// Does the whole analysis for `folder`. Poses are mapped by classical scaling, by stress majorisation
+    /// and by the method of the settings. The table of atoms grows beside its place meanwhile,
+    /// since that of a large cohort does not fit into memory.
     ///
     /// # Errors
-    /// If stopped, or the study has no answer. Too few hearts for a map of deformations are
-    /// no error.
+    /// If stopped, the study has no answer, or the folder cannot be written to. Too few hearts for a
+    /// map of deformations are no error, and neither are hearts whose wall cannot be assessed.
     pub fn of(
         study: &Study,
-        settings: &DeformationMapSettings,
+        settings: &TableSettings,
+        folder: &Path,
         cache: &Cache,
         progress: &Progress,
     ) -> Result<Self, AnalysisError> {
@@ -59,12 +77,13 @@ impl AnalysisTables {
             progress,
             |outcome| outcome.measures().cloned(),
         )?;
+        let (deformations, folder) = (&settings.deformations, folder.to_owned());
         let part = progress.part("comparing poses", 0.0, POSES_SHARE);
-        let maps = (methods(settings.poses.method).into_iter())
+        let maps = (methods(deformations.poses.method).into_iter())
             .map(|(word, method)| {
                 let request = AnalysisRequest::PoseMap(PoseMapParams {
                     method,
-                    ..settings.poses
+                    ..deformations.poses
                 });
                 let map = answered(study, request, cache, &part, |outcome| {
                     outcome.pose_map().cloned()
@@ -72,48 +91,58 @@ impl AnalysisTables {
                 map.map(|map| (word, map))
             })
             .collect::<Result<Vec<_>, _>>()?;
-        let part = progress.part("telling classes apart", POSES_SHARE, 1.0);
-        let (told, without_deformations) = match told_apart(study, settings, cache, &part) {
+        let part = progress.part("telling classes apart", POSES_SHARE, CLASSES_SHARE);
+        let (told, without_deformations) = match told_apart(study, deformations, cache, &part) {
             Ok(told) => (Some(told), None),
             Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
             Err(AnalysisError::Unanswerable(reason)) => (None, Some(reason)),
         };
+        let part = progress.part("assessing walls", CLASSES_SHARE, 1.0);
+        let walls = WallTables::of(study, &settings.thickening, &folder, cache, &part)?;
         let tables = tables(study, &measures, &maps, told.as_ref());
         let embeddings: Vec<_> = maps
             .iter()
             .map(|(word, map)| (*word, &map.embedding))
             .collect();
-        let summary = summary_json(
+        let mut summary = summary_json(
             study,
             &measures,
             &maps[0].1.distances,
-            &distance_words(&settings.poses.distances),
+            &distance_words(&deformations.poses.distances),
             &embeddings,
             told.as_ref().map(|(map, classes)| (&**map, &**classes)),
         );
+        if let Value::Object(object) = &mut summary {
+            object.insert("thickening".to_owned(), walls.summary.clone());
+        }
         Ok(Self {
             measures,
             tables,
+            walls,
+            folder,
             summary,
             without_deformations,
         })
     }
 
-    /// All files for a folder: the tables, `more`, and a summary that lists them.
+    /// The hearts whose wall could not be assessed, and why.
+    pub fn unassessed(&self) -> &[Unassessed] {
+        &self.walls.unassessed
+    }
+
+    /// All files for the folder: the tables, `more`, and a summary that lists them.
     ///
     /// # Errors
     /// If the summary cannot be written as JSON.
-    pub fn files(
-        mut self,
-        folder: &Path,
-        more: Vec<ExportFile>,
-    ) -> Result<(Vec<ExportFile>, Value), String> {
+    pub fn files(mut self, more: Vec<ExportFile>) -> Result<(Vec<ExportFile>, Value), String> {
+        let folder = &self.folder;
         let mut files: Vec<ExportFile> = (self.tables.into_iter())
             .map(|(name, text)| ExportFile {
                 path: folder.join(name),
-                bytes: text.into_bytes(),
+                bytes: text.into_bytes().into(),
             })
             .collect();
+        files.extend(self.walls.files(folder));
         files.extend(more);
         let names: Vec<String> = (files.iter())
             .filter_map(|file| file.path.strip_prefix(folder).ok())
@@ -126,7 +155,7 @@ impl AnalysisTables {
             serde_json::to_string_pretty(&self.summary).map_err(|error| error.to_string())?;
         files.push(ExportFile {
             path: folder.join("summary.json"),
-            bytes: (text + "\n").into_bytes(),
+            bytes: (text + "\n").into_bytes().into(),
         });
         Ok((files, self.summary))
     }

@@ -21,6 +21,8 @@ mod stl;
 #[cfg(test)]
 mod tests;
 mod text_lines;
+mod thickening_csv;
+mod thickening_json;
 mod vtk_legacy;
 mod vtp;
 mod write_study;
@@ -40,5 +42,10 @@ pub use opened::{OpenError, Opened};
 pub use ply::write_ply;
 pub use report_csv::{deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv};
 pub use report_json::{classification_json, deformations_json, subjects_json, summary_json};
+pub use thickening_csv::{
+    AssessedWall, atoms_csv, atoms_csv_header, patches_csv, patches_csv_header, segments_csv,
+    segments_csv_header,
+};
+pub use thickening_json::{thickening_params_json, unassessed_wall_json, wall_json};
 pub use vtp::{write_pvd, write_vtp};
 pub use write_study::{MeshFormat, WriteStudyError, write_study};

@@ -134,7 +134,7 @@ fn subject_id(study: &Study, pose: &PoseId) -> String {
 }
 
 /// The shortest text that reads back as the same number; empty where there is none.
-fn number(value: Option<f64>) -> String {
+pub(super) fn number(value: Option<f64>) -> String {
     value.map_or_else(String::new, |value| value.to_string())
 }
 
@@ -144,10 +144,15 @@ pub(super) struct Table {
 }
 
 impl Table {
-    pub(super) fn new<S: AsRef<str>>(header: &[S]) -> Self {
-        let mut table = Self {
+    /// Rows to be added to those of another, without a header.
+    pub(super) fn empty() -> Self {
+        Self {
             text: String::new(),
-        };
+        }
+    }
+
+    pub(super) fn new<S: AsRef<str>>(header: &[S]) -> Self {
+        let mut table = Self::empty();
         table.row(header.iter().map(|name| name.as_ref().to_owned()));
         table
     }

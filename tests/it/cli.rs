@@ -8,6 +8,8 @@ mod medial;
 mod refusals;
 #[cfg(test)]
 mod shape_space;
+#[cfg(test)]
+mod walls;
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -204,6 +206,9 @@ fn analyze_writes_the_same_bytes_with_one_thread_and_with_two() {
         "distances.csv",
         "poses_mds.csv",
         "poses_smacof.csv",
+        "atoms.csv",
+        "patches.csv",
+        "segments.csv",
         "summary.json",
     ] {
         let read = |report: &PathBuf| fs::read(report.join(name)).unwrap();

@@ -3,6 +3,7 @@
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.6.
 
 mod averaged;
+mod by_place;
 mod confidence;
 mod curve;
 mod diffusion;
@@ -23,8 +24,9 @@ mod tests;
 )]
 mod thickening;
 
+pub use by_place::{PlaceThickening, thickening_of_levels, thickening_of_segments};
 pub use error::ThickeningError;
 pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
 pub use result::{Extent, Patch, PatchSegment, Phase, Steadiness, Thickening, ThickeningStep};
 pub use steps::{phase_of, thickness_ratios};
-pub use thickening::thickening;
+pub use thickening::{phases, thickening};

@@ -181,7 +181,7 @@ fn mean_shape(beat: &MedialBeat) -> Vec<Point3> {
 
 /// Poses of end-diastole and end-systole: by volume or as stated; where that is not told, the greatest and
 /// least area of the medial surface.
-fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
+pub fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
     let count = beat.frames.len();
     let told = |pose: Option<usize>| pose.filter(|&pose| pose < count);
     match [told(measures.end_diastole), told(measures.end_systole)] {

@@ -1,0 +1,141 @@
+//! Tables of the walls of all hearts, made of one heart after the other.
+
+use std::path::Path;
+
+use serde_json::{Value, json};
+
+use crate::engine::cache::Cache;
+use crate::engine::export::{ExportFile, FileBytes, PassingFile};
+use crate::engine::outcome::AnalysisOutcome;
+use crate::engine::request::{AnalysisError, AnalysisRequest};
+use crate::engine::run::run;
+use crate::engine::thickening::ThickeningSettings;
+use crate::io::{
+    AssessedWall, atoms_csv, atoms_csv_header, patches_csv, patches_csv_header, segments_csv,
+    segments_csv_header, thickening_params_json, unassessed_wall_json, wall_json,
+};
+use crate::progress::{Progress, Stopped};
+use crate::study::Study;
+
+/// A heart whose wall could not be assessed.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Unassessed {
+    /// Its index.
+    pub subject: usize,
+    /// Why.
+    pub reason: String,
+}
+
+/// Atoms, patches and segments of all hearts.
+#[derive(Debug)]
+pub(super) struct WallTables {
+    /// Too long for memory: every atom at every frame of every heart.
+    atoms: PassingFile,
+    patches: String,
+    segments: String,
+    /// What the summary says of them.
+    pub summary: Value,
+    /// Those without rows.
+    pub unassessed: Vec<Unassessed>,
+}
+
+impl WallTables {
+    /// Assesses one heart after the other; no more of them are in memory than the cache keeps.
+    ///
+    /// # Errors
+    /// If stopped, or `folder` cannot be written to. A heart that cannot be assessed is no error.
+    pub fn of(
+        study: &Study,
+        settings: &ThickeningSettings,
+        folder: &Path,
+        cache: &Cache,
+        progress: &Progress,
+    ) -> Result<Self, AnalysisError> {
+        let mut tables = Self {
+            atoms: PassingFile::create(folder.join("atoms.csv"))
+                .map_err(AnalysisError::Unanswerable)?,
+            patches: patches_csv_header(),
+            segments: segments_csv_header(),
+            summary: Value::Null,
+            unassessed: Vec::new(),
+        };
+        tables.add_atoms(&atoms_csv_header())?;
+        let count = study.subjects.len().max(1) as f32;
+        let mut hearts = Vec::with_capacity(study.subjects.len());
+        for subject in 0..study.subjects.len() {
+            let [from, to] = [subject, subject + 1].map(|done| done as f32 / count);
+            let part = progress.part("assessing walls", from, to);
+            let request = AnalysisRequest::Thickening {
+                subject,
+                params: *settings,
+            };
+            hearts.push(tables.add(study, subject, run(study, &request, cache, &part), &part)?);
+        }
+        tables.summary = json!({
+            "parameters": thickening_params_json(&settings.medial, &settings.thickening),
+            "subjects": hearts,
+        });
+        Ok(tables)
+    }
+
+    /// Adds the rows of one heart, and returns what the summary says of it.
+    fn add(
+        &mut self,
+        study: &Study,
+        index: usize,
+        answer: Result<AnalysisOutcome, AnalysisError>,
+        progress: &Progress,
+    ) -> Result<Value, AnalysisError> {
+        let subject = &study.subjects[index];
+        let outcome = match answer {
+            Ok(outcome) => outcome,
+            Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
+            Err(AnalysisError::Unanswerable(reason)) => {
+                let said = unassessed_wall_json(&subject.id, &reason);
+                self.unassessed.push(Unassessed {
+                    subject: index,
+                    reason,
+                });
+                return Ok(said);
+            }
+        };
+        let found = outcome
+            .thickening()
+            .ok_or(AnalysisError::Stopped(Stopped))?;
+        let wall = AssessedWall {
+            subject: &subject.id,
+            unit: subject.unit,
+            beat: &found.beat,
+            thickening: &found.thickening,
+            axis: found.axis.as_ref(),
+            segments: &found.segments,
+        };
+        for frame in 0..found.beat.frames.len() {
+            progress.check()?;
+            self.add_atoms(&atoms_csv(&wall, frame))?;
+        }
+        self.patches += &patches_csv(&wall);
+        self.segments += &segments_csv(&wall);
+        Ok(wall_json(&wall))
+    }
+
+    fn add_atoms(&mut self, text: &str) -> Result<(), AnalysisError> {
+        self.atoms.write(text).map_err(AnalysisError::Unanswerable)
+    }
+
+    /// The files.
+    pub fn files(self, folder: &Path) -> [ExportFile; 3] {
+        let file = |name: &str, bytes: FileBytes| ExportFile {
+            path: folder.join(name),
+            bytes,
+        };
+        [
+            file("atoms.csv", FileBytes::Passing(self.atoms)),
+            file("patches.csv", self.patches.into_bytes().into()),
+            file("segments.csv", self.segments.into_bytes().into()),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,111 @@
+//! Rows of every heart that can be assessed, words for the others, and nothing left behind by a stop.
+
+use std::sync::Arc;
+
+use super::*;
+use crate::engine::export::write_files;
+use crate::study::built_in::{BuiltInParams, cohort};
+use crate::study::{MeshSequence, SurfaceKind};
+
+/// A well heart, one with a patch, and one of which only the endocardium is there.
+fn study() -> Study {
+    let params = BuiltInParams {
+        vertices: 600,
+        ..BuiltInParams::default()
+    };
+    let whole = cohort(&params).unwrap().study;
+    let ill = whole
+        .subjects
+        .iter()
+        .find(|s| s.id.starts_with('P'))
+        .unwrap();
+    let mut cavity = (*whole.subjects[1]).clone();
+    let endo = cavity.sequence.surface(SurfaceKind::Endocardium).unwrap();
+    cavity.sequence = MeshSequence::new(vec![endo.clone()]).unwrap();
+    Study {
+        subjects: vec![
+            Arc::clone(&whole.subjects[0]),
+            Arc::new(cavity),
+            Arc::clone(ill),
+        ],
+        ..whole
+    }
+}
+
+fn rows(path: &Path) -> Vec<csv::StringRecord> {
+    let mut reader = csv::Reader::from_path(path).unwrap();
+    reader.records().map(Result::unwrap).collect()
+}
+
+#[test]
+fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_rows() {
+    let (study, folder) = (study(), tempfile::tempdir().unwrap());
+    let settings = ThickeningSettings::default();
+    let cache = Cache::default();
+    let tables = WallTables::of(
+        &study,
+        &settings,
+        folder.path(),
+        &cache,
+        &Progress::default(),
+    )
+    .unwrap();
+    assert_eq!(tables.unassessed.len(), 1);
+    assert_eq!(tables.unassessed[0].subject, 1);
+    let said = tables.summary["subjects"].as_array().unwrap().clone();
+    assert_eq!(said[0]["assessed"], true);
+    assert_eq!(said[0]["patches"].as_array().unwrap().len(), 0);
+    assert_eq!(said[1]["assessed"], false);
+    assert!(said[1]["reason"].as_str().unwrap().starts_with("no wall: "));
+    assert!(said[2]["patches"][0]["share"].as_f64().unwrap() > 0.02);
+    assert_eq!(tables.summary["parameters"]["patch_core"], 0.25);
+    write_files(tables.files(folder.path()).into()).unwrap();
+    let atoms = rows(&folder.path().join("atoms.csv"));
+    let per_frame = |subject: usize| {
+        let sequence = &study.subjects[subject].sequence;
+        let endo = sequence.surface(SurfaceKind::Endocardium).unwrap();
+        endo.faces().vertex_count() * sequence.frame_count()
+    };
+    assert_eq!(atoms.len(), per_frame(0) + per_frame(2));
+    let ids = |name: &str| {
+        let mut ids: Vec<String> = (rows(&folder.path().join(name)).iter())
+            .map(|row| row[0].to_owned())
+            .collect();
+        ids.dedup();
+        ids
+    };
+    let [well, ill] = [0, 2].map(|subject: usize| study.subjects[subject].id.clone());
+    assert_eq!(ids("patches.csv"), [ill.clone()]);
+    assert_eq!(ids("segments.csv"), [well, ill]);
+    assert_eq!(rows(&folder.path().join("segments.csv")).len(), 34);
+}
+
+#[test]
+fn a_stop_leaves_no_file() {
+    let (study, folder) = (study(), tempfile::tempdir().unwrap());
+    let progress = Progress::default();
+    progress.stop();
+    let settings = ThickeningSettings::default();
+    let stopped = WallTables::of(
+        &study,
+        &settings,
+        folder.path(),
+        &Cache::default(),
+        &progress,
+    );
+    assert_eq!(stopped.unwrap_err(), AnalysisError::Stopped(Stopped));
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_folder_that_cannot_be_is_named_before_anything_is_computed() {
+    let folder = tempfile::tempdir().unwrap();
+    let taken = folder.path().join("taken");
+    std::fs::write(&taken, "a file").unwrap();
+    let settings = ThickeningSettings::default();
+    let cache = Cache::default();
+    let refused = WallTables::of(&study(), &settings, &taken, &cache, &Progress::default());
+    let words = refused.unwrap_err().to_string();
+    assert!(words.starts_with("cannot write: "), "{words}");
+    assert!(cache.is_empty());
+}
