@@ -22,9 +22,9 @@ pub(super) fn medial(args: &MedialArgs) -> Result<(), CliError> {
     })?;
     let file = ExportFile {
         path: args.out.clone(),
-        bytes: medial_csv(&surface).into_bytes(),
+        bytes: medial_csv(&surface).into_bytes().into(),
     };
-    write_files(&[file]).map_err(CliError::Unusable)?;
+    write_files(vec![file]).map_err(CliError::Unusable)?;
     report(&surface, args)
 }
 

@@ -75,7 +75,7 @@ fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_row
         ids
     };
     let [well, ill] = [0, 2].map(|subject: usize| study.subjects[subject].id.clone());
-    assert_eq!(ids("patches.csv"), [ill.clone()]);
+    assert_eq!(ids("patches.csv"), std::slice::from_ref(&ill));
     assert_eq!(ids("segments.csv"), [well, ill]);
     assert_eq!(rows(&folder.path().join("segments.csv")).len(), 34);
 }

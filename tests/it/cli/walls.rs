@@ -167,7 +167,7 @@ fn settings_of_patches_change_what_is_found_and_wrong_ones_are_refused() {
             text(&out),
         ];
         options.extend(more);
-        (cardiomorph(&options), out.clone())
+        (cardiomorph(&options), out)
     };
     let (output, out) = analyzed("none", &["--patch-core", "0", "--patch-redraws", "0"]);
     assert_eq!(code(&output), 0, "{}", said(&output));
