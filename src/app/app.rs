@@ -21,7 +21,7 @@ use super::settings::Settings;
 use super::state::State;
 use super::times::Times;
 use super::viewport::Viewport;
-use super::views::{CohortData, DeformationData, MapData};
+use super::views::{BullsEyeData, CohortData, DeformationData, MapData};
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -77,6 +77,7 @@ pub struct App {
     cohort: CohortData,
     map: MapData,
     deformations: DeformationData,
+    bulls_eye: BullsEyeData,
     adapter: String,
     times: Times,
     queue: Vec<Command>,
@@ -120,6 +121,7 @@ impl App {
             cohort: CohortData::default(),
             map: MapData::default(),
             deformations: DeformationData::default(),
+            bulls_eye: BullsEyeData::default(),
             adapter: cc
                 .wgpu_render_state
                 .as_ref()
@@ -318,6 +320,7 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let begin = Instant::now();
         self.cohort.refresh(&self.state);
+        self.bulls_eye.refresh(&self.state);
         self.move_points(ui.ctx());
         let mut drawing = Drawing {
             state: &self.state,
@@ -327,6 +330,7 @@ impl eframe::App for App {
             cohort: &self.cohort,
             map: &self.map,
             deformations: &self.deformations,
+            bulls_eye: &self.bulls_eye,
             adapter: &self.adapter,
             meter: self.times.prepare_meter(),
             commands: &mut self.queue,

@@ -10,7 +10,7 @@ use crate::ui::{Command, Pane, ThemeChoice};
 use super::document::Document;
 use super::state::State;
 use super::undo::Gesture;
-use super::{apply_beat, apply_carry, apply_view, apply_window};
+use super::{apply_beat, apply_carry, apply_view, apply_wall, apply_window};
 
 /// What surrounds a command.
 #[derive(Clone, Copy, Debug)]
@@ -106,6 +106,18 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::ToggleClusters
         | C::SetSearch(_)
         | C::SortCohort(_) => apply_view::apply(state, command, moment),
+
+        C::ToggleAtoms
+        | C::ToggleSpokes
+        | C::TogglePatches
+        | C::ToggleDirection
+        | C::SetThickening(_)
+        | C::ResetThickening
+        | C::SelectPart(_)
+        | C::ShowPatch { .. }
+        | C::SetBullsEye(_)
+        | C::NextBullsEye
+        | C::ToggleBullsEyeSegments => apply_wall::apply(state, &command, moment),
 
         C::CarryBeat { .. }
         | C::CarryBeatBeside

@@ -12,6 +12,7 @@ use crate::picture::reference_frame;
 use crate::study::Study;
 
 use super::background_beats::AskedBeats;
+use super::background_walls::AskedWalls;
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
@@ -49,6 +50,8 @@ pub struct Background {
     pub dialogs: Dialogs,
     /// What the answers about beats belong to.
     beats: AskedBeats,
+    /// What the answers about walls belong to.
+    walls: AskedWalls,
     /// The failures that have a card already, so that each is told once.
     told: [Option<String>; FAILURES.len()],
 }
@@ -64,6 +67,7 @@ impl Background {
             pictures: Pictures::start(Arc::clone(wake))?,
             dialogs: Dialogs::start(Arc::clone(wake))?,
             beats: AskedBeats::default(),
+            walls: AskedWalls::default(),
             told: [const { None }; FAILURES.len()],
         })
     }
@@ -78,6 +82,7 @@ impl Background {
         self.take_results(state);
         self.take_deformations(state);
         self.beats.take(state, &self.engine);
+        self.walls.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
         }
@@ -106,6 +111,7 @@ impl Background {
             }
         }
         self.beats.request(state, &mut self.engine);
+        self.walls.request(state, &mut self.engine);
         self.request_deformations(state);
     }
 
@@ -131,8 +137,10 @@ impl Background {
     pub fn retry(&mut self, state: &State, kind: WorkKind) {
         if kind == WorkKind::Open {
             self.engine.retry_open();
-        } else if let Some(request) = wanted(state, kind).or_else(|| self.beats.retry(state, kind))
-        {
+        } else if let Some(request) = match kind {
+            WorkKind::Medial => self.walls.retry(state),
+            _ => wanted(state, kind).or_else(|| self.beats.retry(state, kind)),
+        } {
             self.engine.retry(state.document.study(), request);
         }
     }

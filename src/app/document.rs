@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
-use crate::engine::PoseMapParams;
+use crate::engine::{PoseMapParams, ThickeningSettings};
 use crate::io::OpenError;
-use crate::picture::Quantity;
+use crate::picture::{Quantity, WallPart};
 use crate::render::Shading;
 use crate::study::{Notice, Revision, Study, Subject};
-use crate::ui::ViewMode;
+use crate::ui::{BullsEyeQuantity, ViewMode};
 
 use super::look::Look;
 
@@ -26,6 +26,14 @@ pub struct Visibility {
     pub wireframe: bool,
     /// Vertices as discs.
     pub vertices: bool,
+    /// Atoms of the medial surface, coloured by PT.
+    pub atoms: bool,
+    /// Their spokes to the wall.
+    pub spokes: bool,
+    /// Borders of patches.
+    pub patches: bool,
+    /// ANV and MP.
+    pub direction: bool,
     /// Smooth or flat.
     pub shading: Shading,
 }
@@ -37,6 +45,10 @@ impl Default for Visibility {
             epicardium: true,
             wireframe: false,
             vertices: false,
+            atoms: false,
+            spokes: false,
+            patches: true,
+            direction: false,
             shading: Shading::Smooth,
         }
     }
@@ -93,6 +105,14 @@ pub struct Document {
     pub deformation_map: DeformationMapParams,
     /// Whether clusters of deformations are drawn.
     pub shows_clusters: bool,
+    /// What counts as still, and as a patch.
+    pub thickening: ThickeningSettings,
+    /// The patch or segment that is selected.
+    pub part: Option<WallPart>,
+    /// What the bull's-eye shows.
+    pub bulls_eye: BullsEyeQuantity,
+    /// Whether it has one colour for each segment.
+    pub bulls_eye_segments: bool,
     /// Filter of the cohort table.
     pub search: String,
     /// Order of the cohort table.
@@ -144,6 +164,10 @@ impl Document {
             map: PoseMapParams::default(),
             deformation_map: DeformationMapParams::default(),
             shows_clusters: true,
+            thickening: ThickeningSettings::default(),
+            part: None,
+            bulls_eye: BullsEyeQuantity::default(),
+            bulls_eye_segments: false,
             search: String::new(),
             sorting: Sorting {
                 column: None,
@@ -175,15 +199,29 @@ impl Document {
 
     /// Typed limits of the quantity on screen.
     pub fn limits(&self) -> Option<[f64; 2]> {
+        self.limits_of(self.quantity)
+    }
+
+    /// Typed limits of a quantity.
+    pub fn limits_of(&self, quantity: Quantity) -> Option<[f64; 2]> {
         self.colour_limits
             .iter()
-            .find(|(quantity, _)| *quantity == self.quantity)
+            .find(|(other, _)| *other == quantity)
             .map(|(_, limits)| *limits)
+    }
+
+    /// What the colour bar stands for: on tissue, the atoms have it.
+    pub fn bar_quantity(&self) -> Quantity {
+        if self.quantity == Quantity::Tissue && self.visibility.atoms {
+            Quantity::ThicknessRatio
+        } else {
+            self.quantity
+        }
     }
 
     /// Sets or clears typed limits of the quantity on screen.
     pub fn set_limits(&mut self, limits: Option<[f64; 2]>) {
-        let quantity = self.quantity;
+        let quantity = self.bar_quantity();
         self.colour_limits.retain(|(other, _)| *other != quantity);
         if let Some(limits) = limits {
             self.colour_limits.push((quantity, limits));
@@ -221,6 +259,10 @@ impl Document {
         let phase = self
             .selected()
             .map_or(0.0, |shown| phase_of(shown, self.position));
+        if subject != self.subject && matches!(self.part, Some(WallPart::Patch(_))) {
+            // A patch belongs to its heart; a segment is one of every heart.
+            self.part = None;
+        }
         self.subject = subject;
         self.position = self
             .selected()

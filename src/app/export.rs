@@ -11,11 +11,10 @@ use crate::picture::figure::{
     FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,
     encoded_png,
 };
-use crate::picture::{HeartNumbers, PictureTheme, SceneSettings, scene_with_numbers};
+use crate::picture::{PictureTheme, SceneSettings, heart_scene};
 use crate::progress::Progress;
 use crate::render::{Camera, Headless};
 
-use super::pictures::Heart;
 use super::play::pose_in;
 use super::shown_heart::ShownHeart;
 use super::state::State;
@@ -45,10 +44,8 @@ pub fn figure_name(state: &State) -> String {
 
 /// A heart, a camera and settings: everything that a figure is drawn from.
 struct Figure {
-    heart: Arc<Heart>,
-    numbers: Option<Arc<HeartNumbers>>,
+    shown: ShownHeart,
     settings: SceneSettings,
-    position: f64,
     camera: Camera,
     content: FigureContent,
     words: FigureSettings,
@@ -92,8 +89,7 @@ fn figure(state: &State, viewport: &Viewport, shown: &ShownHeart, dark: bool) ->
     };
     let prepared = &shown.heart.prepared;
     let pose = pose_in(prepared, shown.position);
-    let numbers = shown.numbers.as_deref();
-    let legend = scene_with_numbers(prepared, numbers, &settings, pose).legend;
+    let legend = heart_scene(prepared, shown.extras(), &settings, pose).legend;
     let subject = FigureSubject {
         subject: &shown.subject,
         measures: state.measures_of(shown.index),
@@ -113,9 +109,7 @@ fn figure(state: &State, viewport: &Viewport, shown: &ShownHeart, dark: bool) ->
         words,
         content: FigureContent::of(subject, legend, prepared.axes.cube()),
         camera: viewport.camera(state, shown),
-        heart: Arc::clone(&shown.heart),
-        numbers: shown.numbers.clone(),
-        position: shown.position,
+        shown: shown.clone(),
         settings,
     }
 }
@@ -133,10 +127,9 @@ fn drawn(figure: &Figure, progress: &Progress) -> Result<Vec<u8>, String> {
     progress.begin_phase("drawing", 0.0, 0.8);
     let fonts = FigureFonts::load().map_err(|error| error.to_string())?;
     let frame = FigureFrame::of(FIGURE_SIZE, &figure.content, &fonts);
-    let prepared = &figure.heart.prepared;
-    let pose = pose_in(prepared, figure.position);
-    let numbers = figure.numbers.as_deref();
-    let scene = scene_with_numbers(prepared, numbers, &figure.settings, pose).scene;
+    let prepared = &figure.shown.heart.prepared;
+    let pose = pose_in(prepared, figure.shown.position);
+    let scene = heart_scene(prepared, figure.shown.extras(), &figure.settings, pose).scene;
     let mut headless = Headless::new().map_err(|error| error.to_string())?;
     let heart = headless
         .picture(

@@ -14,8 +14,8 @@ use super::panes::{Panes, tab_containers};
 use super::state::State;
 use super::viewport::Viewport;
 use super::views::{
-    BeatData, CohortData, DeformationData, MapData, StatusData, action_state, activity_rows,
-    measures_view, menu_bar_view, metric_panel_view, report_entries,
+    BeatData, BullsEyeData, CohortData, DeformationData, MapData, PatchData, StatusData,
+    action_state, activity_rows, measures_view, menu_bar_view, metric_panel_view, report_entries,
 };
 
 /// Height of the bar with the menus.
@@ -41,6 +41,8 @@ pub struct Drawing<'a> {
     pub map: &'a MapData,
     /// Points of the map of deformations.
     pub deformations: &'a DeformationData,
+    /// The wall laid flat.
+    pub bulls_eye: &'a BullsEyeData,
     /// What the pictures are drawn with.
     pub adapter: &'a str,
     /// Takes the time of the paint callbacks.
@@ -110,6 +112,7 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
     let activity = activity_rows(drawing.engine.activities());
     let showing = |kind| drawing.engine.showing(kind);
     let measuring = matches!(showing(WorkKind::Measures), Showing::Computing { .. });
+    let patches = PatchData::of(state, drawing.engine, drawing.viewport.shown().first());
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
         state,
@@ -127,6 +130,8 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
             .space_time(state, &drawing.engine.showing(WorkKind::PoseMap)),
         metric: metric_panel_view(state, drawing.map.subjects()),
         measures: measures_view(state, measuring),
+        patch: patches.view(state),
+        bulls_eye: drawing.bulls_eye.view(state, patches.state()),
         activity: &activity,
         measuring,
         opening: matches!(drawing.engine.opening(), Showing::Computing { .. }),

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::ui::Pane;
 
 /// All panes with the words that name them in a saved layout; the words never change.
-pub const PANES: [(Pane, &str); 9] = [
+pub const PANES: [(Pane, &str); 11] = [
     (Pane::Cohort, "cohort"),
     (Pane::Activity, "activity"),
     (Pane::Viewport, "viewport"),
@@ -16,13 +16,17 @@ pub const PANES: [(Pane, &str); 9] = [
     (Pane::Metric, "metric"),
     (Pane::Curves, "curves"),
     (Pane::Measures, "measures"),
+    (Pane::Patch, "patch"),
+    (Pane::BullsEye, "bulls_eye"),
 ];
 
 /// Panes that layouts of earlier versions lack, with the pane beside whose tab they appear.
-const LATER: [(Pane, Pane); 3] = [
+const LATER: [(Pane, Pane); 5] = [
     (Pane::DeformationMap, Pane::PoseMap),
     (Pane::SpaceTime, Pane::PoseMap),
     (Pane::Metric, Pane::Cohort),
+    (Pane::Patch, Pane::Measures),
+    (Pane::BullsEye, Pane::Curves),
 ];
 
 /// Shares of the window's width: cohort, 3D view, results.
@@ -80,7 +84,11 @@ impl Default for Layout {
         let left = tabs(&[Pane::Cohort, Pane::Activity, Pane::Metric]);
         let middle = tabs(&[Pane::Viewport]);
         let map = tabs(&[Pane::PoseMap, Pane::DeformationMap, Pane::SpaceTime]);
-        let below = [Pane::Measures, Pane::Curves].map(|pane| tabs(&[pane]));
+        let below = [
+            [Pane::Measures, Pane::Patch],
+            [Pane::BullsEye, Pane::Curves],
+        ]
+        .map(|panes| tabs(&panes));
         let below = insert_linear(&mut tiles, LinearDir::Horizontal, &below, &BELOW_SHARES);
         let right = [map, below];
         let right = insert_linear(&mut tiles, LinearDir::Vertical, &right, &RIGHT_SHARES);

@@ -13,11 +13,11 @@ use egui_tiles::{
 
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{
-    Command, DeformationMapView, EmptyStateView, MeasuresView, MetricPanelView, Pane, PoseMapView,
-    SpaceTimeView, WorkItem, activity_ui, cohort_table_ui, curves_ui, deformation_map_ui,
-    deformation_note, empty_state_ui, measures_card_ui, metric_panel_ui, pane_header_ui,
-    pose_map_choosers_ui, pose_map_header_ui, pose_map_ui, space_time_ui, tab_ui,
-    viewport_header_ui,
+    BullsEyeView, Command, DeformationMapView, EmptyStateView, MeasuresView, MetricPanelView, Pane,
+    PatchPanelView, PoseMapView, SpaceTimeView, WorkItem, activity_ui, bulls_eye_ui,
+    cohort_table_ui, curves_ui, deformation_map_ui, deformation_note, empty_state_ui,
+    measures_card_ui, metric_panel_ui, pane_header_ui, patch_panel_ui, pose_map_choosers_ui,
+    pose_map_header_ui, pose_map_ui, space_time_ui, tab_ui, viewport_header_ui,
 };
 
 use super::layout::PaneTile;
@@ -43,6 +43,10 @@ pub struct Panes<'a> {
     pub metric: MetricPanelView<'a>,
     /// The measures.
     pub measures: MeasuresView<'a>,
+    /// The patches.
+    pub patch: PatchPanelView<'a>,
+    /// The wall laid flat.
+    pub bulls_eye: BullsEyeView<'a>,
     /// The activity list.
     pub activity: &'a [WorkItem],
     /// Whether volumes are being computed.
@@ -97,6 +101,8 @@ pub fn pane_title(pane: Pane) -> &'static str {
         Pane::Metric => "Metric",
         Pane::Curves => "Volume",
         Pane::Measures => "Measures",
+        Pane::Patch => "Patch",
+        Pane::BullsEye => "Bull's-eye",
     }
 }
 
@@ -152,6 +158,8 @@ impl Panes<'_> {
                 curves_ui(ui, &view, self.commands);
             }
             Pane::Measures => measures_card_ui(ui, &self.measures, self.commands),
+            Pane::Patch => patch_panel_ui(ui, &self.patch, self.commands),
+            Pane::BullsEye => bulls_eye_ui(ui, &self.bulls_eye, self.commands),
         }
     }
 

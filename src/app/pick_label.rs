@@ -55,6 +55,16 @@ impl Picked {
         Arc::ptr_eq(&self.subject, &cell.heart.subject)
     }
 
+    /// The atom of the medial surface that belongs to the vertex.
+    pub fn atom(&self, cell: &Cell) -> Option<u32> {
+        let surfaces = &cell.heart.heart.prepared.surfaces;
+        let place = surfaces
+            .iter()
+            .position(|surface| surface.role == self.role)?;
+        let medial = cell.heart.medial.as_ref()?;
+        medial.prepared.atom_at(place, self.vertex)
+    }
+
     /// Surface, vertex and number with its unit: `endocardium · vertex 812 · 7.3 mm`.
     pub fn words(
         &self,
@@ -149,6 +159,7 @@ fn number(prepared: &PreparedSubject, quantity: Quantity, value: f64) -> String 
             format!("moved {value:.1} {}", prepared.unit.length_symbol())
         }
         Quantity::AreaRatio => format!("area × {value:.2}"),
+        Quantity::ThicknessRatio => format!("PT {value:.2} ×"),
         Quantity::Contribution => format!("difference {value:.2} × mean"),
         Quantity::CarriedDistance => {
             format!(

@@ -10,6 +10,7 @@ use crate::study::{Revision, Study, Subject};
 
 use super::in_betweens::InBetweens;
 use super::look::HeartFrame;
+use super::medial_pictures::MedialPictures;
 
 /// Hearts are let go of, least recently drawn first, while all together have more vertices than
 /// this over all frames: about 600 MB.
@@ -90,6 +91,8 @@ struct Limits {
 
 /// All hearts that are ready or being made ready.
 pub struct Pictures {
+    /// Medial surfaces of these hearts.
+    pub walls: MedialPictures,
     // Jobs stand before the threads: dropped first, which stops what still runs.
     making: Vec<Making>,
     kept: Vec<Kept>,
@@ -106,6 +109,7 @@ impl Pictures {
     /// If the operating system refuses a thread.
     pub fn start(wake: Wake) -> std::io::Result<Self> {
         Ok(Self {
+            walls: MedialPictures::start(Arc::clone(&wake))?,
             making: Vec::new(),
             kept: Vec::new(),
             limits: None,
@@ -117,7 +121,7 @@ impl Pictures {
 
     /// Takes in hearts that became ready; says what broke. Call once a frame, before requests.
     pub fn poll(&mut self) -> Vec<String> {
-        let mut problems = Vec::new();
+        let mut problems = self.walls.poll();
         let mut ready = Vec::new();
         self.making.retain_mut(|making| match making.job.poll() {
             None => true,
@@ -207,6 +211,7 @@ impl Pictures {
     pub fn drop_unwanted(&mut self) {
         self.making
             .retain_mut(|making| std::mem::take(&mut making.wanted));
+        self.walls.drop_unwanted();
     }
 
     /// The fixed colour ranges of a study; the ones before while new ones are computed.
@@ -238,7 +243,9 @@ impl Pictures {
 
     /// Whether anything is being made ready.
     pub fn busy(&self) -> bool {
-        !self.making.is_empty() || self.limits.as_ref().is_some_and(|l| l.job.is_some())
+        !self.making.is_empty()
+            || self.walls.busy()
+            || self.limits.as_ref().is_some_and(|l| l.job.is_some())
     }
 
     fn let_go(&mut self) {

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use egui::Rect;
 
-use crate::picture::{HeartNumbers, Quantity};
+use crate::picture::{HeartExtras, HeartMedial, HeartNumbers, PreparedMedial, Quantity};
 use crate::render::Camera;
 use crate::study::Subject;
 use crate::ui::ViewMode;
 
+use super::medial_pictures::ShownMedial;
 use super::pictures::{Heart, Pictures};
 use super::stage::OnStage;
 use super::state::State;
@@ -27,8 +28,23 @@ pub struct ShownHeart {
     pub heart: Arc<Heart>,
     /// Numbers that it has beside another heart.
     pub numbers: Option<Arc<HeartNumbers>>,
+    /// The middle of its wall.
+    pub medial: Option<ShownMedial>,
     /// What lies over it.
     pub overlay: OverlayData,
+}
+
+impl ShownHeart {
+    /// What is drawn beside its surfaces.
+    pub fn extras(&self) -> HeartExtras<'_> {
+        HeartExtras {
+            numbers: self.numbers.as_deref(),
+            medial: self.medial.as_ref().map(|medial| HeartMedial {
+                prepared: &medial.prepared,
+                found: &medial.found,
+            }),
+        }
+    }
 }
 
 /// One heart of this frame's picture.
@@ -66,11 +82,19 @@ pub fn shown_heart(
             pictures.heart_between(subject, reference, between)?,
         )
     };
+    let found = (!place.carried)
+        .then(|| state.wall_of(place.subject))
+        .flatten();
+    let medial = match found {
+        Some((Ok(found), _)) => pictures.walls.medial(subject, found),
+        _ => None,
+    };
     Some(ShownHeart {
         index: place.subject,
         subject: Arc::clone(subject),
         position: place.position,
-        numbers: numbers.of(state, place, &heart),
+        numbers: numbers.of(state, place, &heart, medial.as_ref()),
+        medial,
         heart,
         overlay: OverlayData::of(state, place),
     })
@@ -83,8 +107,34 @@ pub struct MadeNumbers(Vec<Made>);
 
 struct Made {
     heart: Arc<Heart>,
-    source: Arc<Vec<Vec<f32>>>,
+    source: Source,
     numbers: Arc<HeartNumbers>,
+}
+
+/// What numbers are divided from.
+#[derive(Clone)]
+enum Source {
+    /// Lists over all vertices.
+    Lists(Arc<Vec<Vec<f32>>>),
+    /// Atoms.
+    Medial(Arc<PreparedMedial>),
+}
+
+impl Source {
+    fn is(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Lists(a), Self::Lists(b)) => Arc::ptr_eq(a, b),
+            (Self::Medial(a), Self::Medial(b)) => Arc::ptr_eq(a, b),
+            _ => false,
+        }
+    }
+
+    fn numbers(&self, heart: &Heart, quantity: Quantity) -> Option<HeartNumbers> {
+        match self {
+            Self::Lists(lists) => HeartNumbers::of_heart(&heart.prepared, quantity, lists),
+            Self::Medial(medial) => medial.numbers(&heart.prepared),
+        }
+    }
 }
 
 impl MadeNumbers {
@@ -99,28 +149,33 @@ impl MadeNumbers {
         state: &State,
         place: &OnStage,
         heart: &Arc<Heart>,
+        medial: Option<&ShownMedial>,
     ) -> Option<Arc<HeartNumbers>> {
-        let quantity = state.document.quantity;
+        // Where atoms have the colours, the wall under the pointer says PT.
+        let quantity = state.document.bar_quantity();
         let source = match quantity {
-            Quantity::CarriedDistance if place.carried => &state.carried_heart()?.distances,
-            Quantity::Contribution if state.document.view_mode == ViewMode::SideBySide => {
-                state.results.differences.shown()?
+            Quantity::CarriedDistance if place.carried => {
+                Source::Lists(Arc::clone(&state.carried_heart()?.distances))
             }
+            Quantity::Contribution if state.document.view_mode == ViewMode::SideBySide => {
+                Source::Lists(Arc::clone(state.results.differences.shown()?))
+            }
+            Quantity::ThicknessRatio => Source::Medial(Arc::clone(&medial?.prepared)),
             _ => return None,
         };
         let same = |made: &&Made| {
             Arc::ptr_eq(&made.heart, heart)
-                && Arc::ptr_eq(&made.source, source)
+                && made.source.is(&source)
                 && made.numbers.quantity == quantity
         };
         if let Some(made) = self.0.iter().find(same) {
             return Some(Arc::clone(&made.numbers));
         }
-        let numbers = Arc::new(HeartNumbers::of_heart(&heart.prepared, quantity, source)?);
+        let numbers = Arc::new(source.numbers(heart, quantity)?);
         self.0.retain(|made| !Arc::ptr_eq(&made.heart, heart));
         self.0.push(Made {
             heart: Arc::clone(heart),
-            source: Arc::clone(source),
+            source,
             numbers: Arc::clone(&numbers),
         });
         Some(numbers)

@@ -18,6 +18,7 @@ use super::document::{Document, OpeningReport, StudyRef};
 use super::in_betweens::{InBetweenStore, InBetweens, geodesic_params};
 use super::play::PlayClock;
 use super::undo::History;
+use super::walls::{FoundWall, WallStore};
 
 /// Which sheets lie over the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -64,6 +65,8 @@ pub struct Results {
     pub carrying: CarryingState,
     /// Where the poses side by side differ.
     pub differences: DifferenceStore,
+    /// How walls thicken, and their patches.
+    pub walls: WallStore,
 }
 
 /// Everything the window shows.
@@ -160,6 +163,15 @@ impl State {
         (self.results.carried.as_ref()).filter(|heart| heart.key == key)
     }
 
+    /// How a subject's wall thickens: with today's settings, else with those before, and whether it is
+    /// today's. `None` while nothing is known.
+    pub fn wall_of(&self, index: usize) -> Option<(&FoundWall, bool)> {
+        let subject = self.subject(index)?;
+        self.results
+            .walls
+            .latest(subject, &self.document.thickening)
+    }
+
     /// Frames of end-diastole and end-systole of a subject: as stated, else as measured.
     pub fn phases_of(&self, index: usize) -> (Option<usize>, Option<usize>) {
         let stated = self.subject(index);
@@ -198,6 +210,9 @@ impl State {
         }
         document.deformation_map = before.deformation_map;
         document.shows_clusters = before.shows_clusters;
+        document.thickening = before.thickening;
+        document.bulls_eye = before.bulls_eye;
+        document.bulls_eye_segments = before.bulls_eye_segments;
         document.in_betweens = before.in_betweens;
         document.visibility = before.visibility;
         self.history.forget_studies_before(before.study.opening);

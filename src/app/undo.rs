@@ -22,6 +22,8 @@ pub enum Gesture {
     Search,
     /// Typing colour limits.
     Limits,
+    /// Dragging a threshold of patches.
+    Threshold,
 }
 
 /// The past and the future of the document.
@@ -65,7 +67,7 @@ impl History {
     pub fn end_drag(&mut self) {
         if matches!(
             self.open_gesture,
-            Some((Gesture::Camera | Gesture::Time, _))
+            Some((Gesture::Camera | Gesture::Time | Gesture::Threshold, _))
         ) {
             self.open_gesture = None;
         }

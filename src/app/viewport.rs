@@ -5,7 +5,10 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
-use crate::picture::{CohortLimits, ColourLegend, PictureTheme, SceneSettings, scene_with_numbers};
+use crate::picture::{
+    CohortLimits, HeartScene, MedialSettings, PictureTheme, Quantity, SceneSettings, WallPart,
+    heart_scene,
+};
 use crate::render::{Camera, ViewId};
 use crate::ui::theme::{colours, line, radius, type_size};
 use crate::ui::{
@@ -101,6 +104,14 @@ impl Viewport {
             wireframe: visible.wireframe,
             vertices: visible.vertices,
             shading: visible.shading,
+            medial: MedialSettings {
+                atoms: visible.atoms,
+                spokes: visible.spokes,
+                patches: visible.patches,
+                direction: visible.direction,
+                part: document.part,
+                limits: document.limits_of(Quantity::ThicknessRatio),
+            },
             theme: if dark {
                 PictureTheme::DARK
             } else {
@@ -139,10 +150,13 @@ impl Viewport {
         commands.extend(self.click_command(&response, &cells));
         let settings = self.settings(state, ui.visuals().dark_mode);
         let (hovered, clicked) = pointed(&response, state, &cells, &settings);
-        let legend = self.draw(ui, &settings, &cells, meter);
-        self.overlays_ui(ui, state, &cells, (area, legend.as_ref()), commands);
+        let legends = self.draw(ui, &settings, &cells, meter);
+        self.overlays_ui(ui, state, &cells, (area, legends.as_ref()), commands);
         targets_ui(ui, &response, state, &cells, commands);
-        let quantity = state.document.quantity;
+        let quantity = state.document.bar_quantity();
+        if let Some(now) = &clicked {
+            commands.extend(part_command(state, &cells, now.as_ref()));
+        }
         let pinned = match clicked {
             Some(now) => now,
             None => self.pinned.clone(),
@@ -174,28 +188,30 @@ impl Viewport {
         settings: &SceneSettings,
         cells: &[Cell],
         meter: &Arc<AtomicU64>,
-    ) -> Option<(usize, ColourLegend)> {
-        let mut legend = None;
+    ) -> Option<(usize, HeartScene)> {
+        let mut legends = None;
         for (place, cell) in cells.iter().enumerate() {
             let prepared = &cell.heart.heart.prepared;
             let pose = pose_in(prepared, cell.heart.position);
-            let numbers = cell.heart.numbers.as_deref();
-            let picture = scene_with_numbers(prepared, numbers, settings, pose);
-            legend = legend.or(picture.legend.map(|legend| (place, legend)));
+            let mut picture = heart_scene(prepared, cell.heart.extras(), settings, pose);
+            let scene = std::mem::take(&mut picture.scene);
+            if legends.is_none() && picture.legend.is_some() {
+                legends = Some((place, picture));
+            }
             if !self.has_device {
                 continue;
             }
             let paint = HeartPaint {
                 view: ViewId(place as u32),
                 views: cells.len() as u32,
-                scene: picture.scene,
+                scene,
                 camera: cell.camera,
                 size: pixels(cell.rect, ui.pixels_per_point()),
                 meter: Arc::clone(meter),
             };
             ui.painter().add(paint.shape(cell.rect));
         }
-        legend
+        legends
     }
 
     fn overlays_ui(
@@ -203,7 +219,7 @@ impl Viewport {
         ui: &mut Ui,
         state: &State,
         cells: &[Cell],
-        (area, legend): (Rect, Option<&(usize, ColourLegend)>),
+        (area, legends): (Rect, Option<&(usize, HeartScene)>),
         commands: &mut Vec<Command>,
     ) {
         let whole_beat = self.mode == ViewMode::AllPhases;
@@ -215,10 +231,10 @@ impl Viewport {
         for (place, cell) in shown.iter().enumerate() {
             let rect = if whole_beat { area } else { cell.rect };
             let last = place + 1 == shown.len();
-            let legend = legend.filter(|(at, _)| *at == place || whole_beat);
-            let legend = legend.map(|(_, legend)| legend);
+            let legends = legends.filter(|(at, _)| *at == place || whole_beat);
+            let legends = legends.map(|(_, legends)| legends);
             let view = cell.heart.overlay.view(
-                legend,
+                legends,
                 &cell.heart.heart.prepared,
                 &cell.camera,
                 cell.rect.height(),
@@ -290,6 +306,25 @@ fn pointed(
     let quiet = !state.play.playing && !response.dragged();
     let hovered = quiet.then(|| at(response.hover_pos())).flatten();
     (hovered, clicked)
+}
+
+/// A click on a patch of the selected heart selects it; elsewhere, lets go of what was selected.
+fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Option<Command> {
+    let document = &state.document;
+    let on_patch = clicked
+        .filter(|_| document.visibility.patches)
+        .and_then(|picked| {
+            let mut own = cells
+                .iter()
+                .filter(|cell| cell.heart.index == document.subject);
+            let cell = own.find(|cell| picked.is_on(cell))?;
+            let atom = picked.atom(cell)?;
+            let found = &cell.heart.medial.as_ref()?.found.thickening;
+            let mut patches = found.patches.iter();
+            patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
+        });
+    let part = on_patch.map(WallPart::Patch);
+    (part != document.part).then_some(Command::SelectPart(part))
 }
 
 /// The number of a frame over its heart in the grid of all phases; the one that the time bar

@@ -105,7 +105,7 @@ fn figures(
                 .and_then(|measures| measures.end_systole);
             let last = subject.sequence.frame_count() - 1;
             let systole = measured.or(subject.end_systole).unwrap_or(last).min(last);
-            let figure = studio.figure(index, systole, settings, None, FIGURE_SIZE)?;
+            let figure = studio.figure(index, systole, settings, None, FIGURE_SIZE, None)?;
             files.push(ExportFile {
                 path: folder.join(format!("{}.png", file_name(&subject.id))),
                 bytes: encoded_png(&figure.canvas, &figure.settings)

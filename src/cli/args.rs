@@ -43,6 +43,8 @@ pub enum Command {
     Analyze(AnalyzeArgs),
     /// Writes clinical measures only
     Measure(MeasureArgs),
+    /// Computes the atoms of a wall: centre, radius, spokes, normal
+    Medial(MedialArgs),
     /// Computes one distance between two meshes in correspondence
     Metric(MetricArgs),
     /// Computes the poses between two meshes in correspondence
@@ -138,6 +140,34 @@ pub struct MetricArgs {
     /// What is laid onto A before B is compared
     #[arg(long, value_enum, default_value_t = AlignWord::None)]
     pub align: AlignWord,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `medial`.
+#[derive(Debug, Args)]
+pub struct MedialArgs {
+    /// Endocardium; there is one atom for each of its vertices
+    #[arg(
+        long,
+        value_name = "MESH",
+        requires = "epi",
+        required_unless_present = "wall"
+    )]
+    pub endo: Option<PathBuf>,
+    /// Epicardium
+    #[arg(long, value_name = "MESH", requires = "endo")]
+    pub epi: Option<PathBuf>,
+    /// The whole wall as one closed mesh; there is one atom for each vertex of both sides
+    #[arg(long, value_name = "MESH", conflicts_with_all = ["endo", "epi"])]
+    pub wall: Option<PathBuf>,
+    /// Length over which surfaces are smoothed first, as a share of the thickness [default: the window's]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub smoothing: Option<f64>,
+    /// CSV to write: vertex,x,y,z,r,s0x,…,end, a row per atom
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

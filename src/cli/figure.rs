@@ -6,16 +6,21 @@ use serde_json::json;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::cli::args::FigureArgs;
-use crate::cli::input::{measured, opened_study};
+use crate::cli::input::{answered, measured, opened_study};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::words::ViewWord;
 use crate::cli::work::run_work;
-use crate::engine::{Cache, ExportFile, write_files};
+use crate::engine::{
+    AnalysisRequest, Cache, ExportFile, SubjectThickening, ThickeningSettings, write_files,
+};
 use crate::picture::figure::{
     Figure, FigureFonts, FigureOrder, FigureSubject, FigureView, encoded_png, rendered_figure,
 };
-use crate::picture::{CohortLimits, PreparedSubject, SceneSettings, reference_frame};
+use crate::picture::{
+    CohortLimits, HeartExtras, HeartMedial, PreparedMedial, PreparedSubject, Quantity,
+    SceneSettings, reference_frame,
+};
 use crate::render::Headless;
 use crate::study::Study;
 
@@ -44,7 +49,12 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
             subject.id
         )));
     }
-    let measures = measured(&study, &Arc::new(Cache::default()))?;
+    let cache = Arc::new(Cache::default());
+    let measures = measured(&study, &cache)?;
+    let wall = match Quantity::from(args.colour) {
+        Quantity::ThicknessRatio => Some(found_wall(&study, index, &cache)?),
+        _ => None,
+    };
     let (frame, size, view) = (args.frame, args.size, args.view);
     let look = Look::of(args);
     let id = subject.id.clone();
@@ -53,7 +63,7 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
         let mut studio = Studio::open(&study, &measures)?;
         progress.check()?;
         let settings = look.over(studio.settings());
-        let figure = studio.figure(index, frame, settings, view, size)?;
+        let figure = studio.figure(index, frame, settings, view, size, wall.as_deref())?;
         encoded_png(&figure.canvas, &figure.settings).map_err(CliError::unusable)
     })?;
     let file = ExportFile {
@@ -69,6 +79,23 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
         }));
     }
     print(&out)
+}
+
+/// How the wall of a subject thickens.
+fn found_wall(
+    study: &Arc<Study>,
+    subject: usize,
+    cache: &Arc<Cache>,
+) -> Result<Arc<SubjectThickening>, CliError> {
+    let request = AnalysisRequest::Thickening {
+        subject,
+        params: ThickeningSettings::default(),
+    };
+    let outcome = answered(study, request, cache)?;
+    match outcome.thickening() {
+        Some(found) => Ok(Arc::clone(found)),
+        None => Err(CliError::Unusable("the thickness is missing".to_owned())),
+    }
 }
 
 fn chosen_subject(study: &Study, id: Option<&str>) -> Result<usize, CliError> {
@@ -165,6 +192,7 @@ impl<'a> Studio<'a> {
         scene: SceneSettings,
         view: Option<ViewWord>,
         size: [u32; 2],
+        wall: Option<&SubjectThickening>,
     ) -> Result<Figure, CliError> {
         let subject = self
             .study
@@ -173,6 +201,14 @@ impl<'a> Studio<'a> {
             .ok_or_else(|| CliError::Unusable(format!("there is no subject {index}")))?;
         let measures = self.measures.get(index);
         let prepared = PreparedSubject::new(subject, reference_frame(subject, measures));
+        let medial = wall
+            .map(|found| PreparedMedial::new(subject, &found.beat, found.thickening.end_diastole));
+        let numbers = medial.as_ref().and_then(|medial| medial.numbers(&prepared));
+        let extras = HeartExtras {
+            numbers: numbers.as_ref(),
+            medial: (medial.as_ref().zip(wall))
+                .map(|(prepared, found)| HeartMedial { prepared, found }),
+        };
         let order = FigureOrder {
             shown: FigureSubject {
                 subject,
@@ -180,6 +216,7 @@ impl<'a> Studio<'a> {
                 frame,
             },
             prepared: &prepared,
+            extras,
             scene,
             view: view.map_or(FigureView::Home, |word| FigureView::Anatomical(word.into())),
             size,

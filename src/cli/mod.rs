@@ -13,6 +13,7 @@ mod input;
 mod interpolate;
 mod map_options;
 mod measure;
+mod medial;
 mod metric;
 mod metric_options;
 mod outcome;

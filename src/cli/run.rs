@@ -7,7 +7,7 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::hear_ctrl_c;
 use crate::cli::{
-    analyze, demo, embed, experiment, figure, info, interpolate, measure, metric, transfer,
+    analyze, demo, embed, experiment, figure, info, interpolate, measure, medial, metric, transfer,
 };
 
 /// Runs one command. Errors are said once, here, on standard error.
@@ -18,6 +18,7 @@ pub fn run(command: Command) -> ExitCode {
         Command::Info(args) => info::info(&args),
         Command::Analyze(args) => analyze::analyze(&args),
         Command::Measure(args) => measure::measure(&args),
+        Command::Medial(args) => medial::medial(&args),
         Command::Metric(args) => metric::metric(&args),
         Command::Interpolate(args) => interpolate::interpolate(&args),
         Command::Transfer(args) => transfer::transfer(&args),

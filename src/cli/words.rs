@@ -152,6 +152,8 @@ pub enum QuantityWord {
     Displacement,
     /// Area relative to end-diastole
     AreaRatio,
+    /// PT, thickness of the wall relative to end-diastole
+    ThicknessRatio,
 }
 
 impl From<QuantityWord> for Quantity {
@@ -160,6 +162,7 @@ impl From<QuantityWord> for Quantity {
             QuantityWord::Tissue => Self::Tissue,
             QuantityWord::Displacement => Self::Displacement,
             QuantityWord::AreaRatio => Self::AreaRatio,
+            QuantityWord::ThicknessRatio => Self::ThicknessRatio,
         }
     }
 }

@@ -8,6 +8,7 @@ mod experiment_json;
 mod experiment_svg;
 mod gltf_file;
 mod limits;
+mod medial_csv;
 mod mesh_draft;
 mod mesh_file;
 mod obj;
@@ -33,6 +34,7 @@ pub use experiment_csv::{
 pub use experiment_json::{comparison_json, noise_json, partners_json};
 pub use experiment_svg::noise_svg;
 pub use limits::Limits;
+pub use medial_csv::medial_csv;
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
 pub use open::{looks_openable, open_paths};

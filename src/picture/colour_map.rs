@@ -53,6 +53,20 @@ impl ColourMap {
         }
     }
 
+    /// The colour at a share of the way from low to high; beyond the ends, theirs.
+    pub fn at(&self, share: f64) -> [u8; 3] {
+        let bytes = |colour: [f32; 3]| colour.map(|part| (255.0 * part).round() as u8);
+        if share < 0.0 {
+            return bytes(self.below);
+        }
+        if share > 1.0 {
+            return bytes(self.above);
+        }
+        let last = self.colours.len().saturating_sub(1);
+        let place = (share * last as f64).round() as usize;
+        self.colours.get(place).copied().unwrap_or_default()
+    }
+
     /// Diverging about the middle, for ratios on a logarithmic scale. Outside: deeper ends.
     pub fn ratio() -> Self {
         Self {

@@ -61,6 +61,7 @@ impl ColourLegend {
             Quantity::Tissue => return None,
             Quantity::Displacement => ("Displacement from end-diastole", unit.length_symbol()),
             Quantity::AreaRatio => ("Area relative to end-diastole", ""),
+            Quantity::ThicknessRatio => ("PT, thickness ratio to end-diastole", ""),
             Quantity::Contribution => ("Difference", "× mean"),
             Quantity::CarriedDistance => ("From own beat", unit.length_symbol()),
         };
@@ -83,7 +84,7 @@ pub(crate) fn colour_map(quantity: Quantity) -> Option<ColourMap> {
     match quantity {
         Quantity::Tissue => None,
         Quantity::Displacement => Some(ColourMap::viridis()),
-        Quantity::AreaRatio => Some(ColourMap::ratio()),
+        Quantity::AreaRatio | Quantity::ThicknessRatio => Some(ColourMap::ratio()),
         Quantity::Contribution | Quantity::CarriedDistance => Some(ColourMap::cividis()),
     }
 }

@@ -39,6 +39,13 @@ const CONTRIBUTION: ColourLimits = ColourLimits {
     logarithmic: false,
 };
 
+/// From half to double: a well wall thickens by half, and the scale is even about unchanged.
+pub(crate) const THICKNESS_RATIO: ColourLimits = ColourLimits {
+    low: 0.5,
+    high: 2.0,
+    logarithmic: true,
+};
+
 /// Share of all displacements that the range covers: a few stray vertices in one of a hundred
 /// hearts must not make the others look still. What is beyond has its own colour.
 const COVERED_SHARE: f64 = 0.995;
@@ -76,6 +83,7 @@ impl CohortLimits {
                 ..self.displacement
             },
             Quantity::AreaRatio => self.area_ratio,
+            Quantity::ThicknessRatio => THICKNESS_RATIO,
             Quantity::Contribution => CONTRIBUTION,
         }
     }

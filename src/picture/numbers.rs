@@ -118,7 +118,7 @@ fn relative_areas(faces: &[[u32; 3]], points: &[Point3]) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::mesh::phantom;
-    use crate::picture::{SceneSettings, scene_with_numbers};
+    use crate::picture::{HeartExtras, SceneSettings, heart_scene};
     use crate::render::{GeometryPose, SurfaceColour};
     use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
     use crate::units::LengthUnit;
@@ -191,8 +191,13 @@ mod tests {
             quantity: Quantity::Contribution,
             ..SceneSettings::default()
         };
-        let scene =
-            |numbers| scene_with_numbers(&heart, numbers, &settings, GeometryPose::default());
+        let scene = |numbers| {
+            let extras = HeartExtras {
+                numbers,
+                medial: None,
+            };
+            heart_scene(&heart, extras, &settings, GeometryPose::default())
+        };
         let drawn = scene(Some(&numbers));
         let legend = drawn.legend.unwrap();
         assert_eq!(legend.heading(), "Difference, × mean");

@@ -6,7 +6,7 @@ use crate::mesh::{Point3, vertex_normals};
 use crate::picture::axes::HeartAxes;
 use crate::picture::quantity::Quantity;
 use crate::picture::wall_rim::{WallRim, wall_rim};
-use crate::render::{Geometry, VertexScalars};
+use crate::render::{Geometry, GeometryPose, VertexScalars};
 use crate::study::{Subject, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
@@ -38,7 +38,10 @@ impl PreparedSurface {
     /// The numbers of a quantity; `None` for tissue.
     pub fn scalars(&self, quantity: Quantity) -> Option<&Arc<VertexScalars>> {
         match quantity {
-            Quantity::Tissue | Quantity::Contribution | Quantity::CarriedDistance => None,
+            Quantity::Tissue
+            | Quantity::ThicknessRatio
+            | Quantity::Contribution
+            | Quantity::CarriedDistance => None,
             Quantity::Displacement => Some(&self.displacement),
             Quantity::AreaRatio => Some(&self.area_ratio),
         }
@@ -148,6 +151,28 @@ impl PreparedSubject {
     /// The pose that a frame is.
     pub fn pose_of_frame(&self, frame: usize) -> usize {
         self.first_poses[frame.min(self.frame_count - 1)]
+    }
+
+    /// A pose told in frames: between which two it lies, and what share of the way.
+    pub fn pose_in_frames(&self, pose: GeometryPose) -> GeometryPose {
+        let last = self.frame_count - 1;
+        let frame = (self
+            .first_poses
+            .partition_point(|&first| first <= pose.from))
+        .saturating_sub(1)
+        .min(last);
+        let steps = (self.in_betweens(frame) + 1) as f32;
+        let step = pose.from.saturating_sub(self.first_poses[frame]) as f32;
+        let blend = if pose.to == pose.from {
+            0.0
+        } else {
+            pose.blend
+        };
+        GeometryPose {
+            from: frame,
+            to: if frame == last { 0 } else { frame + 1 },
+            blend: ((step + blend) / steps).clamp(0.0, 1.0),
+        }
     }
 
     /// Number of poses between a frame and the next.

@@ -10,6 +10,8 @@ pub enum Quantity {
     Displacement,
     /// Area around the vertex relative to end-diastole; 1 is unchanged.
     AreaRatio,
+    /// PT: thickness of the wall relative to end-diastole, told by its medial surface; 1 is unchanged.
+    ThicknessRatio,
     /// Share in the squared distance of the two poses side by side, per area, relative to the mean.
     Contribution,
     /// Distance of a carried beat from the heart's own beat at the same phase.
@@ -18,7 +20,12 @@ pub enum Quantity {
 
 impl Quantity {
     /// Those that a heart has by itself, in the order in which one key steps through them.
-    pub const ALL: [Self; 3] = [Self::Tissue, Self::Displacement, Self::AreaRatio];
+    pub const ALL: [Self; 4] = [
+        Self::Tissue,
+        Self::Displacement,
+        Self::AreaRatio,
+        Self::ThicknessRatio,
+    ];
 
     /// Those that two hearts have together.
     pub const OF_TWO: [Self; 2] = [Self::Contribution, Self::CarriedDistance];
@@ -29,6 +36,7 @@ impl Quantity {
             Self::Tissue => "Tissue",
             Self::Displacement => "Displacement",
             Self::AreaRatio => "Area ratio",
+            Self::ThicknessRatio => "Thickness ratio",
             Self::Contribution => "Difference to the other heart",
             Self::CarriedDistance => "Distance from its own beat",
         }
@@ -40,6 +48,7 @@ impl Quantity {
             Self::Tissue => "tissue",
             Self::Displacement => "displacement",
             Self::AreaRatio => "area-ratio",
+            Self::ThicknessRatio => "thickness-ratio",
             Self::Contribution => "contribution",
             Self::CarriedDistance => "carried-distance",
         }
@@ -50,7 +59,16 @@ impl Quantity {
         match self {
             Self::Tissue => Self::Displacement,
             Self::Displacement => Self::AreaRatio,
-            Self::AreaRatio | Self::Contribution | Self::CarriedDistance => Self::Tissue,
+            Self::AreaRatio => Self::ThicknessRatio,
+            Self::ThicknessRatio | Self::Contribution | Self::CarriedDistance => Self::Tissue,
         }
+    }
+
+    /// Whether its numbers come from an analysis and not from the surfaces alone.
+    pub fn is_analysed(self) -> bool {
+        matches!(
+            self,
+            Self::ThicknessRatio | Self::Contribution | Self::CarriedDistance
+        )
     }
 }

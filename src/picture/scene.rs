@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::picture::fit::blended;
 use crate::picture::legend::{ColourLegend, colour_map};
 use crate::picture::limits::CohortLimits;
+use crate::picture::medial::{HeartMedial, MedialSettings, add_marks, atom_legend};
 use crate::picture::numbers::HeartNumbers;
 use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 use crate::picture::quantity::Quantity;
@@ -39,6 +40,8 @@ pub struct SceneSettings {
     pub vertices: bool,
     /// Smooth or flat.
     pub shading: Shading,
+    /// What of the middle of the wall is drawn.
+    pub medial: MedialSettings,
     /// Colours around the heart.
     pub theme: PictureTheme,
     /// Whether nothing is drawn behind it.
@@ -57,6 +60,7 @@ impl Default for SceneSettings {
             wireframe: false,
             vertices: false,
             shading: Shading::default(),
+            medial: MedialSettings::default(),
             theme: PictureTheme::DARK,
             transparent: false,
         }
@@ -70,6 +74,17 @@ pub struct HeartScene {
     pub scene: Scene,
     /// The colour bar; `None` where colours are tissue.
     pub legend: Option<ColourLegend>,
+    /// The colour bar of atoms, where the surfaces have another one.
+    pub atom_legend: Option<ColourLegend>,
+}
+
+/// What a heart has beside its surfaces.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct HeartExtras<'a> {
+    /// Numbers from an analysis.
+    pub numbers: Option<&'a HeartNumbers>,
+    /// The middle of its wall.
+    pub medial: Option<HeartMedial<'a>>,
 }
 
 /// The scene of a heart at a pose. Cheap: all large arrays are those of `prepared`.
@@ -78,17 +93,18 @@ pub fn subject_scene(
     settings: &SceneSettings,
     pose: GeometryPose,
 ) -> HeartScene {
-    scene_with_numbers(prepared, None, settings, pose)
+    heart_scene(prepared, HeartExtras::default(), settings, pose)
 }
 
-/// The scene of a heart with numbers that it does not have by itself, such as its difference to
-/// another heart. A quantity of two hearts without numbers is shown as tissue, without a legend.
-pub fn scene_with_numbers(
+/// The scene of a heart with what it does not have by itself, such as its difference to another
+/// heart or its medial surface. A quantity of an analysis without numbers is shown as tissue, without a legend.
+pub fn heart_scene(
     prepared: &PreparedSubject,
-    numbers: Option<&HeartNumbers>,
+    extras: HeartExtras<'_>,
     settings: &SceneSettings,
     pose: GeometryPose,
 ) -> HeartScene {
+    let numbers = extras.numbers;
     let last = prepared.pose_count().saturating_sub(1);
     let pose = GeometryPose {
         from: pose.from.min(last),
@@ -136,15 +152,30 @@ pub fn scene_with_numbers(
         limits_note(settings),
         extremes,
     );
-    let explained = !Quantity::OF_TWO.contains(&settings.quantity) || !coloured.is_empty();
+    let explained = !settings.quantity.is_analysed() || !coloured.is_empty();
+    let mut scene = Scene {
+        surfaces,
+        lines: Vec::new(),
+        points,
+        background: [red, green, blue, opacity],
+    };
+    let mut legend = legend.filter(|_| explained);
+    let mut atoms = None;
+    if let Some(medial) = &extras.medial {
+        let pose = prepared.pose_in_frames(pose);
+        add_marks(&mut scene, medial, prepared, settings, pose);
+        let shown = settings.medial.atoms && settings.quantity != Quantity::ThicknessRatio;
+        atoms = (shown || (settings.medial.atoms && legend.is_none()))
+            .then(|| atom_legend(medial, prepared, settings))
+            .flatten();
+    }
+    if legend.is_none() {
+        legend = atoms.take();
+    }
     HeartScene {
-        legend: legend.filter(|_| explained),
-        scene: Scene {
-            surfaces,
-            lines: Vec::new(),
-            points,
-            background: [red, green, blue, opacity],
-        },
+        legend,
+        atom_legend: atoms,
+        scene,
     }
 }
 
@@ -190,7 +221,7 @@ fn limits(settings: &SceneSettings) -> ColourLimits {
 fn limits_note(settings: &SceneSettings) -> &'static str {
     match (settings.typed_limits, settings.quantity) {
         (Some(_), _) => "limits typed",
-        (None, Quantity::AreaRatio) => "fixed limits, log scale",
+        (None, Quantity::AreaRatio | Quantity::ThicknessRatio) => "fixed limits, log scale",
         (None, Quantity::Contribution) => "fixed limits, at the nearest frames",
         (None, _) => "one range for the cohort",
     }

@@ -41,6 +41,8 @@ pub struct PictureTheme {
     pub cube: [f32; 3],
     /// Edges drawn on surfaces.
     pub wireframe: Rgba,
+    /// Patches and what is selected.
+    pub selection: [f32; 3],
 }
 
 impl PictureTheme {
@@ -52,6 +54,7 @@ impl PictureTheme {
         line: srgb(0x5a_6470),
         cube: srgb(0x2a_3038),
         wireframe: [0.05, 0.06, 0.07, 0.55],
+        selection: srgb(0xff_d166),
     };
     /// Dark on white: print.
     pub const LIGHT: Self = Self {
@@ -61,5 +64,6 @@ impl PictureTheme {
         line: srgb(0x9a_a3ae),
         cube: srgb(0xec_eef1),
         wireframe: [0.1, 0.12, 0.14, 0.45],
+        selection: srgb(0xb8_860b),
     };
 }

@@ -132,7 +132,7 @@ pub struct Points {
 }
 
 /// Everything in one picture.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Scene {
     /// Surfaces, opaque and translucent.
     pub surfaces: Vec<Surface>,

@@ -6,7 +6,7 @@ use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
 use crate::picture::Quantity;
 use crate::render::Shading;
-use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
+use crate::ui::command::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
 
 /// What menus and the palette need to know of the program.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -29,6 +29,18 @@ pub struct ActionState {
     pub shows_wireframe: bool,
     /// Whether vertices are shown.
     pub shows_vertices: bool,
+    /// Whether atoms of the medial surface are shown.
+    pub shows_atoms: bool,
+    /// Whether their spokes are shown.
+    pub shows_spokes: bool,
+    /// Whether borders of patches are shown.
+    pub shows_patches: bool,
+    /// Whether ANV and MP are shown.
+    pub shows_direction: bool,
+    /// What the bull's-eye shows.
+    pub bulls_eye: BullsEyeQuantity,
+    /// Whether it shows segments.
+    pub bulls_eye_segments: bool,
     /// Whether the camera rotates freely.
     pub free_camera: bool,
     /// Whether the window fills the screen.
@@ -108,6 +120,12 @@ impl ActionState {
             Command::ToggleEpicardium => Some(self.shows_epicardium),
             Command::ToggleWireframe => Some(self.shows_wireframe),
             Command::ToggleVertices => Some(self.shows_vertices),
+            Command::ToggleAtoms => Some(self.shows_atoms),
+            Command::ToggleSpokes => Some(self.shows_spokes),
+            Command::TogglePatches => Some(self.shows_patches),
+            Command::ToggleDirection => Some(self.shows_direction),
+            Command::SetBullsEye(quantity) => Some(self.bulls_eye == *quantity),
+            Command::ToggleBullsEyeSegments => Some(self.bulls_eye_segments),
             Command::ToggleFullScreen => Some(self.full_screen),
             _ => None,
         }

@@ -6,7 +6,7 @@ use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
 use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
-use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
+use crate::ui::command::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
 
 /// A menu of the bar; also the group in the sheet of shortcuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -115,12 +115,21 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::View, 2, "Wall", Some((NONE, Key::W)), Command::ToggleEpicardium),
     action(Menu::View, 2, "Edges", None, Command::ToggleWireframe),
     action(Menu::View, 2, "Vertices", None, Command::ToggleVertices),
+    action(Menu::View, 2, "Medial atoms", Some((NONE, Key::M)), Command::ToggleAtoms),
+    action(Menu::View, 2, "Spokes of the atoms", None, Command::ToggleSpokes),
+    action(Menu::View, 2, "Patch", Some((NONE, Key::P)), Command::TogglePatches),
+    action(Menu::View, 2, "Patch: ANV and MP", None, Command::ToggleDirection),
     action(Menu::View, 3, "Next colour quantity", Some((NONE, Key::C)), Command::NextQuantity),
     action(Menu::View, 3, "Colour: tissue", None, Command::SetQuantity(Quantity::Tissue)),
     action(Menu::View, 3, "Colour: displacement", None, Command::SetQuantity(Quantity::Displacement)),
     action(Menu::View, 3, "Colour: area ratio", None, Command::SetQuantity(Quantity::AreaRatio)),
+    action(Menu::View, 3, "Colour: thickness ratio", None, Command::SetQuantity(Quantity::ThicknessRatio)),
     action(Menu::View, 3, "Colour: difference to the other heart", Some((NONE, Key::D)), Command::SetQuantity(Quantity::Contribution)),
     action(Menu::View, 3, "Colour: distance from its own beat", None, Command::SetQuantity(Quantity::CarriedDistance)),
+    action(Menu::View, 3, "Next quantity of the bull's-eye", Some((NONE, Key::B)), Command::NextBullsEye),
+    action(Menu::View, 3, "Bull's-eye: PT of this pose", None, Command::SetBullsEye(BullsEyeQuantity::Ratio)),
+    action(Menu::View, 3, "Bull's-eye: thickening", None, Command::SetBullsEye(BullsEyeQuantity::Thickening)),
+    action(Menu::View, 3, "Bull's-eye by segment", None, Command::ToggleBullsEyeSegments),
     action(Menu::View, 4, "Theme: as the system", None, Command::SetTheme(ThemeChoice::System)),
     action(Menu::View, 4, "Theme: dark", None, Command::SetTheme(ThemeChoice::Dark)),
     action(Menu::View, 4, "Theme: light", None, Command::SetTheme(ThemeChoice::Light)),
@@ -132,6 +141,8 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::View, 5, "Pane: metric", None, Command::TogglePane(Pane::Metric)),
     action(Menu::View, 5, "Pane: volume", None, Command::TogglePane(Pane::Curves)),
     action(Menu::View, 5, "Pane: measures", None, Command::TogglePane(Pane::Measures)),
+    action(Menu::View, 5, "Pane: patch", None, Command::TogglePane(Pane::Patch)),
+    action(Menu::View, 5, "Pane: bull's-eye", None, Command::TogglePane(Pane::BullsEye)),
     action(Menu::View, 5, "Reset layout", None, Command::ResetLayout),
     action(Menu::View, 6, "Full screen", Some((NONE, Key::F11)), Command::ToggleFullScreen),
     action(Menu::Analysis, 0, "Play or pause", Some((NONE, Key::Space)), Command::TogglePlay),
@@ -157,6 +168,9 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 3, "Map of poses by classical MDS", None, Command::SetMapMethod(MapMethod::ClassicalMds)),
     action(Menu::Analysis, 3, "Map of poses by Isomap", None, Command::SetMapMethod(MapMethod::ISOMAP)),
     action(Menu::Analysis, 3, "Reset metric and maps", None, Command::ResetMaps),
+    action(Menu::Analysis, 3, "Patch of the wall", None, Command::ShowPane(Pane::Patch)),
+    action(Menu::Analysis, 3, "Bull's-eye", None, Command::ShowPane(Pane::BullsEye)),
+    action(Menu::Analysis, 3, "Reset the thresholds of patches", None, Command::ResetThickening),
     action(Menu::Analysis, 4, "In-betweens: off", None, Command::SetInBetweens(0)),
     action(Menu::Analysis, 4, "In-betweens: 1 per interval", None, Command::SetInBetweens(1)),
     action(Menu::Analysis, 4, "In-betweens: 3 per interval", None, Command::SetInBetweens(3)),

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
-use crate::engine::{PoseMapParams, WorkKind};
-use crate::picture::{AnatomicalView, Quantity};
+use crate::engine::{PoseMapParams, ThickeningSettings, WorkKind};
+use crate::picture::{AnatomicalView, Quantity, WallPart};
 use crate::render::{Camera, Shading};
 
 /// What the 3D view shows at once.
@@ -19,6 +19,29 @@ pub enum ViewMode {
     SideBySide,
     /// Every pose of one heart.
     AllPhases,
+}
+
+/// What the bull's-eye shows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum BullsEyeQuantity {
+    /// PT of the pose on screen against end-diastole.
+    #[default]
+    Ratio,
+    /// Thickening from end-diastole to end-systole, as the whole beat tells it.
+    Thickening,
+}
+
+impl BullsEyeQuantity {
+    /// Both, in the order in which one key steps through them.
+    pub const ALL: [Self; 2] = [Self::Ratio, Self::Thickening];
+
+    /// The other one.
+    pub fn next(self) -> Self {
+        match self {
+            Self::Ratio => Self::Thickening,
+            Self::Thickening => Self::Ratio,
+        }
+    }
 }
 
 /// A tile of the window.
@@ -42,6 +65,10 @@ pub enum Pane {
     Curves,
     /// Clinical measures of the selected subject.
     Measures,
+    /// The part of the wall that does not thicken.
+    Patch,
+    /// The wall laid flat, by segments.
+    BullsEye,
 }
 
 /// Light or dark.
@@ -138,6 +165,33 @@ pub enum Command {
     ToggleWireframe,
     /// Show or hide vertices as discs.
     ToggleVertices,
+    /// Show or hide atoms of the medial surface.
+    ToggleAtoms,
+    /// Show or hide spokes from the atoms to the wall.
+    ToggleSpokes,
+    /// Show or hide the borders of patches.
+    TogglePatches,
+    /// Show or hide ANV and MP.
+    ToggleDirection,
+    /// What counts as still, and as a patch.
+    SetThickening(ThickeningSettings),
+    /// Settings of patches as they were at the start.
+    ResetThickening,
+    /// Select a patch of this heart or a segment of every heart.
+    SelectPart(Option<WallPart>),
+    /// Select a patch and look at it.
+    ShowPatch {
+        /// Its place in the list.
+        patch: usize,
+        /// From where, in the heart's axes.
+        camera: Camera,
+    },
+    /// What the bull's-eye shows.
+    SetBullsEye(BullsEyeQuantity),
+    /// The next thing that the bull's-eye can show.
+    NextBullsEye,
+    /// One colour for each segment, or every place its own.
+    ToggleBullsEyeSegments,
     /// Smooth or flat.
     SetShading(Shading),
     /// What colours stand for.

@@ -5,6 +5,7 @@ mod action_state;
 mod actions;
 mod activity;
 mod beat_axis;
+mod bulls_eye;
 mod cohort_rows;
 mod cohort_table;
 mod command;
@@ -24,6 +25,7 @@ mod metric_panel;
 mod metric_words;
 mod normal_ranges;
 mod number_field;
+mod patch_panel;
 mod pose_map;
 mod shortcut_sheet;
 mod shortcuts;
@@ -41,9 +43,10 @@ pub use action_state::ActionState;
 pub use actions::{ACTIONS, Action, Menu};
 pub use activity::{WorkItem, WorkState, activity_ui};
 pub use beat_axis::BeatAxis;
+pub use bulls_eye::{BullsEyePatch, BullsEyeView, bulls_eye_ui};
 pub use cohort_rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
 pub use cohort_table::{CohortView, cohort_table_ui};
-pub use command::{Command, Pane, ThemeChoice, ViewMode};
+pub use command::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
 pub use command_palette::{CommandPaletteView, command_palette_ui};
 pub use controls::{empty_pane_ui, pane_header_ui, tab_ui};
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};
@@ -59,6 +62,7 @@ pub use marks::role_name;
 pub use measures_card::{MeasuresView, measures_card_ui};
 pub use menu_bar::{MenuBarView, menu_bar_ui};
 pub use metric_panel::{MetricPanelView, metric_panel_ui};
+pub use patch_panel::{PatchPanelView, PatchRow, WallState, patch_panel_ui};
 pub use pose_map::{
     MapPoint, PoseMapView, PosePhase, pose_map_choosers_ui, pose_map_header_ui, pose_map_ui,
 };
@@ -73,5 +77,5 @@ pub use subject_drag::{
 pub use time_bar::{TimeBarView, time_bar_ui};
 pub use viewport_header::{ViewportHeaderView, quantity_name, viewport_header_ui};
 pub use viewport_overlay::{
-    ColourBarView, CubeView, ScaleBarView, ViewportOverlayView, viewport_overlay_ui,
+    ColourBarView, CubeView, PatchNote, ScaleBarView, ViewportOverlayView, viewport_overlay_ui,
 };

@@ -24,6 +24,14 @@ pub struct ViewportHeaderView {
     pub shows_wireframe: bool,
     /// Whether vertices are shown.
     pub shows_vertices: bool,
+    /// Whether atoms of the medial surface are shown.
+    pub shows_atoms: bool,
+    /// Whether their spokes are shown.
+    pub shows_spokes: bool,
+    /// Whether borders of patches are shown.
+    pub shows_patches: bool,
+    /// Whether ANV and MP are shown.
+    pub shows_direction: bool,
     /// Whether the camera rotates freely.
     pub free_camera: bool,
     /// Smooth or flat.
@@ -40,6 +48,7 @@ pub fn quantity_name(quantity: Quantity) -> &'static str {
         Quantity::Tissue => "Tissue",
         Quantity::Displacement => "Displacement",
         Quantity::AreaRatio => "Area ratio",
+        Quantity::ThicknessRatio => "Thickness ratio",
         Quantity::Contribution => "Difference",
         Quantity::CarriedDistance => "Own beat",
     }
@@ -59,6 +68,13 @@ pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut
             quantity_ui(ui, view, &mut pushed);
             display_ui(ui, view, &mut pushed);
             if wide {
+                switch_ui(
+                    ui,
+                    "Atoms",
+                    Some(view.shows_atoms),
+                    Command::ToggleAtoms,
+                    &mut pushed,
+                );
                 switch_ui(
                     ui,
                     "Wall",
@@ -152,6 +168,18 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
                 "Vertices",
                 Some(view.shows_vertices),
                 Command::ToggleVertices,
+            ),
+            ("Medial atoms", Some(view.shows_atoms), Command::ToggleAtoms),
+            (
+                "Spokes of the atoms",
+                Some(view.shows_spokes),
+                Command::ToggleSpokes,
+            ),
+            ("Patch", Some(view.shows_patches), Command::TogglePatches),
+            (
+                "Patch: ANV and MP",
+                Some(view.shows_direction),
+                Command::ToggleDirection,
             ),
             (
                 "Free rotation",

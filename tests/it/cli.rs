@@ -3,6 +3,8 @@
 #[cfg(test)]
 mod figures;
 #[cfg(test)]
+mod medial;
+#[cfg(test)]
 mod refusals;
 #[cfg(test)]
 mod shape_space;

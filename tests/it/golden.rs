@@ -7,11 +7,12 @@
 use std::io::Write;
 use std::time::{Duration, Instant};
 
+use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::{App, AppOptions};
-use cardiomorph::picture::Quantity;
+use cardiomorph::picture::{Quantity, WallPart};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
+use cardiomorph::ui::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
 use egui_kittest::{Harness, SnapshotOptions};
 
 /// The adapter that pictures are drawn with; `None`, with a message, if there is none.
@@ -139,6 +140,36 @@ fn poses_through_time_look_as_they_did_in_the_dark_window() {
 fn poses_through_time_look_as_they_did_in_the_light_window() {
     let (light, mode) = (ThemeChoice::Light, ViewMode::Single);
     compare("space_time_light", light, mode, &[Pane::SpaceTime]);
+}
+
+fn wall_is_known(app: &App) -> bool {
+    matches!(app.state().wall_of(11), Some((Ok(_), true)))
+}
+
+#[test]
+fn atoms_and_a_patch_look_as_they_did_in_the_dark_window() {
+    let commands = vec![
+        Command::ToggleAtoms,
+        Command::SelectPart(Some(WallPart::Patch(0))),
+        Command::ShowPane(Pane::Patch),
+        Command::ShowPane(Pane::BullsEye),
+    ];
+    compare_after("atoms_dark", ThemeChoice::Dark, commands, wall_is_known);
+}
+
+#[test]
+fn the_thickness_ratio_and_a_segment_look_as_they_did_in_the_light_window() {
+    let segment = Segment::new(8).unwrap();
+    let commands = vec![
+        Command::SetQuantity(Quantity::ThicknessRatio),
+        Command::ToggleBullsEyeSegments,
+        Command::SetBullsEye(BullsEyeQuantity::Thickening),
+        Command::SelectPart(Some(WallPart::Segment(segment))),
+        Command::ShowPane(Pane::Patch),
+        Command::ShowPane(Pane::BullsEye),
+    ];
+    let light = ThemeChoice::Light;
+    compare_after("thickness_light", light, commands, wall_is_known);
 }
 
 #[test]

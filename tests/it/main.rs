@@ -9,9 +9,13 @@ mod clinical_oracles;
 #[cfg(test)]
 mod golden;
 #[cfg(test)]
+mod medial_noise;
+#[cfg(test)]
 mod oracles;
 #[cfg(test)]
 mod panels;
+#[cfg(test)]
+mod patches;
 #[cfg(test)]
 mod real_data;
 #[cfg(test)]

@@ -7,11 +7,15 @@ mod explicit_paths;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod medial;
+#[cfg(test)]
 mod noise;
 #[cfg(test)]
 mod paths;
 #[cfg(test)]
 mod sphere;
+#[cfg(test)]
+mod thickness;
 #[cfg(test)]
 mod transport;
 

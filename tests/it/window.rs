@@ -6,6 +6,8 @@ mod around;
 mod beats;
 #[cfg(test)]
 mod maps;
+#[cfg(test)]
+mod walls;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

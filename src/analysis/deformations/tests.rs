@@ -12,6 +12,8 @@ use crate::progress::{Progress, Stopped};
 use crate::study::{CycleTiming, MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::{LengthUnit, Seconds};
 
+mod settings;
+
 /// One heart's way through a plane: a place per frame, at shares of the beat if they are not even.
 #[derive(Clone)]
 struct Way {

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::analysis::alignment::{comparable_subjects, rigid_motion};
+use crate::analysis::alignment::{Comparable, comparable_subjects, rigid_motion};
 use crate::mesh::{Point3, TriMesh, Vector3};
 use crate::study::{MeshSequence, Study, Subject, SurfaceSequence};
 
@@ -23,7 +23,7 @@ pub(super) fn one_motion_study(study: &Study) -> Result<Study, ExperimentError> 
     let Some(first) = members.first() else {
         return Ok(study.clone());
     };
-    let normalised = |member: &crate::analysis::alignment::Comparable<'_>, frame: usize| {
+    let normalised = |member: &Comparable<'_>, frame: usize| {
         let pose = member.subject.sequence.pose(frame).unwrap_or_default();
         let points: Vec<Point3> = pose.iter().map(|p| member.scale.normalised(p)).collect();
         points

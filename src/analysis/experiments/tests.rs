@@ -3,6 +3,8 @@
 use super::*;
 use crate::progress::Progress;
 
+mod known;
+
 #[test]
 fn classes_differ_more_than_their_members() {
     for kind in ObjectKind::ALL {

@@ -3,9 +3,12 @@
 use super::face_tree::{FaceTree, FacesOfPose, Facing, Nearest};
 use crate::mesh::{Point3, Vector3};
 
-/// Relative difference between a ball's radius and the distance from its centre to the side across at which it counts as touching.
-/// Distances are exact to some 1e-15 of the coordinates, which are some hundred times larger than radii at most.
-const TOUCHING: f64 = 1e-10;
+/// Relative difference between a ball's radius and the distance from its centre to the side across at which one more step of
+/// Newton, whose error is the square of it, ends the search.
+const NEARLY: f64 = 1e-5;
+
+/// Relative width of a bracket of radii that no step narrows further.
+const CLOSED: f64 = 1e-12;
 
 /// Halving alone comes from the largest ball to one that touches in fewer.
 const MOST_STEPS: usize = 64;
@@ -45,6 +48,8 @@ pub(super) enum Fit {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Ball {
     pub radius: f64,
+    /// Cosine of the angle at its centre between the points at which it touches.
+    pub cos_separation: f64,
     /// Unit vector from its centre to where it touches the side across, or away from the vertex if it does not.
     pub across: Vector3,
     pub fit: Fit,
@@ -56,10 +61,9 @@ impl WallOfPose<'_> {
     /// The largest ball that touches `vertex` from within and has no face in it whose normal is at least the angle of
     /// separation away from the vertex's.
     ///
-    /// With p the vertex and n its normal, centres are c = p + r n; d(r), the distance of c to those faces, less r, falls
-    /// with r, so that there is one root. From a ball that is too large the next one touches p and the nearest point q,
-    /// r = |q − p|² / (2 n·(q − p)), where q is a corner or on an edge; on a flat face the next one touches p and its plane,
-    /// by Newton's step r + (d − r) / (1 − n·u), u = (c − q) / d.
+    /// With p the vertex and n its normal, centres are c = p + r n; d(r) − r, d being the distance of c to those faces, falls
+    /// with r, so that there is one root. The ball that touches p and the nearest point q, r = |q − p|² / (2 n·(q − p)), is never too small;
+    /// Newton's step r + (d − r) / (1 − n·u), u = (c − q) / d, lands on the root where a flat face holds the ball.
     ///
     /// Since normals of touching points differ by the angle between the spokes, leaving out faces that are turned less is
     /// the test of the separation angle, made before the search instead of during it.
@@ -72,47 +76,44 @@ impl WallOfPose<'_> {
         let [mut low, mut high] = [0.0, self.most_radius];
         // Only a ball that was seen not to fit, or one that a point allows, is known to be too large.
         let mut high_known = false;
-        let mut radius = radius.clamp(0.0, high);
-        let mut nearest: Option<Nearest> = None;
+        let mut radius = hint
+            .and_then(|face| self.radius_to_plane(point, normal, face))
+            .unwrap_or(radius)
+            .clamp(0.0, high);
+        let mut hint = hint;
         for _ in 0..MOST_STEPS {
             let centre = point + radius * normal;
-            let hint = nearest.as_ref().map(|n| n.face).or(hint);
-            let Some(found) = self
-                .tree
-                .nearest(self.faces, centre, &facing, f64::INFINITY, hint)
-            else {
-                return self.without_foot(vertex, Fit::Leaks);
+            let Some(found) = self.nearest(centre, &facing, hint) else {
+                break;
             };
-            nearest = Some(found);
+            hint = Some(found.face);
             let distance = found.squared.sqrt();
             let miss = distance - radius;
-            if miss.abs() <= TOUCHING * radius {
-                return self.touching(vertex, radius, &found);
+            let slope = 1.0 - normal.dot(&(centre - found.point)) / distance.max(f64::MIN_POSITIVE);
+            let newton = radius + miss / slope;
+            if miss.abs() <= NEARLY * radius && newton.is_finite() {
+                return self.touching(vertex, newton, &found);
             }
-            let to_foot = found.point - point;
             if miss < 0.0 {
-                high = radius;
+                let to_foot = found.point - point;
                 let through = to_foot.norm_squared() / (2.0 * normal.dot(&to_foot));
-                if through.is_finite() && through > 0.0 {
-                    high = high.min(through);
-                }
+                high = if through > 0.0 {
+                    radius.min(through)
+                } else {
+                    radius
+                };
                 high_known = true;
             } else {
                 low = radius;
             }
-            if low >= self.most_radius * (1.0 - TOUCHING) {
+            if low >= self.most_radius * (1.0 - NEARLY) {
                 break;
             }
-            if high - low <= TOUCHING * high {
+            if high - low <= CLOSED * high {
                 return self.touching(vertex, radius, &found);
             }
-            let slope = 1.0 - normal.dot(&(centre - found.point)) / distance.max(f64::MIN_POSITIVE);
-            let plane = radius + miss / slope;
-            let on_face = found.weights.iter().all(|&weight| weight > 0.0);
-            radius = if miss < 0.0 && !on_face {
-                high
-            } else if plane > low && plane < high {
-                plane
+            radius = if newton > low && newton < high {
+                newton
             } else if high_known {
                 0.5 * (low + high)
             } else {
@@ -123,6 +124,19 @@ impl WallOfPose<'_> {
         self.without_foot(vertex, if crossing { Fit::NoRoom } else { Fit::Leaks })
     }
 
+    /// Nearest point that may hold a ball.
+    fn nearest(&self, centre: Point3, facing: &Facing, hint: Option<u32>) -> Option<Nearest> {
+        (self.tree).nearest(self.faces, centre, facing, f64::INFINITY, hint)
+    }
+
+    /// Radius of the ball that touches the vertex and the plane of a face: m·(p + r n − a) = r.
+    fn radius_to_plane(&self, point: Point3, normal: Vector3, face: u32) -> Option<f64> {
+        let plane = self.faces.normals[face as usize];
+        let corner = self.faces.points[self.faces.triangles[face as usize][0] as usize];
+        let radius = plane.dot(&(point - corner)) / (1.0 - plane.dot(&normal));
+        (radius > 0.0 && radius.is_finite()).then_some(radius)
+    }
+
     fn facing(&self, normal: Vector3) -> Facing {
         Facing {
             direction: normal,
@@ -131,20 +145,26 @@ impl WallOfPose<'_> {
         }
     }
 
+    /// The ball at its foot. Seen from behind, as where the sides coincide or cross, the side across leaves no room.
     fn touching(&self, vertex: u32, radius: f64, found: &Nearest) -> Ball {
         let corners = self.faces.triangles[found.face as usize];
         let carriers = (corners.iter().zip(found.weights)).filter(|&(_, weight)| weight > 0.0);
         let at_boundary = found.weights.contains(&0.0)
             && carriers.map(|(&v, _)| v).all(|v| self.boundary[v as usize]);
-        let fit = match (radius <= 0.0, at_boundary) {
-            (true, _) => Fit::NoRoom,
-            (false, true) => Fit::TouchesBoundary,
+        let normal = self.normals[vertex as usize];
+        let centre = self.faces.points[vertex as usize] + radius * normal;
+        let from_behind = self.interpolated_normal(found).dot(&(centre - found.point)) <= 0.0;
+        let fit = match (radius <= 0.0 || from_behind, at_boundary) {
+            (true, false) => Fit::NoRoom,
+            (_, true) => Fit::TouchesBoundary,
             (false, false) => Fit::Touches,
         };
         let Fit::NoRoom = fit else {
+            let to_foot = (found.point - centre).try_normalize(0.0).unwrap_or(normal);
             return Ball {
                 radius,
-                across: self.across(vertex, radius, found),
+                cos_separation: -normal.dot(&to_foot),
+                across: self.across(to_foot, found),
                 fit,
                 face: Some(found.face),
             };
@@ -159,19 +179,17 @@ impl WallOfPose<'_> {
         };
         Ball {
             radius,
+            cos_separation: -1.0,
             across: self.normals[vertex as usize],
             fit,
             face: None,
         }
     }
 
-    /// Against the normal of the side across, which a ball's radius is by nature; the normals of the corners are weighted
-    /// as the place where it touches is, so that flat faces do not turn it by half their angles. Where that is far from the direction to
-    /// the touching point, on a rim, this direction.
-    fn across(&self, vertex: u32, radius: f64, found: &Nearest) -> Vector3 {
-        let normal = self.normals[vertex as usize];
-        let centre = self.faces.points[vertex as usize] + radius * normal;
-        let to_foot = (found.point - centre).try_normalize(0.0).unwrap_or(normal);
+    /// Against the normal of the side across, which the radius to a touching point is by nature; the normals of the corners are
+    /// weighted as the place where it touches is, so that flat faces do not turn it by half their angles. Where that
+    /// is far from the direction to the touching point, on a rim, this direction.
+    fn across(&self, to_foot: Vector3, found: &Nearest) -> Vector3 {
         let outwards = -self.interpolated_normal(found);
         match outwards.try_normalize(0.0) {
             Some(outwards) if outwards.dot(&to_foot) > COS_MOST_TURN => outwards,

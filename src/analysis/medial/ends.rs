@@ -1,11 +1,12 @@
 //! Where the medial surface ends, and the third spoke of its atoms there.
 
 use super::balls::{Ball, Fit, WallOfPose};
+use super::connectivity::Connectivity;
 use super::face_tree::Facing;
 use super::params::CheckedMedialParams;
 use super::result::{Atom, EndSpoke};
 use super::surface::WallAtlas;
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::{Point3, Vector3, face_normals};
 
 /// Half length of S₀ + S₁ below which it gives no direction: spokes within 6° of opposite.
 const LEAST_BEND: f64 = 0.05;
@@ -27,7 +28,7 @@ impl Ball {
 }
 
 /// The third spoke of every atom at which the sheet ends: at the template's own open boundary, where the ball touches
-/// the other side's, leaks or has no room, and where the angle between the spokes is small, as on a rim.
+/// the other side's, leaks or has no room, and where the angle between the spokes is small or the surface has a crease, as on a rim.
 pub(super) fn end_spokes(
     wall: &WallOfPose<'_>,
     atlas: &WallAtlas,
@@ -37,12 +38,13 @@ pub(super) fn end_spokes(
     params: &CheckedMedialParams,
 ) -> Vec<Option<EndSpoke>> {
     let cos_end = params.end_rad.cos();
+    let creased = creased(&atlas.connectivity, wall.faces.points, wall.cos_separation);
     let ends: Vec<usize> = (0..atoms.len())
         .filter(|&probe| {
-            let [inner, outer] = atoms[probe].spokes;
             wall.boundary[atlas.vertex(probe) as usize]
+                || creased[atlas.vertex(probe) as usize]
                 || balls[probe].fit != Fit::Touches
-                || inner.dot(&outer) > cos_end
+                || balls[probe].cos_separation > cos_end
         })
         .collect();
     let mut spokes = vec![None; atoms.len()];
@@ -59,6 +61,30 @@ pub(super) fn end_spokes(
         spokes[probe] = Some(end_spoke(wall, atom, normals[probe], away));
     }
     spokes
+}
+
+/// Whether vertices lie on an edge whose faces' normals are farther apart than the angle of this cosine.
+fn creased(connectivity: &Connectivity, points: &[Point3], cos_most: f64) -> Vec<bool> {
+    let normals = face_normals(points, &connectivity.triangles);
+    let mut first_face = vec![u32::MAX; connectivity.rows.neighbours.len()];
+    let mut creased = vec![false; connectivity.vertex_count()];
+    for (face, (triangle, sides)) in
+        (connectivity.triangles.iter().zip(&connectivity.rows.sides)).enumerate()
+    {
+        for (k, [there, back]) in sides.iter().enumerate() {
+            let first = &mut first_face[*there.min(back) as usize];
+            if *first == u32::MAX {
+                *first = face as u32;
+            } else if normals[*first as usize].dot(&normals[face]) < cos_most
+                && normals[*first as usize] != Vector3::zeros()
+                && normals[face] != Vector3::zeros()
+            {
+                creased[triangle[k] as usize] = true;
+                creased[triangle[(k + 1) % 3] as usize] = true;
+            }
+        }
+    }
+    creased
 }
 
 /// Sum of the directions from the neighbouring atoms.

@@ -13,6 +13,8 @@ mod params;
 mod result;
 mod smoothing;
 mod surface;
+#[cfg(test)]
+mod tests;
 
 pub use beat::medial_beat;
 pub use error::MedialError;

@@ -11,6 +11,7 @@ use super::orientation::{Opposite, turn_into_muscle, typical_thickness};
 use super::params::CheckedMedialParams;
 use super::result::{Atom, MedialSurface};
 use super::smoothing::smooth;
+use crate::analysis::measures::UntoldVolume;
 use crate::mesh::{Point3, TriMesh, Vector3, face_normals, vertex_normals};
 use crate::progress::Progress;
 
@@ -36,7 +37,7 @@ const LEAST_FITTING: f64 = 0.5;
 /// and are end atoms. Where sides cross or coincide, r = 0, and atoms are end atoms too.
 ///
 /// # Errors
-/// If a surface has no area, half of the vertices have no ball, or it was stopped.
+/// If a surface has no area, a wall is open, half of the vertices have no ball, or it was stopped.
 pub fn medial_surface(
     template: &TriMesh,
     others: &[&TriMesh],
@@ -82,7 +83,7 @@ impl WallAtlas {
     /// Prepares a wall by all its frames.
     ///
     /// # Errors
-    /// If a surface has no area at frame 0.
+    /// If a surface has no area at frame 0, or a wall without another side is open.
     pub fn new(
         frames: &[Vec<&TriMesh>],
         probes: Vec<u32>,
@@ -101,6 +102,10 @@ impl WallAtlas {
         }
         let points = joined_points(first);
         let opposite = turn_into_muscle(&mut connectivity, &points);
+        if opposite.is_none() && connectivity.boundary.contains(&true) {
+            let loops = first.iter().map(|m| m.faces().boundary_loops().len()).sum();
+            return Err(UntoldVolume::OpenWall { loops }.into());
+        }
         let tree = FaceTree::new(FacesOfPose {
             points: &points,
             triangles: &connectivity.triangles,
@@ -150,7 +155,8 @@ impl WallAtlas {
         let triangles = &self.connectivity.triangles;
         let smoothed = smooth(&self.connectivity, points, params.smoothing * thickness);
         progress.check()?;
-        let face_normals = face_normals(&smoothed.points, triangles);
+        let normals = vertex_normals(&smoothed.once, triangles);
+        let face_normals = mean_normals(&normals, triangles);
         let faces = FacesOfPose {
             points: &smoothed.points,
             triangles,
@@ -161,7 +167,7 @@ impl WallAtlas {
         let wall = WallOfPose {
             faces,
             tree: &tree,
-            normals: &vertex_normals(&smoothed.once, triangles),
+            normals: &normals,
             boundary: &self.connectivity.boundary,
             cos_separation: params.separation_rad.cos(),
             most_radius: 0.5 * MOST_THICKNESS * thickness,
@@ -290,6 +296,17 @@ impl WallAtlas {
             })
             .unzip()
     }
+}
+
+/// Unit means of the normals of each face's corners, steadier than its own where roughness is left.
+fn mean_normals(normals: &[Vector3], triangles: &[[u32; 3]]) -> Vec<Vector3> {
+    triangles
+        .iter()
+        .map(|triangle| {
+            let sum: Vector3 = triangle.iter().map(|&v| normals[v as usize]).sum();
+            sum.try_normalize(0.0).unwrap_or_default()
+        })
+        .collect()
 }
 
 /// Area-weighted centroid of all faces: of a cup, a point of its cavity.

@@ -65,7 +65,7 @@ mod tests {
     #[test]
     fn the_mean_is_where_tangents_cancel() {
         let directions: Vec<Vector3> = (0..9)
-            .map(|i| f64::from(i))
+            .map(f64::from)
             .map(|i| {
                 Vector3::new((2.0 * i).sin(), 0.7 * (3.0 * i).cos(), 1.0 + 0.1 * i).normalize()
             })

@@ -8,7 +8,7 @@ const NORMAL_FROM_MEDIAN: f64 = 1.482_602_218_505_602;
 
 /// Fewest poses from which the beat tells its own noise: with four, two numbers per atom are left when
 /// its mean and its share of the curve are taken out.
-const LEAST_POSES: usize = 4;
+pub(super) const LEAST_POSES: usize = 4;
 
 /// Standard deviation of the noise of ln r of one atom at one pose, from centred ln r of one column per
 /// pose.

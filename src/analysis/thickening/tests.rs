@@ -1,4 +1,4 @@
-//! Known answers on hemispheres whose thickness is a function, laws, damage and "stop".
+//! Known answers on hemispheres whose thickness is a function, and laws.
 
 use std::sync::Arc;
 
@@ -9,11 +9,13 @@ use crate::analysis::measures::{PhaseSource, SubjectMeasures};
 use crate::analysis::medial::{Atom, MedialBeat, MedialSurface};
 use crate::analysis::segments::LongAxis;
 use crate::mesh::{Faces, Point3, Vector3, phantom};
-use crate::progress::{Progress, Stopped};
+use crate::progress::Progress;
 use crate::study::SurfaceKind;
 use crate::units::LengthUnit;
 
 use super::*;
+
+mod damage;
 
 /// ln of how much thicker the wall is at each of eight poses, as a share of what it is at end-systole (pose 3).
 const CURVE: [f64; 8] = [0.0, 0.35, 0.8, 1.0, 0.7, 0.3, 0.1, 0.05];
@@ -248,7 +250,7 @@ fn noise_is_estimated_and_widens_the_tolerance() {
     );
     assert!((found.tolerance - 2.0 * 2.0_f64.sqrt() * found.noise).abs() < 1e-12);
     assert_eq!(found.patches.len(), 1);
-    assert!(found.averaged_noise < 0.25 * truth);
+    assert!(found.averaged_noise < 0.35 * truth);
     let limit = 0.6_f64.cos();
     let inside = |i: usize| noisy.frames[0].normals[i].dot(&SIDE) > limit;
     assert!(dice(&found.patches[0], inside, &noisy) > 0.85);
@@ -335,70 +337,4 @@ fn without_volumes_the_area_of_the_medial_surface_tells_the_phases() {
     let params = ThickeningParams::default().check().unwrap();
     let found = thickening(&beat, &untold, None, &params, &Progress::default()).unwrap();
     assert_eq!([found.end_diastole, found.end_systole], [0, 3]);
-}
-
-#[test]
-fn damage_is_refused_with_its_numbers() {
-    let params = ThickeningParams::default().check().unwrap();
-    let run = |beat: &MedialBeat| {
-        thickening(beat, &measures(0, 1), None, &params, &Progress::default()).unwrap_err()
-    };
-    let good = beat(&CURVE, |_| WELL);
-    let one = MedialBeat {
-        frames: good.frames[..1].to_vec(),
-        ..good.clone()
-    };
-    assert_eq!(
-        run(&one).to_string(),
-        "1 poses; thickening needs at least two"
-    );
-    let mut bad = good.clone();
-    bad.frames[2].atoms[7].radius = f64::NAN;
-    assert_eq!(run(&bad).to_string(), "atom 7 of pose 2 has radius NaN");
-    bad.frames[2].atoms[7].radius = 0.0;
-    assert_eq!(run(&bad).to_string(), "atom 7 of pose 2 has radius 0");
-    bad.frames[2].atoms.pop();
-    let count = good.regular.len();
-    let expected = format!("pose 2 has {} atoms where {count} are expected", count - 1);
-    assert_eq!(run(&bad).to_string(), expected);
-    let mut ends = good.clone();
-    ends.regular[9..].fill(false);
-    let expected = format!("only 9 of {count} atoms are regular; at least 30 are needed");
-    assert_eq!(run(&ends).to_string(), expected);
-    let mut flat = good.clone();
-    for frame in &mut flat.frames {
-        frame
-            .atoms
-            .iter_mut()
-            .for_each(|atom| atom.position = Point3::origin());
-    }
-    assert_eq!(run(&flat), ThickeningError::NoArea);
-}
-
-#[test]
-fn settings_out_of_range_are_refused_by_name() {
-    let params = |change: fn(&mut ThickeningParams)| {
-        let mut params = ThickeningParams::default();
-        change(&mut params);
-        params.check().map(|_| ()).unwrap_err().to_string()
-    };
-    let said = params(|p| p.core = f64::NAN);
-    assert_eq!(said, "core must be between 0 and 1, not NaN");
-    let said = params(|p| p.border = 0.1);
-    assert_eq!(said, "the border, 0.1, must not be below the core, 0.25");
-}
-
-#[test]
-fn a_stopped_search_says_so() {
-    let progress = Progress::default();
-    progress.stop();
-    let params = ThickeningParams::default().check().unwrap();
-    let stopped = thickening(
-        &beat(&CURVE, |_| WELL),
-        &measures(0, 3),
-        None,
-        &params,
-        &progress,
-    );
-    assert_eq!(stopped, Err(ThickeningError::Stopped(Stopped)));
 }

@@ -14,6 +14,7 @@ use crate::units::LengthUnit;
 
 mod beats;
 mod laws;
+mod scheme;
 
 /// A smooth field of displacements; numbers say which.
 fn wave(points: &[Point3], seed: f64, size: f64) -> Vec<Vector3> {

@@ -1,21 +1,25 @@
 //! What each panel shows, built from the state: one file per panel.
 
 mod beat_view;
+mod bulls_eye_view;
 mod cohort_view;
 mod deformation_view;
 mod header_view;
 mod map_view;
 mod menu_view;
 mod overlay_view;
+mod patch_view;
 mod report_view;
 mod status_view;
 
 pub use beat_view::{BeatData, measures_view, straight_because};
+pub use bulls_eye_view::BullsEyeData;
 pub use cohort_view::{CohortData, visible_subjects};
 pub use deformation_view::{DeformationData, enough_subjects, metric_panel_view};
 pub use header_view::viewport_header_view;
 pub use map_view::MapData;
 pub use menu_view::{action_state, menu_bar_view};
 pub use overlay_view::{OverlayData, phase_name};
+pub use patch_view::PatchData;
 pub use report_view::report_entries;
 pub use status_view::{StatusData, activity_rows};

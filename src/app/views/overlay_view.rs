@@ -6,11 +6,14 @@ use crate::app::document::nearest_frame;
 use crate::app::in_betweens::{BetweenWords, between_words};
 use crate::app::stage::OnStage;
 use crate::app::state::State;
+use crate::app::views::patch_view::patch_note;
 use crate::app::views::straight_because;
-use crate::picture::{ColourLegend, HeartAxes, PreparedSubject, Quantity, frame_words};
+use crate::picture::{ColourLegend, HeartAxes, HeartScene, PreparedSubject, Quantity, frame_words};
 use crate::render::Camera;
 use crate::study::{LabelRole, Subject};
-use crate::ui::{ColourBarView, Command, CubeView, ScaleBarView, ViewMode, ViewportOverlayView};
+use crate::ui::{
+    ColourBarView, Command, CubeView, PatchNote, ScaleBarView, ViewMode, ViewportOverlayView,
+};
 
 /// Owned texts behind the overlay of one heart.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -22,6 +25,7 @@ pub struct OverlayData {
     /// Why colours are missing; stands where the badge would be.
     missing: Option<&'static str>,
     leave: Option<(&'static str, Command)>,
+    patch: Option<PatchNote>,
 }
 
 impl OverlayData {
@@ -40,6 +44,7 @@ impl OverlayData {
                 subtitle: format!("{label} · all {count} frames"),
                 role: state.document.study().role(subject),
                 missing: missing_colours(state, cell),
+                patch: patch_note(state, cell.subject),
                 ..Self::default()
             };
         }
@@ -59,6 +64,7 @@ impl OverlayData {
             between: between_words(in_betweens, cell.position, straight_because(state)),
             missing: missing_colours(state, cell),
             leave: None,
+            patch: patch_note(state, cell.subject),
         }
     }
 
@@ -79,6 +85,7 @@ impl OverlayData {
                 between: between_words(None, cell.position, "A carried beat is shown as it came"),
                 missing: None,
                 leave: Some(own),
+                patch: None,
             };
         }
         let beat = state.document.carried;
@@ -104,13 +111,14 @@ impl OverlayData {
             between: between_words(in_betweens, cell.position, straight_because(state)),
             missing: None,
             leave: Some(leave),
+            patch: None,
         }
     }
 
     /// What the overlay shows.
     pub fn view<'a>(
         &'a self,
-        legend: Option<&'a ColourLegend>,
+        legends: Option<&'a HeartScene>,
         prepared: &PreparedSubject,
         camera: &Camera,
         height: f32,
@@ -123,7 +131,9 @@ impl OverlayData {
             badge: self.missing.or(self.between.badge),
             badge_note: &self.between.note,
             leave: self.leave.clone(),
-            colour_bar: legend.map(colour_bar),
+            colour_bar: legends.and_then(|legends| Some(colour_bar(legends.legend.as_ref()?))),
+            atom_bar: legends.and_then(|legends| Some(colour_bar(legends.atom_legend.as_ref()?))),
+            patch: self.patch.as_ref(),
             scale_bar: last.then(|| ScaleBarView {
                 points_per_unit: f64::from(height / (2.0 * camera.half_height)),
                 unit: prepared.unit.length_symbol(),
@@ -140,6 +150,10 @@ fn from_id(state: &State, subject: usize) -> &str {
 /// Why colours that were chosen are not there; said once, at the selected heart.
 fn missing_colours(state: &State, cell: &OnStage) -> Option<&'static str> {
     let document = &state.document;
+    if document.bar_quantity() == Quantity::ThicknessRatio || document.visibility.atoms {
+        let untold = matches!(state.wall_of(cell.subject), Some((Err(_), _)));
+        return untold.then_some("Thickness not assessed");
+    }
     let wanted = document.quantity == Quantity::Contribution && cell.subject == document.subject;
     wanted.then(|| hindrance(document)).flatten()
 }

@@ -9,6 +9,7 @@ use crate::analysis::pose_distances::PoseId;
 use crate::analysis::transport::{CohortTransferParams, TransportParams};
 use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Revision, Study, Subject};
+mod settings;
 
 fn study() -> Study {
     of_cohort(|whole| whole[..4].to_vec())

@@ -7,7 +7,7 @@ use crate::picture::figure::layout::{FigureFrame, drawn_figure};
 use crate::picture::figure::picture_file::FigureSettings;
 use crate::picture::figure::text::FigureFonts;
 use crate::picture::prepared::PreparedSubject;
-use crate::picture::scene::{SceneSettings, subject_scene};
+use crate::picture::scene::{HeartExtras, SceneSettings, heart_scene};
 use crate::render::{Camera, GeometryPose, Headless, RenderError};
 
 /// Where a figure is taken from.
@@ -29,6 +29,8 @@ pub struct FigureOrder<'a> {
     pub shown: FigureSubject<'a>,
     /// The heart, ready for drawing.
     pub prepared: &'a PreparedSubject,
+    /// What is drawn beside its surfaces.
+    pub extras: HeartExtras<'a>,
     /// Colours and what is drawn.
     pub scene: SceneSettings,
     /// Where from.
@@ -60,7 +62,7 @@ pub fn rendered_figure(
         to: order.shown.frame,
         blend: 0.0,
     };
-    let heart = subject_scene(order.prepared, &order.scene, pose);
+    let heart = heart_scene(order.prepared, order.extras, &order.scene, pose);
     let axes = &order.prepared.axes;
     let content = FigureContent::of(order.shown, heart.legend, axes.cube());
     let frame = FigureFrame::of(order.size, &content, fonts);

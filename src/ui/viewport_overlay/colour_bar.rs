@@ -39,6 +39,8 @@ pub struct ColourBarView<'a> {
 
 const HEIGHT: f32 = 10.0;
 const CAP: f32 = 8.0;
+/// Height of a bar with its numbers and its title.
+pub const BAR_HEIGHT: f32 = 54.0;
 
 /// Draws the bar in the lower left corner and returns where it ends.
 pub fn colour_bar_ui(
@@ -47,8 +49,25 @@ pub fn colour_bar_ui(
     view: &ColourBarView,
     commands: &mut Vec<Command>,
 ) -> f32 {
+    let bar = plain_bar_ui(ui, inner, view);
+    limits_ui(ui, bar, view, commands);
+    title_ui(ui, inner, bar, view)
+}
+
+/// Draws a bar whose limits cannot be typed.
+pub fn fixed_colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView) {
+    let bar = plain_bar_ui(ui, inner, view);
+    for (index, x) in [(0, bar.left()), (1, bar.right())] {
+        let at = pos2(x, bar.bottom() + 4.0);
+        let (text, colour) = (tick_text(view.limits[index]), colours(ui).muted);
+        ui.painter()
+            .text(at, Align2::CENTER_TOP, text, note_font(), colour);
+    }
+    title_ui(ui, inner, bar, view);
+}
+
+fn plain_bar_ui(ui: &Ui, inner: Rect, view: &ColourBarView) -> Rect {
     let width = (inner.width() * 0.3).clamp(120.0, 230.0);
-    let text_width = (inner.width() * 0.46).clamp(width, 380.0);
     let top = inner.bottom() - 46.0;
     let bar = Rect::from_min_size(
         pos2(inner.left() + CAP, top),
@@ -56,7 +75,13 @@ pub fn colour_bar_ui(
     );
     draw_gradient(ui, bar, view);
     draw_ticks(ui, bar, view);
-    limits_ui(ui, bar, view, commands);
+    bar
+}
+
+/// Title, unit and where the limits come from, below the bar; returns where they end.
+fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
+    let width = bar.width() + 2.0 * CAP;
+    let text_width = (inner.width() * 0.46).clamp(width, 380.0);
     let mut text = view.title.to_owned();
     if !view.unit.is_empty() {
         text = format!("{text}, {}", view.unit);

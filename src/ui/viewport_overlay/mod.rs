@@ -2,10 +2,12 @@
 
 mod colour_bar;
 mod cube;
+mod patch_note;
 mod scale_bar;
 
 pub use colour_bar::ColourBarView;
 pub use cube::CubeView;
+pub use patch_note::PatchNote;
 pub use scale_bar::ScaleBarView;
 
 use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
@@ -33,6 +35,10 @@ pub struct ViewportOverlayView<'a> {
     pub leave: Option<(&'a str, Command)>,
     /// What colours stand for; `None` for plain tissue.
     pub colour_bar: Option<ColourBarView<'a>>,
+    /// What the colours of atoms stand for, where the surfaces have other colours.
+    pub atom_bar: Option<ColourBarView<'a>>,
+    /// The patches of this heart: how many, how large, where.
+    pub patch: Option<&'a PatchNote>,
     /// How long lengths are on screen.
     pub scale_bar: Option<ScaleBarView<'a>>,
     /// Which way the heart is turned.
@@ -55,6 +61,18 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     let mut free = inner.x_range();
     if let Some(bar) = &view.colour_bar {
         free.min = colour_bar::colour_bar_ui(ui, inner, bar, commands);
+        if let Some(atoms) = &view.atom_bar
+            && tall
+        {
+            let above = inner.translate(vec2(0.0, -colour_bar::BAR_HEIGHT));
+            colour_bar::fixed_colour_bar_ui(ui, above, atoms);
+        }
+    }
+    if let Some(patch) = view.patch
+        && tall
+    {
+        let down = if view.badge.is_some() { 32.0 } else { 6.0 };
+        patch_note::patch_note_ui(ui, inner, down, patch);
     }
     if let Some(cube) = &view.cube
         && tall

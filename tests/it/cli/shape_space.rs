@@ -289,7 +289,7 @@ fn every_metric_is_compared_on_a_labelled_study_beside_ejection_fraction_and_dis
 }
 
 /// Folder `from` of the built-in cohort under another name, so that it opens as a subject of that id.
-fn renamed(folder: &std::path::Path, from: &str, id: &str) {
+fn renamed(folder: &Path, from: &str, id: &str) {
     let target = folder.join(id);
     std::fs::create_dir_all(&target).unwrap();
     for entry in std::fs::read_dir(demo().join(from)).unwrap() {

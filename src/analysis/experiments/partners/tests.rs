@@ -5,8 +5,9 @@ use std::sync::Arc;
 use super::*;
 use crate::analysis::experiments::{SyntheticParams, synthetic_cohort};
 use crate::analysis::pose_distances::DistanceMatrix;
+use crate::mesh::Point3;
 use crate::progress::Stopped;
-use crate::study::Subject;
+use crate::study::{MeshSequence, Subject};
 
 /// Twelve deformations of four classes; the id of each by its place.
 fn study(id: impl Fn(usize) -> String) -> Study {
@@ -107,9 +108,9 @@ fn hearts_that_move_alike_are_at_one_motion_wherever_they_lie() {
     let study = study(|i| format!("P{}_{}", i / 3, i % 3));
     let alike = one_motion_study(&study).unwrap();
     let (first, last) = (&alike.subjects[0].sequence, &alike.subjects[11].sequence);
-    let pose = |s: &crate::study::MeshSequence, frame: usize| s.pose(frame).unwrap();
+    let pose = |s: &MeshSequence, frame: usize| s.pose(frame).unwrap();
     let own = pose(&study.subjects[11].sequence, 0);
-    let gap = |a: &[crate::mesh::Point3], b: &[crate::mesh::Point3]| {
+    let gap = |a: &[Point3], b: &[Point3]| {
         (a.iter().zip(b)).fold(0.0_f64, |m, (p, q)| m.max((p - q).norm()))
     };
     assert!(gap(&pose(last, 0), &own) < 1e-12);

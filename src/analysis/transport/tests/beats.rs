@@ -210,7 +210,7 @@ fn who_cannot_take_part_is_left_out_with_a_reason() {
         )
     };
     let ball = Subject::new("ball", ball, LengthUnit::Millimetre);
-    let cohort = study(vec![heart(0.0, 3), ball, far, heart(2.0, 3)]);
+    let cohort = study(vec![heart(0.0, 3), far, ball, heart(2.0, 3)]);
     let metric = MetricParams::default().check().unwrap();
     let params = CohortTransferParams {
         in_betweens: 0,
@@ -220,19 +220,19 @@ fn who_cannot_take_part_is_left_out_with_a_reason() {
     let left: Vec<usize> = there.left_out.iter().map(|left| left.subject).collect();
     assert_eq!(left, [1, 2]);
     assert!(
-        there.left_out[1]
+        there.left_out[0]
             .reason
             .starts_with("its motion cannot be carried")
     );
     assert_eq!(there.members.len(), 2);
     let onto_ball = CohortTransferParams {
-        reference: Reference::Subject(1),
+        reference: Reference::Subject(2),
         ..params
     };
     let error = transfer_cohort(&cohort, &metric, &onto_ball, &Progress::default()).unwrap_err();
     assert!(
         error.to_string().starts_with(
-            "the reference is to be subject 1 of 4, which cannot be used: its vertices"
+            "the reference is to be subject 2 of 4, which cannot be used: its vertices"
         )
     );
     let nobody = CohortTransferParams {

@@ -1,0 +1,113 @@
+//! Commands about the middle of the wall, its patches and the bull's-eye.
+
+use crate::engine::ThickeningSettings;
+use crate::ui::Command;
+
+use super::apply::{Moment, change};
+use super::look::{Direction, Look};
+use super::state::State;
+use super::undo::Gesture;
+
+/// Carries out a command about atoms, patches or the bull's-eye.
+pub fn apply(state: &mut State, command: &Command, moment: &Moment) {
+    let gesture = matches!(command, Command::SetThickening(_)).then_some(Gesture::Threshold);
+    change(state, moment, gesture, |d| {
+        let visible = &mut d.visibility;
+        match *command {
+            Command::ToggleAtoms => visible.atoms = !visible.atoms,
+            Command::ToggleSpokes => visible.spokes = !visible.spokes,
+            Command::TogglePatches => visible.patches = !visible.patches,
+            Command::ToggleDirection => visible.direction = !visible.direction,
+            Command::SetThickening(settings) if is_usable(&settings) => d.thickening = settings,
+            Command::ResetThickening => d.thickening = ThickeningSettings::default(),
+            Command::SelectPart(part) => d.part = part,
+            Command::ShowPatch { patch, camera } => {
+                d.part = Some(crate::picture::WallPart::Patch(patch));
+                visible.patches = true;
+                if camera.half_height.is_finite() && camera.half_height > 0.0 {
+                    d.look = Look {
+                        direction: Direction::Turned(camera.world_from_camera),
+                        offset: camera.target,
+                        half_height: Some(camera.half_height),
+                    };
+                }
+            }
+            Command::SetBullsEye(quantity) => d.bulls_eye = quantity,
+            Command::NextBullsEye => d.bulls_eye = d.bulls_eye.next(),
+            Command::ToggleBullsEyeSegments => d.bulls_eye_segments = !d.bulls_eye_segments,
+            _ => {}
+        }
+    });
+}
+
+fn is_usable(settings: &ThickeningSettings) -> bool {
+    settings.medial.check().is_ok() && settings.thickening.check().is_ok()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::segments::Segment;
+    use crate::app::apply::apply;
+    use crate::app::testing::{state_of, subject_with_frames};
+    use crate::picture::WallPart;
+    use crate::study::Revision;
+
+    fn give(state: &mut State, command: Command, pointer_held: bool) {
+        let moment = Moment {
+            now_s: 0.0,
+            pointer_held,
+            fresh_revision: Revision(9),
+        };
+        apply(state, command, &moment);
+    }
+
+    fn state() -> State {
+        state_of(vec![
+            subject_with_frames("a", 3),
+            subject_with_frames("b", 3),
+        ])
+    }
+
+    #[test]
+    fn a_drag_of_a_threshold_is_one_step_of_undo() {
+        let mut state = state();
+        let before = state.document.thickening;
+        for border in [0.3, 0.35, 0.5] {
+            let mut settings = before;
+            settings.thickening.border = border;
+            give(&mut state, Command::SetThickening(settings), true);
+        }
+        assert_eq!(state.document.thickening.thickening.border, 0.5);
+        give(&mut state, Command::Undo, false);
+        assert_eq!(state.document.thickening, before);
+    }
+
+    #[test]
+    fn thresholds_that_no_search_takes_change_nothing() {
+        let mut state = state();
+        let before = state.document.thickening;
+        let mut settings = before;
+        settings.thickening.border = 0.1;
+        give(&mut state, Command::SetThickening(settings), false);
+        assert_eq!(state.document.thickening, before);
+    }
+
+    #[test]
+    fn another_heart_keeps_the_segment_and_lets_the_patch_go() {
+        let mut state = state();
+        let segment = WallPart::Segment(Segment::new(7).unwrap());
+        give(&mut state, Command::SelectPart(Some(segment)), false);
+        give(&mut state, Command::SelectSubject(1), false);
+        assert_eq!(state.document.part, Some(segment));
+        give(
+            &mut state,
+            Command::SelectPart(Some(WallPart::Patch(0))),
+            false,
+        );
+        give(&mut state, Command::SelectSubject(0), false);
+        assert_eq!(state.document.part, None);
+        give(&mut state, Command::Undo, false);
+        assert_eq!(state.document.part, Some(WallPart::Patch(0)));
+    }
+}

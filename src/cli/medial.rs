@@ -1,0 +1,72 @@
+//! `medial`: atoms of a wall.
+
+use serde_json::json;
+
+use crate::analysis::medial::{CheckedMedialParams, MedialParams, MedialSurface, medial_surface};
+use crate::cli::args::MedialArgs;
+use crate::cli::corresponding::read;
+use crate::cli::outcome::CliError;
+use crate::cli::print::{print, print_json};
+use crate::cli::work::run_work;
+use crate::engine::{ExportFile, write_files};
+use crate::io::medial_csv;
+use crate::mesh::TriMesh;
+
+pub(super) fn medial(args: &MedialArgs) -> Result<(), CliError> {
+    let params = checked(args)?;
+    let (template, others) = surfaces(args)?;
+    let surface = run_work(move |progress| {
+        progress.begin_phase("laying balls into the wall", 0.0, 1.0);
+        let others: Vec<&TriMesh> = others.iter().collect();
+        medial_surface(&template, &others, &params, progress)
+    })?;
+    let file = ExportFile {
+        path: args.out.clone(),
+        bytes: medial_csv(&surface).into_bytes(),
+    };
+    write_files(&[file]).map_err(CliError::Unusable)?;
+    report(&surface, args)
+}
+
+fn checked(args: &MedialArgs) -> Result<CheckedMedialParams, CliError> {
+    let default = MedialParams::default();
+    let params = MedialParams {
+        smoothing: args.smoothing.unwrap_or(default.smoothing),
+        ..default
+    };
+    (params.check()).map_err(|error| CliError::Usage(error.to_string()))
+}
+
+/// The template and the other side, if the wall is not one closed mesh.
+fn surfaces(args: &MedialArgs) -> Result<(TriMesh, Vec<TriMesh>), CliError> {
+    match (&args.endo, &args.epi, &args.wall) {
+        (Some(endo), Some(epi), _) => Ok((read(endo)?, vec![read(epi)?])),
+        (_, _, Some(wall)) => Ok((read(wall)?, Vec::new())),
+        _ => Err(CliError::Usage(
+            "medial needs --endo and --epi, or --wall".to_owned(),
+        )),
+    }
+}
+
+fn report(surface: &MedialSurface, args: &MedialArgs) -> Result<(), CliError> {
+    let ends = surface.end.iter().flatten().count();
+    let mut thicknesses: Vec<f64> = (surface.atoms.iter().zip(&surface.end))
+        .filter(|(_, end)| end.is_none())
+        .map(|(atom, _)| 2.0 * atom.radius)
+        .collect();
+    thicknesses.sort_by(f64::total_cmp);
+    let median = thicknesses.get(thicknesses.len() / 2);
+    let atoms = surface.atoms.len();
+    if args.json {
+        return print_json(&json!({
+            "atoms": atoms,
+            "end_atoms": ends,
+            "median_thickness": median,
+        }));
+    }
+    let thickness = median.map_or_else(String::new, |t| format!(", median thickness {t:.4}"));
+    print(&format!(
+        "{atoms} atoms, {ends} of them at the end of the sheet{thickness}: {}",
+        args.out.display()
+    ))
+}

@@ -1,0 +1,59 @@
+//! Borders of patches as smooth closed lines on the medial surface and on the wall.
+
+use crate::mesh::Point3;
+
+/// On which side of which surface a line lies, so that it is seen from there.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Lies {
+    /// On the medial surface, towards the outer side.
+    Middle,
+    /// On the inner wall, in the cavity.
+    Cavity,
+    /// On the inner wall, seen from outside.
+    InnerFromOutside,
+    /// On the outer wall.
+    Outside,
+}
+
+/// Rounds the corners of a closed line, which follows edges of the mesh: each corner is replaced by two
+/// points a quarter of the way to its neighbours (Chaikin's corner cutting), after a step of averaging that
+/// takes the saw teeth of triangles off. The first point comes back at the end.
+pub(super) fn rounded(corners: &[Point3]) -> Vec<[f32; 3]> {
+    let count = corners.len();
+    if count < 3 {
+        return Vec::new();
+    }
+    let even: Vec<Point3> = (0..count)
+        .map(|i| {
+            let beside = corners[(i + count - 1) % count].coords + corners[(i + 1) % count].coords;
+            Point3::from(0.5 * corners[i].coords + 0.25 * beside)
+        })
+        .collect();
+    let mut line = Vec::with_capacity(2 * count + 1);
+    for i in 0..count {
+        let (a, b) = (even[i].coords, even[(i + 1) % count].coords);
+        for share in [0.25, 0.75] {
+            line.push((a + share * (b - a)).cast::<f32>().into());
+        }
+    }
+    line.extend(line.first().copied());
+    line
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rounded_line_is_closed_and_stays_within_its_corners() {
+        let square =
+            [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(|[x, y]| Point3::new(x, y, 1.0));
+        let line = rounded(&square);
+        assert_eq!(line.len(), 9);
+        assert_eq!(line.first(), line.last());
+        for [x, y, z] in line {
+            assert!((0.0..=2.0).contains(&x) && (0.0..=2.0).contains(&y) && z == 1.0);
+        }
+        assert!(rounded(&square[..2]).is_empty());
+    }
+}

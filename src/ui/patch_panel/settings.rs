@@ -1,0 +1,107 @@
+//! The thresholds of patches as sliders in log scale, with what noise says of them.
+
+use std::ops::RangeInclusive;
+
+use egui::{Slider, Ui};
+
+use crate::analysis::thickening::ThickeningParams;
+use crate::engine::ThickeningSettings;
+use crate::ui::command::Command;
+use crate::ui::patch_panel::PatchPanelView;
+use crate::ui::style::{medium, note};
+use crate::ui::theme::space;
+
+/// Share of the well wall's thickening below which a patch reaches, in percent.
+const BORDERS: RangeInclusive<f64> = 5.0..=90.0;
+/// Deviation of PT from one up to which an atom counts as still, in percent.
+const TOLERANCES: RangeInclusive<f64> = 1.0..=50.0;
+
+/// Draws the sliders; every change is one command, and a drag one step of undo.
+pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
+    ui.label(medium("Thresholds"));
+    let now = view.settings.thickening;
+    let mut wanted = now;
+    let mut border = 100.0 * now.border;
+    let what = "A patch reaches as far as the wall thickens by less than this share of what the \
+                part that works well does; its core must stay below five eighths of it";
+    if slider_ui(ui, "Border", &mut border, BORDERS, what) {
+        wanted = with_border(now, 0.01 * border);
+    }
+    ui.add(egui::Label::new(note(border_note(view.well, now.border))).wrap());
+    let in_force = now.tolerance.or(view.tolerance);
+    let mut tolerance = 100.0 * in_force.map_or(0.05, |ln| ln.exp() - 1.0);
+    let what = "Up to this deviation of PT from one, from a pose to the next, an atom counts as \
+                still; ANV and MP are made of still atoms";
+    if slider_ui(ui, "PT tolerance", &mut tolerance, TOLERANCES, what) {
+        wanted.tolerance = Some((0.01 * tolerance).ln_1p());
+    }
+    ui.add(egui::Label::new(note(tolerance_note(view, now.tolerance))).wrap());
+    if wanted != now {
+        commands.push(Command::SetThickening(ThickeningSettings {
+            thickening: wanted,
+            ..view.settings
+        }));
+    }
+    ui.add_space(space::MEDIUM);
+    let default = view.settings == ThickeningSettings::default();
+    let reset = egui::Button::new("Reset to defaults");
+    if ui.add_enabled(!default, reset).clicked() {
+        commands.push(Command::ResetThickening);
+    }
+}
+
+/// The core keeps its share of the border, so that one slider moves both.
+fn with_border(now: ThickeningParams, border: f64) -> ThickeningParams {
+    let default = ThickeningParams::default();
+    ThickeningParams {
+        border,
+        core: border * default.core / default.border,
+        ..now
+    }
+}
+
+fn slider_ui(
+    ui: &mut Ui,
+    name: &str,
+    value: &mut f64,
+    range: RangeInclusive<f64>,
+    what: &str,
+) -> bool {
+    ui.add_space(space::SMALL);
+    ui.label(name);
+    ui.spacing_mut().slider_width = (ui.available_width() - 64.0).clamp(60.0, 240.0);
+    let slider = Slider::new(value, range)
+        .logarithmic(true)
+        .smart_aim(false)
+        .fixed_decimals(0)
+        .suffix(" %");
+    let response = ui.add(slider).accessible_name(name).on_hover_text(what);
+    response.changed()
+}
+
+fn border_note(well: Option<f64>, border: f64) -> String {
+    match well {
+        Some(well) => format!(
+            "of the well wall’s {:.0} %: thickening below {:.0} %",
+            100.0 * well,
+            100.0 * ((border * well.ln_1p()).exp() - 1.0)
+        ),
+        None => "of the thickening of the well wall".to_owned(),
+    }
+}
+
+fn tolerance_note(view: &PatchPanelView, typed: Option<f64>) -> String {
+    let noise = view.noise.map_or_else(String::new, |noise| {
+        format!("noise of the radius {:.1} %", 100.0 * noise.exp_m1())
+    });
+    let source = if typed.is_some() {
+        "set by hand"
+    } else {
+        "set by noise"
+    };
+    if noise.is_empty() {
+        source.to_owned()
+    } else {
+        format!("{source} · {noise}")
+    }
+}

@@ -1,0 +1,116 @@
+//! The pane of patches: states, table, sliders.
+
+use egui_kittest::{Harness, kittest::Queryable as _};
+
+use super::*;
+use crate::picture::WallPart;
+
+struct Shown {
+    state: WallState,
+    rows: Vec<PatchRow>,
+    settings: ThickeningSettings,
+    heading: &'static str,
+}
+
+impl Shown {
+    fn with(state: WallState, heading: &'static str, rows: Vec<PatchRow>) -> Self {
+        Self {
+            state,
+            rows,
+            settings: ThickeningSettings::default(),
+            heading,
+        }
+    }
+}
+
+fn patch() -> PatchRow {
+    PatchRow {
+        area_cm2: Some(21.3),
+        share: 0.31,
+        thickening: 0.04,
+        confidence: 0.98,
+        segments: "basal and mid anteroseptal, apical septal".to_owned(),
+        ..PatchRow::default()
+    }
+}
+
+fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
+    let mut harness = Harness::builder()
+        .with_size([260.0, 420.0])
+        .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+        .build_ui_state(
+            move |ui, commands: &mut Vec<Command>| {
+                let view = PatchPanelView {
+                    subject: Some("P07"),
+                    state: &shown.state,
+                    heading: shown.heading,
+                    note: "The rest of the wall thickens by 52 %",
+                    rows: &shown.rows,
+                    settings: shown.settings,
+                    noise: Some(0.012),
+                    tolerance: Some(0.05),
+                    well: Some(0.52),
+                };
+                patch_panel_ui(ui, &view, commands);
+            },
+            Vec::new(),
+        );
+    harness.run();
+    harness
+}
+
+#[test]
+fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
+    let mut shown = harness(Shown::with(WallState::Ready, "1 patch", vec![patch()]));
+    shown.get_by_label_contains("Patch 1: 21 cm², 31 %").click();
+    shown.run();
+    let wanted = Command::SelectPart(Some(WallPart::Patch(0)));
+    assert_eq!(*shown.state(), [wanted]);
+    let camera = Camera::default();
+    let framed = PatchRow {
+        camera: Some(camera),
+        ..patch()
+    };
+    let mut shown = harness(Shown::with(WallState::Ready, "1 patch", vec![framed]));
+    shown.get_by_label_contains("anteroseptal").click();
+    shown.run();
+    assert_eq!(*shown.state(), [Command::ShowPatch { patch: 0, camera }]);
+}
+
+#[test]
+fn what_is_not_assessed_says_why_and_has_no_table() {
+    let why = "2 frames are too few";
+    let shown = harness(Shown::with(
+        WallState::NotAssessed(why.to_owned()),
+        "",
+        Vec::new(),
+    ));
+    shown.get_by_label("Not assessed");
+    shown.get_by_label(why);
+    assert!(shown.query_by_label_contains("Patch 1").is_none());
+}
+
+#[test]
+fn a_stopped_measurement_can_be_begun_again() {
+    let mut shown = harness(Shown::with(WallState::Stopped, "", Vec::new()));
+    shown.get_by_label("Measure again").click();
+    shown.run();
+    assert_eq!(*shown.state(), [Command::Retry(WorkKind::Medial)]);
+}
+
+#[test]
+fn the_border_moves_by_keyboard_and_takes_its_core_along() {
+    let mut shown = harness(Shown::with(WallState::Ready, "No patch", Vec::new()));
+    shown.get_by_label("Border").focus();
+    shown.run();
+    shown.key_press(egui::Key::ArrowRight);
+    shown.run();
+    let commands = shown.into_state();
+    let Some(Command::SetThickening(settings)) = commands.first() else {
+        panic!("{commands:?}");
+    };
+    let (core, border) = (settings.thickening.core, settings.thickening.border);
+    assert!(border > 0.4, "{border}");
+    assert!((core / border - 0.625).abs() < 1e-9);
+    assert!(settings.thickening.check().is_ok());
+}

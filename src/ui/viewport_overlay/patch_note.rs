@@ -1,0 +1,58 @@
+//! The patches of the heart on screen in words: how many, how large, where, in the upper right corner.
+
+use egui::{Rect, Role, Sense, Ui, WidgetInfo, pos2};
+
+use crate::ui::style::{medium_font, note_font};
+use crate::ui::theme::colours;
+
+/// What is said of patches.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PatchNote {
+    /// "1 patch · 31 % of the LV".
+    pub heading: String,
+    /// Segments, area, thickening.
+    pub lines: Vec<String>,
+    /// Whether there is a patch: said in the colour of its border.
+    pub found: bool,
+}
+
+/// Draws the note where the title leaves room; narrow pictures have the heading alone or nothing.
+pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
+    let room = 0.55 * inner.width();
+    let colours = colours(ui);
+    let heading_colour = if note.found {
+        colours.selection
+    } else {
+        colours.muted
+    };
+    let painter = ui.painter();
+    let heading = painter.layout_no_wrap(note.heading.clone(), medium_font(), heading_colour);
+    if heading.size().x > room {
+        return;
+    }
+    let mut top = inner.top() + down;
+    let mut area = Rect::NOTHING;
+    let mut draw = |galley: std::sync::Arc<egui::Galley>, colour| {
+        let size = galley.size();
+        let at = pos2(inner.right() - size.x, top);
+        painter.galley(at, galley, colour);
+        area = area.union(Rect::from_min_size(at, size));
+        top += size.y + 1.0;
+    };
+    draw(heading, heading_colour);
+    if inner.width() > 380.0 {
+        for line in &note.lines {
+            let mut job = egui::text::LayoutJob::simple(
+                line.clone(),
+                note_font(),
+                colours.muted,
+                room.min(320.0),
+            );
+            job.halign = egui::Align::LEFT;
+            draw(painter.layout_job(job), colours.muted);
+        }
+    }
+    let words = format!("{}. {}", note.heading, note.lines.join(". "));
+    let response = ui.interact(area, ui.scope_id().with("patch note"), Sense::hover());
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.clone()));
+}
