@@ -99,6 +99,8 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::NextQuantity
         | C::SetColourLimits(_)
         | C::SetPoseMap(_)
+        | C::SetMetric(_)
+        | C::SetMapMethod(_)
         | C::SetDeformationMap(_)
         | C::ResetMaps
         | C::ToggleClusters

@@ -53,6 +53,8 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) {
             Command::NextQuantity => d.quantity = d.quantity.next(),
             Command::SetColourLimits(limits) => d.set_limits(limits.filter(is_range)),
             Command::SetPoseMap(params) => d.map = params,
+            Command::SetMetric(kind) => d.map.distances.metric.kind = kind,
+            Command::SetMapMethod(method) => d.map.method = method,
             Command::SetDeformationMap(params) => d.deformation_map = params,
             Command::ResetMaps => {
                 d.map = PoseMapParams::default();

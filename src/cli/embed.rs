@@ -204,14 +204,7 @@ fn checked_distances(rows: &[Vec<f64>]) -> Result<DistanceMatrix, String> {
 }
 
 fn distances_of(rows: &[Vec<f64>]) -> DistanceMatrix {
-    let mut upper = Vec::with_capacity(rows.len() * rows.len().saturating_sub(1) / 2);
-    for (i, a) in rows.iter().enumerate() {
-        for b in &rows[i + 1..] {
-            let squares: f64 = a.iter().zip(b).map(|(x, y)| (x - y) * (x - y)).sum();
-            upper.push(squares.sqrt());
-        }
-    }
-    DistanceMatrix::from_upper(rows.len(), upper).unwrap_or_else(DistanceMatrix::empty)
+    DistanceMatrix::of_points(&rows.concat(), rows.len()).unwrap_or_else(DistanceMatrix::empty)
 }
 
 fn coordinates_csv(map: &Embedding) -> String {

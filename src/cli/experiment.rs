@@ -1,4 +1,5 @@
-//! `experiment`: the studies of noise, of transfer and interpolation, and of metrics on a labelled cohort.
+//! `experiment`: the studies of noise, of transfer and interpolation, of metrics on a labelled cohort, and of
+//! partners.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -7,11 +8,13 @@ use serde_json::{Value, json};
 
 use crate::analysis::experiments::{
     InterpolationStudyParams, MetricComparisonParams, NoiseDeformationParams,
-    NoiseDeformationResult, NoiseReference, TransferStudy, TransferStudyParams,
-    interpolation_study, metric_comparison, noise_deformation, transfer_study,
+    NoiseDeformationResult, NoiseReference, PartnerParams, TransferStudy, TransferStudyParams,
+    interpolation_study, metric_comparison, noise_deformation, partner_study, transfer_study,
 };
 use crate::analysis::transport::CohortTransferParams;
-use crate::cli::experiment_args::{ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs};
+use crate::cli::experiment_args::{
+    ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs, PartnerArgs,
+};
 use crate::cli::input::opened_study;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
@@ -20,13 +23,14 @@ use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
 use crate::io::{
     comparison_csv, comparison_json, interpolation_csv, noise_csv, noise_json, noise_svg,
-    transfer_study_csv,
+    partners_csv, partners_json, transfer_study_csv,
 };
 
 pub(super) fn experiment(command: &ExperimentCommand) -> Result<(), CliError> {
     match command {
         ExperimentCommand::NoiseDeformation(args) => noise(args),
         ExperimentCommand::Metrics(args) => metrics(args),
+        ExperimentCommand::Partners(args) => partners(args),
     }
 }
 
@@ -160,6 +164,59 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
             cells.join(" | ")
         )
     }));
+    lines.push(args.out.display().to_string());
+    print(&lines.join("\n"))
+}
+
+/// How near the other sequence of the same patient is, by every metric and form.
+fn partners(args: &PartnerArgs) -> Result<(), CliError> {
+    let study = opened_study(&args.study)?;
+    let default = CohortTransferParams::default();
+    let transfer = CohortTransferParams {
+        in_betweens: args.in_betweens.unwrap_or(default.in_betweens),
+        geodesics: args.geodesics.into(),
+        most_vertices: match args.coarse_vertices {
+            None => default.most_vertices,
+            Some(0) => None,
+            Some(vertices) => Some(vertices),
+        },
+        ..default
+    };
+    let params = PartnerParams::all_metrics(transfer);
+    let found = run_work(move |progress| {
+        progress.begin_phase("ranking partners", 0.0, 1.0);
+        partner_study(&study, &params, progress)
+    })?;
+    let summary = partners_json(&found);
+    let files = vec![
+        file(&args.out, "partners.csv", partners_csv(&found)),
+        file(&args.out, "summary.json", pretty(&summary)?),
+    ];
+    write_files(&files).map_err(CliError::Unusable)?;
+    if args.json {
+        return print_json(&summary);
+    }
+    let head = "| transfer | metric | nearer than the median | nearest | mean rank | mean distance |\n|---|---|---|---|---|---|";
+    let mut lines = vec![head.to_owned()];
+    lines.extend(found.rows.iter().map(|row| {
+        let ranks = &row.ranks;
+        format!(
+            "| {} | {} | {} of {} | {} | {:.2} | {:.4} |",
+            row.carrying,
+            row.method,
+            ranks.nearer_than_median,
+            ranks.pairs,
+            ranks.nearest,
+            ranks.mean_rank,
+            ranks.mean_distance
+        )
+    }));
+    if let Some(row) = found.rows.first() {
+        lines.push(format!(
+            "by chance: {:.1} nearest, mean rank {:.1}",
+            row.ranks.nearest_by_chance, row.ranks.mean_rank_by_chance
+        ));
+    }
     lines.push(args.out.display().to_string());
     print(&lines.join("\n"))
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
 
-use crate::cli::words::Switch;
+use crate::cli::words::{GeodesicsWord, Switch};
 
 /// Experiments.
 #[derive(Debug, Subcommand)]
@@ -13,6 +13,8 @@ pub enum ExperimentCommand {
     NoiseDeformation(NoiseDeformationArgs),
     /// Tells the labels of a study apart by every metric, on the study and on noisy copies
     Metrics(MetricComparisonArgs),
+    /// Says by every metric, with and without transfer, how near the other sequence of a patient is
+    Partners(PartnerArgs),
 }
 
 /// Options of `experiment noise-deformation`.
@@ -53,6 +55,29 @@ pub struct MetricComparisonArgs {
     /// Draws the noise
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
+    /// Folder to write into; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `experiment partners`.
+#[derive(Debug, Args)]
+pub struct PartnerArgs {
+    /// Studies, folders and files, together as one study; ids of a patient agree up to their last `_`
+    #[arg(value_name = "STUDY", required = true)]
+    pub study: Vec<PathBuf>,
+    /// In-between poses of the geodesic from heart to mean heart [default: the window's]
+    #[arg(long, value_name = "K")]
+    pub in_betweens: Option<u16>,
+    /// For which displacements of a beat a geodesic is computed
+    #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
+    pub geodesics: GeodesicsWord,
+    /// Find geodesics on a decimated mesh of about N vertices; 0: on the mesh as it is
+    #[arg(long, value_name = "N")]
+    pub coarse_vertices: Option<u32>,
     /// Folder to write into; made if need be
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,

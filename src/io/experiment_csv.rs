@@ -1,8 +1,8 @@
 //! Experiments as tables for scripts: names and order of columns are fixed, shares are in percent.
 
 use crate::analysis::experiments::{
-    InterpolationStudy, MetricComparison, NoiseDeformationResult, NoiseReference, RuleShare,
-    TransferStudy,
+    InterpolationStudy, MetricComparison, NoiseDeformationResult, NoiseReference, PartnerStudy,
+    RuleShare, TransferStudy,
 };
 
 use super::report_csv::Table;
@@ -76,6 +76,36 @@ pub fn comparison_csv(comparison: &MetricComparison) -> String {
             [rule.share, rule.standard_error, rule.baseline].map(percent)
         }));
         table.row(cells);
+    }
+    table.text
+}
+
+/// The study of partners: a row per way of carrying and method.
+pub fn partners_csv(study: &PartnerStudy) -> String {
+    let mut table = Table::new(&[
+        "transfer",
+        "method",
+        "pairs",
+        "nearer_than_median",
+        "nearest",
+        "mean_rank",
+        "nearest_by_chance",
+        "mean_rank_by_chance",
+        "mean_distance",
+    ]);
+    for row in &study.rows {
+        let ranks = &row.ranks;
+        table.row([
+            row.carrying.to_owned(),
+            row.method.to_owned(),
+            ranks.pairs.to_string(),
+            ranks.nearer_than_median.to_string(),
+            ranks.nearest.to_string(),
+            ranks.mean_rank.to_string(),
+            ranks.nearest_by_chance.to_string(),
+            ranks.mean_rank_by_chance.to_string(),
+            ranks.mean_distance.to_string(),
+        ]);
     }
     table.text
 }

@@ -2,7 +2,9 @@
 
 use serde_json::{Value, json};
 
-use crate::analysis::experiments::{MetricComparison, NoiseDeformationResult, RuleShare};
+use crate::analysis::experiments::{
+    MetricComparison, NoiseDeformationResult, PartnerStudy, RuleShare,
+};
 
 use super::experiment_csv::reference_word;
 
@@ -50,4 +52,23 @@ pub fn comparison_json(comparison: &MetricComparison) -> Value {
         })
     });
     json!({ "classification": Value::Array(rows.collect()) })
+}
+
+/// The study of partners, a row per way of carrying and method.
+pub fn partners_json(study: &PartnerStudy) -> Value {
+    let rows = study.rows.iter().map(|row| {
+        let ranks = &row.ranks;
+        json!({
+            "transfer": row.carrying,
+            "method": row.method,
+            "pairs": ranks.pairs,
+            "nearer_than_median": ranks.nearer_than_median,
+            "nearest": ranks.nearest,
+            "mean_rank": ranks.mean_rank,
+            "nearest_by_chance": ranks.nearest_by_chance,
+            "mean_rank_by_chance": ranks.mean_rank_by_chance,
+            "mean_distance": ranks.mean_distance,
+        })
+    });
+    json!({ "partners": Value::Array(rows.collect()) })
 }

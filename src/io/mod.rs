@@ -25,8 +25,10 @@ mod vtp;
 mod write_study;
 
 pub use detect::{mesh_file_endings, read_mesh, read_mesh_with_siblings};
-pub use experiment_csv::{comparison_csv, interpolation_csv, noise_csv, transfer_study_csv};
-pub use experiment_json::{comparison_json, noise_json};
+pub use experiment_csv::{
+    comparison_csv, interpolation_csv, noise_csv, partners_csv, transfer_study_csv,
+};
+pub use experiment_json::{comparison_json, noise_json, partners_json};
 pub use experiment_svg::noise_svg;
 pub use limits::Limits;
 pub use mesh_file::{MeshFile, ReadMeshError};

@@ -2,7 +2,7 @@
 
 use crate::progress::Stopped;
 
-use super::{Eigen, EigenDiverged, symmetric_eigen};
+use super::{Eigen, EigenDiverged, add_scaled, dot, symmetric_eigen};
 
 /// Why there are no leading eigenvalues.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -135,27 +135,6 @@ fn start_vector(size: usize, restart: usize) -> Vec<f64> {
     let length = dot(&vector, &vector).sqrt();
     vector.iter_mut().for_each(|x| *x /= length);
     vector
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
-    let (whole_a, whole_b) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = (whole_a.remainder().iter())
-        .zip(whole_b.remainder())
-        .map(|(x, y)| x * y)
-        .sum();
-    for (x, y) in whole_a.zip(whole_b) {
-        for lane in 0..8 {
-            lanes[lane] += x[lane] * y[lane];
-        }
-    }
-    lanes.iter().sum::<f64>() + rest
-}
-
-fn add_scaled(target: &mut [f64], factor: f64, source: &[f64]) {
-    for (t, s) in target.iter_mut().zip(source) {
-        *t += factor * s;
-    }
 }
 
 #[cfg(test)]

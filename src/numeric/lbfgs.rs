@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use super::line_search::{Found, Trial, search};
+use super::{add_scaled, dot};
 
 /// A function to minimise.
 pub trait Objective {
@@ -184,8 +185,8 @@ impl Search {
         }
         for pair in self.history.iter().rev() {
             let alpha = pair.rho * dot(&pair.s, &q);
-            add(&mut q, -alpha, &pair.y);
-            add(&mut self.direction, -alpha, &pair.py);
+            add_scaled(&mut q, -alpha, &pair.y);
+            add_scaled(&mut self.direction, -alpha, &pair.py);
             weights.push(alpha);
         }
         if let Some(last) = self.history.back() {
@@ -196,7 +197,7 @@ impl Search {
         }
         for (pair, alpha) in self.history.iter().zip(weights.into_iter().rev()) {
             let beta = pair.rho * dot(&pair.y, &self.direction);
-            add(&mut self.direction, alpha - beta, &pair.s);
+            add_scaled(&mut self.direction, alpha - beta, &pair.s);
         }
         dot(&self.gradient, &self.direction)
     }
@@ -275,28 +276,6 @@ fn subtract(out: &mut [f64], a: &[f64], b: &[f64]) {
     for ((out, a), b) in out.iter_mut().zip(a).zip(b) {
         *out = a - b;
     }
-}
-
-fn add(to: &mut [f64], factor: f64, from: &[f64]) {
-    for (to, from) in to.iter_mut().zip(from) {
-        *to += factor * from;
-    }
-}
-
-/// Sums run in as many lanes, so that additions need not wait for each other.
-const LANES: usize = 8;
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let (a, rest_a) = a.as_chunks::<LANES>();
-    let (b, rest_b) = b.as_chunks::<LANES>();
-    let mut sums = [0.0; LANES];
-    for (a, b) in a.iter().zip(b) {
-        for lane in 0..LANES {
-            sums[lane] += a[lane] * b[lane];
-        }
-    }
-    let rest: f64 = rest_a.iter().zip(rest_b).map(|(a, b)| a * b).sum();
-    sums.iter().sum::<f64>() + rest
 }
 
 #[cfg(test)]

@@ -1,17 +1,21 @@
-//! Mathematics that several questions share: symmetric eigenvalues, sparse solutions, minimisation,
+//! Mathematics that several questions share: symmetric eigenvalues, Cholesky factors, minimisation,
 //! numbers side by side.
 
+mod dense_cholesky;
 mod lanczos;
 mod lanes;
 mod lbfgs;
 mod line_search;
+mod lower_columns;
 mod sparse_cholesky;
-mod sparse_inverse;
 mod symmetric_eigen;
+mod vectors;
 
+pub use dense_cholesky::{factorise_positive, solve_lower, solve_positive};
 pub use lanczos::{LeadingEigenError, leading_eigen};
 pub use lanes::{Arithmetic, LANES, Lanes, both, three};
 pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
+pub use lower_columns::LowerColumns;
 pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
-pub use sparse_inverse::{LowerColumns, NotPositive, SparseInverse};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};
+pub use vectors::{add_scaled, dot};

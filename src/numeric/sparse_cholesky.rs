@@ -8,8 +8,10 @@ use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering,
     factorize_symbolic_cholesky,
 };
-use faer::sparse::{SparseColMat, Triplet};
+use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMatRef, Triplet};
 use faer::{Conj, MatMut, Par, Side, Spec};
+
+use super::LowerColumns;
 
 /// A = L Lᵀ of a sparse matrix, ordered to fill little; one thread, so that bits never differ.
 #[derive(Clone, Debug)]
@@ -35,6 +37,12 @@ pub enum SparseCholeskyError {
         row: usize,
         /// Column of the entry.
         column: usize,
+        /// Rows of the matrix.
+        size: usize,
+    },
+    /// Columns do not follow one another, start on the diagonal and ascend.
+    #[error("columns of a {size} × {size} matrix do not ascend from its diagonal")]
+    Columns {
         /// Rows of the matrix.
         size: usize,
     },
@@ -65,6 +73,39 @@ impl SparseCholesky {
             .collect();
         let matrix =
             SparseColMat::try_new_from_triplets(size, size, &triplets).map_err(|_| memory)?;
+        Self::of_triangle(size, matrix.as_ref())
+    }
+
+    /// Factorises the matrix with `shift` added to its diagonal: A + σ1.
+    ///
+    /// Not stoppable: some 30 ms for 2,000 rows with 150 entries each.
+    ///
+    /// # Errors
+    /// If the shifted matrix is not positive definite to working precision, or `matrix` breaks
+    /// what [`LowerColumns`] says of itself.
+    pub fn shifted(matrix: &LowerColumns, shift: f64) -> Result<Self, SparseCholeskyError> {
+        let size = matrix.size();
+        if !matrix.sound() {
+            return Err(SparseCholeskyError::Columns { size });
+        }
+        let mut values = matrix.values.clone();
+        for &start in &matrix.starts[..size] {
+            values[start] += shift;
+        }
+        let pattern =
+            SymbolicSparseColMatRef::new_checked(size, size, &matrix.starts, None, &matrix.rows);
+        Self::of_triangle(size, SparseColMatRef::new(pattern, &values))
+    }
+
+    fn of_triangle(
+        size: usize,
+        matrix: SparseColMatRef<'_, usize, f64>,
+    ) -> Result<Self, SparseCholeskyError> {
+        let memory = SparseCholeskyError::Memory { size };
+        let not_positive = SparseCholeskyError::NotPositiveDefinite { size };
+        if matrix.val().iter().any(|value| !value.is_finite()) {
+            return Err(not_positive);
+        }
         let symbolic = factorize_symbolic_cholesky(
             matrix.symbolic(),
             Side::Lower,
@@ -77,16 +118,16 @@ impl SparseCholesky {
         symbolic
             .factorize_numeric_llt(
                 &mut values,
-                matrix.as_ref(),
+                matrix,
                 Side::Lower,
                 LltRegularization::default(),
                 Par::Seq,
                 MemStack::new(&mut MemBuffer::new(scratch)),
                 Spec::default(),
             )
-            .map_err(|_| SparseCholeskyError::NotPositiveDefinite { size })?;
+            .map_err(|_| not_positive)?;
         if values.iter().any(|value| !value.is_finite()) {
-            return Err(SparseCholeskyError::NotPositiveDefinite { size });
+            return Err(not_positive);
         }
         Ok(Self {
             size,
@@ -186,5 +227,57 @@ mod tests {
         if let Ok(factor) = SparseCholesky::new(0, &[]) {
             factor.solve(&mut []);
         }
+    }
+
+    /// Second difference with fixed ends, times the distance of the ends.
+    fn path(size: usize) -> LowerColumns {
+        let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+        for column in 0..size {
+            rows.push(column);
+            values.push(2.0);
+            if column + 1 < size {
+                rows.push(column + 1);
+                values.push(-1.0);
+            }
+            starts.push(rows.len());
+        }
+        LowerColumns {
+            starts,
+            rows,
+            values,
+        }
+    }
+
+    #[test]
+    fn a_loaded_string_hangs_as_the_text_book_says() {
+        let factor = SparseCholesky::shifted(&path(99), 0.0).unwrap();
+        let mut sag = vec![1.0; 99];
+        factor.solve(&mut sag);
+        for (i, sag) in sag.iter().enumerate() {
+            let at = (i + 1) as f64;
+            assert!((sag - at * (100.0 - at) / 2.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_shift_is_added_to_the_diagonal_only() {
+        let factor = SparseCholesky::shifted(&path(2), 1.0).unwrap();
+        let mut x = vec![8.0, 0.0];
+        factor.solve(&mut x);
+        assert!((x[0] - 3.0).abs() < 1e-14 && (x[1] - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn a_matrix_that_is_not_positive_or_not_sound_is_refused() {
+        let not_positive = SparseCholeskyError::NotPositiveDefinite { size: 5 };
+        let refused = |matrix: &LowerColumns, shift| SparseCholesky::shifted(matrix, shift).err();
+        assert_eq!(refused(&path(5), -4.0), Some(not_positive));
+        let mut broken = path(5);
+        broken.values[3] = f64::NAN;
+        assert_eq!(refused(&broken, 0.0), Some(not_positive));
+        let mut broken = path(5);
+        broken.rows[1] = 9;
+        let error = SparseCholeskyError::Columns { size: 5 };
+        assert_eq!(refused(&broken, 0.0), Some(error));
     }
 }

@@ -1,5 +1,9 @@
 //! Which actions can be done now, and which are switched on.
 
+use std::mem::discriminant;
+
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::metrics::MetricKind;
 use crate::picture::Quantity;
 use crate::render::Shading;
 use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
@@ -35,6 +39,10 @@ pub struct ActionState {
     pub view_mode: ViewMode,
     /// What colours stand for.
     pub quantity: Quantity,
+    /// Which metric compares poses.
+    pub metric: MetricKind,
+    /// How distances become the map of poses.
+    pub map_method: MapMethod,
     /// Poses computed between two frames.
     pub in_betweens: u16,
     /// Whether there is another heart to show beside the selected one.
@@ -85,6 +93,11 @@ impl ActionState {
             Command::SetViewMode(mode) => Some(self.view_mode == *mode),
             Command::SetQuantity(quantity) => Some(self.quantity == *quantity),
             Command::SetInBetweens(count) => Some(self.in_betweens == *count),
+            Command::SetMetric(kind) => Some(self.metric == *kind),
+            // Isomap is Isomap, whatever its neighbours.
+            Command::SetMapMethod(method) => {
+                Some(discriminant(&self.map_method) == discriminant(method))
+            }
             Command::SetTheme(theme) => Some(self.theme == *theme),
             Command::SetShading(shading) => Some(self.shading == *shading),
             Command::TogglePane(pane) => Some(!self.hidden_panes.contains(pane)),

@@ -2,6 +2,8 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::metrics::MetricKind;
 use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
 use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
@@ -147,6 +149,13 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 2, "Poses through time in 3D", None, Command::ShowPane(Pane::SpaceTime)),
     action(Menu::Analysis, 2, "Clusters of deformations", None, Command::ToggleClusters),
     action(Menu::Analysis, 3, "Metric and maps…", None, Command::ShowPane(Pane::Metric)),
+    action(Menu::Analysis, 3, "Metric: quasi-conformal", None, Command::SetMetric(MetricKind::QuasiConformal)),
+    action(Menu::Analysis, 3, "Metric: angle-preserving", None, Command::SetMetric(MetricKind::AnglePreserving)),
+    action(Menu::Analysis, 3, "Metric: isometric", None, Command::SetMetric(MetricKind::Isometric)),
+    action(Menu::Analysis, 3, "Metric: rigid", None, Command::SetMetric(MetricKind::Rigid)),
+    action(Menu::Analysis, 3, "Map of poses by SMACOF", None, Command::SetMapMethod(MapMethod::Smacof)),
+    action(Menu::Analysis, 3, "Map of poses by classical MDS", None, Command::SetMapMethod(MapMethod::ClassicalMds)),
+    action(Menu::Analysis, 3, "Map of poses by Isomap", None, Command::SetMapMethod(MapMethod::ISOMAP)),
     action(Menu::Analysis, 3, "Reset metric and maps", None, Command::ResetMaps),
     action(Menu::Analysis, 4, "In-betweens: off", None, Command::SetInBetweens(0)),
     action(Menu::Analysis, 4, "In-betweens: 1 per interval", None, Command::SetInBetweens(1)),

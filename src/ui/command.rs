@@ -3,6 +3,8 @@
 use std::path::PathBuf;
 
 use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::metrics::MetricKind;
 use crate::engine::{PoseMapParams, WorkKind};
 use crate::picture::{AnatomicalView, Quantity};
 use crate::render::{Camera, Shading};
@@ -146,6 +148,10 @@ pub enum Command {
     SetColourLimits(Option<[f64; 2]>),
     /// How poses are compared and mapped.
     SetPoseMap(PoseMapParams),
+    /// Which metric compares poses.
+    SetMetric(MetricKind),
+    /// How distances become the map of poses.
+    SetMapMethod(MapMethod),
     /// How whole deformations are mapped.
     SetDeformationMap(DeformationMapParams),
     /// All settings of metric and maps as they were at the start.

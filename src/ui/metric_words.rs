@@ -85,8 +85,11 @@ pub fn metric_sentence(metric: &MetricParams) -> String {
 }
 
 /// One sentence: how a form puts its terms together, and what it is good for.
-pub fn form_sentence(form: Form) -> &'static str {
+pub fn form_sentence(kind: MetricKind, form: Form) -> &'static str {
     match form {
+        Form::Additive if kind == MetricKind::AnglePreserving => {
+            "Additive: an inner product everywhere; without curvature the same as bilinear"
+        }
         Form::Additive => {
             "Additive: an inner product everywhere; terms of angle and, by μ, of curvature add up"
         }

@@ -33,15 +33,7 @@ fn swiss_roll(items: usize) -> Vec<[f64; 3]> {
 }
 
 fn distances_of<const N: usize>(points: &[[f64; N]]) -> Option<DistanceMatrix> {
-    let items = points.len();
-    let mut upper = Vec::with_capacity(items * (items - 1) / 2);
-    for (i, p) in points.iter().enumerate() {
-        for q in &points[i + 1..] {
-            let square: f64 = p.iter().zip(q).map(|(a, b)| (a - b) * (a - b)).sum();
-            upper.push(square.sqrt());
-        }
-    }
-    DistanceMatrix::from_upper(items, upper)
+    DistanceMatrix::of_points(&points.concat(), points.len())
 }
 
 fn maps(criterion: &mut Criterion) {

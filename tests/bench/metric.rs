@@ -6,27 +6,14 @@ use std::time::Duration;
 use cardiomorph::analysis::alignment::{cross_covariance, rotation_from_covariance};
 use cardiomorph::analysis::metrics::{Metric, MetricParams, PairScratch, PreparedPose};
 use cardiomorph::analysis::pose_distances::{PoseDistanceParams, pose_distances};
-use cardiomorph::mesh::{Point3, TriMesh, phantom};
+use cardiomorph::mesh::{TriMesh, phantom};
 use cardiomorph::progress::Progress;
 use cardiomorph::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
 use cardiomorph::units::LengthUnit;
 use criterion::{Criterion, criterion_group, criterion_main};
 
-/// An egg that narrows and bends with `amount`.
-fn pose(sphere: &TriMesh, amount: f64) -> Vec<Point3> {
-    sphere
-        .vertices()
-        .iter()
-        .map(|p| {
-            let narrow = 1.0 - 0.3 * amount * (1.0 - p.z * p.z);
-            Point3::new(
-                narrow * p.x + 0.1 * amount * (2.0 * p.z).sin(),
-                narrow * p.y,
-                1.6 * p.z,
-            )
-        })
-        .collect()
-}
+mod egg;
+use egg::egg;
 
 fn aligned(metric: &Metric, a: &PreparedPose, b: &PreparedPose, scratch: &mut PairScratch) -> f64 {
     let covariance = cross_covariance(b.axes(), b.centroid(), a.axes(), a.centroid());
@@ -44,7 +31,7 @@ fn one_pair(criterion: &mut Criterion) {
             return;
         };
         let metric = Metric::new(sphere.faces(), params);
-        let (before, after) = (pose(&sphere, 0.0), pose(&sphere, 1.0));
+        let (before, after) = (egg(&sphere, 0.0), egg(&sphere, 1.0));
         let (Ok(a), Ok(b)) = (metric.prepare(&before), metric.prepare(&after)) else {
             return;
         };
@@ -78,7 +65,7 @@ fn cohort() -> Study {
                 .filter_map(|frame| {
                     let phase = std::f64::consts::TAU * f64::from(frame) / 8.0;
                     let amount = (0.5 + 0.03 * f64::from(subject)) * (1.0 - phase.cos());
-                    TriMesh::new(pose(&sphere, amount), Arc::clone(sphere.faces())).ok()
+                    TriMesh::new(egg(&sphere, amount), Arc::clone(sphere.faces())).ok()
                 })
                 .collect();
             let surface = SurfaceSequence::new(SurfaceKind::Cavity, frames).ok()?;

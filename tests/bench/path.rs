@@ -8,21 +8,8 @@ use cardiomorph::mesh::{Point3, TriMesh, phantom};
 use cardiomorph::progress::Progress;
 use criterion::{Criterion, criterion_group, criterion_main};
 
-/// An egg that narrows and bends with `amount`.
-fn pose(sphere: &TriMesh, amount: f64) -> Vec<Point3> {
-    sphere
-        .vertices()
-        .iter()
-        .map(|p| {
-            let narrow = 1.0 - 0.3 * amount * (1.0 - p.z * p.z);
-            Point3::new(
-                narrow * p.x + 0.1 * amount * (2.0 * p.z).sin(),
-                narrow * p.y,
-                1.6 * p.z,
-            )
-        })
-        .collect()
-}
+mod egg;
+use egg::egg;
 
 /// The default metric, straight paths.
 fn energy_and_gradient(criterion: &mut Criterion) {
@@ -34,16 +21,13 @@ fn energy_and_gradient(criterion: &mut Criterion) {
         let metric = Metric::new(sphere.faces(), params);
         let poses = in_betweens + 2;
         let amount = |k: usize| k as f64 / (poses - 1) as f64;
-        let Ok(mut path) = PathEnergy::new(
-            &metric,
-            &pose(&sphere, 0.0),
-            &pose(&sphere, 1.0),
-            in_betweens,
-        ) else {
+        let Ok(mut path) =
+            PathEnergy::new(&metric, &egg(&sphere, 0.0), &egg(&sphere, 1.0), in_betweens)
+        else {
             return;
         };
         let inner: Vec<f64> = (1..=in_betweens)
-            .flat_map(|k| pose(&sphere, amount(k)))
+            .flat_map(|k| egg(&sphere, amount(k)))
             .flat_map(|p| [p.x, p.y, p.z])
             .collect();
         let mut gradient = vec![0.0; inner.len()];

@@ -19,6 +19,8 @@ mod real_measures;
 #[cfg(test)]
 mod real_mesh_files;
 #[cfg(test)]
+mod real_partners;
+#[cfg(test)]
 mod real_paths;
 #[cfg(test)]
 mod robustness;

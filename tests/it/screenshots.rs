@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::picture::Quantity;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, ThemeChoice, ViewMode};
+use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
 use egui_kittest::Harness;
 
 /// One picture of the window: its name, and what a person did before it was taken.
@@ -99,11 +99,26 @@ fn screenshots_are_taken_when_asked_for() {
             name: "carried_beat.png",
             pixels_per_point: 1.0,
             commands: vec![
-                dark,
+                dark.clone(),
                 Command::CarryBeat { from: 15, onto: 2 },
                 Command::TogglePlay,
                 Command::SetPosition(3.5),
             ],
+        },
+        Shot {
+            name: "deformations.png",
+            pixels_per_point: 1.0,
+            commands: vec![
+                light.clone(),
+                pose(15, 3),
+                Command::ShowPane(Pane::Metric),
+                Command::ShowPane(Pane::DeformationMap),
+            ],
+        },
+        Shot {
+            name: "poses_through_time.png",
+            pixels_per_point: 2.0,
+            commands: vec![dark, pose(15, 3), Command::ShowPane(Pane::SpaceTime)],
         },
         Shot {
             name: "difference.png",

@@ -320,10 +320,8 @@ fn components(
     rows: &[usize],
     progress: &Progress,
 ) -> Result<(Vec<f64>, usize), ClassifyError> {
-    let upper = (rows.iter().enumerate())
-        .flat_map(|(at, &i)| rows[at + 1..].iter().map(move |&j| distances.get(i, j)))
-        .collect();
-    let among = DistanceMatrix::from_upper(rows.len(), upper).unwrap_or_else(DistanceMatrix::empty);
+    let among = DistanceMatrix::of_pairs(rows.len(), |i, j| distances.get(rows[i], rows[j]))
+        .unwrap_or_else(DistanceMatrix::empty);
     let most = MOST_COMPONENTS.min(rows.len().saturating_sub(1) / 2);
     let map = classical_mds(&among, most, progress).map_err(|error| match error {
         EmbeddingError::Stopped(stopped) => ClassifyError::Stopped(stopped),

@@ -1,5 +1,7 @@
 //! The class whose mean is nearest as the spread within classes measures it, each case left out in turn.
 
+use crate::numeric::{factorise_positive, solve_lower};
+
 /// Cases as rows of coordinates, all of about the size 1.
 pub(super) struct LinearRule {
     width: usize,
@@ -103,7 +105,8 @@ impl LinearRule {
         factor.clone_from(scatter);
         add_outer(factor, step, -(others + 1.0) / others);
         shrink(factor, width, self.shrinkage);
-        factorise(factor, width);
+        // Positive definite by the shrinkage, but for round-off.
+        factorise_positive(factor, width);
         // x − (m̄ − d/(m−1)) = d m/(m−1)
         step.iter_mut().for_each(|d| *d *= (others + 1.0) / others);
         let distance = solved_norm2(factor, step);
@@ -145,39 +148,10 @@ fn shrink(matrix: &mut [f64], width: usize, shrinkage: f64) {
     }
 }
 
-/// The lower Cholesky factor, in place.
-fn factorise(a: &mut [f64], n: usize) {
-    for i in 0..n {
-        for j in 0..=i {
-            let (before, row) = a.split_at_mut(i * n);
-            let along: f64 = if i == j {
-                row[..j].iter().map(|x| x * x).sum()
-            } else {
-                (row[..j].iter().zip(&before[j * n..]))
-                    .map(|(x, y)| x * y)
-                    .sum()
-            };
-            row[j] = if i == j {
-                // Positive by the shrinkage, but for round-off.
-                (row[j] - along).max(f64::MIN_POSITIVE).sqrt()
-            } else {
-                (row[j] - along) / before[j * n + j]
-            };
-        }
-    }
-}
-
-/// |L⁻¹ d|²; overwrites d.
+/// dᵀ (L Lᵀ)⁻¹ d; overwrites d.
 fn solved_norm2(factor: &[f64], d: &mut [f64]) -> f64 {
-    let n = d.len();
-    let mut sum = 0.0;
-    for i in 0..n {
-        let row = &factor[i * n..][..=i];
-        let known: f64 = row[..i].iter().zip(&*d).map(|(a, b)| a * b).sum();
-        d[i] = (d[i] - known) / row[i];
-        sum += d[i] * d[i];
-    }
-    sum
+    solve_lower(factor, d);
+    d.iter().map(|x| x * x).sum()
 }
 
 /// Cases put into their class by a linear rule made of all others with a label, and cases with a label.

@@ -70,10 +70,7 @@ mod tests {
     use super::*;
 
     fn line(places: &[f64]) -> DistanceMatrix {
-        let upper = (0..places.len())
-            .flat_map(|i| places[i + 1..].iter().map(move |x| (x - places[i]).abs()))
-            .collect();
-        DistanceMatrix::from_upper(places.len(), upper).unwrap()
+        DistanceMatrix::of_points(places, places.len()).unwrap()
     }
 
     #[test]

@@ -77,18 +77,9 @@ fn map_of(ways: &[Way]) -> Embedding {
 /// Euclidean distances of all places.
 fn distances_of(ways: &[Way]) -> PoseDistances {
     let places: Vec<[f64; 2]> = ways.iter().flat_map(|way| way.places.clone()).collect();
-    let upper = (0..places.len())
-        .flat_map(|i| {
-            let places = &places;
-            (i + 1..places.len()).map(move |j| {
-                let [x, y] = [0, 1].map(|axis| places[i][axis] - places[j][axis]);
-                x.hypot(y)
-            })
-        })
-        .collect();
     PoseDistances {
         poses: poses_of(ways),
-        distances: DistanceMatrix::from_upper(places.len(), upper).unwrap(),
+        distances: DistanceMatrix::of_points(&places.concat(), places.len()).unwrap(),
         left_out: Vec::new(),
     }
 }

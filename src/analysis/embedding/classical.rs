@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::analysis::pose_distances::DistanceMatrix;
-use crate::numeric::{Eigen, leading_eigen, symmetric_eigen};
+use crate::numeric::{Eigen, add_scaled, dot, leading_eigen, symmetric_eigen};
 use crate::progress::{Progress, Stopped};
 
 use super::orientation::oriented;
@@ -11,15 +11,15 @@ use super::{Embedding, EmbeddingError, kruskal_stress};
 
 /// Items up to which all eigenvalues are computed (some 40 ms); past it, only the leading ones.
 const MOST_FOR_ALL: usize = 512;
-/// Eigenvalues given at least where not all are.
-const LEAST_LEADING: usize = 10;
+/// Parts that a product is shared out in, whatever the number of threads: so bits do not depend on it.
+const SHARES: usize = 16;
 
 /// Classical (Torgerson) scaling.
 ///
 /// With B = −½ J D² J, J = 1 − 11ᵀ/n: coordinates are √λₖ vₖ for the largest eigenvalues λ of B;
 /// axes with λ ≤ 0 are zero. Exact where distances are Euclidean in `dimensions`; negative eigenvalues
-/// tell that they are not Euclidean at all. All eigenvalues are given for up to 512 items, at
-/// least the 10 leading ones otherwise.
+/// tell that they are not Euclidean at all. All eigenvalues are given for up to 512 items;
+/// for more those of the axes and the next one, which says what one more axis would hold.
 ///
 /// Axis k has its entry of largest size positive, so that equal distances give the same map.
 ///
@@ -45,7 +45,7 @@ pub fn classical_mds(
         symmetric_eigen(items, &doubly_centred(distances, unit))?
     } else {
         let centred = CentredSquares::new(distances, unit);
-        leading_eigen(items, dimensions.max(LEAST_LEADING), |x, out| {
+        leading_eigen(items, dimensions + 1, |x, out| {
             centred.product(x, out, progress)
         })?
     };
@@ -92,55 +92,51 @@ fn doubly_centred(distances: &DistanceMatrix, unit: f64) -> Vec<f64> {
     b
 }
 
-/// −½ J D² J as an operator; the squares are kept, whole, so that rows can be shared out to threads.
+/// −½ J D² J as an operator. Only the squares right of the diagonal are kept: a product is as fast as
+/// memory gives them.
 struct CentredSquares {
     items: usize,
-    squares: Vec<f64>,
+    upper: Vec<f64>,
 }
 
 impl CentredSquares {
     fn new(distances: &DistanceMatrix, unit: f64) -> Self {
-        let items = distances.size();
-        let mut squares = vec![0.0; items * items];
-        squares
-            .par_chunks_mut(items)
-            .enumerate()
-            .for_each(|(i, row)| {
-                for (j, square) in row.iter_mut().enumerate() {
-                    *square = -0.5 * (distances.get(i, j) / unit).powi(2);
-                }
-            });
-        Self { items, squares }
+        Self {
+            items: distances.size(),
+            upper: (distances.upper().par_iter())
+                .map(|d| (d / unit).powi(2))
+                .collect(),
+        }
     }
 
     fn product(&self, x: &[f64], out: &mut [f64], progress: &Progress) -> Result<(), Stopped> {
         let n = self.items as f64;
         let mean = x.iter().sum::<f64>() / n;
         let centred: Vec<f64> = x.iter().map(|x| x - mean).collect();
-        let rows = self.squares.par_chunks(self.items);
-        // Each entry is one thread's sum, so the bits do not depend on their number.
-        out.par_iter_mut()
-            .zip(rows)
-            .with_min_len(64)
-            .for_each(|(out, row)| *out = dot(row, &centred));
+        let shares: Vec<Vec<f64>> = (0..SHARES)
+            .into_par_iter()
+            .map(|share| self.share_of_product(share, &centred))
+            .collect();
+        out.fill(0.0);
+        for share in shares {
+            add_scaled(out, -0.5, &share);
+        }
         let mean = out.iter().sum::<f64>() / n;
         out.iter_mut().for_each(|out| *out -= mean);
         progress.step()
     }
-}
 
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    let mut lanes = [0.0; 8];
-    let (a, b) = (a.chunks_exact(8), b.chunks_exact(8));
-    let rest: f64 = (a.remainder().iter().zip(b.remainder()))
-        .map(|(x, y)| x * y)
-        .sum();
-    for (x, y) in a.zip(b) {
-        for lane in 0..8 {
-            lanes[lane] += x[lane] * y[lane];
+    /// What every [`SHARES`]th row, from `share` on, gives: as a row, and as the column that it also is.
+    fn share_of_product(&self, share: usize, x: &[f64]) -> Vec<f64> {
+        let n = self.items;
+        let mut sums = vec![0.0; n];
+        for i in (share..n).step_by(SHARES) {
+            let row = &self.upper[i * n - i * (i + 1) / 2..][..n - i - 1];
+            sums[i] += dot(row, &x[i + 1..]);
+            add_scaled(&mut sums[i + 1..], x[i], row);
         }
+        sums
     }
-    lanes.iter().sum::<f64>() + rest
 }
 
 #[cfg(test)]
@@ -148,13 +144,7 @@ mod tests {
     use super::*;
 
     fn distances_of(points: &[[f64; 2]]) -> DistanceMatrix {
-        let mut upper = Vec::new();
-        for (i, p) in points.iter().enumerate() {
-            for q in &points[i + 1..] {
-                upper.push((p[0] - q[0]).hypot(p[1] - q[1]));
-            }
-        }
-        DistanceMatrix::from_upper(points.len(), upper).unwrap()
+        DistanceMatrix::of_points(&points.concat(), points.len()).unwrap()
     }
 
     fn spiral(count: u32) -> Vec<[f64; 2]> {
@@ -170,6 +160,9 @@ mod tests {
             let distances = distances_of(&spiral(count));
             let map = classical_mds(&distances, 2, &Progress::default()).unwrap();
             assert!(map.stress.unwrap() < 1e-9, "{count}: {:?}", map.stress);
+            let values = map.eigenvalues.unwrap();
+            assert_eq!(values.len(), if count <= 512 { count as usize } else { 3 });
+            assert!(values[1] > 0.0 && values[2].abs() < 1e-12 * values[0]);
         }
     }
 

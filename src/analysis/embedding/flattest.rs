@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use crate::numeric::{LowerColumns, SparseInverse, leading_eigen, symmetric_eigen};
+use crate::numeric::{LowerColumns, SparseCholesky, leading_eigen, symmetric_eigen};
 use crate::progress::{Progress, Stopped};
 
 use super::{EmbeddingError, LocalWeights};
@@ -124,10 +124,10 @@ fn by_shifted_inverse(
 ) -> Result<Vec<Vec<f64>>, EmbeddingError> {
     let size = matrix.size();
     let mut shift = SHIFT * largest_diagonal(matrix);
-    let mut inverse = loop {
+    let factor = loop {
         progress.step()?;
-        match SparseInverse::new(matrix, shift) {
-            Ok(inverse) => break inverse,
+        match SparseCholesky::shifted(matrix, shift) {
+            Ok(factor) => break factor,
             // A shift of this size is sure to suffice, but where something is not a number.
             Err(_) if shift > largest_diagonal(matrix) || !shift.is_finite() => {
                 return Err(crate::numeric::EigenDiverged { size }.into());
@@ -138,7 +138,7 @@ fn by_shifted_inverse(
     let eigen = leading_eigen(size, count, |x, out| {
         out.copy_from_slice(x);
         centre(out);
-        inverse.solve(out);
+        factor.solve(out);
         centre(out);
         progress.step()
     })?;

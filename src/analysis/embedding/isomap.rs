@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::analysis::pose_distances::DistanceMatrix;
+use crate::numeric::{add_scaled, dot};
 use crate::progress::{Progress, Stopped};
 
 use super::neighbour_graph::NeighbourGraph;
@@ -108,24 +109,21 @@ pub fn shortest_ways(
     Ok((ways, parts))
 }
 
-/// Σ Kᵢⱼ², K the doubly centred −½ G².
+/// Σ Kᵢⱼ², K = J S J the doubly centred S = −½ G²: with row means mᵢ of S and their mean m it is
+/// Σ Sᵢⱼ² − 2 n Σ mᵢ² + n² m².
 fn centred_norm2(ways: &DistanceMatrix) -> f64 {
     let n = ways.size();
-    let entry = |i: usize, j: usize| -0.5 * ways.get(i, j).powi(2);
-    let means: Vec<f64> = (0..n)
-        .into_par_iter()
-        .map(|i| (0..n).map(|j| entry(i, j)).sum::<f64>() / n as f64)
-        .collect();
-    let mean = means.iter().sum::<f64>() / n as f64;
-    let rows: Vec<f64> = (0..n)
-        .into_par_iter()
-        .map(|i| {
-            (0..n)
-                .map(|j| (entry(i, j) - means[i] - means[j] + mean).powi(2))
-                .sum()
-        })
-        .collect();
-    rows.iter().sum()
+    let (mut sums, mut norm2) = (vec![0.0; n], 0.0);
+    for i in 0..n {
+        let row: Vec<f64> = (ways.row_right_of_diagonal(i).iter())
+            .map(|way| -0.5 * way * way)
+            .collect();
+        norm2 += 2.0 * dot(&row, &row);
+        sums[i] += row.iter().sum::<f64>();
+        add_scaled(&mut sums[i + 1..], 1.0, &row);
+    }
+    let total: f64 = sums.iter().sum();
+    norm2 - 2.0 / n as f64 * dot(&sums, &sums) + (total / n as f64).powi(2)
 }
 
 #[cfg(test)]
@@ -134,15 +132,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn of_points(points: &[[f64; 2]]) -> DistanceMatrix {
-        let upper = (0..points.len())
-            .flat_map(|i| {
-                let p = points[i];
-                points[i + 1..]
-                    .iter()
-                    .map(move |q| (p[0] - q[0]).hypot(p[1] - q[1]))
-            })
-            .collect();
-        DistanceMatrix::from_upper(points.len(), upper).unwrap()
+        DistanceMatrix::of_points(&points.concat(), points.len()).unwrap()
     }
 
     fn arc(items: u32) -> Vec<[f64; 2]> {
@@ -172,6 +162,15 @@ mod tests {
         let map = isomap(&distances, 29, 2, &Progress::default()).unwrap();
         let classical = classical_mds(&distances, 2, &Progress::default()).unwrap();
         assert_eq!(map.coordinates, classical.coordinates);
+    }
+
+    #[test]
+    fn what_one_axis_leaves_out_of_a_plane_is_the_second_eigenvalue() {
+        let points = arc(30);
+        let map = isomap(&of_points(&points), 29, 1, &Progress::default()).unwrap();
+        let second = map.eigenvalues.unwrap()[1];
+        let left_out = map.reconstruction_error.unwrap();
+        assert!(second > 1.0 && (left_out - second / 30.0).abs() < 1e-12);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use crate::numeric::{factorise_positive, solve_positive};
 use crate::progress::{Progress, Stopped};
 
 use super::lle::CheckedLleParams;
@@ -206,41 +207,11 @@ impl Local<'_> {
             gram[i * k + i] += self.regularisation;
         }
         weights.fill(1.0);
+        // Positive definite by the regularisation, far above round-off.
+        factorise_positive(gram, k);
         solve_positive(gram, weights);
         let sum: f64 = weights.iter().sum();
         weights.iter_mut().for_each(|weight| *weight /= sum);
-    }
-}
-
-/// Solves A x = b by Cholesky's factors, A symmetric positive definite; only the lower triangle is
-/// read, and both arguments are overwritten.
-fn solve_positive(a: &mut [f64], b: &mut [f64]) {
-    let n = b.len();
-    for i in 0..n {
-        for j in 0..=i {
-            let (before, row) = a.split_at_mut(i * n);
-            let along: f64 = if i == j {
-                row[..j].iter().map(|x| x * x).sum()
-            } else {
-                (row[..j].iter().zip(&before[j * n..]))
-                    .map(|(x, y)| x * y)
-                    .sum()
-            };
-            row[j] = if i == j {
-                // Positive but for round-off, far below the regularisation.
-                (row[j] - along).max(f64::MIN_POSITIVE).sqrt()
-            } else {
-                (row[j] - along) / before[j * n + j]
-            };
-        }
-    }
-    for i in 0..n {
-        let known: f64 = (0..i).map(|j| a[i * n + j] * b[j]).sum();
-        b[i] = (b[i] - known) / a[i * n + i];
-    }
-    for i in (0..n).rev() {
-        let known: f64 = (i + 1..n).map(|j| a[j * n + i] * b[j]).sum();
-        b[i] = (b[i] - known) / a[i * n + i];
     }
 }
 

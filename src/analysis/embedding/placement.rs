@@ -56,11 +56,7 @@ mod tests {
     use crate::progress::Progress;
 
     fn of(points: &[[f64; 2]]) -> DistanceMatrix {
-        let far = |a: &[f64; 2], b: &[f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
-        let upper = (0..points.len())
-            .flat_map(|i| points[i + 1..].iter().map(move |q| far(&points[i], q)))
-            .collect();
-        DistanceMatrix::from_upper(points.len(), upper).unwrap()
+        DistanceMatrix::of_points(&points.concat(), points.len()).unwrap()
     }
 
     #[test]

@@ -15,6 +15,11 @@ pub enum MapMethod {
     },
 }
 
+impl MapMethod {
+    /// Isomap with as many neighbours as suit the poses of some twenty hearts.
+    pub const ISOMAP: Self = Self::Isomap { neighbours: 10 };
+}
+
 /// Coordinates of items, `dimensions` numbers each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Embedding {
@@ -25,8 +30,8 @@ pub struct Embedding {
     /// Kruskal's stress 1, √(Σ(d − δ)² / Σδ²) over pairs, δ the given distances; those along the
     /// graph for Isomap. None where distances on the map mean nothing, as with local linearity.
     pub stress: Option<f64>,
-    /// Eigenvalues of classical scaling, descending, all of them for up to 512 items; negative ones
-    /// show that the distances are not Euclidean. Of principal components: the variances. Of locally
+    /// Eigenvalues of classical scaling, descending: all of them for up to 512 items, where negative ones
+    /// show that the distances are not Euclidean; those of the axes and the next one for more. Of principal components: the variances. Of locally
     /// linear maps: those of the axes, ascending.
     pub eigenvalues: Option<Vec<f64>>,
     /// Majorisation steps done.

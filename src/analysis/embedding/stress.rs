@@ -1,5 +1,7 @@
 //! How well a map keeps the distances.
 
+use rayon::prelude::*;
+
 use crate::analysis::pose_distances::DistanceMatrix;
 
 use super::Embedding;
@@ -11,19 +13,21 @@ pub fn raw_stress(distances: &DistanceMatrix, map: &Embedding) -> Option<f64> {
     if map.coordinates.len() != items * map.dimensions {
         return None;
     }
-    let mut sum = 0.0;
-    for i in 0..items {
-        let here = map.point(i);
-        // One sum a row keeps round-off at that of a row.
-        sum += (distances.row_right_of_diagonal(i).iter().enumerate())
-            .map(|(offset, given)| {
-                let there = map.point(i + 1 + offset);
-                let square: f64 = here.iter().zip(there).map(|(a, b)| (a - b).powi(2)).sum();
-                (square.sqrt() - given).powi(2)
-            })
-            .sum::<f64>();
-    }
-    Some(sum)
+    // One sum a row keeps round-off at that of a row, and bits apart from the number of threads.
+    let rows: Vec<f64> = (0..items)
+        .into_par_iter()
+        .map(|i| {
+            let here = map.point(i);
+            (distances.row_right_of_diagonal(i).iter().enumerate())
+                .map(|(offset, given)| {
+                    let there = map.point(i + 1 + offset);
+                    let square: f64 = here.iter().zip(there).map(|(a, b)| (a - b).powi(2)).sum();
+                    (square.sqrt() - given).powi(2)
+                })
+                .sum()
+        })
+        .collect();
+    Some(rows.iter().sum())
 }
 
 /// Kruskal's stress 1, √(Σ (d − δ)² / Σ δ²) over pairs: 0 is perfect, 0.05 good, 0.2 poor. 0 where

@@ -14,7 +14,6 @@ use crate::progress::Progress;
 use crate::study::Study;
 
 use super::noise_result::mean_and_error;
-use super::pipeline::compared;
 use super::{ExperimentError, Method, Noise, NoiseFamily, NoiseReference, noisy_study};
 
 /// What is compared, on which copies.
@@ -222,13 +221,7 @@ fn by_method(
     params: &MetricComparisonParams,
     progress: &Progress,
 ) -> Result<Classes, ExperimentError> {
-    let whole = compared(
-        study,
-        &method.distances,
-        params.map,
-        &params.deformations,
-        progress,
-    )?;
+    let whole = method.compared(study, params.map, &params.deformations, progress)?;
     let labels = labels_of(study, &whole.subjects);
     let rules = params.classes.check()?;
     Ok(classify(
@@ -250,12 +243,8 @@ fn by_ejection_fraction(
     let (subjects, fractions): (Vec<usize>, Vec<f64>) = (measures.iter().enumerate())
         .filter_map(|(subject, measured)| Some((subject, measured.ef?)))
         .unzip();
-    let count = fractions.len();
-    let upper = (0..count)
-        .flat_map(|i| (i + 1..count).map(move |j| (i, j)))
-        .map(|(i, j)| (fractions[i] - fractions[j]).abs())
-        .collect();
-    let distances = DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty);
+    let distances = DistanceMatrix::of_points(&fractions, fractions.len())
+        .unwrap_or_else(DistanceMatrix::empty);
     let line = Embedding {
         dimensions: 1,
         coordinates: fractions,

@@ -38,6 +38,26 @@ pub enum ExperimentError {
         /// What was asked for.
         value: f64,
     },
+    /// Nobody's other sequence can be nearer.
+    #[error(
+        "none of the {sequences} sequences that correspond has a partner: ids of one patient must agree \
+         up to their last `_`, as P7_rest and P7_stress do"
+    )]
+    NoPartners {
+        /// How many were looked at.
+        sequences: usize,
+    },
+    /// There is nobody else to be nearer than.
+    #[error(
+        "all {sequences} sequences that correspond are of one patient, {patient}: whether partners are \
+         near shows beside other patients only"
+    )]
+    OnePatient {
+        /// How many were looked at.
+        sequences: usize,
+        /// What their ids have in common.
+        patient: String,
+    },
     /// A noise level is not a share of a variance.
     #[error("a noise level must be zero or positive and finite, not {percent} %")]
     Level {

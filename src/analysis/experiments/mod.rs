@@ -9,6 +9,8 @@ mod noise_result;
 mod noise_study;
 mod noisy;
 mod objects;
+mod one_motion;
+mod partners;
 mod pipeline;
 mod synthetic;
 #[cfg(test)]
@@ -28,6 +30,9 @@ pub use noise_result::{NoiseCell, NoiseDeformationResult, published_tau};
 pub use noise_study::{NoiseDeformationParams, noise_deformation};
 pub use noisy::{Noise, noisy_study};
 pub use objects::{Fineness, ObjectKind, Solid, object};
+pub use partners::{
+    Carrying, PartnerParams, PartnerRanks, PartnerRow, PartnerStudy, partner_study, patient_of,
+};
 pub use pipeline::Method;
 pub use synthetic::{Deformation, SyntheticCohort, SyntheticParams, synthetic_cohort};
 pub use transfer_study::{TransferCase, TransferStudy, TransferStudyParams, transfer_study};

@@ -12,7 +12,6 @@ use crate::progress::Progress;
 use crate::study::Study;
 
 use super::noise_result::{NoiseCell, NoiseDeformationResult};
-use super::pipeline::compared;
 use super::{
     ExperimentError, Method, Motion, Noise, NoiseFamily, NoiseReference, ObjectKind,
     SyntheticParams, noisy_study, synthetic_cohort,
@@ -226,13 +225,7 @@ fn told_apart(
     seed: u64,
     progress: &Progress,
 ) -> Result<Draw, ExperimentError> {
-    let whole = compared(
-        study,
-        &method.distances,
-        params.map,
-        &params.deformations,
-        progress,
-    )?;
+    let whole = method.compared(study, params.map, &params.deformations, progress)?;
     let labels: Vec<Option<usize>> = whole.subjects.iter().map(|&s| labels[s]).collect();
     let clusters = k_means(
         &whole.plane.coordinates,

@@ -31,25 +31,26 @@ pub(super) struct Compared {
 
 const PLANE: usize = 2;
 
-pub(super) fn compared(
-    study: &Study,
-    distances: &PoseDistanceParams,
-    map: MapMethod,
-    plane: &DeformationMapParams,
-    progress: &Progress,
-) -> Result<Compared, ExperimentError> {
-    let poses = pose_distances(study, &distances.check()?, progress)?;
-    let whole = deformation_distances(study, &poses, progress)?;
-    let map = embed(&poses.distances, map, PLANE, progress)?;
-    let plane = deformation_map(study, &poses.poses, &map, &plane.check()?, progress)?;
-    Ok(Compared {
-        subjects: whole.subjects,
-        distances: whole.distances,
-        plane: plane.embedding,
-    })
-}
-
 impl Method {
+    /// Takes a study through all of it: `map` lays out poses, `plane` whole deformations.
+    pub(super) fn compared(
+        &self,
+        study: &Study,
+        map: MapMethod,
+        plane: &DeformationMapParams,
+        progress: &Progress,
+    ) -> Result<Compared, ExperimentError> {
+        let poses = pose_distances(study, &self.distances.check()?, progress)?;
+        let whole = deformation_distances(study, &poses, progress)?;
+        let map = embed(&poses.distances, map, PLANE, progress)?;
+        let plane = deformation_map(study, &poses.poses, &map, &plane.check()?, progress)?;
+        Ok(Compared {
+            subjects: whole.subjects,
+            distances: whole.distances,
+            plane: plane.embedding,
+        })
+    }
+
     /// The settings that the program starts with.
     pub fn default_metric() -> Self {
         Self {

@@ -19,15 +19,17 @@ pub struct GeodesicParams {
     /// Find the path on a decimated mesh of at most so many vertices, and prolong its offsets from the
     /// straight line to the whole; `None`: on the mesh as it is.
     ///
-    /// Offsets are smooth where limbs do not turn: on hearts of 1,600 vertices a path found on 1,000 has 85 % of
-    /// the gain in energy, one found on 500 some 60 %, 300 some 50 %. On the horse, whose legs turn, prolonged
-    /// paths cost more than the straight line, which is then given.
+    /// Offsets are smooth where limbs do not turn: on hearts such a path has a part of the gain in energy, less
+    /// the fewer vertices it is found on. Where limbs turn, as a horse's legs do, a prolonged path may cost more
+    /// than the straight line, which is then given.
     pub most_vertices: Option<u32>,
 }
 
 impl Default for GeodesicParams {
-    /// Tolerance: on hearts 1e-3 ends after some 20 iterations, within 0.7 % of the energy that
-    /// hundreds more reach; those make wrinkles below the scale at which the default metric charges curvature.
+    /// Tolerance: from frame 0 to 11 of a heart in cine MRI, with 7 in-betweens, 1e-3 ends after 12 iterations
+    /// on the endocardium and 17 on the epicardium; 1e-6 takes 342 and 733, and lowers the energy by another
+    /// 0.14 % and 0.12 % (`cardiomorph interpolate ED ES --poses 7 --tolerance T` says energy and iterations).
+    /// That is won by wrinkles below the scale at which the default metric charges curvature.
     fn default() -> Self {
         Self {
             metric: MetricParams::default(),

@@ -4,21 +4,10 @@ use nalgebra::Rotation3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
+use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams, bent};
 use crate::mesh::{Faces, Point3, TriMesh, Vector3, phantom};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
-
-/// A smooth bend of size `amount`, other for each phase.
-fn bent(points: &[Point3], amount: f64, phase: f64) -> Vec<Point3> {
-    points
-        .iter()
-        .map(|p| {
-            let wave = |a: f64, b: f64| (1.3 * a - 0.8 * b + phase).sin();
-            p + Vector3::new(wave(p.x, p.z), wave(p.y, p.x), wave(p.z, p.y)) * amount
-        })
-        .collect()
-}
 
 fn found(faces: &Faces, start: &[Point3], end: &[Point3], params: GeodesicParams) -> GeodesicPath {
     let params = params.check().unwrap();

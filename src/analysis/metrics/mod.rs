@@ -48,3 +48,5 @@ pub use smoothing::Smoother;
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+pub(super) use tests::bent;

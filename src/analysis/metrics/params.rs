@@ -91,7 +91,8 @@ impl Default for MetricParams {
     /// *Partner:* gated SPECT, 10 patients at rest and under stress, 8 gates: how many of the 20
     /// sequences have the same patient's other one as the nearest. *Five labels* and *infarct or
     /// dilated* (against normal): ACDC walls at end-diastole and end-systole, leave-one-out, by one and
-    /// by five neighbours. A step of two or three in a column is within chance.
+    /// by five neighbours. A step of two or three in a column is within chance. Poses were not smoothed
+    /// then; what partners are by today's defaults, `cardiomorph experiment partners` prints.
     ///
     /// So curvature as measured on meshes of some hundred vertices helps only in a small dose and
     /// averaged over several rings, and displacement must count about as much as strain.

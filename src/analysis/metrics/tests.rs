@@ -30,7 +30,7 @@ fn all_params(corners: Corners, area_weights: bool, lambda: f64) -> Vec<MetricPa
 }
 
 /// A smooth bend of size `amount`, other for each phase.
-fn bent(points: &[Point3], amount: f64, phase: f64) -> Vec<Point3> {
+pub(in crate::analysis) fn bent(points: &[Point3], amount: f64, phase: f64) -> Vec<Point3> {
     points
         .iter()
         .map(|p| {

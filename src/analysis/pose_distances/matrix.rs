@@ -178,11 +178,8 @@ fn leave_out_unprepared(
 
 /// The matrix of poses of which every pair is known.
 fn assembled(poses: &[PoseId], rows: &KnownRows<'_>) -> DistanceMatrix {
-    let count = poses.len();
-    let upper = (0..count)
-        .flat_map(|i| (i + 1..count).map(move |j| rows.distance(i, j).unwrap_or(0.0)))
-        .collect();
-    DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty)
+    DistanceMatrix::of_pairs(poses.len(), |i, j| rows.distance(i, j).unwrap_or(0.0))
+        .unwrap_or_else(DistanceMatrix::empty)
 }
 
 /// Every pair once, block by block; blocks are placed by number, whoever did them.

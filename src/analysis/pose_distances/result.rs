@@ -27,6 +27,24 @@ impl DistanceMatrix {
         (fits && distances).then_some(Self { size, upper })
     }
 
+    /// Of `size` items, from the distance of any two, i < j. `None` if one is negative or not finite.
+    pub fn of_pairs(size: usize, distance: impl Fn(usize, usize) -> f64) -> Option<Self> {
+        let distance = &distance;
+        let upper = (0..size).flat_map(|i| (i + 1..size).map(move |j| distance(i, j)));
+        Self::from_upper(size, upper.collect())
+    }
+
+    /// Euclidean distances of `items` points, rows of equal length one after the other. `None` if one
+    /// is not finite.
+    pub fn of_points(points: &[f64], items: usize) -> Option<Self> {
+        let width = points.len() / items.max(1);
+        let row = |i: usize| &points[i * width..][..width];
+        Self::of_pairs(items, |i, j| {
+            let squares = row(i).iter().zip(row(j)).map(|(a, b)| (a - b) * (a - b));
+            squares.sum::<f64>().sqrt()
+        })
+    }
+
     /// No rows.
     pub fn empty() -> Self {
         Self {
@@ -88,5 +106,19 @@ mod tests {
         assert!(DistanceMatrix::from_upper(4, vec![0.0; 5]).is_none());
         assert!(DistanceMatrix::from_upper(2, vec![f64::NAN]).is_none());
         assert!(DistanceMatrix::from_upper(2, vec![-1.0]).is_none());
+    }
+
+    #[test]
+    fn distances_of_points_are_those_of_pythagoras_in_the_order_of_rows() {
+        let points = [0.0, 0.0, 3.0, 4.0, 3.0, 0.0];
+        let matrix = DistanceMatrix::of_points(&points, 3).unwrap();
+        assert_eq!(matrix.upper(), [5.0, 3.0, 4.0]);
+        let named = DistanceMatrix::of_pairs(3, |i, j| (10 * i + j) as f64).unwrap();
+        assert_eq!(named.upper(), [1.0, 2.0, 12.0]);
+        assert_eq!(
+            DistanceMatrix::of_points(&[], 0),
+            Some(DistanceMatrix::empty())
+        );
+        assert!(DistanceMatrix::of_points(&[0.0, f64::NAN], 2).is_none());
     }
 }

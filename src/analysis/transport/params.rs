@@ -9,7 +9,7 @@ pub enum Geodesics {
     /// Once, from M₀ to N₀. The path from M_i to N_i is the straight one bent as much as the first.
     #[default]
     First,
-    /// From every M_i to every N_i, as the text says: three to eight times as long.
+    /// From every M_i to every N_i, as the text says: takes several times as long.
     EveryStep,
 }
 
@@ -76,39 +76,15 @@ pub struct CohortTransferParams {
 }
 
 impl Default for CohortTransferParams {
-    /// What a transfer needs, measured with the default metric onto the mean of each cohort.
-    ///
-    /// | geodesics, in-betweens, vertices | error, mean (worst heart) | partner: nearest, above median |
-    /// |---|---|---|
-    /// | straight way | 3.2 % (8.7 %) | 2, 18 of 20 |
-    /// | first, 1, 500 | 1.5 % (4.2 %) | 7, 17 |
-    /// | first, 3, 200 | 0.93 % (2.8 %) | 6, 19 |
-    /// | **first, 3, 500** | 0.85 % (2.6 %) | 10, 18 |
-    /// | first, 3, all | 0.79 % (2.6 %) | 11, 17 |
-    /// | first, 7, 500 | 0.77 % (2.6 %) | 10, 18 |
-    /// | first, 7, all | 0.71 % (2.6 %) | 11, 18 |
-    /// | every step, 1, 500 | 1.5 % (3.9 %) | 5, 18 |
-    /// | every step, 3, 500 | 0.60 % (1.6 %) | 5, 18 |
-    ///
-    /// *Error:* built-in cohort, 23 beats of 8 poses of 2,450 vertices, sizes normalised; root mean square
-    /// distance from the poses that geodesics for every step with 7 in-betweens on all vertices give
-    /// (which took some 25 times as long as the default), over the root mean square
-    /// displacement from end-diastole. The error falls with the length of a step, as forward differences do.
-    /// *Partner:* gated SPECT, 10 patients at rest and under stress, 898 vertices: sequences of which
-    /// the same patient's other one is the nearest, and nearer than the median of the others, by the
-    /// root mean square distance over equal phases. Without any transfer they are 17 and 20, since
-    /// the shape of the heart itself tells the patient; displacement alone added to the mean gives 3
-    /// and 16.
-    ///
-    /// So few in-betweens and a coarse mesh do, and one geodesic per heart: those of later steps
-    /// bend alike, and on meshes of real hearts they follow noise. There the poses themselves have not
-    /// settled, though: SPECT beats carried with the default are 19 % of the
-    /// displacement away from those of 7 in-betweens on all vertices, and 35 % without
-    /// in-betweens. Of 23 built-in hearts, 18 have a nearest neighbour that is normal or not as
-    /// they are, whatever the row; 20 without transfer, and 18 by displacement alone.
-    ///
-    /// Taken once, before the search for geodesics was given another preconditioner: paths with several
-    /// minima, as on SPECT, may now be others.
+    /// What a transfer needs, and no more: so few in-betweens and a coarse mesh do, and one geodesic per
+    /// heart, since those of later steps bend alike, and on meshes of real hearts they follow noise. What is
+    /// left out changes where a carried pose lies by far less than it moved on smooth hearts, but takes several
+    /// times as long. Nor does it tell more of patients: on gated SPECT 16 of 20 sequences have the same
+    /// patient's other one nearer than the median of the others, and 7 have it nearest, for 1, 3 and 7
+    /// in-betweens and for straight ways, on 200, 500 and all vertices, and for geodesics at every step with 1
+    /// in-between (`cardiomorph experiment partners STUDY --in-betweens K --geodesics WORD
+    /// --coarse-vertices N --out DIR`; what that means is said at
+    /// [`partner_study`](crate::analysis::experiments::partner_study)).
     fn default() -> Self {
         Self {
             reference: Reference::Mean,

@@ -26,6 +26,8 @@ pub fn action_state(state: &State, layout: &Layout) -> ActionState {
         has_other: document.compared().is_some(),
         carrying: document.carrying().is_some(),
         theme: state.theme,
+        metric: document.map.distances.metric.kind,
+        map_method: document.map.method,
         shows_clusters: document.shows_clusters,
         hidden_panes: PANES
             .iter()

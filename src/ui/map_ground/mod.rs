@@ -1,12 +1,15 @@
-//! What all maps share: ground that can be moved and zoomed, its grid, names beside points, and what is said while a map is not there.
+//! What all maps share: ground that can be moved and zoomed, its grid, names beside points, whose heart
+//! the pointer is on, and what is said while a map is not there.
 
 mod ground;
+mod hover;
 mod labels;
 mod legend;
 mod lens;
 mod state;
 
 pub use ground::{Ground, ground_ui};
+pub use hover::{subject_ui, tooltip_ui};
 pub use labels::Labels;
 pub use legend::role_counts_ui;
 pub use lens::Lens;

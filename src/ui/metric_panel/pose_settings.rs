@@ -10,9 +10,6 @@ use crate::ui::metric_panel::{MetricPanelView, choice_row_ui, sentence_ui};
 use crate::ui::metric_words::method_name;
 use crate::ui::number_field::{NumberField, number_field_ui, whole};
 
-/// Neighbours that Isomap begins with.
-const ISOMAP_NEIGHBOURS: u16 = 10;
-
 /// Draws reference and method; the settings after a change.
 pub fn pose_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
     let mut wanted = view.poses;
@@ -79,18 +76,15 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
 fn method_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
     let what = "How distances between poses become places in the plane";
     let method = wanted.method;
-    let kept = match method {
-        MapMethod::Isomap { neighbours } => neighbours,
-        _ => ISOMAP_NEIGHBOURS,
+    let isomap = match method {
+        MapMethod::Isomap { .. } => method,
+        _ => MapMethod::ISOMAP,
     };
     choice_row_ui(ui, "Method", what, method_name(method), true, |ui| {
         for (offered, name) in [
             (MapMethod::Smacof, "SMACOF: least stress"),
             (MapMethod::ClassicalMds, "MDS: classical scaling"),
-            (
-                MapMethod::Isomap { neighbours: kept },
-                "Isomap: along neighbours",
-            ),
+            (isomap, "Isomap: along neighbours"),
         ] {
             if choice_ui(ui, name, method == offered) {
                 wanted.method = offered;

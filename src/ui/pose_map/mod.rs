@@ -28,6 +28,17 @@ pub enum PosePhase {
     Between,
 }
 
+impl PosePhase {
+    /// What follows the name of a pose; nothing where it is any other.
+    pub fn after_name(self) -> &'static str {
+        match self {
+            Self::EndDiastole => " · end-diastole",
+            Self::EndSystole => " · end-systole",
+            Self::Between => "",
+        }
+    }
+}
+
 /// One pose. Poses of a subject follow each other in order of frames.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MapPoint {

@@ -287,3 +287,51 @@ fn every_metric_is_compared_on_a_labelled_study_beside_ejection_fraction_and_dis
     }
     assert_eq!(super::rows(&out.join("metrics.csv")).len(), rows.len());
 }
+
+/// Folder `from` of the built-in cohort under another name, so that it opens as a subject of that id.
+fn renamed(folder: &Path, from: &str, id: &str) {
+    let target = folder.join(id);
+    std::fs::create_dir_all(&target).unwrap();
+    for entry in std::fs::read_dir(demo().join(from)).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        std::fs::copy(entry.path(), target.join(name.replace(from, id))).unwrap();
+    }
+}
+
+#[test]
+fn partners_with_one_motion_are_nearest_by_every_metric_and_are_refused_where_there_are_none() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = folder.path().join("study");
+    for (patient, from) in ["N01", "N02", "N03"].into_iter().enumerate() {
+        for state in ["rest", "stress"] {
+            renamed(&study, from, &format!("P{patient}_{state}"));
+        }
+    }
+    let out = folder.path().join("partners");
+    let answer = json_of(&cardiomorph(&[
+        "experiment",
+        "partners",
+        text(&study),
+        "--out",
+        text(&out),
+        "--json",
+    ]));
+    let rows = answer["partners"].as_array().unwrap();
+    // Ten ways of comparing after five of carrying, and three on hearts as they are.
+    assert_eq!(rows.len(), 10 * 5 + 3);
+    for row in rows {
+        assert_eq!(row["pairs"], 6, "{row}");
+        assert_eq!(row["nearest"], 6, "{row}");
+        assert_eq!(row["mean_rank"], 1.0, "{row}");
+    }
+    assert_eq!(super::rows(&out.join("partners.csv")).len(), rows.len());
+    assert!(out.join("summary.json").exists());
+    let none = cardiomorph(&["experiment", "partners", text(demo()), "--out", text(&out)]);
+    assert_eq!(code(&none), 1);
+    assert!(
+        said(&none).contains("up to their last `_`"),
+        "{}",
+        said(&none)
+    );
+}

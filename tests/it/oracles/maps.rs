@@ -106,20 +106,7 @@ fn the_map_of_the_window_is_within_the_stress_of_scikit_learn() {
 fn points(case: &Case) -> (Vec<f64>, usize, DistanceMatrix) {
     let points = case.numbers("inputs", "points");
     let items = case.value["inputs"]["points"]["shape"][0].as_u64().unwrap() as usize;
-    let width = points.len() / items;
-    let row = |i: usize| &points[i * width..][..width];
-    let upper = (0..items)
-        .flat_map(|i| (i + 1..items).map(move |j| (i, j)))
-        .map(|(i, j)| {
-            let square: f64 = row(i)
-                .iter()
-                .zip(row(j))
-                .map(|(a, b)| (a - b).powi(2))
-                .sum();
-            square.sqrt()
-        })
-        .collect();
-    let distances = DistanceMatrix::from_upper(items, upper).unwrap();
+    let distances = DistanceMatrix::of_points(&points, items).unwrap();
     (points, items, distances)
 }
 

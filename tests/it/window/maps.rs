@@ -2,6 +2,7 @@
 
 use super::*;
 
+use cardiomorph::analysis::embedding::MapMethod;
 use cardiomorph::analysis::metrics::MetricKind;
 use cardiomorph::engine::WorkKind;
 
@@ -202,6 +203,15 @@ fn the_panel_changes_the_metric_and_the_way_back_is_one_undo() {
     assert_eq!(kind(&harness), MetricKind::QuasiConformal);
     give(&mut harness, Command::Undo);
     assert_eq!(kind(&harness), MetricKind::Rigid);
+    // The palette reaches both without the panel.
+    give(&mut harness, Command::SetMetric(MetricKind::Isometric));
+    assert_eq!(kind(&harness), MetricKind::Isometric);
+    give(&mut harness, Command::SetMapMethod(MapMethod::ISOMAP));
+    wait(&mut harness, "the map by Isomap", |app| !app.busy());
+    assert_eq!(
+        harness.state().state().document.map.method,
+        MapMethod::ISOMAP
+    );
 }
 
 #[test]

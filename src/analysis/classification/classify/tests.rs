@@ -14,24 +14,13 @@ fn params(permutations: u32) -> CheckedClassesParams {
 }
 
 fn of_points(points: &[f64]) -> (DistanceMatrix, Embedding) {
-    let rows: Vec<&[f64]> = points.chunks(2).collect();
-    let upper = (0..rows.len())
-        .flat_map(|i| {
-            let p = rows[i];
-            rows[i + 1..]
-                .iter()
-                .map(move |q| (p[0] - q[0]).hypot(p[1] - q[1]))
-        })
-        .collect();
+    let distances = DistanceMatrix::of_points(points, points.len() / 2).unwrap();
     let plane = Embedding {
         dimensions: 2,
         coordinates: points.to_vec(),
         ..Embedding::default()
     };
-    (
-        DistanceMatrix::from_upper(rows.len(), upper).unwrap(),
-        plane,
-    )
+    (distances, plane)
 }
 
 /// Points spread evenly in a square, those of every second row shifted.

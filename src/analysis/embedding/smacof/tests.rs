@@ -6,19 +6,7 @@ use super::*;
 use crate::analysis::embedding::raw_stress;
 
 fn distances(points: &[[f64; 3]]) -> DistanceMatrix {
-    let mut upper = Vec::new();
-    for (i, p) in points.iter().enumerate() {
-        for q in &points[i + 1..] {
-            upper.push(
-                p.iter()
-                    .zip(q)
-                    .map(|(a, b)| (a - b).powi(2))
-                    .sum::<f64>()
-                    .sqrt(),
-            );
-        }
-    }
-    DistanceMatrix::from_upper(points.len(), upper).unwrap()
+    DistanceMatrix::of_points(&points.concat(), points.len()).unwrap()
 }
 
 fn cloud(items: u32, flat: f64) -> Vec<[f64; 3]> {
