@@ -1,6 +1,7 @@
 //! One triangle mesh at one instant: connectivity, positions, and what can be measured on them.
 
 mod capping;
+mod closest_point;
 mod components;
 mod curvature;
 mod decimation;
@@ -8,16 +9,21 @@ mod faces;
 mod measure;
 mod normals;
 pub mod phantom;
+mod plane_section;
+mod scan_lines;
 mod self_intersections;
 mod tri_mesh;
 
 pub use capping::CappedSheet;
+pub use closest_point::ClosestPoint;
 pub use components::{Sheet, SheetError, sheets};
 pub use curvature::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
 pub use decimation::Decimation;
 pub use faces::{Edge, Faces, MeshError};
 pub use measure::{area, bounding_box, signed_volume, winding_number};
 pub use normals::{face_normals, vertex_normals};
+pub use plane_section::{Contour, plane_section};
+pub use scan_lines::{ScanGrid, scan_lines};
 pub use self_intersections::crossing_faces;
 pub use tri_mesh::TriMesh;
 

@@ -8,8 +8,13 @@
 use std::path::{Path, PathBuf};
 
 use cardiomorph::analysis::measures::{SubjectMeasures, measure_subject};
+use cardiomorph::analysis::segments::Segment;
+use cardiomorph::analysis::thickness_methods::{
+    ThicknessMethod, ThicknessParams, mean_wall_thickness, thickness,
+};
 use cardiomorph::io::{Limits, read_mesh};
 use cardiomorph::mesh::{Faces, TriMesh};
+use cardiomorph::progress::Progress;
 use cardiomorph::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
 use cardiomorph::units::LengthUnit;
 use serde_json::Value;
@@ -142,6 +147,68 @@ fn a_shell_without_its_lid_holds_as_much_and_has_the_lateral_area() {
             &expected["analytic_lateral_area_epi_mm2"],
             0.008,
         );
+    }
+}
+
+#[test]
+fn places_lie_in_the_segments_of_the_standard() {
+    let case = case("aha17");
+    let numbers = |value: &Value| -> Vec<f64> {
+        let all = value.as_array().unwrap();
+        all.iter().map(|x| x.as_f64().unwrap()).collect()
+    };
+    let depths = numbers(&case["inputs"]["z_norm"]);
+    let angles = numbers(&case["inputs"]["theta_deg"]);
+    let expected = numbers(&case["expected"]["segment"]);
+    assert_eq!(depths.len(), 60);
+    for ((depth, angle), expected) in depths.iter().zip(&angles).zip(&expected) {
+        let found = Segment::at(*depth, angle.to_radians());
+        assert_eq!(f64::from(found.number()), *expected, "{depth} {angle}");
+    }
+    let names: Vec<&str> = Segment::all().map(Segment::name).collect();
+    assert_eq!(serde_json::json!(names), case["expected"]["names"]);
+}
+
+#[test]
+fn shells_are_as_thick_as_their_equations_say_by_every_method() {
+    for name in ["shell_0", "shell_1"] {
+        let case = case(name);
+        let expected = &case["expected"];
+        let base_z = case["params"]["base_z"].as_f64().unwrap();
+        let [endo, epi] = ["endo", "epi"].map(|layer| {
+            let file = case["inputs"][layer]["obj"].as_str().unwrap();
+            without_lid(&mesh(file), base_z)
+        });
+        near(
+            mean_wall_thickness(&endo, &epi).unwrap(),
+            &expected["LWT_mean"],
+            0.01,
+        );
+        let sequence = MeshSequence::new(vec![
+            SurfaceSequence::new(SurfaceKind::Endocardium, vec![endo.clone()]).unwrap(),
+            SurfaceSequence::new(SurfaceKind::Epicardium, vec![epi]).unwrap(),
+        ])
+        .unwrap();
+        let shell = Subject::new(name, sequence, LengthUnit::Millimetre);
+        let params = ThicknessParams::default().check().unwrap();
+        // Apex and the place nearest to the equator; slices say nothing of the apex.
+        let lowest = |key: &dyn Fn(usize) -> f64| {
+            let all = 0..endo.vertices().len();
+            all.min_by(|&a, &b| key(a).total_cmp(&key(b))).unwrap()
+        };
+        let tip = lowest(&|v| endo.vertices()[v].z);
+        let side = lowest(&|v| endo.vertices()[v].z.abs());
+        let (apex, equator) = ("wall_thickness_apex", "wall_thickness_equator_radial");
+        for (method, places) in [
+            (ThicknessMethod::Nearest, vec![(tip, apex), (side, equator)]),
+            (ThicknessMethod::Laplace, vec![(tip, apex), (side, equator)]),
+            (ThicknessMethod::Centreline, vec![(side, equator)]),
+        ] {
+            let map = thickness(&shell, 0, method, &params, &Progress::default()).unwrap();
+            for (vertex, which) in places {
+                near(map.thickness[vertex].unwrap(), &expected[which], 0.03);
+            }
+        }
     }
 }
 

@@ -13,6 +13,8 @@ mod oracles;
 #[cfg(test)]
 mod panels;
 #[cfg(test)]
+mod patches;
+#[cfg(test)]
 mod real_data;
 #[cfg(test)]
 mod real_measures;

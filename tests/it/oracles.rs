@@ -13,6 +13,8 @@ mod paths;
 #[cfg(test)]
 mod sphere;
 #[cfg(test)]
+mod thickness;
+#[cfg(test)]
 mod transport;
 
 use std::path::{Path, PathBuf};

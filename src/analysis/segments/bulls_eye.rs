@@ -2,7 +2,7 @@
 
 use crate::mesh::Point3;
 
-use super::{CAP_SHARE, Level, Polar};
+use super::{CAP_SHARE, Level, Polar, Segment};
 
 /// Outer radii of the four rings of the bull's-eye, from the apex out.
 pub const RING_RADII: [f64; 4] = [0.25, 0.5, 0.75, 1.0];
@@ -53,6 +53,18 @@ pub fn plot_point(polar: Polar) -> [f64; 2] {
     let (sin, cos) = polar.angle_rad.sin_cos();
     let radius = plot_radius(polar.radius);
     [radius * cos, radius * sin]
+}
+
+/// The segment drawn at a point of the plot; `None` outside the unit disc. Where septum and anterior wall
+/// are not known only its level means something.
+pub fn segment_on_plot([x, y]: [f64; 2]) -> Option<Segment> {
+    let radius = x.hypot(y);
+    let level = (Level::ALL.into_iter()).find(|&level| {
+        let [inner, outer] = ring(level);
+        (inner..outer).contains(&radius)
+    })?;
+    let depths = [0.0, 0.5, 0.8, 1.0];
+    Some(Segment::at(depths[level.index()], y.atan2(x)))
 }
 
 /// A surface on the bull's-eye.

@@ -13,7 +13,9 @@ mod segment;
 mod tests;
 mod thickening;
 
-pub use bulls_eye::{FlatMap, RING_RADII, flat_map, height_at, plot_point, plot_radius, ring};
+pub use bulls_eye::{
+    FlatMap, RING_RADII, flat_map, height_at, plot_point, plot_radius, ring, segment_on_plot,
+};
 pub use error::SegmentError;
 pub use long_axis::LongAxis;
 pub use means::{level_means, segment_means, vertex_areas};

@@ -262,6 +262,20 @@ fn rings_of_the_plot_are_borders_of_levels() {
 }
 
 #[test]
+fn the_middle_of_a_drawn_sector_is_its_segment() {
+    for segment in Segment::all() {
+        let [inner, outer] = ring(segment.level());
+        let [middle, half] = segment.sector_rad();
+        for angle in [middle, middle + 0.9 * half, middle - 0.9 * half] {
+            let radius = 0.5 * (inner + outer);
+            let drawn = segment_on_plot([radius * angle.cos(), radius * angle.sin()]);
+            assert_eq!(drawn, Some(segment));
+        }
+    }
+    assert_eq!(segment_on_plot([0.8, -0.7]), None);
+}
+
+#[test]
 fn segments_of_the_built_in_cohort_are_those_of_its_truth() {
     let built = cohort(&BuiltInParams::default()).unwrap();
     let (mut agree, mut named) = (0, 0);

@@ -5,32 +5,24 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::progress::{Progress, Stopped};
 
-use super::diffusion::{Diffusion, RegularMesh};
-use super::neighbours::Neighbours;
+use super::averaged::Averaged;
+use super::diffusion::RegularMesh;
 use super::params::CheckedThickeningParams;
 use super::regions::{WELL_QUANTILE, area_quantile, still_parts};
-
-/// Thickening as it was found, and how noisy it is.
-pub(super) struct Estimate<'a> {
-    pub thickening: &'a [f64],
-    /// Standard deviation of the noise of averaged thickening.
-    pub noise: f64,
-    pub diffusion: &'a Diffusion,
-    pub mesh: &'a RegularMesh,
-    pub neighbours: &'a Neighbours,
-}
+use super::thickening::Surface;
 
 /// Share of redraws in which at least half of each part's area lies in a part again.
 ///
 /// A redraw adds noise of the same standard deviation and extent over the surface as that of averaged
 /// thickening: independent numbers per atom, averaged alike and scaled.
 pub(super) fn confidences(
-    estimate: &Estimate<'_>,
+    estimate: &Averaged,
+    surface: &Surface,
     parts: &[Vec<u32>],
     params: &CheckedThickeningParams,
     progress: &Progress,
 ) -> Result<Vec<f64>, Stopped> {
-    let mesh = estimate.mesh;
+    let mesh = &surface.mesh;
     if params.redraws == 0 || parts.is_empty() || estimate.noise == 0.0 {
         return Ok(vec![1.0; parts.len()]);
     }
@@ -39,10 +31,10 @@ pub(super) fn confidences(
         progress.check()?;
         let mut random = ChaCha8Rng::seed_from_u64(params.seed);
         random.set_stream(u64::from(redraw));
-        let drawn = redrawn(estimate, &mut random);
+        let drawn = redrawn(estimate, mesh, &mut random);
         let well = area_quantile(&drawn, &mesh.areas, WELL_QUANTILE);
         let mut again = vec![false; drawn.len()];
-        for part in still_parts(&drawn, well, mesh, estimate.neighbours, params) {
+        for part in still_parts(&drawn, well, mesh, &surface.neighbours, params) {
             part.iter().for_each(|&atom| again[atom as usize] = true);
         }
         for (found, part) in found.iter_mut().zip(parts) {
@@ -62,16 +54,16 @@ pub(super) fn confidences(
         .collect())
 }
 
-fn redrawn(estimate: &Estimate<'_>, random: &mut ChaCha8Rng) -> Vec<f64> {
-    let areas = &estimate.mesh.areas;
+fn redrawn(estimate: &Averaged, mesh: &RegularMesh, random: &mut ChaCha8Rng) -> Vec<f64> {
+    let areas = &mesh.areas;
     // Sums of three uniform numbers: near enough to normal, since averaging sums them again.
     let mut field: Vec<f64> = (0..areas.len())
         .map(|_| (0..3).map(|_| random.random_range(-1.0..1.0)).sum())
         .collect();
     estimate.diffusion.apply(&mut field);
     let square: f64 = field.iter().zip(areas).map(|(x, area)| area * x * x).sum();
-    let deviation = (square / estimate.mesh.whole).sqrt().max(f64::MIN_POSITIVE);
-    (field.iter().zip(estimate.thickening))
+    let deviation = (square / mesh.whole).sqrt().max(f64::MIN_POSITIVE);
+    (field.iter().zip(&estimate.thickening))
         .map(|(x, thickening)| thickening + estimate.noise * x / deviation)
         .collect()
 }

@@ -1,5 +1,6 @@
 //! How the wall thickens over the beat as a whole, and how much of that each atom does.
 
+use crate::analysis::medial::{Atom, MedialBeat};
 use crate::numeric::symmetric_eigen;
 
 use super::diffusion::Diffusion;
@@ -13,14 +14,20 @@ pub(super) struct ThickeningCurve {
     pub rise: f64,
 }
 
-/// ln r of each atom less its mean over the beat, one column of atoms per pose.
-pub(super) fn centred_logs(radii: &[Vec<f64>]) -> Vec<Vec<f64>> {
-    let mut columns: Vec<Vec<f64>> = (radii.iter())
-        .map(|radii| radii.iter().map(|r| r.ln()).collect())
+/// ln r of each atom less its mean over the beat, one column of atoms per pose; 0 for atoms that do not
+/// take part, which may have no ball.
+pub(super) fn centred_logs(beat: &MedialBeat) -> Vec<Vec<f64>> {
+    let mut columns: Vec<Vec<f64>> = (beat.frames.iter())
+        .map(|frame| {
+            let log = |(regular, atom): (&bool, &Atom)| {
+                if *regular { atom.radius.ln() } else { 0.0 }
+            };
+            beat.regular.iter().zip(&frame.atoms).map(log).collect()
+        })
         .collect();
-    let atoms = columns.first().map_or(0, Vec::len);
-    for atom in 0..atoms {
-        let mean = columns.iter().map(|column| column[atom]).sum::<f64>() / radii.len() as f64;
+    for atom in 0..beat.regular.len() {
+        let sum: f64 = columns.iter().map(|column| column[atom]).sum();
+        let mean = sum / beat.frames.len() as f64;
         columns.iter_mut().for_each(|column| column[atom] -= mean);
     }
     columns
@@ -68,6 +75,11 @@ impl ThickeningCurve {
             rise: shape[es] - shape[ed],
             shape,
         }
+    }
+
+    /// What a wall of a thickening adds to ln r from one pose to another.
+    pub fn step(&self, thickening: f64, from: usize, to: usize) -> f64 {
+        thickening * (self.shape[to] - self.shape[from]) / self.rise.max(f64::EPSILON)
     }
 
     /// Thickening of each atom, ln PT from end-diastole to end-systole as all poses tell it:

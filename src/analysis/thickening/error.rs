@@ -32,7 +32,7 @@ pub enum ThickeningError {
         /// Vertices of the medial mesh.
         expected: usize,
     },
-    /// A radius that has no logarithm.
+    /// A regular atom whose radius has no logarithm.
     #[error("atom {atom} of pose {frame} has radius {radius}")]
     BadRadius {
         /// The atom.

@@ -2,6 +2,7 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.6.
 
+mod averaged;
 mod confidence;
 mod curve;
 mod diffusion;

@@ -11,11 +11,13 @@ pub struct ThickeningParams {
     pub tolerance: Option<f64>,
     /// What r̂ of a descriptor is made of.
     pub ratio: RatioForm,
-    /// A patch must somewhere thicken over the beat by less than this share of what the well wall does.
+    /// A patch has a core that thickens over the beat by less than this share of what the well wall does …
     pub core: f64,
-    /// And it reaches as far as the wall thickens by less than this share.
+    /// … and by less than this in ln PT from end-diastole to end-systole: "roughly equal to one".
+    pub still: f64,
+    /// It reaches as far as the wall thickens by less than this share of what the well wall does.
     pub border: f64,
-    /// Least area of a patch, as a share of the regular medial surface.
+    /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that.
     pub least_share: f64,
     /// Where even the part that works best thickens by less than this (ln PT from end-diastole to
     /// end-systole), failure is global and no part of it is called a patch.
@@ -33,7 +35,8 @@ impl Default for ThickeningParams {
         Self {
             tolerance: None,
             ratio: RatioForm::GeometricMean,
-            core: 0.25,
+            core: 0.2,
+            still: 1.1_f64.ln(),
             border: 0.4,
             least_share: 0.02,
             least_thickening: 1.1_f64.ln(),
@@ -93,6 +96,7 @@ impl ThickeningParams {
         let ranges = [
             ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),
             ("core", self.core, 0.0, 1.0),
+            ("still", self.still, 0.0, 2.0),
             ("border", self.border, 0.0, 1.0),
             ("least share", self.least_share, 0.0, 0.5),
             ("least thickening", self.least_thickening, 0.0, 2.0),

@@ -1,12 +1,12 @@
 //! What is told of a patch: area, segments, centroid, border, and its path over the beat.
 
 use crate::analysis::medial::MedialBeat;
+use crate::analysis::medial_space::RatioForm;
 use crate::analysis::segments::{LongAxis, Segment, segment};
 use crate::mesh::{Faces, Point3, Vector3};
 use crate::units::LengthUnit;
 
 use super::diffusion::RegularMesh;
-use super::params::CheckedThickeningParams;
 use super::result::{Patch, PatchSegment, ThickeningStep};
 use super::steadiness::steadiness;
 use super::steps::{descriptor_of, gap_of};
@@ -23,6 +23,7 @@ pub(super) struct Wall<'a> {
     pub thickening: &'a [f64],
     /// Of every atom; empty without an axis.
     pub segments: Vec<Option<Segment>>,
+    pub ratio: RatioForm,
 }
 
 /// Segments of the atoms at end-diastole; empty where the axis is not known.
@@ -39,12 +40,7 @@ pub(super) fn segments_of(
 
 impl Wall<'_> {
     /// The patch of these atoms.
-    pub fn patch(
-        &self,
-        atoms: Vec<u32>,
-        confidence: f64,
-        params: &CheckedThickeningParams,
-    ) -> Patch {
+    pub fn patch(&self, atoms: Vec<u32>, confidence: f64) -> Patch {
         let area = self.area(&atoms);
         let weighted = |value: &dyn Fn(usize) -> f64| -> f64 {
             (atoms.iter().map(|&atom| atom as usize))
@@ -55,7 +51,7 @@ impl Wall<'_> {
         let centroid =
             [0, 1, 2].map(|axis| weighted(&|atom| surface.atoms[atom].position[axis]) / area);
         let path: Vec<_> = (self.steps.iter())
-            .map(|step| descriptor_of(&self.beat.frames[step.from], &step.pt, &atoms, params.ratio))
+            .map(|step| descriptor_of(&self.beat.frames[step.from], &step.pt, &atoms, self.ratio))
             .collect();
         let gaps: Vec<_> = (self.steps.iter().zip(&path))
             .map(|(step, pose)| gap_of(self.beat, step.from, pose.as_ref()))

@@ -23,9 +23,12 @@ pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
     order.last().map_or(0.0, |&i| values[i])
 }
 
+/// Share of the least area of a patch that its core must have, so that one atom in noise makes none.
+const CORE_AREA: f64 = 0.5;
+
 /// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `border` of what
-/// the well wall does, of which at least one thickens by less than `core` of it, and which together have the
-/// least area. By falling area.
+/// the well wall does, with the least area together, half of which thickens by less than `core` of it and
+/// less than `still`. By falling area.
 pub(super) fn still_parts(
     thickening: &[f64],
     well: f64,
@@ -36,14 +39,18 @@ pub(super) fn still_parts(
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
         .map(|(&value, &area)| area > 0.0 && value <= params.border * well)
         .collect();
-    let area = |part: &[u32]| -> f64 { part.iter().map(|&i| mesh.areas[i as usize]).sum() };
+    let core = params.still.min(params.core * well);
+    let area_below = |part: &[u32], limit: f64| -> f64 {
+        (part.iter().map(|&atom| atom as usize))
+            .filter(|&atom| thickening[atom] <= limit)
+            .map(|atom| mesh.areas[atom])
+            .sum()
+    };
+    let least = params.least_share * mesh.whole;
     let mut parts: Vec<(f64, Vec<u32>)> = (neighbours.parts(&inside).into_iter())
-        .filter(|part| {
-            part.iter()
-                .any(|&i| thickening[i as usize] <= params.core * well)
-        })
-        .map(|part| (area(&part), part))
-        .filter(|(area, _)| *area >= params.least_share * mesh.whole)
+        .filter(|part| area_below(part, core) >= (CORE_AREA * least).max(f64::MIN_POSITIVE))
+        .map(|part| (area_below(&part, f64::INFINITY), part))
+        .filter(|(area, _)| *area >= least)
         .collect();
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));
     parts.into_iter().map(|(_, part)| part).collect()

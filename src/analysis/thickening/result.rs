@@ -29,6 +29,9 @@ pub struct ThickeningStep {
     /// Share of the regular area that does what table 4.1 asks of a well wall: PT above one in
     /// contraction, below one in expansion, by more than the tolerance.
     pub well_share: f64,
+    /// Whether a well wall changes in this step by more than twice the tolerance: where even it
+    /// hardly moves, as in diastasis, all of it is still and M̂ tells nothing.
+    pub telling: bool,
     /// (x̄, r̂, ρ, N̄) of M̂ at t₁; `None` where nothing is still.
     pub descriptor: Option<PoseDescriptor>,
     /// From x̄ (MP) to the medial surface at t₁, in sizes of the heart.
@@ -112,7 +115,7 @@ pub struct Thickening {
     pub noise: f64,
     /// From every pose to the next.
     pub steps: Vec<ThickeningStep>,
-    /// How steady the path of M̂ is.
+    /// How steady the path of M̂ is over the steps that tell.
     pub steadiness: Steadiness,
     /// PT from end-diastole to end-systole, r(ES) / r(ED), of every atom.
     pub ed_to_es: Vec<f64>,
@@ -121,6 +124,8 @@ pub struct Thickening {
     pub thickening: Vec<f64>,
     /// Thickening of the part that works well.
     pub well: f64,
+    /// ln r of the part that works well over the beat, less that at end-diastole, as the heart's own curve has it.
+    pub well_curve: Vec<f64>,
     /// Area over which thickening was averaged, as a share of the regular medial surface.
     pub averaged_share: f64,
     /// Standard deviation of the noise of averaged thickening.

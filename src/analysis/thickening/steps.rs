@@ -8,14 +8,18 @@ use crate::mesh::Point3;
 use crate::progress::{Progress, Stopped};
 
 use super::diffusion::RegularMesh;
-use super::params::CheckedThickeningParams;
 use super::result::{Phase, ThickeningStep};
 use super::steadiness::gap;
 
-/// PT = r(t₂) / r(t₁) of every atom (4.4).
+/// PT = r(t₂) / r(t₁) of every atom (4.4); 1 where an atom has no ball at one of the poses, as
+/// an end atom may.
 pub fn thickness_ratios(earlier: &MedialSurface, later: &MedialSurface) -> Vec<f64> {
     (earlier.atoms.iter().zip(&later.atoms))
-        .map(|(earlier, later)| later.radius / earlier.radius)
+        .map(|(earlier, later)| {
+            let ratio = later.radius / earlier.radius;
+            let told = ratio > 0.0 && ratio.is_finite();
+            if told { ratio } else { 1.0 }
+        })
         .collect()
 }
 
@@ -30,16 +34,26 @@ pub fn phase_of(from: usize, end_diastole: usize, end_systole: usize, poses: usi
     }
 }
 
+/// What steps are judged by.
+pub(super) struct Judge<'a> {
+    /// ln r of a well wall over the beat.
+    pub well_curve: &'a [f64],
+    /// Of |ln PT|.
+    pub tolerance: f64,
+    /// What r̂ is made of.
+    pub ratio: RatioForm,
+}
+
 /// Steps from every pose to the next and from the last to the first.
 pub(super) fn steps(
     beat: &MedialBeat,
     mesh: &RegularMesh,
     [ed, es]: [usize; 2],
-    tolerance: f64,
-    params: &CheckedThickeningParams,
+    judge: &Judge<'_>,
     progress: &Progress,
 ) -> Result<Vec<ThickeningStep>, Stopped> {
-    let poses = beat.frames.len();
+    let (poses, tolerance) = (beat.frames.len(), judge.tolerance);
+    let well_at = |pose: usize| judge.well_curve[pose];
     (0..poses)
         .map(|from| {
             progress.step()?;
@@ -57,11 +71,12 @@ pub(super) fn steps(
                 .filter(|&atom| works_well(phase, pt[atom], tolerance))
                 .map(|atom| mesh.areas[atom])
                 .sum();
-            let descriptor = descriptor_of(&beat.frames[from], &pt, &still, params.ratio);
+            let descriptor = descriptor_of(&beat.frames[from], &pt, &still, judge.ratio);
             Ok(ThickeningStep {
                 from,
                 to,
                 phase,
+                telling: (well_at(to) - well_at(from)).abs() > 2.0 * tolerance,
                 well_share: well / mesh.whole,
                 gap: gap_of(beat, from, descriptor.as_ref()),
                 descriptor,

@@ -1,4 +1,4 @@
-//! Known answers on hemispheres whose thickness is a function, laws, damage and "stop".
+//! Known answers on hemispheres whose thickness is a function, and laws.
 
 use std::sync::Arc;
 
@@ -9,11 +9,13 @@ use crate::analysis::measures::{PhaseSource, SubjectMeasures};
 use crate::analysis::medial::{Atom, MedialBeat, MedialSurface};
 use crate::analysis::segments::LongAxis;
 use crate::mesh::{Faces, Point3, Vector3, phantom};
-use crate::progress::{Progress, Stopped};
+use crate::progress::Progress;
 use crate::study::SurfaceKind;
 use crate::units::LengthUnit;
 
 use super::*;
+
+mod damage;
 
 /// ln of how much thicker the wall is at each of eight poses, as a share of what it is at end-systole (pose 3).
 const CURVE: [f64; 8] = [0.0, 0.35, 0.8, 1.0, 0.7, 0.3, 0.1, 0.05];
@@ -39,8 +41,11 @@ fn measures(end_diastole: usize, end_systole: usize) -> SubjectMeasures {
 /// at rest whose ln r grows by what `thickening` says of each direction.
 fn beat(curve: &[f64], thickening: impl Fn(&Vector3) -> f64) -> MedialBeat {
     let bowl = phantom::bowl(30.0, 22, 44);
-    let directions: Vec<Vector3> =
-        bowl.vertices().iter().map(|point| point.coords.normalize()).collect();
+    let directions: Vec<Vector3> = bowl
+        .vertices()
+        .iter()
+        .map(|point| point.coords.normalize())
+        .collect();
     let frames = (curve.iter())
         .map(|&c| MedialSurface {
             atoms: (directions.iter())
@@ -77,7 +82,9 @@ fn found(beat: &MedialBeat) -> Thickening {
 
 /// 2 |A ∩ B| / (|A| + |B|) in atoms.
 fn dice(patch: &Patch, inside: impl Fn(usize) -> bool, beat: &MedialBeat) -> f64 {
-    let truth = (0..beat.regular.len()).filter(|&i| beat.regular[i] && inside(i)).count();
+    let truth = (0..beat.regular.len())
+        .filter(|&i| beat.regular[i] && inside(i))
+        .count();
     let common = patch.atoms.iter().filter(|&&i| inside(i as usize)).count();
     2.0 * common as f64 / (truth + patch.atoms.len()) as f64
 }
@@ -92,12 +99,24 @@ fn a_wall_that_thickens_evenly_has_no_patch_and_the_curve_is_its_own() {
     assert!(found.patches.is_empty());
     assert!((found.well - WELL).abs() < 1e-12 && found.noise < 1e-12);
     assert!((found.tolerance - 1.05_f64.ln()).abs() < 1e-15);
-    assert!(found.ed_to_es.iter().all(|pt| (pt - WELL.exp()).abs() < 1e-12));
+    assert!(
+        found
+            .ed_to_es
+            .iter()
+            .all(|pt| (pt - WELL.exp()).abs() < 1e-12)
+    );
     assert_eq!(found.steps.len(), 8);
-    let contracting = found.steps.iter().filter(|step| step.phase == Phase::Contraction);
+    let contracting = found
+        .steps
+        .iter()
+        .filter(|step| step.phase == Phase::Contraction);
     assert_eq!(contracting.count(), 3);
     // From pose 6 on the wall thins by less than the tolerance: all stands still there, and MP lies off it.
-    let wells: Vec<f64> = found.steps.iter().map(|step| step.well_share.round()).collect();
+    let wells: Vec<f64> = found
+        .steps
+        .iter()
+        .map(|step| step.well_share.round())
+        .collect();
     assert_eq!(wells, [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0]);
     assert!(found.steps[6].gap.unwrap() > 5.0 && found.steps[0].descriptor.is_none());
 }
@@ -108,13 +127,23 @@ fn a_patch_is_found_where_it_is_with_its_area_and_steady_path() {
         let beat = beat(&CURVE, patch_at(SIDE, radius));
         let found = found(&beat);
         assert_eq!(found.extent, Extent::AllButPatches);
-        let [patch] = found.patches.as_slice() else { panic!("{radius}") };
+        let [patch] = found.patches.as_slice() else {
+            panic!("{radius}")
+        };
         let limit = f64::cos(radius);
         let inside = |i: usize| beat.frames[0].normals[i].dot(&SIDE) > limit;
-        assert!(dice(patch, inside, &beat) > 0.93, "{radius}: {}", dice(patch, inside, &beat));
+        assert!(
+            dice(patch, inside, &beat) > 0.93,
+            "{radius}: {}",
+            dice(patch, inside, &beat)
+        );
         if radius < 0.6 {
             let cap = 1.0 - limit;
-            assert!((patch.share / cap - 1.0).abs() < 0.15, "{} {cap}", patch.share);
+            assert!(
+                (patch.share / cap - 1.0).abs() < 0.15,
+                "{} {cap}",
+                patch.share
+            );
             let area = std::f64::consts::TAU * 9.0 * cap;
             assert!((patch.area_cm2.unwrap() / area - 1.0).abs() < 0.12);
         }
@@ -134,7 +163,9 @@ fn two_patches_are_two_with_a_path_each() {
     let (first, second) = (patch_at(SIDE, 0.45), patch_at(other, 0.35));
     let beat = beat(&CURVE, |d| first(d).min(second(d)));
     let found = found(&beat);
-    let [large, small] = found.patches.as_slice() else { panic!() };
+    let [large, small] = found.patches.as_slice() else {
+        panic!()
+    };
     assert!(large.share > small.share);
     let towards = |patch: &Patch| patch.path[0].unwrap().normal.unwrap();
     assert!(towards(large).dot(&SIDE) > 0.99 && towards(small).dot(&other) > 0.99);
@@ -163,8 +194,7 @@ fn with_two_poses_thickening_is_the_logarithm_of_pt() {
         ..ThickeningParams::default()
     };
     let params = params.check().unwrap();
-    let found =
-        thickening(&beat, &measures(0, 1), None, &params, &Progress::default()).unwrap();
+    let found = thickening(&beat, &measures(0, 1), None, &params, &Progress::default()).unwrap();
     for atom in (0..beat.regular.len()).filter(|&atom| beat.regular[atom]) {
         assert!((found.thickening[atom] - found.ed_to_es[atom].ln()).abs() < 1e-9);
     }
@@ -175,7 +205,10 @@ fn with_two_poses_thickening_is_the_logarithm_of_pt() {
 #[test]
 fn segments_of_a_patch_are_named_where_the_axis_knows_them() {
     let septum = Vector3::new(-1.0, 0.0, 0.0);
-    let beat = beat(&CURVE, patch_at(Vector3::new(-0.9, 0.0, -0.19_f64.sqrt()), 0.4));
+    let beat = beat(
+        &CURVE,
+        patch_at(Vector3::new(-0.9, 0.0, -0.19_f64.sqrt()), 0.4),
+    );
     let axis = LongAxis::oriented(
         Point3::new(0.0, 0.0, -30.0),
         Point3::origin(),
@@ -210,10 +243,14 @@ fn noise_is_estimated_and_widens_the_tolerance() {
     }
     let found = found(&noisy);
     let truth = 0.3 / 3.0_f64.sqrt();
-    assert!((found.noise / truth - 1.0).abs() < 0.15, "{} {truth}", found.noise);
+    assert!(
+        (found.noise / truth - 1.0).abs() < 0.15,
+        "{} {truth}",
+        found.noise
+    );
     assert!((found.tolerance - 2.0 * 2.0_f64.sqrt() * found.noise).abs() < 1e-12);
     assert_eq!(found.patches.len(), 1);
-    assert!(found.averaged_noise < 0.25 * truth);
+    assert!(found.averaged_noise < 0.35 * truth);
     let limit = 0.6_f64.cos();
     let inside = |i: usize| noisy.frames[0].normals[i].dot(&SIDE) > limit;
     assert!(dice(&found.patches[0], inside, &noisy) > 0.85);
@@ -269,7 +306,12 @@ fn renumbering_the_atoms_renumbers_the_patch() {
         normals: surface.normals.iter().rev().copied().collect(),
         end: vec![None; count],
     };
-    let triangles = straight.faces.triangles().iter().map(|t| t.map(turned)).collect();
+    let triangles = straight
+        .faces
+        .triangles()
+        .iter()
+        .map(|t| t.map(turned))
+        .collect();
     let other = MedialBeat {
         faces: Arc::new(Faces::new(count, triangles).unwrap()),
         frames: straight.frames.iter().map(reversed).collect(),
@@ -277,7 +319,11 @@ fn renumbering_the_atoms_renumbers_the_patch() {
         ..straight.clone()
     };
     let (a, b) = (found(&straight), found(&other));
-    let mut back: Vec<u32> = b.patches[0].atoms.iter().map(|&atom| turned(atom)).collect();
+    let mut back: Vec<u32> = b.patches[0]
+        .atoms
+        .iter()
+        .map(|&atom| turned(atom))
+        .collect();
     back.sort_unstable();
     assert_eq!(a.patches[0].atoms, back);
     assert!((a.patches[0].share - b.patches[0].share).abs() < 1e-12);
@@ -291,58 +337,4 @@ fn without_volumes_the_area_of_the_medial_surface_tells_the_phases() {
     let params = ThickeningParams::default().check().unwrap();
     let found = thickening(&beat, &untold, None, &params, &Progress::default()).unwrap();
     assert_eq!([found.end_diastole, found.end_systole], [0, 3]);
-}
-
-#[test]
-fn damage_is_refused_with_its_numbers() {
-    let params = ThickeningParams::default().check().unwrap();
-    let run = |beat: &MedialBeat| {
-        thickening(beat, &measures(0, 1), None, &params, &Progress::default()).unwrap_err()
-    };
-    let good = beat(&CURVE, |_| WELL);
-    let one = MedialBeat {
-        frames: good.frames[..1].to_vec(),
-        ..good.clone()
-    };
-    assert_eq!(run(&one).to_string(), "1 poses; thickening needs at least two");
-    let mut bad = good.clone();
-    bad.frames[2].atoms[7].radius = f64::NAN;
-    assert_eq!(run(&bad).to_string(), "atom 7 of pose 2 has radius NaN");
-    bad.frames[2].atoms[7].radius = 0.0;
-    assert_eq!(run(&bad).to_string(), "atom 7 of pose 2 has radius 0");
-    bad.frames[2].atoms.pop();
-    let count = good.regular.len();
-    let expected = format!("pose 2 has {} atoms where {count} are expected", count - 1);
-    assert_eq!(run(&bad).to_string(), expected);
-    let mut ends = good.clone();
-    ends.regular[9..].fill(false);
-    let expected = format!("only 9 of {count} atoms are regular; at least 30 are needed");
-    assert_eq!(run(&ends).to_string(), expected);
-    let mut flat = good.clone();
-    for frame in &mut flat.frames {
-        frame.atoms.iter_mut().for_each(|atom| atom.position = Point3::origin());
-    }
-    assert_eq!(run(&flat), ThickeningError::NoArea);
-}
-
-#[test]
-fn settings_out_of_range_are_refused_by_name() {
-    let params = |change: fn(&mut ThickeningParams)| {
-        let mut params = ThickeningParams::default();
-        change(&mut params);
-        params.check().map(|_| ()).unwrap_err().to_string()
-    };
-    let said = params(|p| p.core = f64::NAN);
-    assert_eq!(said, "core must be between 0 and 1, not NaN");
-    let said = params(|p| p.border = 0.1);
-    assert_eq!(said, "the border, 0.1, must not be below the core, 0.25");
-}
-
-#[test]
-fn a_stopped_search_says_so() {
-    let progress = Progress::default();
-    progress.stop();
-    let params = ThickeningParams::default().check().unwrap();
-    let stopped = thickening(&beat(&CURVE, |_| WELL), &measures(0, 3), None, &params, &progress);
-    assert_eq!(stopped, Err(ThickeningError::Stopped(Stopped)));
 }

@@ -6,35 +6,27 @@ use crate::analysis::segments::LongAxis;
 use crate::mesh::{Point3, Vector3, bounding_box};
 use crate::progress::Progress;
 
-use super::confidence::{Estimate, confidences};
-use super::curve::{ThickeningCurve, averaged, centred_logs};
-use super::diffusion::{Diffusion, RegularMesh};
+use super::averaged::Averaged;
+use super::confidence::confidences;
+use super::curve::centred_logs;
+use super::diffusion::RegularMesh;
 use super::error::ThickeningError;
 use super::neighbours::Neighbours;
-use super::noise::noise_of;
 use super::params::CheckedThickeningParams;
 use super::patches::{Wall, segments_of};
-use super::regions::{WELL_QUANTILE, area_quantile, still_parts};
+use super::regions::still_parts;
 use super::result::{Extent, Thickening};
 use super::steadiness::steadiness;
-use super::steps::{steps, thickness_ratios};
+use super::steps::{Judge, steps, thickness_ratios};
 
 /// Fewest regular atoms: with a dozen a patch would be one of them.
 const LEAST_ATOMS: usize = 30;
-/// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above …
-const MOST_AVERAGING: f64 = 4.0;
-/// … this share of what the well wall does: three times as much stays below the default distance from the core's
-/// limit to what is well.
-const MOST_NOISE: f64 = 0.1;
-/// Least thickening of the well wall, in standard deviations of averaged noise, that is thickening at all.
-const SURE: f64 = 3.0;
-
 /// Thickening of one heart over the beat, and the patches that do not take part in it.
 ///
 /// 1. PT of each atom for consecutive poses, the last to the first, and for end-diastole to end-systole;
 ///    M̂ per step, with its descriptor (4.4, 4.5).
 /// 2. What persists over all steps: ln r of each atom is projected on the heart's own curve c(t) (see
-///    [`ThickeningCurve`]) and averaged over neighbourhoods of the medial mesh; the area grows until noise,
+///    [`super::curve::ThickeningCurve`]) and averaged over neighbourhoods of the medial mesh; the area grows until noise,
 ///    told from what the curve leaves, is a tenth of what the well wall does. All poses speak;
 ///    with two this is ln PT.
 /// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the heart's own well wall, by
@@ -52,66 +44,58 @@ pub fn thickening(
 ) -> Result<Thickening, ThickeningError> {
     check(beat)?;
     progress.expect_steps(beat.frames.len());
-    let middle = mean_shape(beat);
-    let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
-    if mesh.whole.is_nan() || mesh.whole <= 0.0 {
-        return Err(ThickeningError::NoArea);
-    }
-    let neighbours = Neighbours::new(middle.len(), &mesh.triangles);
-    let [ed, es] = phases(beat, measures);
-    let rest = positions(beat, ed);
-    let at_rest = RegularMesh::new(beat.faces.triangles(), &rest, &beat.regular);
-    let radii: Vec<Vec<f64>> = (beat.frames.iter())
-        .map(|frame| frame.atoms.iter().map(|atom| atom.radius).collect())
-        .collect();
-    let found = Averaged::new(
-        &centred_logs(&radii),
-        &mesh,
-        &middle,
-        &neighbours,
-        [ed, es],
-        params,
-    )?;
+    let surface = Surface::new(beat, measures)?;
+    let Surface { mesh, at_rest, .. } = &surface;
+    let [ed, es] = surface.phases;
+    let found = Averaged::new(&centred_logs(beat), &surface, params)?;
     progress.check()?;
     // PT compares two poses, each with its own noise.
     let tolerance = (params.tolerance)
         .unwrap_or_else(|| (2.0 * 2.0_f64.sqrt() * found.atom_noise).max(1.05_f64.ln()));
-    let steps = steps(beat, &at_rest, [ed, es], tolerance, params, progress)?;
-    let size = bounding_box(&rest).map_or(0.0, |[low, high]| (high - low).max());
+    let well_curve: Vec<f64> = (0..beat.frames.len())
+        .map(|pose| found.curve.step(found.well, ed, pose))
+        .collect();
+    let judge = Judge {
+        well_curve: &well_curve,
+        tolerance,
+        ratio: params.ratio,
+    };
+    let steps = steps(beat, at_rest, surface.phases, &judge, progress)?;
     let parts = if found.hardly_thickens(params) {
         Vec::new()
     } else {
-        still_parts(&found.thickening, found.well, &mesh, &neighbours, params)
+        still_parts(
+            &found.thickening,
+            found.well,
+            mesh,
+            &surface.neighbours,
+            params,
+        )
     };
-    let estimate = Estimate {
-        thickening: &found.thickening,
-        noise: found.noise,
-        diffusion: &found.diffusion,
-        mesh: &mesh,
-        neighbours: &neighbours,
-    };
-    let confidences = confidences(&estimate, &parts, params, progress)?;
+    let confidences = confidences(&found, &surface, &parts, params, progress)?;
     let wall = Wall {
         beat,
-        mesh: &at_rest,
+        mesh: at_rest,
         end_diastole: ed,
-        size,
+        size: surface.size,
         unit: measures.unit,
         steps: &steps,
         thickening: &found.thickening,
         segments: segments_of(beat, ed, axis),
+        ratio: params.ratio,
     };
     let patches: Vec<_> = (parts.into_iter().zip(confidences))
-        .map(|(atoms, confidence)| wall.patch(atoms, confidence, params))
+        .map(|(atoms, confidence)| wall.patch(atoms, confidence))
         .collect();
-    let path: Vec<_> = steps.iter().map(|step| step.descriptor).collect();
-    let gaps: Vec<_> = steps.iter().map(|step| step.gap).collect();
+    let telling = || steps.iter().filter(|step| step.telling);
+    let path: Vec<_> = telling().map(|step| step.descriptor).collect();
+    let gaps: Vec<_> = telling().map(|step| step.gap).collect();
     Ok(Thickening {
         end_diastole: ed,
         end_systole: es,
         tolerance,
         noise: found.atom_noise,
-        steadiness: steadiness(&path, &gaps, size),
+        steadiness: steadiness(&path, &gaps, surface.size),
         ed_to_es: thickness_ratios(&beat.frames[ed], &beat.frames[es]),
         extent: match (found.hardly_thickens(params), patches.is_empty()) {
             (true, _) => Extent::HardlyAnywhere,
@@ -119,71 +103,50 @@ pub fn thickening(
             (false, false) => Extent::AllButPatches,
         },
         well: found.well,
+        well_curve,
         averaged_share: found.share,
         averaged_noise: found.noise,
         regular_area: at_rest.whole,
         thickening: found.thickening,
-        size,
+        size: surface.size,
         steps,
         patches,
     })
 }
 
-/// Thickening averaged over neighbourhoods that are as large as noise asks for.
-struct Averaged {
-    thickening: Vec<f64>,
-    /// Share of the area averaged over.
-    share: f64,
-    diffusion: Diffusion,
-    well: f64,
-    /// Standard deviation of the noise of `thickening`.
-    noise: f64,
-    /// And of ln r of one atom at one pose.
-    atom_noise: f64,
+/// The medial surface as far as it takes part.
+pub(super) struct Surface {
+    /// Mean position of each atom over the beat, whose edges have less noise than those of a pose.
+    pub middle: Vec<Point3>,
+    /// With areas there.
+    pub mesh: RegularMesh,
+    /// With areas at end-diastole.
+    pub at_rest: RegularMesh,
+    pub neighbours: Neighbours,
+    /// Poses of end-diastole and end-systole.
+    pub phases: [usize; 2],
+    /// Largest side of the box at end-diastole.
+    pub size: f64,
 }
 
-impl Averaged {
-    fn new(
-        columns: &[Vec<f64>],
-        mesh: &RegularMesh,
-        middle: &[Point3],
-        neighbours: &Neighbours,
-        phases: [usize; 2],
-        params: &CheckedThickeningParams,
-    ) -> Result<Self, ThickeningError> {
-        let mut share = params.smoothing;
-        loop {
-            let diffusion = Diffusion::new(mesh, middle, share)?;
-            let means = averaged(columns, &diffusion);
-            let curve = ThickeningCurve::new(&means, &mesh.areas, phases);
-            let mut thickening = curve.thickening(&means);
-            for (value, area) in thickening.iter_mut().zip(&mesh.areas) {
-                if *area == 0.0 {
-                    *value = 0.0;
-                }
-            }
-            let well = area_quantile(&thickening, &mesh.areas, WELL_QUANTILE);
-            let noise = curve.rise * noise_of(&means, &curve, &mesh.areas, neighbours);
-            let wider = 2.0 * share;
-            if noise <= MOST_NOISE * well
-                || wider > MOST_AVERAGING * params.smoothing
-                || share == 0.0
-            {
-                return Ok(Self {
-                    atom_noise: noise_of(columns, &curve, &mesh.areas, neighbours),
-                    thickening,
-                    share,
-                    diffusion,
-                    well,
-                    noise,
-                });
-            }
-            share = wider;
+impl Surface {
+    fn new(beat: &MedialBeat, measures: &SubjectMeasures) -> Result<Self, ThickeningError> {
+        let middle = mean_shape(beat);
+        let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
+        let phases = phases(beat, measures);
+        let rest = positions(beat, phases[0]);
+        let at_rest = RegularMesh::new(beat.faces.triangles(), &rest, &beat.regular);
+        if !(mesh.whole > 0.0 && at_rest.whole > 0.0) {
+            return Err(ThickeningError::NoArea);
         }
-    }
-
-    fn hardly_thickens(&self, params: &CheckedThickeningParams) -> bool {
-        self.well < params.least_thickening.max(SURE * self.noise)
+        Ok(Self {
+            neighbours: Neighbours::new(middle.len(), &mesh.triangles),
+            size: bounding_box(&rest).map_or(0.0, |[low, high]| (high - low).max()),
+            middle,
+            mesh,
+            at_rest,
+            phases,
+        })
     }
 }
 
@@ -258,8 +221,11 @@ fn check(beat: &MedialBeat) -> Result<(), ThickeningError> {
                 });
             }
         }
-        let bad = |radius: f64| !(radius > 0.0 && radius.is_finite());
-        if let Some(atom) = surface.atoms.iter().position(|atom| bad(atom.radius)) {
+        let bad = |&atom: &usize| {
+            let radius = surface.atoms[atom].radius;
+            beat.regular[atom] && !(radius > 0.0 && radius.is_finite())
+        };
+        if let Some(atom) = (0..atoms).find(bad) {
             return Err(ThickeningError::BadRadius {
                 atom,
                 frame,

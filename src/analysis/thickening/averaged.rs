@@ -1,0 +1,84 @@
+//! Thickening averaged over neighbourhoods, and the noise that this leaves.
+
+use super::curve::{ThickeningCurve, averaged};
+use super::diffusion::Diffusion;
+use super::error::ThickeningError;
+use super::noise::noise_of;
+use super::params::CheckedThickeningParams;
+use super::regions::{WELL_QUANTILE, area_quantile};
+use super::thickening::Surface;
+
+/// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above …
+const MOST_AVERAGING: f64 = 4.0;
+/// … this share of what the well wall does: three times as much stays below the default distance from the core's
+/// limit to what is well.
+const MOST_NOISE: f64 = 0.1;
+/// Least thickening of the well wall, in standard deviations of averaged noise, that is thickening at all.
+const SURE: f64 = 3.0;
+
+/// Thickening averaged over neighbourhoods that are as large as noise asks for.
+pub(super) struct Averaged {
+    /// Per atom, ln PT from end-diastole to end-systole.
+    pub thickening: Vec<f64>,
+    /// Share of the area averaged over.
+    pub share: f64,
+    pub diffusion: Diffusion,
+    pub curve: ThickeningCurve,
+    pub well: f64,
+    /// Standard deviation of the noise of `thickening`.
+    pub noise: f64,
+    /// And of ln r of one atom at one pose.
+    pub atom_noise: f64,
+}
+
+impl Averaged {
+    /// From centred ln r, one column per pose.
+    pub fn new(
+        columns: &[Vec<f64>],
+        surface: &Surface,
+        params: &CheckedThickeningParams,
+    ) -> Result<Self, ThickeningError> {
+        let Surface {
+            mesh,
+            middle,
+            neighbours,
+            phases,
+            ..
+        } = surface;
+        let mut share = params.smoothing;
+        loop {
+            let diffusion = Diffusion::new(mesh, middle, share)?;
+            let means = averaged(columns, &diffusion);
+            let curve = ThickeningCurve::new(&means, &mesh.areas, *phases);
+            let mut thickening = curve.thickening(&means);
+            for (value, area) in thickening.iter_mut().zip(&mesh.areas) {
+                if *area == 0.0 {
+                    *value = 0.0;
+                }
+            }
+            let well = area_quantile(&thickening, &mesh.areas, WELL_QUANTILE);
+            let noise = curve.rise * noise_of(&means, &curve, &mesh.areas, neighbours);
+            let wider = 2.0 * share;
+            if noise <= MOST_NOISE * well
+                || wider > MOST_AVERAGING * params.smoothing
+                || share == 0.0
+            {
+                return Ok(Self {
+                    atom_noise: noise_of(columns, &curve, &mesh.areas, neighbours),
+                    thickening,
+                    share,
+                    diffusion,
+                    curve,
+                    well,
+                    noise,
+                });
+            }
+            share = wider;
+        }
+    }
+
+    /// Whether even the part that works best hardly thickens, or by no more than noise.
+    pub fn hardly_thickens(&self, params: &CheckedThickeningParams) -> bool {
+        self.well < params.least_thickening.max(SURE * self.noise)
+    }
+}
