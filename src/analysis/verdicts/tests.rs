@@ -1,0 +1,1 @@
+//! Known answers, laws, damage, stop.
