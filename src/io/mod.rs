@@ -20,6 +20,7 @@ mod stl;
 #[cfg(test)]
 mod tests;
 mod text_lines;
+mod verdict_csv;
 mod vtk_legacy;
 mod vtp;
 mod write_study;
@@ -38,5 +39,6 @@ pub use opened::{OpenError, Opened};
 pub use ply::write_ply;
 pub use report_csv::{deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv};
 pub use report_json::{classification_json, deformations_json, subjects_json, summary_json};
+pub use verdict_csv::verdicts_csv;
 pub use vtp::{write_pvd, write_vtp};
 pub use write_study::{MeshFormat, WriteStudyError, write_study};

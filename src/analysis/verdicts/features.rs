@@ -123,7 +123,7 @@ impl Feature {
 }
 
 /// All features of one heart.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Features([Option<f64>; COUNT]);
 
 impl Features {

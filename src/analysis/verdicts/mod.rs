@@ -2,6 +2,7 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.7.
 
+mod cohort;
 mod error;
 mod features;
 mod likeness;

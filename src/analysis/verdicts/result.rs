@@ -93,7 +93,7 @@ pub struct Familiarity {
 pub struct Verdict {
     /// What was found.
     pub finding: Finding,
-    /// Whether the probability is at least one half.
+    /// Whether the probability is above one half.
     pub abnormal: bool,
     /// That the heart counts as abnormal, if either were as likely beforehand. By a rule that was made without it where
     /// it has a label; not calibrated where [`Verdicts::rule`] says so.

@@ -164,3 +164,59 @@ pub(super) fn leave_one_out(rows: &[&[f64]], abnormal: &[bool], ridge: f64) -> L
 fn without<T: Copy>(values: &[T], out: usize) -> Vec<T> {
     [&values[..out], &values[out + 1..]].concat()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn slices(rows: &[[f64; 2]]) -> Vec<&[f64]> {
+        rows.iter().map(<[f64; 2]>::as_slice).collect()
+    }
+
+    proptest! {
+        #[test]
+        fn the_own_label_has_no_say_in_the_own_score(
+            rows in prop::collection::vec(prop::array::uniform2(-2.0_f64..2.0), 12),
+            out in 0_usize..12,
+        ) {
+            let labels: Vec<bool> = (0..12).map(|i| i % 2 == 0).collect();
+            let mut flipped = labels.clone();
+            flipped[out] = !flipped[out];
+            let [a, b] = [labels, flipped].map(|labels| leave_one_out(&slices(&rows), &labels, 1.0).scores[out]);
+            prop_assert!((a - b).abs() < 1e-6, "{} {}", a, b);
+        }
+
+        #[test]
+        fn units_of_features_change_no_score(
+            rows in prop::collection::vec(prop::array::uniform2(-2.0_f64..2.0), 10),
+            unit in 0.01_f64..100.0, shift in -5.0_f64..5.0,
+        ) {
+            let labels: Vec<bool> = (0..10).map(|i| i % 3 == 0).collect();
+            let moved: Vec<[f64; 2]> = rows.iter().map(|[x, y]| [unit * x + shift, *y]).collect();
+            let a = leave_one_out(&slices(&rows), &labels, 1.0);
+            let b = leave_one_out(&slices(&moved), &labels, 1.0);
+            for (a, b) in a.probabilities.iter().zip(&b.probabilities) {
+                prop_assert!((a - b).abs() < 1e-5);
+            }
+        }
+    }
+
+    #[test]
+    fn calibration_says_how_often_a_score_is_right() {
+        // At +1 three of four are abnormal, at −1 one of four, a hundred times over.
+        let scores: Vec<f64> = (0..800)
+            .map(|i| if i % 8 < 4 { 1.0 } else { -1.0 })
+            .collect();
+        let labels: Vec<bool> = (0..800).map(|i| [0, 1, 2, 4].contains(&(i % 8))).collect();
+        let calibration = Calibration::new(&scores, &labels);
+        assert!((calibration.probability(1.0) - 0.75).abs() < 0.01);
+        assert!((calibration.probability(-1.0) - 0.25).abs() < 0.01);
+    }
+
+    #[test]
+    fn scores_the_wrong_way_round_say_nothing() {
+        let calibration = Calibration::new(&[1.0, 2.0, 3.0, 4.0], &[true, true, false, false]);
+        assert_eq!(calibration.probability(9.0), 0.5);
+    }
+}

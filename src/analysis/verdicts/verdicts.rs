@@ -1,25 +1,19 @@
 //! The whole question: features, the rule of the cohort, what it says of each heart, and how good it is.
 
-use rand::SeedableRng;
-use rand::seq::SliceRandom;
-use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-use crate::analysis::classification::Accuracy;
 use crate::analysis::thickening::Extent;
 use crate::progress::{Progress, Stopped};
-use crate::study::{LabelRole, Study};
+use crate::study::Study;
 
+use super::cohort::{Cohort, Learnt};
 use super::error::VerdictError;
 use super::features::{Feature, Features, wall_volume_ratio};
 use super::likeness::{alike, familiarity, usual_distances};
 use super::logistic::sigmoid;
 use super::params::CheckedVerdictParams;
-use super::result::{
-    Finding, HeartThickening, NotAssessed, RuleQuality, RuleSource, Verdict, Verdicts,
-};
-use super::rule::{Calibration, LeftOut, Rule, Standard, leave_one_out};
-use super::score::auc;
+use super::result::{Finding, HeartThickening, NotAssessed, RuleSource, Verdict, Verdicts};
+use super::rule::Standard;
 
 /// Thickening of the well wall, in standard deviations of averaged noise, or of the least that counts as
 /// thickening: nearer to noise nothing is told.
@@ -43,7 +37,7 @@ const ALIKE: usize = 3;
 ///    noise of thickening is a third of what the well part does or more.
 /// 2. The rest is told abnormal by a logistic rule on [`Feature::OF_RULE`], standardised, both classes
 ///    weighing alike, learnt from the hearts whose label counts as normal or abnormal. What is said of a labelled
-///    heart comes from a rule and a calibration that have not seen it. With too few labels a fixed rule stands in: the
+///    heart comes from a rule that has not seen it, calibrated by the scores of the others. With too few labels a fixed rule stands in: the
 ///    still share of the wall beside 5.5 %.
 /// 3. An abnormal heart has a patch where thickening found one, unless its [`Feature::Reach`] is small: then
 ///    failure is global.
@@ -124,148 +118,6 @@ fn features_of(
     }
 }
 
-/// The hearts that can be judged, and which of them have labels that count.
-struct Cohort {
-    /// What the rule reads of each subject; empty where it is not assessed.
-    rows: Vec<Vec<f64>>,
-    normal: Vec<usize>,
-    abnormal: Vec<usize>,
-}
-
-/// A rule with what it says of the hearts that it was made of.
-struct Learnt {
-    rule: Rule,
-    calibration: Calibration,
-    /// Subjects that it was made of, ascending.
-    seen: Vec<usize>,
-    left_out: LeftOut,
-    quality: RuleQuality,
-}
-
-impl Cohort {
-    fn new(study: &Study, features: &[Result<Features, NotAssessed>]) -> Self {
-        let with_role = |role: LabelRole| -> Vec<usize> {
-            (features.iter().enumerate())
-                .filter(|(index, found)| {
-                    found.is_ok() && study.role(&study.subjects[*index]) == role
-                })
-                .map(|(index, _)| index)
-                .collect()
-        };
-        Self {
-            rows: (features.iter())
-                .map(|features| {
-                    features
-                        .as_ref()
-                        .map_or_else(|_| Vec::new(), Features::of_rule)
-                })
-                .collect(),
-            normal: with_role(LabelRole::Normal),
-            abnormal: with_role(LabelRole::Abnormal),
-        }
-    }
-
-    fn counts(&self) -> (usize, usize) {
-        (self.normal.len(), self.abnormal.len())
-    }
-
-    /// The rule of the labelled hearts; `None` if they are too few.
-    fn learn(
-        &self,
-        params: &CheckedVerdictParams,
-        progress: &Progress,
-    ) -> Result<Option<Learnt>, Stopped> {
-        let least = params.least_labelled as usize;
-        if self.normal.len().min(self.abnormal.len()) < least {
-            return Ok(None);
-        }
-        let mut seen = [self.normal.as_slice(), &self.abnormal].concat();
-        seen.sort_unstable();
-        let rows: Vec<&[f64]> = seen
-            .iter()
-            .map(|&index| self.rows[index].as_slice())
-            .collect();
-        let labels: Vec<bool> = seen
-            .iter()
-            .map(|index| self.abnormal.binary_search(index).is_ok())
-            .collect();
-        let left_out = leave_one_out(&rows, &labels, params.ridge);
-        progress.step()?;
-        let quality = quality(&rows, &labels, &left_out, params, progress)?;
-        Ok(Some(Learnt {
-            rule: Rule::new(&rows, &labels, params.ridge, None),
-            calibration: Calibration::new(&left_out.scores, &labels),
-            seen,
-            left_out,
-            quality,
-        }))
-    }
-}
-
-fn right(probabilities: &[f64], labels: &[bool]) -> usize {
-    (probabilities.iter().zip(labels))
-        .filter(|(p, label)| (**p >= 0.5) == **label)
-        .count()
-}
-
-/// How good a rule is beside the same with permuted labels.
-fn quality(
-    rows: &[&[f64]],
-    labels: &[bool],
-    left_out: &LeftOut,
-    params: &CheckedVerdictParams,
-    progress: &Progress,
-) -> Result<RuleQuality, Stopped> {
-    let measured = |labels: &[bool], left_out: &LeftOut| {
-        (
-            right(&left_out.probabilities, labels),
-            auc(&left_out.scores, labels),
-        )
-    };
-    let (correct, area) = measured(labels, left_out);
-    let permuted: Vec<(usize, f64)> = (0..params.permutations)
-        .into_par_iter()
-        .map(|permutation| {
-            progress.step()?;
-            let mut random = ChaCha8Rng::seed_from_u64(params.seed);
-            random.set_stream(u64::from(permutation));
-            let mut labels = labels.to_vec();
-            labels.shuffle(&mut random);
-            Ok(measured(
-                &labels,
-                &leave_one_out(rows, &labels, params.ridge),
-            ))
-        })
-        .collect::<Result<_, Stopped>>()?;
-    let count = f64::from(params.permutations);
-    let at_least = |good: &dyn Fn(&(usize, f64)) -> bool| {
-        (1.0 + permuted.iter().filter(|found| good(found)).count() as f64) / (1.0 + count)
-    };
-    let wrong = |label: bool| {
-        (left_out.probabilities.iter().zip(labels))
-            .filter(|(p, own)| **own == label && (**p >= 0.5) != label)
-            .count()
-    };
-    let mean_correct = permuted
-        .iter()
-        .map(|(correct, _)| *correct as f64)
-        .sum::<f64>()
-        / count;
-    Ok(RuleQuality {
-        accuracy: Accuracy {
-            correct,
-            of: labels.len(),
-            baseline: mean_correct / labels.len() as f64,
-            p_value: at_least(&|found| found.0 >= correct),
-        },
-        false_alarms: wrong(false),
-        missed: wrong(true),
-        auc: area,
-        auc_baseline: permuted.iter().map(|(_, area)| area).sum::<f64>() / count,
-        auc_p_value: at_least(&|found| found.1 >= area),
-    })
-}
-
 /// What is needed to say something of each heart.
 struct Judged<'a> {
     cohort: &'a Cohort,
@@ -315,7 +167,8 @@ impl<'a> Judged<'a> {
 
     fn verdict(&self, index: usize, features: Features, extent: Extent) -> Verdict {
         let probability = self.probability(index, &features);
-        let abnormal = probability >= 0.5;
+        // A draw raises no alarm.
+        let abnormal = probability > 0.5;
         let alike = |among: &[usize]| alike(&self.standardised, index, among, ALIKE);
         Verdict {
             finding: if abnormal {
