@@ -27,6 +27,8 @@ mod real_partners;
 #[cfg(test)]
 mod real_paths;
 #[cfg(test)]
+mod real_verdicts;
+#[cfg(test)]
 mod robustness;
 #[cfg(test)]
 mod screenshots;
