@@ -8,6 +8,7 @@ use clap::{Args, Parser, Subcommand};
 use crate::cli::experiment_args::ExperimentCommand;
 use crate::cli::figure_args::FigureArgs;
 use crate::cli::map_options::MapOptions;
+use crate::cli::medial::MedialArgs;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
@@ -138,34 +139,6 @@ pub struct MetricArgs {
     /// What is laid onto A before B is compared
     #[arg(long, value_enum, default_value_t = AlignWord::None)]
     pub align: AlignWord,
-    /// Print one JSON object
-    #[arg(long)]
-    pub json: bool,
-}
-
-/// Options of `medial`.
-#[derive(Debug, Args)]
-pub struct MedialArgs {
-    /// Endocardium; there is one atom for each of its vertices
-    #[arg(
-        long,
-        value_name = "MESH",
-        requires = "epi",
-        required_unless_present = "wall"
-    )]
-    pub endo: Option<PathBuf>,
-    /// Epicardium
-    #[arg(long, value_name = "MESH", requires = "endo")]
-    pub epi: Option<PathBuf>,
-    /// The whole wall as one closed mesh; there is one atom for each vertex of both sides
-    #[arg(long, value_name = "MESH", conflicts_with_all = ["endo", "epi"])]
-    pub wall: Option<PathBuf>,
-    /// Length over which surfaces are smoothed first, as a share of the thickness [default: the window's]
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
-    pub smoothing: Option<f64>,
-    /// CSV to write: vertex,x,y,z,r,s0x,…,end, a row per atom
-    #[arg(long, value_name = "FILE")]
-    pub out: PathBuf,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
