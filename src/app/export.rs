@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::engine::{
     AnalysisTables, Cache, DeformationMapSettings, Engine, ExportFile, TableSettings,
-    distance_words,
+    VerdictSettings, distance_words,
 };
 use crate::picture::figure::{
     FigureContent, FigureFonts, FigureFrame, FigureSettings, FigureSubject, drawn_figure,
@@ -166,7 +166,10 @@ pub fn write_tables(engine: &mut Engine, state: &State, folder: PathBuf) {
             poses: state.document.map,
             map: state.document.deformation_map,
         },
-        thickening: state.document.thickening,
+        verdicts: VerdictSettings {
+            thickening: state.document.thickening,
+            ..VerdictSettings::default()
+        },
     };
     let words = distance_words(&settings.deformations.poses.distances);
     engine.start_export("Tables", words, move |progress| {

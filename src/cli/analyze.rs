@@ -14,7 +14,9 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
-use crate::engine::{AnalysisTables, Cache, ExportFile, TableSettings, Unassessed, write_files};
+use crate::engine::{
+    AnalysisTables, Cache, ExportFile, TableSettings, Unassessed, VerdictSettings, write_files,
+};
 use crate::picture::figure::encoded_png;
 use crate::picture::{PictureTheme, Quantity, SceneSettings};
 use crate::study::Study;
@@ -43,7 +45,10 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
     });
     let settings = TableSettings {
         deformations: args.maps.settings(&args.metric, method, &study)?,
-        thickening: args.patches.settings()?,
+        verdicts: VerdictSettings {
+            thickening: args.patches.settings()?,
+            ..VerdictSettings::default()
+        },
     };
     let (work_study, work_folder) = (Arc::clone(&study), folder.to_owned());
     let tables = run_work(move |progress| {

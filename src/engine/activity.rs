@@ -30,13 +30,15 @@ pub enum WorkKind {
     Contribution,
     /// Atoms of a wall, how it thickens, and its patches.
     Medial,
+    /// Verdicts on all hearts.
+    Verdicts,
     /// Writing tables or a figure.
     Export,
 }
 
 impl WorkKind {
     /// What analyses do; the others are opening and exporting.
-    pub const ANALYSES: [Self; 8] = [
+    pub const ANALYSES: [Self; 9] = [
         Self::Measures,
         Self::PoseMap,
         Self::DeformationMap,
@@ -45,6 +47,7 @@ impl WorkKind {
         Self::Transfer,
         Self::Contribution,
         Self::Medial,
+        Self::Verdicts,
     ];
 }
 

@@ -19,6 +19,7 @@ mod run_pairs;
 mod slot;
 mod tables;
 mod thickening;
+mod verdicts;
 mod wall_tables;
 mod workers;
 
@@ -37,5 +38,6 @@ pub use run::run;
 pub use slot::{Showing, Slot};
 pub use tables::{AnalysisTables, TableSettings};
 pub use thickening::{SubjectThickening, ThickeningSettings};
+pub use verdicts::VerdictSettings;
 pub use wall_tables::Unassessed;
 pub use workers::{Workers, configure_threads};

@@ -8,6 +8,7 @@ use crate::analysis::geodesics::GeodesicPath;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::pose_distances::PoseDistances;
+use crate::analysis::verdicts::Verdicts;
 use crate::engine::request::PoseMap;
 use crate::engine::thickening::SubjectThickening;
 use crate::mesh::Point3;
@@ -38,6 +39,8 @@ pub enum AnalysisOutcome {
     MedialBeat(Arc<MedialBeat>),
     /// How one heart's wall thickens.
     Thickening(Arc<SubjectThickening>),
+    /// What is said of all hearts of the study.
+    Verdicts(Arc<Verdicts>),
 }
 
 impl AnalysisOutcome {
@@ -70,6 +73,7 @@ impl AnalysisOutcome {
             Self::Contribution(shares) => size_of_val(&***shares),
             Self::MedialBeat(_) => 0,
             Self::Thickening(found) => found.own_bytes(),
+            Self::Verdicts(found) => size_of_val(&*found.subjects),
         }
     }
 
@@ -158,6 +162,14 @@ impl AnalysisOutcome {
     pub fn medial_beat(&self) -> Option<&Arc<MedialBeat>> {
         match self {
             Self::MedialBeat(beat) => Some(beat),
+            _ => None,
+        }
+    }
+
+    /// The verdicts, if that is what it is.
+    pub fn verdicts(&self) -> Option<&Arc<Verdicts>> {
+        match self {
+            Self::Verdicts(found) => Some(found),
             _ => None,
         }
     }

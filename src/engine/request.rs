@@ -12,8 +12,10 @@ use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
 use crate::analysis::thickening::ThickeningParams;
 use crate::analysis::transport::{Reference, TransportParams};
+use crate::analysis::verdicts::VerdictParams;
 use crate::engine::activity::WorkKind;
 use crate::engine::thickening::ThickeningSettings;
+use crate::engine::verdicts::VerdictSettings;
 use crate::progress::Stopped;
 
 /// Settings of the map of all poses.
@@ -105,6 +107,8 @@ pub enum AnalysisRequest {
         /// How balls are laid into it, and what counts as still.
         params: ThickeningSettings,
     },
+    /// Whether each heart has an abnormal patch, by a rule of the labelled ones.
+    Verdicts(VerdictSettings),
 }
 
 /// How much of a subject an answer depends on.
@@ -139,6 +143,7 @@ impl AnalysisRequest {
             Self::Transfer { .. } => WorkKind::Transfer,
             Self::Contribution { .. } => WorkKind::Contribution,
             Self::MedialBeat { .. } | Self::Thickening { .. } => WorkKind::Medial,
+            Self::Verdicts(_) => WorkKind::Verdicts,
         }
     }
 
@@ -178,6 +183,7 @@ impl AnalysisRequest {
             Self::Contribution { .. } => "Contributions to a distance",
             Self::MedialBeat { .. } => "Medial surface",
             Self::Thickening { .. } => "Thickening",
+            Self::Verdicts(_) => "Verdicts",
         }
     }
 
@@ -206,6 +212,16 @@ impl AnalysisRequest {
             Self::Contribution { distances, .. } => metric_words(&distances.metric),
             Self::MedialBeat { params, .. } => medial_words(params),
             Self::Thickening { params, .. } => thickening_words(params),
+            Self::Verdicts(settings) => {
+                let VerdictParams {
+                    ridge,
+                    permutations,
+                    seed,
+                    ..
+                } = settings.verdicts;
+                let walls = thickening_words(&settings.thickening);
+                format!("{walls}; ridge {ridge}, {permutations} permutations, seed {seed}")
+            }
         }
     }
 }

@@ -16,7 +16,7 @@ use crate::engine::outcome::AnalysisOutcome;
 use crate::engine::request::{
     AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap, PoseMapParams,
 };
-use crate::engine::{run_pairs, thickening};
+use crate::engine::{run_pairs, thickening, verdicts};
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
@@ -102,6 +102,10 @@ pub fn run(
         AnalysisRequest::Thickening { subject, params } => {
             let found = thickening::subject_thickening(study, *subject, params, cache, progress)?;
             AnalysisOutcome::Thickening(Arc::new(found))
+        }
+        AnalysisRequest::Verdicts(settings) => {
+            let found = verdicts::study_verdicts(study, settings, cache, progress)?;
+            AnalysisOutcome::Verdicts(Arc::new(found))
         }
     };
     cache.put(study, *request, outcome.clone());

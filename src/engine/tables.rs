@@ -17,10 +17,11 @@ use crate::engine::request::{
     PoseMapParams, distance_words,
 };
 use crate::engine::run::run;
-use crate::engine::thickening::ThickeningSettings;
+use crate::engine::verdicts::{VerdictSettings, judged};
 use crate::engine::wall_tables::{Unassessed, WallTables};
 use crate::io::{
     deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv, summary_json,
+    verdicts_csv, verdicts_json,
 };
 use crate::progress::Progress;
 use crate::study::Study;
@@ -30,13 +31,16 @@ const POSES_SHARE: f32 = 0.75;
 /// … until here, and then assesses walls.
 const CLASSES_SHARE: f32 = 0.8;
 
+/// … until here, and then says what is abnormal.
+const WALLS_SHARE: f32 = 0.99;
+
 /// Settings of an analysis of a whole study.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TableSettings {
     /// How poses and deformations are compared and mapped.
     pub deformations: DeformationMapSettings,
-    /// How walls are assessed.
-    pub thickening: ThickeningSettings,
+    /// How walls are assessed, and what is said of them.
+    pub verdicts: VerdictSettings,
 }
 
 /// What an analysis of a whole study found.
@@ -97,9 +101,13 @@ impl AnalysisTables {
             Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
             Err(AnalysisError::Unanswerable(reason)) => (None, Some(reason)),
         };
-        let part = progress.part("assessing walls", CLASSES_SHARE, 1.0);
-        let walls = WallTables::of(study, &settings.thickening, &folder, cache, &part)?;
-        let tables = tables(study, &measures, &maps, told.as_ref());
+        let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
+        let walls = WallTables::of(study, &settings.verdicts, &folder, cache, &part)?;
+        let part = progress.part("learning from labels", WALLS_SHARE, 1.0);
+        let checked = (settings.verdicts.verdicts.check()).map_err(AnalysisError::unanswerable)?;
+        let verdicts = judged(study, &walls.examined, &checked, &part)?;
+        let mut tables = tables(study, &measures, &maps, told.as_ref());
+        tables.push(("verdicts.csv".to_owned(), verdicts_csv(study, &verdicts)));
         let embeddings: Vec<_> = maps
             .iter()
             .map(|(word, map)| (*word, &map.embedding))
@@ -114,6 +122,7 @@ impl AnalysisTables {
         );
         if let Value::Object(object) = &mut summary {
             object.insert("thickening".to_owned(), walls.summary.clone());
+            object.insert("verdicts".to_owned(), verdicts_json(&verdicts, &checked));
         }
         Ok(Self {
             measures,

@@ -4,12 +4,13 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 
+use crate::analysis::verdicts::{Examined, NotAssessed};
 use crate::engine::cache::Cache;
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
 use crate::engine::outcome::AnalysisOutcome;
 use crate::engine::request::{AnalysisError, AnalysisRequest};
 use crate::engine::run::run;
-use crate::engine::thickening::ThickeningSettings;
+use crate::engine::verdicts::{VerdictSettings, examined};
 use crate::io::{
     AssessedWall, atoms_csv, atoms_csv_header, patches_csv, patches_csv_header, segments_csv,
     segments_csv_header, thickening_params_json, unassessed_wall_json, wall_json,
@@ -37,6 +38,8 @@ pub(super) struct WallTables {
     pub summary: Value,
     /// Those without rows.
     pub unassessed: Vec<Unassessed>,
+    /// What verdicts read of each heart.
+    pub examined: Vec<Result<Examined, NotAssessed>>,
 }
 
 impl WallTables {
@@ -46,11 +49,16 @@ impl WallTables {
     /// If stopped, or `folder` cannot be written to. A heart that cannot be assessed is no error.
     pub fn of(
         study: &Study,
-        settings: &ThickeningSettings,
+        settings: &VerdictSettings,
         folder: &Path,
         cache: &Cache,
         progress: &Progress,
     ) -> Result<Self, AnalysisError> {
+        let VerdictSettings {
+            thickening,
+            verdicts,
+        } = settings;
+        let checked = verdicts.check().map_err(AnalysisError::unanswerable)?;
         let mut tables = Self {
             atoms: PassingFile::create(folder.join("atoms.csv"))
                 .map_err(AnalysisError::Unanswerable)?,
@@ -58,6 +66,7 @@ impl WallTables {
             segments: segments_csv_header(),
             summary: Value::Null,
             unassessed: Vec::new(),
+            examined: Vec::with_capacity(study.subjects.len()),
         };
         tables.add_atoms(&atoms_csv_header())?;
         let count = study.subjects.len().max(1) as f32;
@@ -67,12 +76,14 @@ impl WallTables {
             let part = progress.part("assessing walls", from, to);
             let request = AnalysisRequest::Thickening {
                 subject,
-                params: *settings,
+                params: *thickening,
             };
-            hearts.push(tables.add(study, subject, run(study, &request, cache, &part), &part)?);
+            let answer = run(study, &request, cache, &part);
+            tables.examined.push(examined(&answer, &checked)?);
+            hearts.push(tables.add(study, subject, answer, &part)?);
         }
         tables.summary = json!({
-            "parameters": thickening_params_json(&settings.medial, &settings.thickening),
+            "parameters": thickening_params_json(&thickening.medial, &thickening.thickening),
             "subjects": hearts,
         });
         Ok(tables)

@@ -24,6 +24,7 @@ mod text_lines;
 mod thickening_csv;
 mod thickening_json;
 mod verdict_csv;
+mod verdict_json;
 mod vtk_legacy;
 mod vtp;
 mod write_study;
@@ -49,5 +50,6 @@ pub use thickening_csv::{
 };
 pub use thickening_json::{thickening_params_json, unassessed_wall_json, wall_json};
 pub use verdict_csv::verdicts_csv;
+pub use verdict_json::verdicts_json;
 pub use vtp::{write_pvd, write_vtp};
 pub use write_study::{MeshFormat, WriteStudyError, write_study};

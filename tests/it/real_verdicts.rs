@@ -9,7 +9,8 @@ use cardiomorph::analysis::medial::{MedialBeat, MedialParams, medial_beat};
 use cardiomorph::analysis::segments::long_axis;
 use cardiomorph::analysis::thickening::{Thickening, ThickeningParams, thickening};
 use cardiomorph::analysis::verdicts::{
-    Feature, Finding, HeartThickening, Verdict, VerdictParams, Verdicts, verdicts,
+    Feature, Finding, HeartThickening, NotAssessed, Verdict, VerdictParams, Verdicts, examine,
+    verdicts,
 };
 use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::progress::Progress;
@@ -50,13 +51,13 @@ fn thickened(subject: &Subject) -> Result<(MedialBeat, Thickening), String> {
 
 fn judged(study: &Study) -> Verdicts {
     let hearts: Vec<_> = study.subjects.par_iter().map(|s| thickened(s)).collect();
+    let params = VerdictParams::default().check().unwrap();
     let inputs: Vec<_> = (hearts.iter())
         .map(|heart| match heart {
-            Ok((beat, thickening)) => Ok(HeartThickening { beat, thickening }),
-            Err(reason) => Err(reason.clone()),
+            Ok((beat, thickening)) => examine(&HeartThickening { beat, thickening }, &params),
+            Err(reason) => Err(NotAssessed::NoThickening(reason.clone())),
         })
         .collect();
-    let params = VerdictParams::default().check().unwrap();
     verdicts(study, &inputs, &params, &Progress::default()).unwrap()
 }
 

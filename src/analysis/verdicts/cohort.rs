@@ -9,9 +9,8 @@ use crate::analysis::classification::Accuracy;
 use crate::progress::{Progress, Stopped};
 use crate::study::{LabelRole, Study};
 
-use super::features::Features;
 use super::params::CheckedVerdictParams;
-use super::result::{NotAssessed, RuleQuality};
+use super::result::{Examined, NotAssessed, RuleQuality};
 use super::rule::{Calibration, LeftOut, Rule, leave_one_out};
 use super::score::auc;
 
@@ -36,9 +35,9 @@ pub(super) struct Learnt {
 }
 
 impl Cohort {
-    pub fn new(study: &Study, features: &[Result<Features, NotAssessed>]) -> Self {
+    pub fn new(study: &Study, hearts: &[Result<Examined, NotAssessed>]) -> Self {
         let with_role = |role: LabelRole| -> Vec<usize> {
-            (features.iter().enumerate())
+            (hearts.iter().enumerate())
                 .filter(|(index, found)| {
                     found.is_ok() && study.role(&study.subjects[*index]) == role
                 })
@@ -46,11 +45,10 @@ impl Cohort {
                 .collect()
         };
         Self {
-            rows: (features.iter())
-                .map(|features| {
-                    features
-                        .as_ref()
-                        .map_or_else(|_| Vec::new(), Features::of_rule)
+            rows: (hearts.iter())
+                .map(|heart| match heart {
+                    Ok(heart) => heart.features.of_rule(),
+                    Err(_) => Vec::new(),
                 })
                 .collect(),
             normal: with_role(LabelRole::Normal),

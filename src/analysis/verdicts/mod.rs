@@ -23,6 +23,7 @@ pub use error::VerdictError;
 pub use features::{Feature, Features};
 pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
 pub use result::{
-    Familiarity, Finding, HeartThickening, NotAssessed, RuleQuality, RuleSource, Verdict, Verdicts,
+    Examined, Familiarity, Finding, HeartThickening, NotAssessed, RuleQuality, RuleSource, Verdict,
+    Verdicts,
 };
-pub use verdicts::verdicts;
+pub use verdicts::{examine, verdicts};

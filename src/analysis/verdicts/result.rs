@@ -2,7 +2,7 @@
 
 use crate::analysis::classification::Accuracy;
 use crate::analysis::medial::MedialBeat;
-use crate::analysis::thickening::Thickening;
+use crate::analysis::thickening::{Extent, Thickening};
 
 use super::features::Features;
 
@@ -13,6 +13,15 @@ pub struct HeartThickening<'a> {
     pub beat: &'a MedialBeat,
     /// What of them does not thicken.
     pub thickening: &'a Thickening,
+}
+
+/// What verdicts read of one heart.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Examined {
+    /// What the rule reads, and what else describes the heart.
+    pub features: Features,
+    /// What the whole wall does.
+    pub extent: Extent,
 }
 
 /// Why nothing is said of a heart.

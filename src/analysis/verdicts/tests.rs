@@ -122,8 +122,9 @@ fn judged(hearts: &[Heart], labels: &[Option<&str>]) -> Verdicts {
     verdicts(&study(labels), &hearts, &params, &Progress::default()).unwrap()
 }
 
-fn input((beat, thickening): &Heart) -> Result<HeartThickening<'_>, String> {
-    Ok(HeartThickening { beat, thickening })
+fn input((beat, thickening): &Heart) -> Result<Examined, NotAssessed> {
+    let params = VerdictParams::default().check().unwrap();
+    examine(&HeartThickening { beat, thickening }, &params)
 }
 
 /// Seven well hearts, seven with a patch, and without labels one of each and one that fails as a whole.
@@ -298,7 +299,7 @@ fn what_cannot_be_told_is_not_assessed_and_takes_no_part() {
     }
     hearts[8] = measured(rough);
     let mut inputs: Vec<_> = hearts.iter().map(input).collect();
-    inputs[0] = Err("no wall".to_owned());
+    inputs[0] = Err(NotAssessed::NoThickening("no wall".to_owned()));
     let params = VerdictParams {
         permutations: 3,
         ..VerdictParams::default()

@@ -1,9 +1,7 @@
 //! The whole question: features, the rule of the cohort, what it says of each heart, and how good it is.
 
-use rayon::prelude::*;
-
 use crate::analysis::thickening::Extent;
-use crate::progress::{Progress, Stopped};
+use crate::progress::Progress;
 use crate::study::Study;
 
 use super::cohort::{Cohort, Learnt};
@@ -12,7 +10,9 @@ use super::features::{Feature, Features, wall_volume_ratio};
 use super::likeness::{alike, familiarity, usual_distances};
 use super::logistic::sigmoid;
 use super::params::CheckedVerdictParams;
-use super::result::{Finding, HeartThickening, NotAssessed, RuleSource, Verdict, Verdicts};
+use super::result::{
+    Examined, Finding, HeartThickening, NotAssessed, RuleSource, Verdict, Verdicts,
+};
 use super::rule::Standard;
 
 /// Thickening of the well wall, in standard deviations of averaged noise, or of the least that counts as
@@ -54,7 +54,7 @@ const ALIKE: usize = 3;
 /// If the hearts are not those of the study, or on "stop".
 pub fn verdicts(
     study: &Study,
-    hearts: &[Result<HeartThickening<'_>, String>],
+    hearts: &[Result<Examined, NotAssessed>],
     params: &CheckedVerdictParams,
     progress: &Progress,
 ) -> Result<Verdicts, VerdictError> {
@@ -64,24 +64,14 @@ pub fn verdicts(
             subjects: study.subjects.len(),
         });
     }
-    progress.expect_steps(hearts.len() + params.permutations as usize + 1);
-    let features: Vec<Result<Features, NotAssessed>> = (hearts.par_iter())
-        .map(|heart| {
-            progress.step()?;
-            Ok(match heart {
-                Ok(heart) => features_of(heart, params),
-                Err(reason) => Err(NotAssessed::NoThickening(reason.clone())),
-            })
-        })
-        .collect::<Result<_, Stopped>>()?;
-    let cohort = Cohort::new(study, &features);
+    progress.expect_steps(params.permutations as usize + 1);
+    let cohort = Cohort::new(study, hearts);
     let learnt = cohort.learn(params, progress)?;
     let judged = Judged::new(&cohort, learnt.as_ref());
-    let subjects = (features.into_iter().zip(hearts).enumerate())
-        .map(|(index, (features, heart))| {
-            let features = features?;
-            let extent = heart.as_ref().ok().map(|heart| heart.thickening.extent);
-            Ok(judged.verdict(index, features, extent.unwrap_or(Extent::Everywhere)))
+    let subjects = (hearts.iter().enumerate())
+        .map(|(index, heart)| match heart {
+            Ok(heart) => Ok(judged.verdict(index, heart)),
+            Err(reason) => Err(reason.clone()),
         })
         .collect();
     let (normal, abnormal) = cohort.counts();
@@ -95,11 +85,14 @@ pub fn verdicts(
     })
 }
 
-/// Features of a heart, or why it cannot be judged.
-fn features_of(
+/// What [`verdicts`] reads of one heart; no atoms are needed any more, so that a cohort of any size can be judged.
+///
+/// # Errors
+/// If the wall is not resolved, or a feature is not a number.
+pub fn examine(
     heart: &HeartThickening<'_>,
     params: &CheckedVerdictParams,
-) -> Result<Features, NotAssessed> {
+) -> Result<Examined, NotAssessed> {
     let share = wall_volume_ratio(heart.beat, heart.thickening);
     // A wall without volume has no share of it, either.
     if share.is_nan() || share < params.least_wall_volume {
@@ -114,7 +107,10 @@ fn features_of(
         Some(feature) => Err(NotAssessed::NotFinite {
             feature: feature.name(),
         }),
-        None => Ok(features),
+        None => Ok(Examined {
+            features,
+            extent: heart.thickening.extent,
+        }),
     }
 }
 
@@ -165,14 +161,15 @@ impl<'a> Judged<'a> {
         }
     }
 
-    fn verdict(&self, index: usize, features: Features, extent: Extent) -> Verdict {
-        let probability = self.probability(index, &features);
+    fn verdict(&self, index: usize, heart: &Examined) -> Verdict {
+        let features = &heart.features;
+        let probability = self.probability(index, features);
         // A draw raises no alarm.
         let abnormal = probability > 0.5;
         let alike = |among: &[usize]| alike(&self.standardised, index, among, ALIKE);
         Verdict {
             finding: if abnormal {
-                failure(&features, extent)
+                failure(features, heart.extent)
             } else {
                 Finding::Nothing
             },
@@ -183,7 +180,7 @@ impl<'a> Judged<'a> {
             familiarity: (self.learnt).and_then(|learnt| {
                 familiarity(&self.standardised, index, &learnt.seen, &self.usual)
             }),
-            features,
+            features: features.clone(),
         }
     }
 }

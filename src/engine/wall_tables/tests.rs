@@ -40,7 +40,7 @@ fn rows(path: &Path) -> Vec<csv::StringRecord> {
 #[test]
 fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_rows() {
     let (study, folder) = (study(), tempfile::tempdir().unwrap());
-    let settings = ThickeningSettings::default();
+    let settings = VerdictSettings::default();
     let cache = Cache::default();
     let tables = WallTables::of(
         &study,
@@ -85,7 +85,7 @@ fn a_stop_leaves_no_file() {
     let (study, folder) = (study(), tempfile::tempdir().unwrap());
     let progress = Progress::default();
     progress.stop();
-    let settings = ThickeningSettings::default();
+    let settings = VerdictSettings::default();
     let stopped = WallTables::of(
         &study,
         &settings,
@@ -102,7 +102,7 @@ fn a_folder_that_cannot_be_is_named_before_anything_is_computed() {
     let folder = tempfile::tempdir().unwrap();
     let taken = folder.path().join("taken");
     std::fs::write(&taken, "a file").unwrap();
-    let settings = ThickeningSettings::default();
+    let settings = VerdictSettings::default();
     let cache = Cache::default();
     let refused = WallTables::of(&study(), &settings, &taken, &cache, &Progress::default());
     let words = refused.unwrap_err().to_string();
