@@ -150,8 +150,7 @@ impl Features {
                 Feature::Reach => Some(well + 2.0 * spread),
                 Feature::PatchShare => Some(
                     (thickening.patches.iter())
-                        .map(|patch| patch.share * patch.confidence)
-                        .sum(),
+                        .fold(0.0, |sum, patch| sum + patch.share * patch.confidence),
                 ),
                 Feature::Confidence => Some(patch.map_or(0.0, |patch| patch.confidence)),
                 Feature::PatchThickening => {
@@ -252,7 +251,8 @@ impl Weighted {
             .take_while(|[value, _]| *value < limit)
             .map(|[_, area]| area)
             .sum();
-        below / self.whole
+        // A sum of nothing is −0.
+        (below + 0.0) / self.whole
     }
 
     /// Value below which a share of the area lies.

@@ -1,11 +1,12 @@
 //! A logistic rule with a penalty on its weights, by Newton's method.
 
-use nalgebra::{DMatrix, DVector};
+use crate::numeric::{factorise_positive, solve_positive};
 
 /// Steps of Newton's method at most; a convex problem of this size takes about eight.
 const MOST_STEPS: usize = 100;
-/// Largest change of a coefficient at which it has converged: far below what a fourth decimal of p shows.
-const CONVERGED: f64 = 1e-9;
+/// Largest step of a coefficient after which it has converged: steps shrink by their square, so that the next
+/// would be of the order of rounding.
+const CONVERGED: f64 = 1e-7;
 /// A step is halved at most so often; then rounding is all that is left.
 const MOST_HALVINGS: usize = 40;
 
@@ -49,28 +50,30 @@ pub(super) fn score(coefficients: &[f64], features: &[f64]) -> f64 {
 pub(super) fn fit(cases: &[Case<'_>], ridge: f64, start: &[f64]) -> Vec<f64> {
     let size = start.len();
     let mut beta = start.to_vec();
+    let mut tried = beta.clone();
+    let mut step = vec![0.0; size];
+    let mut hessian = vec![0.0; size * size];
     let mut value = objective(cases, ridge, &beta);
     for _ in 0..MOST_STEPS {
-        let (gradient, hessian) = slopes(cases, ridge, &beta);
-        // Positive definite by the penalty, but for an intercept whose cases are all certain.
-        let Some(factor) = hessian.cholesky() else {
-            break;
-        };
-        let step = factor.solve(&gradient);
+        slopes(cases, ridge, &beta, &mut step, &mut hessian);
+        factorise_positive(&mut hessian, size);
+        solve_positive(&hessian, &mut step);
         let mut share = 1.0;
-        let mut moved = None;
-        for _ in 0..MOST_HALVINGS {
-            let tried: Vec<f64> = (0..size).map(|j| beta[j] - share * step[j]).collect();
+        let fallen = (0..MOST_HALVINGS).find_map(|_| {
+            for ((tried, beta), step) in tried.iter_mut().zip(&beta).zip(&step) {
+                *tried = beta - share * step;
+            }
             let now = objective(cases, ridge, &tried);
             if now <= value {
-                moved = Some((tried, now));
-                break;
+                return Some(now);
             }
             share *= 0.5;
-        }
-        let Some((tried, now)) = moved else { break };
-        (beta, value) = (tried, now);
-        if share * step.amax() < CONVERGED {
+            None
+        });
+        let Some(now) = fallen else { break };
+        value = now;
+        std::mem::swap(&mut beta, &mut tried);
+        if step.iter().all(|step| share * step.abs() < CONVERGED) {
             break;
         }
     }
@@ -87,30 +90,27 @@ fn objective(cases: &[Case<'_>], ridge: f64, beta: &[f64]) -> f64 {
     loss + 0.5 * ridge * beta[1..].iter().map(|b| b * b).sum::<f64>()
 }
 
-/// Gradient and Hessian of the objective.
-fn slopes(cases: &[Case<'_>], ridge: f64, beta: &[f64]) -> (DVector<f64>, DMatrix<f64>) {
+/// Gradient of the objective, and the lower triangle of its Hessian.
+fn slopes(cases: &[Case<'_>], ridge: f64, beta: &[f64], gradient: &mut [f64], hessian: &mut [f64]) {
     let size = beta.len();
-    let mut gradient = DVector::zeros(size);
-    let mut hessian = DMatrix::zeros(size, size);
-    let mut row = vec![1.0; size];
+    gradient.fill(0.0);
+    hessian.fill(0.0);
     for case in cases {
-        row[1..].copy_from_slice(case.features);
         let p = sigmoid(score(beta, case.features));
         let slope = case.weight * (p - case.target);
         let bend = case.weight * p * (1.0 - p);
+        let entry = |i: usize| if i == 0 { 1.0 } else { case.features[i - 1] };
         for i in 0..size {
-            gradient[i] += slope * row[i];
+            gradient[i] += slope * entry(i);
             for j in 0..=i {
-                hessian[(i, j)] += bend * row[i] * row[j];
+                hessian[i * size + j] += bend * entry(i) * entry(j);
             }
         }
     }
     for j in 1..size {
         gradient[j] += ridge * beta[j];
-        hessian[(j, j)] += ridge;
+        hessian[j * size + j] += ridge;
     }
-    // The factor reads the lower triangle only.
-    (gradient, hessian)
 }
 
 #[cfg(test)]

@@ -95,23 +95,35 @@ pub(super) struct Calibration {
     shift: f64,
 }
 
+/// Shift and slope with which the search for those of a calibration begins: scores are log odds already.
+const UNCALIBRATED: [f64; 2] = [0.0, 1.0];
+
+/// Shift and slope that fit best, of either sign.
+fn calibrated(scores: &[f64], abnormal: &[bool], start: &[f64]) -> Vec<f64> {
+    let ups = abnormal.iter().filter(|&&up| up).count() as f64;
+    let downs = abnormal.len() as f64 - ups;
+    let weights = balanced(abnormal);
+    let cases: Vec<Case<'_>> = (scores.chunks_exact(1).zip(abnormal))
+        .map(|(features, &up)| Case {
+            features,
+            target: if up {
+                (ups + 1.0) / (ups + 2.0)
+            } else {
+                1.0 / (downs + 2.0)
+            },
+            weight: weights[usize::from(up)],
+        })
+        .collect();
+    fit(&cases, CALIBRATION_RIDGE, start)
+}
+
 impl Calibration {
     pub fn new(scores: &[f64], abnormal: &[bool]) -> Self {
-        let ups = abnormal.iter().filter(|&&up| up).count() as f64;
-        let downs = abnormal.len() as f64 - ups;
-        let weights = balanced(abnormal);
-        let cases: Vec<Case<'_>> = (scores.chunks_exact(1).zip(abnormal))
-            .map(|(features, &up)| Case {
-                features,
-                target: if up {
-                    (ups + 1.0) / (ups + 2.0)
-                } else {
-                    1.0 / (downs + 2.0)
-                },
-                weight: weights[usize::from(up)],
-            })
-            .collect();
-        match fit(&cases, CALIBRATION_RIDGE, &[0.0, 1.0])[..] {
+        Self::of(&calibrated(scores, abnormal, &UNCALIBRATED))
+    }
+
+    fn of(fitted: &[f64]) -> Self {
+        match *fitted {
             [shift, slope] if slope > 0.0 => Self { slope, shift },
             // Scores that order the hearts the wrong way round say nothing.
             _ => Self {
@@ -149,10 +161,11 @@ pub(super) fn leave_one_out(rows: &[&[f64]], abnormal: &[bool], ridge: f64) -> L
             rule.score(rows[out])
         })
         .collect();
+    let all = calibrated(&scores, abnormal, &UNCALIBRATED);
     let probabilities = (0..rows.len())
         .map(|out| {
-            Calibration::new(&without(&scores, out), &without(abnormal, out))
-                .probability(scores[out])
+            let fitted = calibrated(&without(&scores, out), &without(abnormal, out), &all);
+            Calibration::of(&fitted).probability(scores[out])
         })
         .collect();
     LeftOut {
