@@ -6,7 +6,7 @@ use crate::analysis::segments::{Segment, ring, segment_on_plot};
 use crate::ui::theme::space;
 
 /// Height of the colour bar with its numbers and title.
-const BAR_HEIGHT: f32 = 40.0;
+const BAR_HEIGHT: f32 = 50.0;
 /// Room for the names above and below, and left and right.
 const NAMES: [f32; 2] = [16.0, 16.0];
 
