@@ -65,6 +65,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
         "thickening",
         &["medial", "medial_space", "segments", "measures"],
     ),
+    ("verdicts", &["thickening", "medial", "classification"]),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),

@@ -15,3 +15,4 @@ pub mod segments;
 pub mod thickening;
 pub mod thickness_methods;
 pub mod transport;
+pub mod verdicts;

@@ -166,7 +166,7 @@ pub fn write_tables(engine: &mut Engine, state: &State, folder: PathBuf) {
             poses: state.document.map,
             map: state.document.deformation_map,
         },
-        ..TableSettings::default()
+        thickening: state.document.thickening,
     };
     let words = distance_words(&settings.deformations.poses.distances);
     engine.start_export("Tables", words, move |progress| {

@@ -6,14 +6,13 @@ use std::path::{Path, PathBuf};
 use clap::{Args, Parser, Subcommand};
 
 use crate::cli::experiment_args::ExperimentCommand;
+use crate::cli::figure_args::FigureArgs;
 use crate::cli::map_options::MapOptions;
+use crate::cli::medial::MedialArgs;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
-use crate::cli::words::{
-    AlignWord, DemoFormat, EmbedInput, EmbedMethod, GeodesicsWord, QuantityWord, Switch, ThemeWord,
-    ViewWord,
-};
+use crate::cli::words::{AlignWord, DemoFormat, EmbedInput, EmbedMethod, GeodesicsWord, Switch};
 
 /// Reads how a left ventricle moves: beating meshes in 3D, live maps of poses, measures and figures.
 ///
@@ -145,34 +144,6 @@ pub struct MetricArgs {
     pub json: bool,
 }
 
-/// Options of `medial`.
-#[derive(Debug, Args)]
-pub struct MedialArgs {
-    /// Endocardium; there is one atom for each of its vertices
-    #[arg(
-        long,
-        value_name = "MESH",
-        requires = "epi",
-        required_unless_present = "wall"
-    )]
-    pub endo: Option<PathBuf>,
-    /// Epicardium
-    #[arg(long, value_name = "MESH", requires = "endo")]
-    pub epi: Option<PathBuf>,
-    /// The whole wall as one closed mesh; there is one atom for each vertex of both sides
-    #[arg(long, value_name = "MESH", conflicts_with_all = ["endo", "epi"])]
-    pub wall: Option<PathBuf>,
-    /// Length over which surfaces are smoothed first, as a share of the thickness [default: the window's]
-    #[arg(long, value_name = "S", allow_negative_numbers = true)]
-    pub smoothing: Option<f64>,
-    /// CSV to write: vertex,x,y,z,r,s0x,…,end, a row per atom
-    #[arg(long, value_name = "FILE")]
-    pub out: PathBuf,
-    /// Print one JSON object
-    #[arg(long)]
-    pub json: bool,
-}
-
 /// Options of `interpolate`.
 #[derive(Debug, Args)]
 pub struct InterpolateArgs {
@@ -272,79 +243,13 @@ pub struct EmbedArgs {
     pub json: bool,
 }
 
-/// Options of `figure`.
-#[derive(Debug, Args)]
-pub struct FigureArgs {
-    /// Studies, folders and files, together as one study; the built-in cohort if none is given
-    #[arg(value_name = "STUDY")]
-    pub study: Vec<PathBuf>,
-    /// Id of the subject, as `info` lists it [default: the first]
-    #[arg(long, value_name = "ID")]
-    pub subject: Option<String>,
-    /// Frame, numbered from 0
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub frame: usize,
-    /// What colours stand for
-    #[arg(long, value_enum, default_value_t = QuantityWord::Tissue)]
-    pub colour: QuantityWord,
-    /// Limits of the colours, LOW,HIGH, in place of the fixed ones
-    #[arg(long, value_name = "LOW,HIGH", value_parser = limits, allow_hyphen_values = true)]
-    pub limits: Option<[f64; 2]>,
-    /// PNG to write
-    #[arg(long, value_name = "PNG")]
-    pub out: PathBuf,
-    /// Pixels, from 320x240 to 8192x8192
-    #[arg(long, value_name = "WxH", default_value = "1200x900", value_parser = size)]
-    pub size: [u32; 2],
-    /// Draw nothing behind the heart
-    #[arg(long)]
-    pub transparent: bool,
-    /// Light for print, dark for slides
-    #[arg(long, value_enum, default_value_t = ThemeWord::Light)]
-    pub theme: ThemeWord,
-    /// Where to look from; anatomical words need a known orientation
-    #[arg(long, value_enum)]
-    pub view: Option<ViewWord>,
-    /// Draw edges
-    #[arg(long)]
-    pub wireframe: bool,
-    /// Print one JSON object
-    #[arg(long)]
-    pub json: bool,
-}
-
-fn size(text: &str) -> Result<[u32; 2], String> {
-    use crate::picture::figure::{GREATEST_SIZE, LEAST_SIZE};
-    let sides: Option<Vec<u32>> = text
-        .split(['x', '×'])
-        .map(|side| side.parse().ok())
-        .collect();
-    match sides.as_deref() {
-        Some(&[width, height])
-            if (LEAST_SIZE[0]..=GREATEST_SIZE).contains(&width)
-                && (LEAST_SIZE[1]..=GREATEST_SIZE).contains(&height) =>
-        {
-            Ok([width, height])
-        }
-        _ => Err("two numbers as in 1200x900, from 320x240 to 8192x8192".to_owned()),
-    }
-}
-
-fn limits(text: &str) -> Result<[f64; 2], String> {
-    let ends: Option<Vec<f64>> = text.split(',').map(|end| end.trim().parse().ok()).collect();
-    match ends.as_deref() {
-        Some(&[low, high]) if low.is_finite() && high.is_finite() && low < high => Ok([low, high]),
-        _ => Err("two numbers as in 0,20, the lower one first".to_owned()),
-    }
-}
-
 /// What the command line asks for.
 #[derive(Debug)]
 pub enum Door {
     /// A window on these paths.
     Window(Vec<PathBuf>),
     /// A command.
-    Command(Command),
+    Command(Box<Command>),
 }
 
 /// Reads the command line and sets the number of threads. Wrong usage, `--help` and `--version`
@@ -353,7 +258,7 @@ pub fn chosen_door() -> Door {
     let cli = Cli::parse();
     crate::engine::configure_threads(cli.threads.map(usize::from));
     match cli.command {
-        Some(command) => Door::Command(command),
+        Some(command) => Door::Command(Box::new(command)),
         None => Door::Window(cli.paths),
     }
 }
@@ -393,17 +298,5 @@ mod tests {
         let cli = Cli::try_parse_from(["cardiomorph", "info", "a", "--threads", "3"]).unwrap();
         assert!(matches!(cli.command, Some(Command::Info(_))));
         assert_eq!(cli.threads, Some(3));
-    }
-
-    #[test]
-    fn sizes_and_limits_are_checked_where_they_are_read() {
-        assert_eq!(size("640x480"), Ok([640, 480]));
-        for wrong in ["640", "100x100", "9000x100", "axb", "1x2x3"] {
-            assert!(size(wrong).is_err(), "{wrong}");
-        }
-        assert_eq!(limits("-1.5, 2"), Ok([-1.5, 2.0]));
-        for wrong in ["1", "2,1", "0,NaN", "a,b"] {
-            assert!(limits(wrong).is_err(), "{wrong}");
-        }
     }
 }

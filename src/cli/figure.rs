@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::analysis::measures::SubjectMeasures;
-use crate::cli::args::FigureArgs;
+use crate::cli::figure_args::FigureArgs;
 use crate::cli::input::{answered, measured, opened_study};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};

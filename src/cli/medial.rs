@@ -1,9 +1,11 @@
 //! `medial`: atoms of a wall.
 
+use std::path::PathBuf;
+
+use clap::Args;
 use serde_json::json;
 
 use crate::analysis::medial::{CheckedMedialParams, MedialParams, MedialSurface, medial_surface};
-use crate::cli::args::MedialArgs;
 use crate::cli::corresponding::read;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
@@ -11,6 +13,34 @@ use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
 use crate::io::medial_csv;
 use crate::mesh::TriMesh;
+
+/// Options of `medial`.
+#[derive(Debug, Args)]
+pub struct MedialArgs {
+    /// Endocardium; there is one atom for each of its vertices
+    #[arg(
+        long,
+        value_name = "MESH",
+        requires = "epi",
+        required_unless_present = "wall"
+    )]
+    pub endo: Option<PathBuf>,
+    /// Epicardium
+    #[arg(long, value_name = "MESH", requires = "endo")]
+    pub epi: Option<PathBuf>,
+    /// The whole wall as one closed mesh; there is one atom for each vertex of both sides
+    #[arg(long, value_name = "MESH", conflicts_with_all = ["endo", "epi"])]
+    pub wall: Option<PathBuf>,
+    /// Length over which surfaces are smoothed first, as a share of the thickness [default: the window's]
+    #[arg(long, value_name = "S", allow_negative_numbers = true)]
+    pub smoothing: Option<f64>,
+    /// CSV to write: vertex,x,y,z,r,s0x,…,end, a row per atom
+    #[arg(long, value_name = "FILE")]
+    pub out: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
 
 pub(super) fn medial(args: &MedialArgs) -> Result<(), CliError> {
     let params = checked(args)?;
@@ -22,9 +52,9 @@ pub(super) fn medial(args: &MedialArgs) -> Result<(), CliError> {
     })?;
     let file = ExportFile {
         path: args.out.clone(),
-        bytes: medial_csv(&surface).into_bytes(),
+        bytes: medial_csv(&surface).into_bytes().into(),
     };
-    write_files(&[file]).map_err(CliError::Unusable)?;
+    write_files(vec![file]).map_err(CliError::Unusable)?;
     report(&surface, args)
 }
 

@@ -8,6 +8,7 @@ mod embed;
 mod experiment;
 mod experiment_args;
 mod figure;
+mod figure_args;
 mod info;
 mod input;
 mod interpolate;

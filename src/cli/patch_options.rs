@@ -37,6 +37,9 @@ pub struct PatchOptions {
     /// Share of what the well wall thickens below which a patch must be somewhere
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().core, allow_negative_numbers = true)]
     pub patch_core: f64,
+    /// ln PT from end-diastole to end-systole below which a patch must be there, too [default: ln 1.1]
+    #[arg(long, value_name = "T", allow_negative_numbers = true)]
+    pub patch_still: Option<f64>,
     /// Share of what the well wall thickens up to which a patch reaches
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().border, allow_negative_numbers = true)]
     pub patch_border: f64,
@@ -66,6 +69,7 @@ impl PatchOptions {
     /// # Errors
     /// Wrong usage, if a setting is out of range.
     pub fn settings(&self) -> Result<ThickeningSettings, CliError> {
+        let default = ThickeningParams::default();
         let settings = ThickeningSettings {
             medial: MedialParams {
                 smoothing: self.medial_smoothing,
@@ -76,13 +80,14 @@ impl PatchOptions {
                 tolerance: self.patch_tolerance,
                 ratio: RatioForm::from(self.patch_ratio),
                 core: self.patch_core,
+                still: self.patch_still.unwrap_or(default.still),
                 border: self.patch_border,
                 least_share: self.patch_least_share,
-                least_thickening: (self.patch_least_thickening)
-                    .unwrap_or(ThickeningParams::default().least_thickening),
+                least_thickening: (self.patch_least_thickening).unwrap_or(default.least_thickening),
                 smoothing: self.patch_averaging,
                 redraws: self.patch_redraws,
                 seed: self.seed,
+                ..ThickeningParams::default()
             },
         };
         let usage = |error: &dyn std::fmt::Display| CliError::Usage(error.to_string());
@@ -127,6 +132,8 @@ mod tests {
             "0.07",
             "--patch-core",
             "0.1",
+            "--patch-still",
+            "0.15",
             "--patch-border",
             "0.2",
             "--patch-least-share",
@@ -152,12 +159,14 @@ mod tests {
                 tolerance: Some(0.07),
                 ratio: RatioForm::Product,
                 core: 0.1,
+                still: 0.15,
                 border: 0.2,
                 least_share: 0.03,
                 least_thickening: 0.04,
                 smoothing: 0.05,
                 redraws: 6,
                 seed: 7,
+                ..ThickeningParams::default()
             },
         };
         assert_eq!(all.unwrap(), expected);

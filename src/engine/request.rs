@@ -290,6 +290,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         tolerance,
         ratio,
         core,
+        still,
         border,
         least_share,
         least_thickening,
@@ -303,7 +304,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         RatioForm::Product => "product",
     };
     format!(
-        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core {core}, border {border}, \
+        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core {core}, still {still:.3}, border {border}, \
          least share {least_share}, least thickening {least_thickening:.3}, averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)

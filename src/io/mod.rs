@@ -23,6 +23,7 @@ mod tests;
 mod text_lines;
 mod thickening_csv;
 mod thickening_json;
+mod verdict_csv;
 mod vtk_legacy;
 mod vtp;
 mod write_study;
@@ -47,5 +48,6 @@ pub use thickening_csv::{
     segments_csv_header,
 };
 pub use thickening_json::{thickening_params_json, unassessed_wall_json, wall_json};
+pub use verdict_csv::verdicts_csv;
 pub use vtp::{write_pvd, write_vtp};
 pub use write_study::{MeshFormat, WriteStudyError, write_study};

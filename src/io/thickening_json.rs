@@ -21,6 +21,7 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
             RatioForm::Product => "product",
         },
         "patch_core": params.core,
+        "patch_still": params.still,
         "patch_border": params.border,
         "patch_least_share": params.least_share,
         "patch_least_thickening": params.least_thickening,

@@ -9,6 +9,8 @@ mod clinical_oracles;
 #[cfg(test)]
 mod golden;
 #[cfg(test)]
+mod medial_noise;
+#[cfg(test)]
 mod oracles;
 #[cfg(test)]
 mod panels;
@@ -24,6 +26,8 @@ mod real_mesh_files;
 mod real_partners;
 #[cfg(test)]
 mod real_paths;
+#[cfg(test)]
+mod real_verdicts;
 #[cfg(test)]
 mod robustness;
 #[cfg(test)]

@@ -14,6 +14,26 @@ pub struct MedialParams {
 }
 
 impl Default for MedialParams {
+    /// Smoothing by what noise does to the atoms between spheres of radius 20 and 28, root mean square over all vertices:
+    /// error of the radius and angle of the normal to the true one, and how many of the atoms were lost to false ends.
+    /// Noise is uniform on each coordinate of every vertex, its standard deviation given in percent of the thickness; on the
+    /// 2,562 vertices an edge is a third of the thickness.
+    ///
+    /// | vertices, noise | none | 0.125 | 0.25 | **0.3** | 0.375 | 0.5 |
+    /// |---|---|---|---|---|---|---|
+    /// | 2,562, 0 % | 0.05 %, 0.3° | 0.05 %, 0.3° | 0.01 %, 0.3° | 0.07 %, 0.3° | 0.23 %, 0.3° | 0.78 %, 0.3° |
+    /// | 642, 2.5 % | 3.3 %, 2.1° | 3.1 %, 1.7° | 2.4 %, 1.3° | 2.1 %, 1.2° | 1.8 %, 1.1° | 1.4 %, 0.9° |
+    /// | 2,562, 1 % | 1.3 %, 1.6° | 0.9 %, 0.9° | 0.6 %, 0.6° | 0.5 %, 0.5° | 0.4 %, 0.4° | 0.8 %, 0.4° |
+    /// | 2,562, 2.5 % | 3.1 %, 3.6° | 2.3 %, 2.2° | 1.4 %, 1.2° | 1.2 %, 1.0° | 1.0 %, 0.9° | 0.9 %, 0.7° |
+    /// | 2,562, 5 % | 6.2 %, 7.4°, 1,363 lost | 4.7 %, 4.4°, 143 | 2.9 %, 2.5° | 2.5 %, 2.1° | 2.0 %, 1.6° | 1.6 %, 1.3° |
+    /// | 10,242, 5 % | 49 %, 46°, 10,093 lost | 3.8 %, 5.3°, 3,429 | 1.8 %, 2.2°, 6 | 1.4 %, 1.8° | 1.1 %, 1.4° | 0.9 %, 1.1° |
+    ///
+    /// `cargo test --test it medial_noise -- --ignored --nocapture` prints it. More smoothing would be better against noise,
+    /// but an ellipsoidal ventricle has an apex of a radius near its thickness: the centres there move by 2.0 % of the
+    /// thickness at 0.3, by 2.8 % at 0.375 and by 4.9 % at 0.5.
+    ///
+    /// Separation: facets of a sphere of 162 vertices stand at some 20° to each other and noise that is left adds as much; the faces of a
+    /// rim stand at 90°. End: spokes at 120° say that the radius changes by half of the way along the sheet.
     fn default() -> Self {
         Self {
             smoothing: 0.3,

@@ -75,13 +75,13 @@ impl<'a> System<'a> {
             let doubled_area = (corners[1] - corners[0])
                 .cross(&(corners[2] - corners[0]))
                 .norm();
-            for k in 0..3 {
+            for (k, entries) in sides.iter().enumerate() {
                 mass[triangle[k] as usize] += doubled_area / 6.0;
                 let far = corners[(k + 2) % 3];
                 let dot = (corners[k] - far).dot(&(corners[(k + 1) % 3] - far));
                 let flattest = (dot.abs() / MOST_COTANGENT).max(f64::MIN_POSITIVE);
                 let cotangent = (dot / doubled_area.max(flattest)).max(0.0);
-                for entry in sides[k] {
+                for &entry in entries {
                     weights[entry as usize] += 0.5 * length * length * cotangent;
                 }
             }
@@ -160,15 +160,16 @@ impl<'a> System<'a> {
             }
             let part = size / bend;
             let mut next_size = 0.0;
-            for vertex in 0..found.len() {
-                found[vertex] += part * direction[vertex];
-                let rest = residual[vertex] - part * image[vertex];
-                residual[vertex] = rest;
-                next_size += inverse[vertex] * rest.norm_squared();
+            for (x, d) in found.iter_mut().zip(&direction) {
+                *x += part * d;
+            }
+            for ((r, i), w) in residual.iter_mut().zip(&image).zip(&inverse) {
+                *r -= part * i;
+                next_size += w * r.norm_squared();
             }
             let keep = next_size / size;
-            for vertex in 0..found.len() {
-                direction[vertex] = inverse[vertex] * residual[vertex] + keep * direction[vertex];
+            for ((d, r), &w) in direction.iter_mut().zip(&residual).zip(&inverse) {
+                *d = w * r + keep * *d;
             }
             size = next_size;
         }

@@ -24,12 +24,13 @@ const LEAST_ATOMS: usize = 30;
 /// And the least share of all: where more than half of the sheet ends, as under noise that leaves atoms no ball
 /// in one pose or the other, what remains is torn.
 const LEAST_REGULAR: f64 = 0.5;
+
 /// Thickening of one heart over the beat, and the patches that do not take part in it.
 ///
 /// 1. PT of each atom for consecutive poses, the last to the first, and for end-diastole to end-systole;
 ///    M̂ per step, with its descriptor (4.4, 4.5).
-/// 2. What persists over all steps: ln r of each atom is projected on the heart's own curve c(t) (see
-///    [`super::curve::ThickeningCurve`]) and averaged over neighbourhoods of the medial mesh; the area grows until noise,
+/// 2. What persists over all steps: ln r of each atom is projected on the heart's own curve c(t), its first
+///    principal component over time, and averaged over neighbourhoods of the medial mesh; the area grows until noise,
 ///    told from what the curve leaves, is a twentieth of what the well wall does. All poses speak;
 ///    with two this is ln PT.
 /// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the heart's own well wall, by

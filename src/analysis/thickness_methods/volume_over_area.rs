@@ -11,12 +11,14 @@ use super::wall_voxels::WallVoxels;
 pub(super) const PIECES: usize = Segment::COUNT;
 
 /// Triangles are cut this often in four before each part is given to the piece in which it lies.
-const CUTS: u32 = 2;
+const CUTS: u32 = 3;
 
 /// Places within a voxel by which it is shared out among pieces.
 const SAMPLES: u32 = 2;
 
-/// Steps of a sequence that fills a cube evenly, from which these places are taken: were it their middle, a border along the grid would take or leave whole layers at once.
+/// Steps of a sequence that fills a cube evenly, from which these places, and those within parts of
+/// triangles, are taken: were it their middle, a border along the grid or along a row of triangles would
+/// take or leave whole layers at once.
 ///
 /// Source: powers of 1/1.22074408, where 1.22074408⁴ = 1.22074408 + 1 (Roberts 2018, the R₃ sequence).
 const SPREAD: [f64; 3] = [0.819_172_513, 0.671_043_607, 0.549_700_478];
@@ -61,8 +63,13 @@ pub(super) fn volume_over_area(
     for (side, mesh) in [inner, outer].into_iter().enumerate() {
         for triangle in mesh.triangles() {
             let corners = triangle.map(|v| mesh.vertices()[v as usize]);
-            add_area(corners, CUTS, &mut |centre, area| {
-                if let Some(piece) = piece(axis, centre) {
+            add_area(corners, CUTS, &mut |[a, b, c], area| {
+                let [mut u, mut v, _] = SPREAD.map(|share| (counted * share).fract());
+                counted += 1.0;
+                if u + v > 1.0 {
+                    (u, v) = (1.0 - u, 1.0 - v);
+                }
+                if let Some(piece) = piece(axis, a + (b - a) * u + (c - a) * v) {
                     areas[piece][side] += area;
                 }
             });
@@ -77,11 +84,10 @@ pub(super) fn volume_over_area(
     }))
 }
 
-/// Hands out the parts of a triangle by centroid and area.
-fn add_area([a, b, c]: [Point3; 3], cuts: u32, add: &mut impl FnMut(Point3, f64)) {
+/// Hands out the parts of a triangle with their areas.
+fn add_area([a, b, c]: [Point3; 3], cuts: u32, add: &mut impl FnMut([Point3; 3], f64)) {
     if cuts == 0 {
-        let centre = Point3::from((a.coords + b.coords + c.coords) / 3.0);
-        add(centre, 0.5 * (b - a).cross(&(c - a)).norm());
+        add([a, b, c], 0.5 * (b - a).cross(&(c - a)).norm());
         return;
     }
     let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(p, q)| nalgebra::center(&p, &q));

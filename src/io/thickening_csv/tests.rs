@@ -51,6 +51,8 @@ fn found() -> Thickening {
         ed_to_es: vec![1.0, 1.5, 1.5, 1.0],
         thickening: vec![0.0, 0.4, 0.4, 0.0],
         well: 0.4,
+        well_curve: vec![0.0, 0.4],
+        least_share: 0.02,
         averaged_share: 0.01,
         averaged_noise: 0.01,
         regular_area: 100.0,

@@ -1,6 +1,6 @@
 //! The bull's-eye: clicks, choosers, what is said where nothing is known.
 
-use egui_kittest::{Harness, kittest::NodeT as _, kittest::Queryable as _};
+use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 

@@ -156,6 +156,8 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
             note: "fixed for all subjects",
             typed: false,
         }),
+        atom_bar: None,
+        patch: None,
         scale_bar: Some(ScaleBarView {
             points_per_unit: 4.3,
             unit: "mm",

@@ -134,35 +134,3 @@ fn smoothing_takes_most_of_the_noise_off_a_fine_wall() {
         "{raw:?} {smooth:?}"
     );
 }
-
-/// Prints how radii and normals stand noise: `cargo test --release --lib medial::tests::known -- --ignored --nocapture`.
-#[test]
-#[ignore = "prints the table that the default smoothing was chosen by"]
-fn the_default_smoothing_is_chosen_by_this_table() {
-    for edge_level in [3, 4, 5] {
-        for percent in [0.0, 1.0, 2.5, 5.0] {
-            // A uniform draw of half-width √3 σ has the standard deviation σ.
-            let most = 3_f64.sqrt() * percent / 100.0 * 8.0;
-            let [endo, epi] = [(20.0, 0.5), (28.0, 9.5)]
-                .map(|(radius, seed)| rough(&phantom::sphere(edge_level, radius), most, seed));
-            for smoothing in [0.0, 0.125, 0.25, 0.3, 0.375, 0.5] {
-                let Ok(found) = surface(&endo, &[&epi], &checked(smoothing)) else {
-                    eprintln!(
-                        "level {edge_level} noise {percent} % smoothing {smoothing}: no wall"
-                    );
-                    continue;
-                };
-                let count = found.atoms.len() as f64;
-                let off = found.atoms.iter().map(|a| (a.radius / 4.0 - 1.0).powi(2));
-                let turned = |(n, a): (&Vector3, &Atom)| n.angle(&a.position.coords).to_degrees();
-                let turns = found.normals.iter().zip(&found.atoms).map(turned);
-                eprintln!(
-                    "level {edge_level} noise {percent} % smoothing {smoothing}: radius {:.2} %, normal {:.2}°, ends {}",
-                    100.0 * (off.sum::<f64>() / count).sqrt(),
-                    (turns.map(|t| t * t).sum::<f64>() / count).sqrt(),
-                    found.end.iter().flatten().count()
-                );
-            }
-        }
-    }
-}

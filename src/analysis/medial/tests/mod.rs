@@ -4,6 +4,7 @@ mod beats;
 mod damage;
 mod known;
 mod laws;
+mod parts;
 
 use super::*;
 use crate::mesh::{Faces, Point3, TriMesh, Vector3, phantom};

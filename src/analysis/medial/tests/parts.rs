@@ -1,0 +1,114 @@
+//! The parts: the tree of faces, smoothing, seams.
+
+use super::*;
+use crate::analysis::medial::connectivity::Connectivity;
+use crate::analysis::medial::face_tree::{FaceTree, FacesOfPose, Facing};
+use crate::analysis::medial::smoothing::smooth;
+use crate::mesh::face_normals;
+
+#[test]
+fn the_tree_finds_the_nearest_face_that_looking_at_each_finds() {
+    let mesh = rough(&phantom::torus(2.0, 0.7, 24, 12), 0.05, 0.2);
+    let normals = face_normals(mesh.vertices(), mesh.triangles());
+    let faces = FacesOfPose {
+        points: mesh.vertices(),
+        triangles: mesh.triangles(),
+        normals: &normals,
+    };
+    let mut tree = FaceTree::new(faces);
+    tree.fit(faces);
+    let count = mesh.triangles().len() as u32;
+    for trial in 0..200 {
+        let point = Point3::from(3.0 * roughness(trial, 3.0));
+        let facing = Facing {
+            direction: roughness(trial, 7.0).normalize(),
+            cos_least: 0.5,
+            faces: [trial as u32, count - 5],
+        };
+        let found = tree.nearest(faces, point, &facing, f64::INFINITY, Some(trial as u32 + 9));
+        let allowed = (facing.faces[0]..facing.faces[1])
+            .filter(|&face| normals[face as usize].dot(&facing.direction) <= facing.cos_least);
+        // Of one face alone the tree has nothing to leave out.
+        let least = allowed.map(|face| {
+            let alone = Facing::any([face, face + 1]);
+            tree.nearest(faces, point, &alone, f64::INFINITY, None)
+                .unwrap()
+                .squared
+        });
+        let least = least.fold(f64::INFINITY, f64::min);
+        assert!((found.unwrap().squared - least).abs() < 1e-12, "{trial}");
+    }
+}
+
+#[test]
+fn the_nearest_point_of_a_triangle_is_right_in_every_region() {
+    let points = [
+        Point3::origin(),
+        Point3::new(1.0, 0.0, 0.0),
+        Point3::new(0.0, 1.0, 0.0),
+    ];
+    let triangles = [[0, 1, 2]];
+    let normals = face_normals(&points, &triangles);
+    let faces = FacesOfPose {
+        points: &points,
+        triangles: &triangles,
+        normals: &normals,
+    };
+    let mut tree = FaceTree::new(faces);
+    tree.fit(faces);
+    for (from, to) in [
+        ([0.2, 0.3, 2.0], [0.2, 0.3, 0.0]),
+        ([-1.0, -1.0, 1.0], [0.0, 0.0, 0.0]),
+        ([2.0, -0.5, 0.0], [1.0, 0.0, 0.0]),
+        ([-0.5, 3.0, 0.0], [0.0, 1.0, 0.0]),
+        ([0.4, -1.0, 0.3], [0.4, 0.0, 0.0]),
+        ([-1.0, 0.4, 0.3], [0.0, 0.4, 0.0]),
+        ([1.0, 1.0, 0.5], [0.5, 0.5, 0.0]),
+    ] {
+        let found = tree
+            .nearest(
+                faces,
+                Point3::from(from),
+                &Facing::any([0, 1]),
+                f64::INFINITY,
+                None,
+            )
+            .unwrap();
+        assert!((found.point - Point3::from(to)).norm() < 1e-12, "{from:?}");
+        let weighted: Vector3 = (0..3).map(|k| found.weights[k] * points[k].coords).sum();
+        assert!((weighted - found.point.coords).norm() < 1e-12);
+    }
+}
+
+#[test]
+fn smoothing_leaves_a_plane_plane_and_takes_roughness_off_it() {
+    let disc = moved(&phantom::bowl(1.0, 20, 60), |_, p| {
+        Point3::new(p.x, p.y, 0.0)
+    });
+    let frames = [vec![&disc]];
+    let connectivity = Connectivity::new(&frames).unwrap();
+    let flat = smooth(&connectivity, disc.vertices(), 0.2);
+    assert!(flat.points.iter().all(|p| p.z == 0.0));
+    let height = |points: &[Point3]| {
+        let inner = points.iter().filter(|p| p.x.hypot(p.y) < 0.7);
+        inner.map(|p| p.z * p.z).sum::<f64>().sqrt()
+    };
+    let rough = moved(&disc, |v, p| {
+        Point3::new(p.x, p.y, 0.02 * roughness(v, 0.1).z)
+    });
+    let smoothed = smooth(&connectivity, rough.vertices(), 0.2);
+    assert!(height(&smoothed.points) < 0.4 * height(rough.vertices()));
+    assert!(height(&smoothed.once) < height(&smoothed.points));
+}
+
+#[test]
+fn vertices_of_both_sides_on_one_place_stay_two() {
+    // A closed wall whose sides touch at the pole.
+    let cup = closed_cup(1.0, 1.4, 6, 12);
+    let pole = cup.vertices()[0];
+    let count = cup.vertices().len() / 2;
+    let touching = moved(&cup, |v, p| if v == count { pole } else { p });
+    let connectivity = Connectivity::new(&[vec![&touching]]).unwrap();
+    assert_eq!(connectivity.representative[count], count as u32);
+    assert_eq!(connectivity.sheet_count(), 1);
+}

@@ -1,0 +1,160 @@
+//! The labelled hearts of a study, the rule that they give, and how good it is.
+
+use rand::SeedableRng;
+use rand::seq::SliceRandom;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+
+use crate::analysis::classification::Accuracy;
+use crate::progress::{Progress, Stopped};
+use crate::study::{LabelRole, Study};
+
+use super::features::Features;
+use super::params::CheckedVerdictParams;
+use super::result::{NotAssessed, RuleQuality};
+use super::rule::{Calibration, LeftOut, Rule, leave_one_out};
+use super::score::auc;
+
+/// The hearts that can be judged, and which of them have labels that count.
+pub(super) struct Cohort {
+    /// What the rule reads of each subject; empty where it is not assessed.
+    pub rows: Vec<Vec<f64>>,
+    /// Assessed subjects with a normal label, ascending.
+    pub normal: Vec<usize>,
+    /// And with an abnormal one.
+    pub abnormal: Vec<usize>,
+}
+
+/// A rule with what it says of the hearts that it was made of.
+pub(super) struct Learnt {
+    pub rule: Rule,
+    pub calibration: Calibration,
+    /// Subjects that it was made of, ascending.
+    pub seen: Vec<usize>,
+    pub left_out: LeftOut,
+    pub quality: RuleQuality,
+}
+
+impl Cohort {
+    pub fn new(study: &Study, features: &[Result<Features, NotAssessed>]) -> Self {
+        let with_role = |role: LabelRole| -> Vec<usize> {
+            (features.iter().enumerate())
+                .filter(|(index, found)| {
+                    found.is_ok() && study.role(&study.subjects[*index]) == role
+                })
+                .map(|(index, _)| index)
+                .collect()
+        };
+        Self {
+            rows: (features.iter())
+                .map(|features| {
+                    features
+                        .as_ref()
+                        .map_or_else(|_| Vec::new(), Features::of_rule)
+                })
+                .collect(),
+            normal: with_role(LabelRole::Normal),
+            abnormal: with_role(LabelRole::Abnormal),
+        }
+    }
+
+    pub fn counts(&self) -> (usize, usize) {
+        (self.normal.len(), self.abnormal.len())
+    }
+
+    /// The rule of the labelled hearts; `None` if they are too few.
+    pub fn learn(
+        &self,
+        params: &CheckedVerdictParams,
+        progress: &Progress,
+    ) -> Result<Option<Learnt>, Stopped> {
+        let least = params.least_labelled as usize;
+        if self.normal.len().min(self.abnormal.len()) < least {
+            return Ok(None);
+        }
+        let mut seen = [self.normal.as_slice(), &self.abnormal].concat();
+        seen.sort_unstable();
+        let rows: Vec<&[f64]> = seen
+            .iter()
+            .map(|&index| self.rows[index].as_slice())
+            .collect();
+        let labels: Vec<bool> = seen
+            .iter()
+            .map(|index| self.abnormal.binary_search(index).is_ok())
+            .collect();
+        let left_out = leave_one_out(&rows, &labels, params.ridge);
+        progress.step()?;
+        let quality = quality(&rows, &labels, &left_out, params, progress)?;
+        Ok(Some(Learnt {
+            rule: Rule::new(&rows, &labels, params.ridge, None),
+            calibration: Calibration::new(&left_out.scores, &labels),
+            seen,
+            left_out,
+            quality,
+        }))
+    }
+}
+
+fn right(probabilities: &[f64], labels: &[bool]) -> usize {
+    (probabilities.iter().zip(labels))
+        .filter(|(p, label)| (**p > 0.5) == **label)
+        .count()
+}
+
+/// How good a rule is beside the same with permuted labels.
+fn quality(
+    rows: &[&[f64]],
+    labels: &[bool],
+    left_out: &LeftOut,
+    params: &CheckedVerdictParams,
+    progress: &Progress,
+) -> Result<RuleQuality, Stopped> {
+    let measured = |labels: &[bool], left_out: &LeftOut| {
+        (
+            right(&left_out.probabilities, labels),
+            auc(&left_out.scores, labels),
+        )
+    };
+    let (correct, area) = measured(labels, left_out);
+    let permuted: Vec<(usize, f64)> = (0..params.permutations)
+        .into_par_iter()
+        .map(|permutation| {
+            progress.step()?;
+            let mut random = ChaCha8Rng::seed_from_u64(params.seed);
+            random.set_stream(u64::from(permutation));
+            let mut labels = labels.to_vec();
+            labels.shuffle(&mut random);
+            Ok(measured(
+                &labels,
+                &leave_one_out(rows, &labels, params.ridge),
+            ))
+        })
+        .collect::<Result<_, Stopped>>()?;
+    let count = f64::from(params.permutations);
+    let at_least = |good: &dyn Fn(&(usize, f64)) -> bool| {
+        (1.0 + permuted.iter().filter(|found| good(found)).count() as f64) / (1.0 + count)
+    };
+    let wrong = |label: bool| {
+        (left_out.probabilities.iter().zip(labels))
+            .filter(|(p, own)| **own == label && (**p > 0.5) != label)
+            .count()
+    };
+    let mean_correct = permuted
+        .iter()
+        .map(|(correct, _)| *correct as f64)
+        .sum::<f64>()
+        / count;
+    Ok(RuleQuality {
+        accuracy: Accuracy {
+            correct,
+            of: labels.len(),
+            baseline: mean_correct / labels.len() as f64,
+            p_value: at_least(&|found| found.0 >= correct),
+        },
+        false_alarms: wrong(false),
+        missed: wrong(true),
+        auc: area,
+        auc_baseline: permuted.iter().map(|(_, area)| area).sum::<f64>() / count,
+        auc_p_value: at_least(&|found| found.1 >= area),
+    })
+}

@@ -1,0 +1,281 @@
+//! What a verdict looks at: a few numbers per heart, free of its size and place.
+
+use std::f64::consts::PI;
+
+use crate::analysis::medial::MedialBeat;
+use crate::analysis::thickening::{Patch, Thickening};
+use crate::mesh::{Point3, area};
+
+use super::result::HeartThickening;
+
+/// PT from end-diastole to end-systole below which wall counts as still: "roughly equal to one" (4.4).
+const STILL_PT: f64 = 1.1;
+
+/// One feature of a heart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Feature {
+    /// Share of the wall whose thickness grows by less than a tenth from end-diastole to end-systole.
+    StillShare,
+    /// Area-weighted median of thickening, ln PT from end-diastole to end-systole.
+    Median,
+    /// Area-weighted standard deviation of thickening over the wall, ln PT.
+    Spread,
+    /// The same over the thickening of the well part, at least ln 1.1.
+    RelativeSpread,
+    /// Thickening that a tenth of the wall does not reach, ln PT.
+    WeakestTenth,
+    /// Thickening of the part that works well, ln PT.
+    Well,
+    /// Thickening of the well part and twice the spread, ln PT: small where the whole wall fails, large where
+    /// a part does or none.
+    Reach,
+    /// Share of the wall in patches, each times its confidence.
+    PatchShare,
+    /// Confidence of the largest patch; 0 without one.
+    Confidence,
+    /// Thickening of the largest patch over that of the well part; 1 without one.
+    PatchThickening,
+    /// Compactness of the largest patch, 4π area / length of its border², at most 1; 0 without one.
+    Compactness,
+    /// Mean distance 4.5.1 between poses, of the largest patch or of M̂ (4.7).
+    Closeness,
+    /// Spread of ANV over the poses (4.4.1).
+    NormalSpread,
+    /// Mean distance of MP from the medial surface (4.4.2).
+    Gap,
+}
+
+/// How many there are.
+const COUNT: usize = 14;
+
+impl Feature {
+    /// All of them, in the order of tables.
+    pub const ALL: [Self; COUNT] = [
+        Self::StillShare,
+        Self::Median,
+        Self::Spread,
+        Self::RelativeSpread,
+        Self::WeakestTenth,
+        Self::Well,
+        Self::Reach,
+        Self::PatchShare,
+        Self::Confidence,
+        Self::PatchThickening,
+        Self::Compactness,
+        Self::Closeness,
+        Self::NormalSpread,
+        Self::Gap,
+    ];
+
+    /// The three that the rule reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
+    /// evidence: see [`verdicts`](super::verdicts()) for both measured side by side.
+    pub const OF_RULE: [Self; 3] = [Self::StillShare, Self::Median, Self::RelativeSpread];
+
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::StillShare => "still share of the wall",
+            Self::Median => "median thickening",
+            Self::Spread => "spread of thickening",
+            Self::RelativeSpread => "spread relative to the well part",
+            Self::WeakestTenth => "thickening of the weakest tenth",
+            Self::Well => "thickening of the well part",
+            Self::Reach => "reach of thickening",
+            Self::PatchShare => "patches' share of the wall",
+            Self::Confidence => "confidence of the largest patch",
+            Self::PatchThickening => "patch's thickening relative to the well part",
+            Self::Compactness => "compactness of the largest patch",
+            Self::Closeness => "distance between poses",
+            Self::NormalSpread => "spread of the mean normal",
+            Self::Gap => "distance of the mean position from the medial surface",
+        }
+    }
+
+    /// As a column of a table.
+    pub fn column(self) -> &'static str {
+        match self {
+            Self::StillShare => "still_share",
+            Self::Median => "median_ln_pt",
+            Self::Spread => "spread_ln_pt",
+            Self::RelativeSpread => "relative_spread",
+            Self::WeakestTenth => "weakest_tenth_ln_pt",
+            Self::Well => "well_ln_pt",
+            Self::Reach => "reach_ln_pt",
+            Self::PatchShare => "patch_share",
+            Self::Confidence => "patch_confidence",
+            Self::PatchThickening => "patch_relative_thickening",
+            Self::Compactness => "patch_compactness",
+            Self::Closeness => "pose_distance",
+            Self::NormalSpread => "normal_spread_rad",
+            Self::Gap => "gap_sizes",
+        }
+    }
+
+    /// Its unit; empty for a share or ratio.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Median | Self::Spread | Self::WeakestTenth | Self::Well | Self::Reach => "ln PT",
+            Self::NormalSpread => "rad",
+            Self::Gap => "heart sizes",
+            _ => "",
+        }
+    }
+}
+
+/// All features of one heart.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Features([Option<f64>; COUNT]);
+
+impl Features {
+    /// Of one heart. Features of poses are `None` where no pose has a descriptor.
+    pub(super) fn new(heart: &HeartThickening<'_>) -> Self {
+        let HeartThickening { beat, thickening } = *heart;
+        let rest = positions(beat, thickening.end_diastole);
+        let areas = regular_areas(beat, &rest);
+        let values = Weighted::new(&thickening.thickening, &areas);
+        let still = STILL_PT.ln();
+        let patch = thickening.patches.first();
+        let steadiness = patch.map_or(&thickening.steadiness, |patch| &patch.steadiness);
+        let well = thickening.well;
+        let spread = values.deviation();
+        Self(Feature::ALL.map(|feature| {
+            match feature {
+                Feature::StillShare => Some(values.share_below(still)),
+                Feature::Median => Some(values.quantile(0.5)),
+                Feature::Spread => Some(spread),
+                // Where hardly anything thickens a ratio to that would be noise.
+                Feature::RelativeSpread => Some(spread / well.max(still)),
+                Feature::WeakestTenth => Some(values.quantile(0.1)),
+                Feature::Well => Some(well),
+                Feature::Reach => Some(well + 2.0 * spread),
+                Feature::PatchShare => Some(
+                    (thickening.patches.iter())
+                        .map(|patch| patch.share * patch.confidence)
+                        .sum(),
+                ),
+                Feature::Confidence => Some(patch.map_or(0.0, |patch| patch.confidence)),
+                Feature::PatchThickening => {
+                    Some(patch.map_or(1.0, |patch| patch.thickening / well.max(still)))
+                }
+                Feature::Compactness => Some(patch.map_or(0.0, |patch| compactness(patch, &rest))),
+                Feature::Closeness => steadiness.pose_distance,
+                Feature::NormalSpread => steadiness.normal_spread_rad,
+                Feature::Gap => steadiness.gap,
+            }
+        }))
+    }
+
+    /// One of them; `None` where it cannot be told.
+    pub fn get(&self, feature: Feature) -> Option<f64> {
+        self.0[feature as usize]
+    }
+
+    /// The first that is told and not finite.
+    pub(super) fn not_finite(&self) -> Option<Feature> {
+        (Feature::ALL.into_iter())
+            .find(|&feature| self.get(feature).is_some_and(|value| !value.is_finite()))
+    }
+
+    /// What the rule reads, in the order of [`Feature::OF_RULE`]; these are always told.
+    pub(super) fn of_rule(&self) -> Vec<f64> {
+        (Feature::OF_RULE.into_iter())
+            .map(|feature| self.get(feature).unwrap_or(0.0))
+            .collect()
+    }
+}
+
+/// Volume of the wall at end-systole over that at end-diastole: Σ area · 2 r over regular atoms.
+pub(super) fn wall_volume_ratio(beat: &MedialBeat, thickening: &Thickening) -> f64 {
+    let volume = |pose: usize| -> f64 {
+        let areas = regular_areas(beat, &positions(beat, pose));
+        (areas.iter().zip(&beat.frames[pose].atoms))
+            .map(|(area, atom)| 2.0 * area * atom.radius)
+            .sum()
+    };
+    volume(thickening.end_systole) / volume(thickening.end_diastole)
+}
+
+fn positions(beat: &MedialBeat, pose: usize) -> Vec<Point3> {
+    (beat.frames[pose].atoms.iter())
+        .map(|atom| atom.position)
+        .collect()
+}
+
+/// A third of the area of the faces around each atom, of those whose atoms are all regular.
+fn regular_areas(beat: &MedialBeat, positions: &[Point3]) -> Vec<f64> {
+    let mut areas = vec![0.0; positions.len()];
+    for triangle in beat.faces.triangles() {
+        if triangle.iter().all(|&atom| beat.regular[atom as usize]) {
+            let third = area(positions, &[*triangle]) / 3.0;
+            triangle
+                .iter()
+                .for_each(|&atom| areas[atom as usize] += third);
+        }
+    }
+    areas
+}
+
+/// 4π A / L²: 1 for a disc in a plane, small for what is ragged or wound around the heart.
+fn compactness(patch: &Patch, positions: &[Point3]) -> f64 {
+    let at = |atom: u32| positions[atom as usize];
+    let length: f64 = (patch.border.iter())
+        .flat_map(|chain| {
+            (0..chain.len()).map(move |i| (at(chain[(i + 1) % chain.len()]) - at(chain[i])).norm())
+        })
+        .sum();
+    if length > 0.0 {
+        (4.0 * PI * patch.area / (length * length)).min(1.0)
+    } else {
+        0.0
+    }
+}
+
+/// Values with areas, in rising order.
+struct Weighted {
+    sorted: Vec<[f64; 2]>,
+    whole: f64,
+}
+
+impl Weighted {
+    fn new(values: &[f64], areas: &[f64]) -> Self {
+        let mut sorted: Vec<[f64; 2]> = (values.iter().zip(areas))
+            .filter(|(_, area)| **area > 0.0)
+            .map(|(&value, &area)| [value, area])
+            .collect();
+        sorted.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let whole = sorted.iter().map(|[_, area]| area).sum();
+        Self { sorted, whole }
+    }
+
+    fn share_below(&self, limit: f64) -> f64 {
+        let below: f64 = (self.sorted.iter())
+            .take_while(|[value, _]| *value < limit)
+            .map(|[_, area]| area)
+            .sum();
+        below / self.whole
+    }
+
+    /// Value below which a share of the area lies.
+    fn quantile(&self, share: f64) -> f64 {
+        let mut below = 0.0;
+        for [value, area] in &self.sorted {
+            below += area;
+            if below >= share * self.whole {
+                return *value;
+            }
+        }
+        self.sorted.last().map_or(f64::NAN, |[value, _]| *value)
+    }
+
+    fn deviation(&self) -> f64 {
+        let mean = |f: &dyn Fn(f64) -> f64| -> f64 {
+            self.sorted
+                .iter()
+                .map(|[value, area]| area * f(*value))
+                .sum::<f64>()
+                / self.whole
+        };
+        let middle = mean(&|value| value);
+        mean(&|value| (value - middle).powi(2)).sqrt()
+    }
+}

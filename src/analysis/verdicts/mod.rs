@@ -1,0 +1,28 @@
+//! Is there an abnormal patch, and how sure is that?
+//!
+//! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.7.
+
+mod cohort;
+mod error;
+mod features;
+mod likeness;
+mod logistic;
+mod params;
+mod result;
+mod rule;
+mod score;
+#[cfg(test)]
+mod tests;
+#[expect(
+    clippy::module_inception,
+    reason = "the room's main function carries the room's name"
+)]
+mod verdicts;
+
+pub use error::VerdictError;
+pub use features::{Feature, Features};
+pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
+pub use result::{
+    Familiarity, Finding, HeartThickening, NotAssessed, RuleQuality, RuleSource, Verdict, Verdicts,
+};
+pub use verdicts::verdicts;

@@ -1,0 +1,335 @@
+//! Known answers on a cohort of hemispheres whose thickness is a function.
+
+use std::sync::Arc;
+
+use crate::analysis::measures::{PhaseSource, SubjectMeasures};
+use crate::analysis::medial::{Atom, MedialBeat, MedialSurface};
+use crate::analysis::thickening::{Thickening, ThickeningParams, thickening};
+use crate::mesh::{Point3, Vector3, phantom};
+use crate::progress::Progress;
+use crate::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
+use crate::units::LengthUnit;
+
+use super::*;
+
+mod damage;
+
+/// Share of its thickening that the wall has at each of four poses; end-systole is pose 2.
+const CURVE: [f64; 4] = [0.0, 0.6, 1.0, 0.3];
+
+type Heart = (MedialBeat, Thickening);
+
+/// A hemisphere, pole at −z, of a wall 8 thick whose ln r grows by what `grows` says of each direction, and
+/// that shrinks as much as keeps the volume of a wall that thickens by `shrinks` everywhere.
+fn heart(grows: impl Fn(&Vector3) -> f64, shrinks: f64) -> Heart {
+    let bowl = phantom::bowl(30.0, 14, 28);
+    let directions: Vec<Vector3> = (bowl.vertices().iter())
+        .map(|point| point.coords.normalize())
+        .collect();
+    let frames = (CURVE.iter())
+        .map(|&c| MedialSurface {
+            atoms: (directions.iter())
+                .map(|d| Atom {
+                    position: Point3::from(d * 30.0 * (-0.5 * c * shrinks).exp()),
+                    radius: 4.0 * (c * grows(d)).exp(),
+                    spokes: [-d, *d],
+                })
+                .collect(),
+            normals: directions.clone(),
+            end: vec![None; directions.len()],
+        })
+        .collect();
+    let rim = bowl.faces().boundary_vertices();
+    measured(MedialBeat {
+        surface: SurfaceKind::Endocardium,
+        vertices: (0..directions.len() as u32).collect(),
+        faces: Arc::clone(bowl.faces()),
+        frames,
+        regular: rim.iter().map(|rim| !rim).collect(),
+    })
+}
+
+fn measured(beat: MedialBeat) -> Heart {
+    let measures = SubjectMeasures {
+        unit: LengthUnit::Millimetre,
+        frames: Vec::new(),
+        end_diastole: Some(0),
+        end_systole: Some(2),
+        phase_source: PhaseSource::Stated,
+        edv: None,
+        esv: None,
+        sv: None,
+        ef: None,
+        mass: None,
+    };
+    let params = ThickeningParams::default().check().unwrap();
+    let found = thickening(&beat, &measures, None, &params, &Progress::default()).unwrap();
+    (beat, found)
+}
+
+/// A wall that thickens everywhere, hearts differing a little.
+fn well(number: u32) -> Heart {
+    let amount = 0.42 + 0.03 * f64::from(number % 5);
+    heart(move |d| amount * (1.0 + 0.08 * d.x), amount)
+}
+
+/// The same with a part that does not, of different sizes in different places.
+fn ill(number: u32) -> Heart {
+    let amount = 0.42 + 0.03 * f64::from(number % 4);
+    let angle = f64::from(number);
+    let centre = Vector3::new(0.8 * angle.cos(), 0.8 * angle.sin(), -0.6);
+    let limit = (0.45 + 0.07 * f64::from(number % 6)).cos();
+    let grows = move |d: &Vector3| {
+        if d.dot(&centre) > limit {
+            0.0
+        } else {
+            amount * (1.0 + 0.08 * d.x)
+        }
+    };
+    heart(grows, 0.8 * amount)
+}
+
+/// A wall of which nothing thickens.
+fn failing() -> Heart {
+    heart(|d| 0.04 * (1.0 + 0.1 * d.y), 0.0)
+}
+
+fn study(labels: &[Option<&str>]) -> Study {
+    let surface = SurfaceSequence::new(SurfaceKind::Cavity, vec![phantom::sphere(1, 30.0)]);
+    let sequence = MeshSequence::new(vec![surface.unwrap()]).unwrap();
+    let subject = |(index, label): (usize, &Option<&str>)| {
+        let mut subject = Subject::new(
+            format!("H{index}"),
+            sequence.clone(),
+            LengthUnit::Millimetre,
+        );
+        subject.label = label.map(str::to_owned);
+        Arc::new(subject)
+    };
+    Study {
+        subjects: labels.iter().enumerate().map(subject).collect(),
+        ..Study::default()
+    }
+}
+
+fn judged(hearts: &[Heart], labels: &[Option<&str>]) -> Verdicts {
+    let hearts: Vec<_> = hearts.iter().map(input).collect();
+    let params = VerdictParams {
+        permutations: 19,
+        ..VerdictParams::default()
+    };
+    let params = params.check().unwrap();
+    verdicts(&study(labels), &hearts, &params, &Progress::default()).unwrap()
+}
+
+fn input((beat, thickening): &Heart) -> Result<HeartThickening<'_>, String> {
+    Ok(HeartThickening { beat, thickening })
+}
+
+/// Seven well hearts, seven with a patch, and without labels one of each and one that fails as a whole.
+fn cohort() -> (Vec<Heart>, Vec<Option<&'static str>>) {
+    let mut hearts: Vec<Heart> = (0..7).map(well).chain((0..7).map(ill)).collect();
+    hearts.extend([well(9), ill(9), failing()]);
+    let mut labels = [vec![Some("normal"); 7], vec![Some("abnormal"); 7]].concat();
+    labels.extend([None; 3]);
+    (hearts, labels)
+}
+
+fn assessed(verdicts: &Verdicts, subject: usize) -> &Verdict {
+    verdicts.subjects[subject].as_ref().unwrap()
+}
+
+#[test]
+fn hearts_with_a_patch_are_told_from_well_ones_with_and_without_labels() {
+    let (hearts, labels) = cohort();
+    let found = judged(&hearts, &labels);
+    assert_eq!(
+        found.rule,
+        RuleSource::Cohort {
+            normal: 7,
+            abnormal: 7
+        }
+    );
+    let findings: Vec<Finding> = (0..17).map(|i| assessed(&found, i).finding).collect();
+    assert_eq!(findings[..7], [Finding::Nothing; 7]);
+    assert_eq!(findings[7..14], [Finding::Patch; 7]);
+    assert_eq!(
+        findings[14..],
+        [Finding::Nothing, Finding::Patch, Finding::GlobalFailure]
+    );
+    let quality = found.quality.unwrap();
+    assert_eq!((quality.accuracy.correct, quality.accuracy.of), (14, 14));
+    assert_eq!(
+        (quality.false_alarms, quality.missed, quality.auc),
+        (0, 0, 1.0)
+    );
+    assert!(quality.accuracy.baseline < 0.7 && quality.auc_baseline < 0.7);
+    assert!(quality.accuracy.p_value <= 0.1 && quality.auc_p_value <= 0.1);
+    for index in 0..14 {
+        let verdict = assessed(&found, index);
+        // Seven of each do not make it certain.
+        assert!(
+            (0.02..0.98).contains(&verdict.probability),
+            "{}",
+            verdict.probability
+        );
+        assert_eq!(
+            (verdict.alike_normal.len(), verdict.alike_abnormal.len()),
+            (3, 3)
+        );
+        assert!(!verdict.alike_normal.contains(&index) && !verdict.alike_abnormal.contains(&index));
+        assert!(verdict.alike_normal.iter().all(|&other| other < 7));
+        assert!(
+            verdict
+                .alike_abnormal
+                .iter()
+                .all(|other| (7..14).contains(other))
+        );
+    }
+}
+
+#[test]
+fn features_are_what_was_built_in() {
+    let (hearts, labels) = cohort();
+    let found = judged(&hearts, &labels);
+    let of = |subject: usize, feature| assessed(&found, subject).features.get(feature).unwrap();
+    assert_eq!(of(0, Feature::StillShare), 0.0);
+    assert!((of(0, Feature::Median) - 0.42).abs() < 0.01);
+    assert_eq!(
+        (of(0, Feature::Compactness), of(0, Feature::PatchThickening)),
+        (0.0, 1.0)
+    );
+    // A cap of angle a is 1 − cos a of the hemisphere; averaging takes its rim away.
+    let cap = 1.0 - f64::cos(0.45 + 0.07 * 5.0);
+    assert!(of(12, Feature::StillShare) < cap && of(12, Feature::StillShare) > 0.6 * cap);
+    assert!(of(12, Feature::Compactness) > 0.7 && of(12, Feature::Confidence) == 1.0);
+    assert!(of(12, Feature::NormalSpread) < 0.1 && of(12, Feature::Closeness) < 0.2);
+    let reach = of(12, Feature::Well) + 2.0 * of(12, Feature::Spread);
+    assert_eq!(of(12, Feature::Reach), reach);
+}
+
+#[test]
+fn without_enough_labels_the_fixed_rule_speaks_and_says_so() {
+    let (hearts, mut labels) = cohort();
+    for case in ["one class", "no label", "too few"] {
+        match case {
+            "one class" => labels[7..14].fill(None),
+            "no label" => labels.fill(None),
+            _ => labels[..8].copy_from_slice(&[
+                Some("normal"),
+                None,
+                None,
+                None,
+                None,
+                None,
+                None,
+                Some("abnormal"),
+            ]),
+        }
+        let found = judged(&hearts, &labels);
+        assert!(
+            matches!(found.rule, RuleSource::Uncalibrated { .. }),
+            "{case}"
+        );
+        assert!(found.quality.is_none() && assessed(&found, 3).familiarity.is_none());
+        for index in 0..17 {
+            let expected = match index {
+                0..7 | 14 => Finding::Nothing,
+                16 => Finding::GlobalFailure,
+                _ => Finding::Patch,
+            };
+            assert_eq!(assessed(&found, index).finding, expected, "{case}: {index}");
+        }
+    }
+}
+
+#[test]
+fn a_heart_unlike_any_that_was_seen_is_said_to_be_so() {
+    let (hearts, labels) = cohort();
+    let found = judged(&hearts, &labels);
+    let [near, far] = [14, 16].map(|index| assessed(&found, index).familiarity.unwrap());
+    assert!(far.distance > 2.0 * near.distance && far.usual == near.usual);
+    assert!(far.as_far < near.as_far);
+}
+
+#[test]
+fn labels_that_have_nothing_to_do_with_the_hearts_give_no_rule_worth_having() {
+    let hearts: Vec<Heart> = (0..12).map(well).collect();
+    let labels: Vec<_> = (0..12)
+        .map(|i| {
+            Some(if i * i % 7 % 2 == 0 {
+                "normal"
+            } else {
+                "abnormal"
+            })
+        })
+        .collect();
+    let quality = judged(&hearts, &labels).quality.unwrap();
+    assert!(quality.accuracy.p_value > 0.05, "{quality:?}");
+    assert!((quality.accuracy.share() - quality.accuracy.baseline).abs() < 0.35);
+}
+
+#[test]
+fn equal_hearts_are_neither_normal_nor_abnormal() {
+    let hearts = vec![well(0); 10];
+    let labels: Vec<_> = (0..10)
+        .map(|i| Some(["normal", "abnormal"][i % 2]))
+        .collect();
+    let found = judged(&hearts, &labels);
+    for index in 0..10 {
+        let p = assessed(&found, index).probability;
+        assert!((p - 0.5).abs() < 0.2, "{p}");
+    }
+}
+
+#[test]
+fn what_cannot_be_told_is_not_assessed_and_takes_no_part() {
+    let (mut hearts, labels) = cohort();
+    // A wall that shrinks without thickening has lost half of its volume.
+    hearts[3] = heart(|_| 0.02, 0.7);
+    let mut rough = well(1).0;
+    for (index, frame) in rough.frames.iter_mut().enumerate() {
+        for (atom, place) in frame.atoms.iter_mut().zip(1..) {
+            let x = 2.0
+                * (f64::from(place + 7919 * index as u32) * 0.754_877_666_246_692_8).fract()
+                - 1.0;
+            atom.radius *= (3.0 * x).exp();
+        }
+    }
+    hearts[8] = measured(rough);
+    let mut inputs: Vec<_> = hearts.iter().map(input).collect();
+    inputs[0] = Err("no wall".to_owned());
+    let params = VerdictParams {
+        permutations: 3,
+        ..VerdictParams::default()
+    };
+    let params = params.check().unwrap();
+    let found = verdicts(&study(&labels), &inputs, &params, &Progress::default()).unwrap();
+    assert_eq!(
+        found.subjects[0],
+        Err(NotAssessed::NoThickening("no wall".to_owned()))
+    );
+    let lost = found.subjects[3].as_ref().unwrap_err();
+    assert!(matches!(lost, NotAssessed::WallNotResolved { share } if (0.4..0.6).contains(share)));
+    assert!(
+        lost.to_string()
+            .starts_with("the wall is not resolved: at end-systole it has 5")
+    );
+    let noisy = found.subjects[8].as_ref().unwrap_err();
+    assert!(
+        matches!(
+            noisy,
+            NotAssessed::Noise { .. } | NotAssessed::WallNotResolved { .. }
+        ),
+        "{noisy}"
+    );
+    assert_eq!(
+        found.rule,
+        RuleSource::Cohort {
+            normal: 5,
+            abnormal: 6
+        }
+    );
+    let alike = &assessed(&found, 1).alike_normal;
+    assert!(!alike.contains(&0) && !alike.contains(&3));
+}

@@ -1,0 +1,90 @@
+//! Options of `figure`: what is drawn, from where, how large.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use crate::cli::words::{QuantityWord, ThemeWord, ViewWord};
+
+/// Options of `figure`.
+#[derive(Debug, Args)]
+pub struct FigureArgs {
+    /// Studies, folders and files, together as one study; the built-in cohort if none is given
+    #[arg(value_name = "STUDY")]
+    pub study: Vec<PathBuf>,
+    /// Id of the subject, as `info` lists it [default: the first]
+    #[arg(long, value_name = "ID")]
+    pub subject: Option<String>,
+    /// Frame, numbered from 0
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    pub frame: usize,
+    /// What colours stand for
+    #[arg(long, value_enum, default_value_t = QuantityWord::Tissue)]
+    pub colour: QuantityWord,
+    /// Limits of the colours, LOW,HIGH, in place of the fixed ones
+    #[arg(long, value_name = "LOW,HIGH", value_parser = limits, allow_hyphen_values = true)]
+    pub limits: Option<[f64; 2]>,
+    /// PNG to write
+    #[arg(long, value_name = "PNG")]
+    pub out: PathBuf,
+    /// Pixels, from 320x240 to 8192x8192
+    #[arg(long, value_name = "WxH", default_value = "1200x900", value_parser = size)]
+    pub size: [u32; 2],
+    /// Draw nothing behind the heart
+    #[arg(long)]
+    pub transparent: bool,
+    /// Light for print, dark for slides
+    #[arg(long, value_enum, default_value_t = ThemeWord::Light)]
+    pub theme: ThemeWord,
+    /// Where to look from; anatomical words need a known orientation
+    #[arg(long, value_enum)]
+    pub view: Option<ViewWord>,
+    /// Draw edges
+    #[arg(long)]
+    pub wireframe: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    use crate::picture::figure::{GREATEST_SIZE, LEAST_SIZE};
+    let sides: Option<Vec<u32>> = text
+        .split(['x', '×'])
+        .map(|side| side.parse().ok())
+        .collect();
+    match sides.as_deref() {
+        Some(&[width, height])
+            if (LEAST_SIZE[0]..=GREATEST_SIZE).contains(&width)
+                && (LEAST_SIZE[1]..=GREATEST_SIZE).contains(&height) =>
+        {
+            Ok([width, height])
+        }
+        _ => Err("two numbers as in 1200x900, from 320x240 to 8192x8192".to_owned()),
+    }
+}
+
+fn limits(text: &str) -> Result<[f64; 2], String> {
+    let ends: Option<Vec<f64>> = text.split(',').map(|end| end.trim().parse().ok()).collect();
+    match ends.as_deref() {
+        Some(&[low, high]) if low.is_finite() && high.is_finite() && low < high => Ok([low, high]),
+        _ => Err("two numbers as in 0,20, the lower one first".to_owned()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sizes_and_limits_are_checked_where_they_are_read() {
+        assert_eq!(size("640x480"), Ok([640, 480]));
+        for wrong in ["640", "100x100", "9000x100", "axb", "1x2x3"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+        assert_eq!(limits("-1.5, 2"), Ok([-1.5, 2.0]));
+        for wrong in ["1", "2,1", "0,NaN", "a,b"] {
+            assert!(limits(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Verdicts on real hearts: which failure is told from which, and where nothing can be told; run with `--nocapture`
+//! for the tables.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use cardiomorph::analysis::measures::measure_subject;
+use cardiomorph::analysis::medial::{MedialBeat, MedialParams, medial_beat};
+use cardiomorph::analysis::segments::long_axis;
+use cardiomorph::analysis::thickening::{Thickening, ThickeningParams, thickening};
+use cardiomorph::analysis::verdicts::{
+    Feature, Finding, HeartThickening, Verdict, VerdictParams, Verdicts, verdicts,
+};
+use cardiomorph::io::{Limits, open_paths};
+use cardiomorph::progress::Progress;
+use cardiomorph::study::built_in::{Abnormality, BuiltInParams, cohort};
+use cardiomorph::study::{Study, Subject};
+use rayon::prelude::*;
+
+/// A path under `data`, or `None` with a message where the shared folder is absent.
+fn shared_data(place: &str) -> Option<PathBuf> {
+    let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
+        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared"),
+        PathBuf::from,
+    );
+    let path = shared.join("data").join(place);
+    if !path.exists() {
+        println!("skipped: {} is absent", path.display());
+        return None;
+    }
+    Some(path)
+}
+
+fn opened(path: PathBuf) -> Study {
+    let opened = open_paths(&[path], &Limits::default(), &Progress::default()).unwrap();
+    assert!(opened.errors.is_empty(), "{:?}", opened.errors);
+    opened.study
+}
+
+fn thickened(subject: &Subject) -> Result<(MedialBeat, Thickening), String> {
+    let (progress, measures) = (Progress::default(), measure_subject(subject));
+    let medial = MedialParams::default().check().unwrap();
+    let beat = medial_beat(subject, &medial, &progress).map_err(|error| error.to_string())?;
+    let axis = long_axis(subject, measures.end_diastole.unwrap_or(0)).ok();
+    let params = ThickeningParams::default().check().unwrap();
+    let found = thickening(&beat, &measures, axis.as_ref(), &params, &progress)
+        .map_err(|error| error.to_string())?;
+    Ok((beat, found))
+}
+
+fn judged(study: &Study) -> Verdicts {
+    let hearts: Vec<_> = study.subjects.par_iter().map(|s| thickened(s)).collect();
+    let inputs: Vec<_> = (hearts.iter())
+        .map(|heart| match heart {
+            Ok((beat, thickening)) => Ok(HeartThickening { beat, thickening }),
+            Err(reason) => Err(reason.clone()),
+        })
+        .collect();
+    let params = VerdictParams::default().check().unwrap();
+    verdicts(study, &inputs, &params, &Progress::default()).unwrap()
+}
+
+/// The assessed hearts with a label.
+fn group<'a>(study: &Study, found: &'a Verdicts, label: &str) -> Vec<&'a Verdict> {
+    (study.subjects.iter().zip(&found.subjects))
+        .filter(|(subject, _)| subject.label.as_deref() == Some(label))
+        .filter_map(|(_, verdict)| verdict.as_ref().ok())
+        .collect()
+}
+
+/// Chance that a number of the first group is above one of the second.
+fn auc(high: &[&Verdict], low: &[&Verdict], number: impl Fn(&Verdict) -> f64) -> f64 {
+    let pairs = high.iter().flat_map(|a| low.iter().map(move |b| [a, b]));
+    let above: f64 = pairs
+        .map(|[a, b]| match number(a).total_cmp(&number(b)) {
+            std::cmp::Ordering::Greater => 1.0,
+            std::cmp::Ordering::Equal => 0.5,
+            std::cmp::Ordering::Less => 0.0,
+        })
+        .sum();
+    above / (high.len() * low.len()) as f64
+}
+
+fn count(group: &[&Verdict], finding: Finding) -> usize {
+    group
+        .iter()
+        .filter(|verdict| verdict.finding == finding)
+        .count()
+}
+
+fn median(group: &[&Verdict], feature: Feature) -> f64 {
+    let mut values: Vec<f64> = group
+        .iter()
+        .map(|v| v.features.get(feature).unwrap())
+        .collect();
+    values.sort_by(f64::total_cmp);
+    0.5 * (values[(values.len() - 1) / 2] + values[values.len() / 2])
+}
+
+#[test]
+fn infarctions_are_told_from_normal_and_from_dilated_hearts() {
+    let Some(path) = shared_data("acdc_walls/study.toml") else {
+        return;
+    };
+    let study = opened(path);
+    let found = judged(&study);
+    let labels = ["HCM", "NOR", "RV", "MINF", "DCM"];
+    let groups: BTreeMap<&str, Vec<&Verdict>> = labels
+        .into_iter()
+        .map(|label| (label, group(&study, &found, label)))
+        .collect();
+    println!("label: hearts, median PT, no patch / patch / global failure / elsewhere");
+    for label in labels {
+        let group = &groups[label];
+        let counts = [
+            Finding::Nothing,
+            Finding::Patch,
+            Finding::GlobalFailure,
+            Finding::Elsewhere,
+        ]
+        .map(|finding| count(group, finding));
+        let pt = median(group, Feature::Median).exp();
+        println!("{label}: {}, {pt:.2}, {counts:?}", group.len());
+        assert_eq!(group.len(), 20, "{label}");
+    }
+    let pts = labels.map(|label| median(&groups[label], Feature::Median));
+    assert!(pts.is_sorted_by(|a, b| a > b), "{pts:?}");
+    let quality = found.quality.unwrap();
+    println!("rule, each left out in turn: {quality:?}");
+    let ill = auc(&groups["MINF"], &groups["NOR"], |verdict| {
+        verdict.probability
+    });
+    let of = |feature: Feature| move |verdict: &Verdict| verdict.features.get(feature).unwrap();
+    println!("AUC, MINF against NOR: probability {ill:.3}");
+    println!("feature: AUC of MINF against NOR and against DCM");
+    for feature in Feature::ALL {
+        let told = |low: &str| auc(&groups["MINF"], &groups[low], of(feature));
+        println!("{}: {:.3}, {:.3}", feature.name(), told("NOR"), told("DCM"));
+    }
+    assert!(ill >= 0.99);
+    assert!(count(&groups["NOR"], Finding::Patch) <= 2);
+    assert!(count(&groups["MINF"], Finding::Patch) >= 18);
+    for feature in [Feature::Spread, Feature::Reach] {
+        let regional = auc(&groups["MINF"], &groups["DCM"], of(feature));
+        assert!(regional >= 0.93, "{}: {regional}", feature.name());
+    }
+    assert!(quality.accuracy.p_value < 0.01 && quality.auc_p_value < 0.01);
+}
+
+#[test]
+fn normal_hearts_of_the_built_in_cohort_have_no_patch_and_ill_ones_have() {
+    let built_in = cohort(&BuiltInParams::default()).unwrap();
+    let found = judged(&built_in.study);
+    let mut false_patches = 0;
+    for (truth, verdict) in built_in.truths.iter().zip(&found.subjects) {
+        let finding = verdict.as_ref().unwrap().finding;
+        match truth.abnormality {
+            Abnormality::None => false_patches += usize::from(finding != Finding::Nothing),
+            // They are ill, but their walls thicken well.
+            Abnormality::Hypertrophic => assert_ne!(finding, Finding::Patch),
+            Abnormality::Dilated => assert_eq!(finding, Finding::GlobalFailure),
+            _ => assert_eq!(finding, Finding::Patch),
+        }
+    }
+    assert!(false_patches <= 1, "{false_patches} of 9 normal hearts");
+}
+
+#[test]
+fn blurred_hearts_are_not_assessed() {
+    let Some(path) = shared_data("gated_spect/meshes") else {
+        return;
+    };
+    let study = opened(path);
+    let found = judged(&study);
+    assert_eq!(found.subjects.len(), 20);
+    for (subject, verdict) in study.subjects.iter().zip(&found.subjects) {
+        let reason = verdict.as_ref().unwrap_err().to_string();
+        println!("{}: not assessed: {reason}", subject.id);
+        assert!(
+            reason.starts_with("the wall is not resolved"),
+            "{}: {reason}",
+            subject.id
+        );
+    }
+}
