@@ -118,7 +118,7 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::View, 2, "Medial atoms", Some((NONE, Key::M)), Command::ToggleAtoms),
     action(Menu::View, 2, "Spokes of the atoms", None, Command::ToggleSpokes),
     action(Menu::View, 2, "Patch", Some((NONE, Key::P)), Command::TogglePatches),
-    action(Menu::View, 2, "Patch: ANV and MP", None, Command::ToggleDirection),
+    action(Menu::View, 2, "ANV and MP of the patch", None, Command::ToggleDirection),
     action(Menu::View, 3, "Next colour quantity", Some((NONE, Key::C)), Command::NextQuantity),
     action(Menu::View, 3, "Colour: tissue", None, Command::SetQuantity(Quantity::Tissue)),
     action(Menu::View, 3, "Colour: displacement", None, Command::SetQuantity(Quantity::Displacement)),

@@ -177,7 +177,7 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
             ),
             ("Patch", Some(view.shows_patches), Command::TogglePatches),
             (
-                "Patch: ANV and MP",
+                "ANV and MP of the patch",
                 Some(view.shows_direction),
                 Command::ToggleDirection,
             ),

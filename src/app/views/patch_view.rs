@@ -155,8 +155,8 @@ fn without_segments(found: &SubjectThickening) -> String {
     }
 }
 
-/// The walls that a patch touches, the largest share first, each with its levels: "basal and mid
-/// anteroseptal, apical septal".
+/// The walls that a patch touches, the largest share first, each with its levels: "basal–mid
+/// anteroseptal, apical septal and inferior, apex".
 pub fn segment_words(patch: &Patch) -> String {
     let mut walls: Vec<(&str, Vec<Level>)> = Vec::new();
     let told = (patch.segments.iter()).filter(|part| part.of_patch >= LEAST_OF_PATCH);
@@ -168,16 +168,48 @@ pub fn segment_words(patch: &Patch) -> String {
             None => walls.push((wall, vec![level])),
         }
     }
-    let words = walls.into_iter().map(|(wall, mut levels)| {
-        levels.sort();
-        let levels: Vec<&str> = levels.iter().map(|level| level.name()).collect();
-        if wall == "apex" {
-            wall.to_owned()
+    // Walls of the same levels are said together.
+    let mut groups: Vec<(String, Vec<&str>)> = Vec::new();
+    for (wall, levels) in &mut walls {
+        let levels = level_words(levels);
+        match groups.iter_mut().find(|(other, _)| *other == levels) {
+            Some((_, walls)) => walls.push(wall),
+            None => groups.push((levels, vec![wall])),
+        }
+    }
+    // The apex has no wall; it is said last.
+    groups.sort_by_key(|(levels, _)| levels == Level::Apex.name());
+    let words = groups.into_iter().map(|(levels, walls)| {
+        if levels == Level::Apex.name() {
+            levels
         } else {
-            format!("{} {wall}", levels.join(" and "))
+            format!("{levels} {}", listed(&walls))
         }
     });
     words.collect::<Vec<_>>().join(", ")
+}
+
+/// "mid", "basal–apical", "basal and apical".
+fn level_words(levels: &mut [Level]) -> String {
+    levels.sort();
+    match *levels {
+        [] => String::new(),
+        [only] => only.name().to_owned(),
+        [first, .., last] => {
+            let whole = last.index() - first.index() + 1 == levels.len();
+            let between = if whole { "–" } else { " and " };
+            format!("{}{between}{}", first.name(), last.name())
+        }
+    }
+}
+
+/// "septal, lateral and inferior".
+fn listed(walls: &[&str]) -> String {
+    match walls {
+        [] => String::new(),
+        [only] => (*only).to_owned(),
+        [rest @ .., last] => format!("{} and {last}", rest.join(", ")),
+    }
 }
 
 /// The name without its level: "anteroseptal".
@@ -293,4 +325,59 @@ fn facing(towards: glam::Vec3, up: glam::Vec3, other: glam::Vec3) -> glam::Quat 
     let x = up.cross(z).normalize_or_zero();
     let y = z.cross(x);
     glam::Quat::from_mat3(&glam::Mat3::from_cols(x, y, z)).normalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::thickening::{PatchSegment, Steadiness};
+    use crate::mesh::Point3;
+
+    fn patch(segments: &[u8]) -> Patch {
+        let part = |number: &u8| PatchSegment {
+            segment: Segment::new(*number).unwrap(),
+            of_segment: 0.5,
+            of_patch: 1.0 / segments.len() as f64,
+        };
+        Patch {
+            atoms: Vec::new(),
+            area: 1.0,
+            area_cm2: None,
+            share: 0.1,
+            segments: segments.iter().map(part).collect(),
+            centroid: Point3::origin(),
+            border: Vec::new(),
+            thickening: 0.0,
+            confidence: 1.0,
+            path: Vec::new(),
+            steadiness: Steadiness::default(),
+        }
+    }
+
+    #[test]
+    fn segments_are_said_as_a_person_would() {
+        let said = |segments: &[u8]| segment_words(&patch(segments));
+        assert_eq!(said(&[8]), "mid anteroseptal");
+        assert_eq!(said(&[2, 8]), "basal–mid anteroseptal");
+        assert_eq!(said(&[1, 13]), "basal and apical anterior");
+        assert_eq!(said(&[7, 17, 1, 13]), "basal–apical anterior, apex");
+        let wide = said(&[8, 2, 14, 16, 15, 9]);
+        assert_eq!(
+            wide,
+            "basal–mid anteroseptal, apical septal, lateral and inferior, mid inferoseptal"
+        );
+        assert_eq!(said(&[]), "");
+    }
+
+    #[test]
+    fn a_camera_faces_what_it_looks_at_with_the_base_up() {
+        let towards = glam::Vec3::new(0.6, 0.1, 0.7).normalize();
+        for towards in [towards, glam::Vec3::Z] {
+            let turn = facing(towards, glam::Vec3::Z, glam::Vec3::X);
+            assert!((turn * glam::Vec3::Z - towards).length() < 1e-6);
+        }
+        let turn = facing(towards, glam::Vec3::Z, glam::Vec3::X);
+        assert!((turn * glam::Vec3::Y).z > 0.0);
+        assert!((turn * glam::Vec3::X).z.abs() < 1e-6);
+    }
 }

@@ -161,7 +161,7 @@ fn borders(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
 }
 
 fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc, map: &ColourMap) {
-    let size = (0.115 * disc.radius).clamp(8.0, 13.0);
+    let size = (0.1 * disc.radius).clamp(8.0, 13.0);
     for segment in Segment::all() {
         let Some(value) = view.segments[segment.index()] else {
             continue;

@@ -35,7 +35,10 @@ pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
     let mut draw = |galley: std::sync::Arc<egui::Galley>, colour| {
         let size = galley.size();
         let at = pos2(inner.right() - size.x, top);
-        painter.galley(at, galley, colour);
+        // A galley that ends at the right is placed by its right end.
+        let by_right = galley.job.halign == egui::Align::RIGHT;
+        let anchor = if by_right { inner.right() } else { at.x };
+        painter.galley(pos2(anchor, top), galley, colour);
         area = area.union(Rect::from_min_size(at, size));
         top += size.y + 1.0;
     };
@@ -48,7 +51,8 @@ pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
                 colours.muted,
                 room.min(320.0),
             );
-            job.halign = egui::Align::LEFT;
+            // Lines end at the right edge, each by itself.
+            job.halign = egui::Align::RIGHT;
             draw(painter.layout_job(job), colours.muted);
         }
     }
