@@ -80,7 +80,7 @@ impl Cohort {
             .iter()
             .map(|index| self.abnormal.binary_search(index).is_ok())
             .collect();
-        let left_out = leave_one_out(&rows, &labels, params.ridge);
+        let left_out = leave_one_out(&rows, &labels, params.ridge, progress)?;
         progress.step()?;
         let quality = quality(&rows, &labels, &left_out, params, progress)?;
         Ok(Some(Learnt {
@@ -122,10 +122,8 @@ fn quality(
             random.set_stream(u64::from(permutation));
             let mut labels = labels.to_vec();
             labels.shuffle(&mut random);
-            Ok(measured(
-                &labels,
-                &leave_one_out(rows, &labels, params.ridge),
-            ))
+            let left_out = leave_one_out(rows, &labels, params.ridge, progress)?;
+            Ok(measured(&labels, &left_out))
         })
         .collect::<Result<_, Stopped>>()?;
     let count = f64::from(params.permutations);

@@ -1,5 +1,7 @@
 //! The rule of a cohort: logistic, calibrated, each labelled heart left out in turn.
 
+use crate::progress::{Progress, Stopped};
+
 use super::logistic::{Case, fit, score, sigmoid};
 
 /// Penalty on the slope of the calibration: a trace, so that scores that tell nothing have a finite one.
@@ -147,31 +149,36 @@ pub(super) struct LeftOut {
     pub probabilities: Vec<f64>,
 }
 
-/// Each case left out in turn. Both classes must have two cases at least.
-pub(super) fn leave_one_out(rows: &[&[f64]], abnormal: &[bool], ridge: f64) -> LeftOut {
+/// Each case left out in turn. Both classes must have three cases at least.
+///
+/// # Errors
+/// [`Stopped`] if asked to stop.
+pub(super) fn leave_one_out(
+    rows: &[&[f64]],
+    abnormal: &[bool],
+    ridge: f64,
+    progress: &Progress,
+) -> Result<LeftOut, Stopped> {
     let whole = Rule::new(rows, abnormal, ridge, None);
-    let scores: Vec<f64> = (0..rows.len())
+    let scores = (0..rows.len())
         .map(|out| {
-            let rule = Rule::new(
-                &without(rows, out),
-                &without(abnormal, out),
-                ridge,
-                Some(&whole),
-            );
-            rule.score(rows[out])
+            progress.check()?;
+            let (others, labels) = (without(rows, out), without(abnormal, out));
+            Ok(Rule::new(&others, &labels, ridge, Some(&whole)).score(rows[out]))
         })
-        .collect();
+        .collect::<Result<Vec<f64>, Stopped>>()?;
     let all = calibrated(&scores, abnormal, &UNCALIBRATED);
     let probabilities = (0..rows.len())
         .map(|out| {
+            progress.check()?;
             let fitted = calibrated(&without(&scores, out), &without(abnormal, out), &all);
-            Calibration::of(&fitted).probability(scores[out])
+            Ok(Calibration::of(&fitted).probability(scores[out]))
         })
-        .collect();
-    LeftOut {
+        .collect::<Result<_, Stopped>>()?;
+    Ok(LeftOut {
         scores,
         probabilities,
-    }
+    })
 }
 
 fn without<T: Copy>(values: &[T], out: usize) -> Vec<T> {
@@ -187,6 +194,10 @@ mod tests {
         rows.iter().map(<[f64; 2]>::as_slice).collect()
     }
 
+    fn left_out(rows: &[[f64; 2]], labels: &[bool]) -> LeftOut {
+        leave_one_out(&slices(rows), labels, 1.0, &Progress::default()).unwrap()
+    }
+
     proptest! {
         #[test]
         fn the_own_label_has_no_say_in_the_own_score(
@@ -196,7 +207,7 @@ mod tests {
             let labels: Vec<bool> = (0..12).map(|i| i % 2 == 0).collect();
             let mut flipped = labels.clone();
             flipped[out] = !flipped[out];
-            let [a, b] = [labels, flipped].map(|labels| leave_one_out(&slices(&rows), &labels, 1.0).scores[out]);
+            let [a, b] = [labels, flipped].map(|labels| left_out(&rows, &labels).scores[out]);
             prop_assert!((a - b).abs() < 1e-6, "{} {}", a, b);
         }
 
@@ -207,8 +218,8 @@ mod tests {
         ) {
             let labels: Vec<bool> = (0..10).map(|i| i % 3 == 0).collect();
             let moved: Vec<[f64; 2]> = rows.iter().map(|[x, y]| [unit * x + shift, *y]).collect();
-            let a = leave_one_out(&slices(&rows), &labels, 1.0);
-            let b = leave_one_out(&slices(&moved), &labels, 1.0);
+            let a = left_out(&rows, &labels);
+            let b = left_out(&moved, &labels);
             for (a, b) in a.probabilities.iter().zip(&b.probabilities) {
                 prop_assert!((a - b).abs() < 1e-5);
             }

@@ -37,8 +37,8 @@ const ALIKE: usize = 3;
 ///    noise of thickening is a third of what the well part does or more.
 /// 2. The rest is told abnormal by a logistic rule on [`Feature::OF_RULE`], standardised, both classes
 ///    weighing alike, learnt from the hearts whose label counts as normal or abnormal. What is said of a labelled
-///    heart comes from a rule that has not seen it, calibrated by the scores of the others. With too few labels a fixed rule stands in: the
-///    still share of the wall beside 5.5 %.
+///    heart comes from a rule that has not seen it, calibrated by the scores of the others. With too few labels
+///    a fixed rule stands in: the still share of the wall beside 5.5 %.
 /// 3. An abnormal heart has a patch where thickening found one, unless its [`Feature::Reach`] is small: then
 ///    failure is global.
 ///
