@@ -30,7 +30,9 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ("render", &["units", "mesh"]),
     (
         "picture",
-        &["units", "mesh", "study", "analysis", "engine", "render"],
+        &[
+            "units", "progress", "mesh", "study", "analysis", "engine", "render",
+        ],
     ),
     (
         "ui",
@@ -65,7 +67,10 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
         "thickening",
         &["medial", "medial_space", "segments", "measures"],
     ),
-    ("verdicts", &["thickening", "medial", "classification"]),
+    (
+        "verdicts",
+        &["thickening", "medial", "measures", "classification"],
+    ),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),

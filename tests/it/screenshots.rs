@@ -121,6 +121,16 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![dark, pose(15, 3), Command::ShowPane(Pane::SpaceTime)],
         },
         Shot {
+            name: "patch.png",
+            pixels_per_point: 1.0,
+            commands: vec![
+                light.clone(),
+                pose(13, 3),
+                Command::ShowPane(Pane::Patch),
+                Command::ToggleAtoms,
+            ],
+        },
+        Shot {
             name: "difference.png",
             pixels_per_point: 1.0,
             commands: vec![

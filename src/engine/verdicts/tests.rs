@@ -1,3 +1,5 @@
+//! A cohort is judged as a whole, from the cache where it can be.
+
 use super::*;
 use crate::analysis::verdicts::Finding;
 use crate::study::Revision;

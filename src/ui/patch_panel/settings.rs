@@ -23,7 +23,7 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     let mut wanted = now;
     let mut border = 100.0 * now.border;
     let what = "A patch reaches as far as the wall thickens by less than this share of what the \
-                part that works well does; its core must stay below five eighths of it";
+                part that works well does; its core must stay below half of it";
     if slider_ui(ui, "Border", &mut border, BORDERS, what) {
         wanted = with_border(now, 0.01 * border);
     }
@@ -68,15 +68,22 @@ fn slider_ui(
     what: &str,
 ) -> bool {
     ui.add_space(space::SMALL);
-    ui.label(name);
+    let label = ui.label(name);
+    // The slider rounds what it shows; only what a person does is a change.
+    let before = value.round();
+    let mut shown = before;
     ui.spacing_mut().slider_width = (ui.available_width() - 64.0).clamp(60.0, 240.0);
-    let slider = Slider::new(value, range)
+    let slider = Slider::new(&mut shown, range)
         .logarithmic(true)
         .smart_aim(false)
         .fixed_decimals(0)
         .suffix(" %");
-    let response = ui.add(slider).accessible_name(name).on_hover_text(what);
-    response.changed()
+    ui.add(slider).labelled_by(label.id).on_hover_text(what);
+    let changed = shown != before;
+    if changed {
+        *value = shown;
+    }
+    changed
 }
 
 fn border_note(well: Option<f64>, border: f64) -> String {

@@ -111,6 +111,6 @@ fn the_border_moves_by_keyboard_and_takes_its_core_along() {
     };
     let (core, border) = (settings.thickening.core, settings.thickening.border);
     assert!(border > 0.4, "{border}");
-    assert!((core / border - 0.625).abs() < 1e-9);
+    assert!((core / border - 0.5).abs() < 1e-9);
     assert!(settings.thickening.check().is_ok());
 }
