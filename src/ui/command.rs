@@ -25,15 +25,15 @@ pub enum ViewMode {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum BullsEyeQuantity {
     /// PT of the pose on screen against end-diastole.
-    #[default]
     Ratio,
     /// Thickening from end-diastole to end-systole, as the whole beat tells it.
+    #[default]
     Thickening,
 }
 
 impl BullsEyeQuantity {
     /// Both, in the order in which one key steps through them.
-    pub const ALL: [Self; 2] = [Self::Ratio, Self::Thickening];
+    pub const ALL: [Self; 2] = [Self::Thickening, Self::Ratio];
 
     /// The other one.
     pub fn next(self) -> Self {

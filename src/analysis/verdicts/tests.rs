@@ -78,7 +78,7 @@ fn ill(number: u32) -> Heart {
     let amount = 0.42 + 0.013 * f64::from(number);
     let angle = f64::from(number);
     let centre = Vector3::new(0.8 * angle.cos(), 0.8 * angle.sin(), -0.6);
-    let limit = (0.45 + 0.07 * f64::from(number % 6)).cos();
+    let limit = (0.55 + 0.05 * f64::from(number % 6)).cos();
     let grows = move |d: &Vector3| {
         if d.dot(&centre) > limit {
             0.0
@@ -197,7 +197,7 @@ fn features_are_what_was_built_in() {
         (0.0, 1.0)
     );
     // A cap of angle a is 1 − cos a of the hemisphere; averaging takes its rim away.
-    let cap = 1.0 - f64::cos(0.45 + 0.07 * 5.0);
+    let cap = 1.0 - f64::cos(0.55 + 0.05 * 5.0);
     assert!(of(12, Feature::StillShare) < cap && of(12, Feature::StillShare) > 0.6 * cap);
     assert!(of(12, Feature::Compactness) > 0.7 && of(12, Feature::Confidence) == 1.0);
     assert!(of(12, Feature::NormalSpread) < 0.1 && of(12, Feature::Closeness) < 0.2);

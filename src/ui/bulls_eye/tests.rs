@@ -57,7 +57,7 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
 }
 
 fn click_on(harness: &mut Harness<'static, Vec<Command>>, segment: Segment, named: bool) {
-    let area = harness.get_by_label("Bull's-eye").rect();
+    let area = harness.get_by_label("Bull's-eye map").rect();
     let (disc, _) = layout::places(area, named);
     click_at(harness, disc.middle_of(segment));
 }
@@ -100,7 +100,7 @@ fn a_click_on_a_border_selects_its_patch() {
             patches: vec![patch(selected)],
             ..Shown::default()
         });
-        let area = shown.get_by_label("Bull's-eye").rect();
+        let area = shown.get_by_label("Bull's-eye map").rect();
         let (disc, _) = layout::places(area, true);
         click_at(&mut shown, disc.at([0.55, 0.32]));
         assert_eq!(*shown.state(), [Command::SelectPart(part)]);

@@ -101,7 +101,8 @@ fn a_stopped_measurement_can_be_begun_again() {
 #[test]
 fn the_border_moves_by_keyboard_and_takes_its_core_along() {
     let mut shown = harness(Shown::with(WallState::Ready, "No patch", Vec::new()));
-    shown.get_by_label("Border").focus();
+    let slider = egui::accesskit::Role::Slider;
+    shown.get_by_role_and_label(slider, "Border").focus();
     shown.run();
     shown.key_press(egui::Key::ArrowRight);
     shown.run();

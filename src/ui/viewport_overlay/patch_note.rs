@@ -1,9 +1,9 @@
 //! The patches of the heart on screen in words: how many, how large, where, in the upper right corner.
 
-use egui::{Rect, Role, Sense, Ui, WidgetInfo, pos2};
+use egui::{Rect, Role, Sense, Shape, Ui, WidgetInfo, pos2, vec2};
 
 use crate::ui::style::{medium_font, note_font};
-use crate::ui::theme::colours;
+use crate::ui::theme::{colours, radius, space};
 
 /// What is said of patches.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -30,6 +30,8 @@ pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
     if heading.size().x > room {
         return;
     }
+    // Words stand on a plate, for the heart may reach below them.
+    let plate = painter.add(Shape::Noop);
     let mut top = inner.top() + down;
     let mut area = Rect::NOTHING;
     let mut draw = |galley: std::sync::Arc<egui::Galley>, colour| {
@@ -56,6 +58,9 @@ pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
             draw(painter.layout_job(job), colours.muted);
         }
     }
+    let ground = area.expand2(vec2(space::MEDIUM, space::SMALL));
+    let dim = colours.pane.gamma_multiply(0.8);
+    painter.set(plate, Shape::rect_filled(ground, radius::CONTROL, dim));
     let words = format!("{}. {}", note.heading, note.lines.join(". "));
     let response = ui.interact(area, ui.scope_id().with("patch note"), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.clone()));

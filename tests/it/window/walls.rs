@@ -55,7 +55,7 @@ fn keys_show_and_hide_atoms_and_patches_and_step_the_quantities() {
     harness.key_press(Key::B);
     harness.run_steps(2);
     let document = &harness.state().state().document;
-    assert_eq!(document.bulls_eye, BullsEyeQuantity::Thickening);
+    assert_eq!(document.bulls_eye, BullsEyeQuantity::Ratio);
     for _ in 0..3 {
         harness.key_press(Key::C);
         harness.run_steps(2);
@@ -118,7 +118,7 @@ fn a_segment_of_the_bulls_eye_is_selected_everywhere() {
     give(&mut harness, Command::ShowPane(Pane::BullsEye));
     harness.run_steps(2);
     // The apex is in the middle, above the colour bar.
-    let area = harness.get_by_label("Bull's-eye").rect();
+    let area = harness.get_by_label("Bull's-eye map").rect();
     let middle = area.center() - egui::vec2(0.0, 20.0);
     click_at(&mut harness, middle);
     harness.run_steps(2);
