@@ -87,7 +87,6 @@ impl PatchOptions {
                 smoothing: self.patch_averaging,
                 redraws: self.patch_redraws,
                 seed: self.seed,
-                ..ThickeningParams::default()
             },
         };
         let usage = |error: &dyn std::fmt::Display| CliError::Usage(error.to_string());
@@ -166,7 +165,6 @@ mod tests {
                 smoothing: 0.05,
                 redraws: 6,
                 seed: 7,
-                ..ThickeningParams::default()
             },
         };
         assert_eq!(all.unwrap(), expected);
