@@ -108,18 +108,13 @@ fn quantity_name(quantity: BullsEyeQuantity) -> &'static str {
 fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
-        chooser_ui(
-            ui,
-            "What the bull's-eye shows",
-            quantity_name(view.quantity),
-            |ui| {
-                for quantity in BullsEyeQuantity::ALL {
-                    if choice_ui(ui, quantity_name(quantity), quantity == view.quantity) {
-                        commands.push(Command::SetBullsEye(quantity));
-                    }
+        chooser_ui(ui, "Bull's-eye", quantity_name(view.quantity), |ui| {
+            for quantity in BullsEyeQuantity::ALL {
+                if choice_ui(ui, quantity_name(quantity), quantity == view.quantity) {
+                    commands.push(Command::SetBullsEye(quantity));
                 }
-            },
-        );
+            }
+        });
         let segments = egui::Button::new("17").selected(view.by_segment);
         let response = ui.add(segments);
         response.widget_info(|| {
