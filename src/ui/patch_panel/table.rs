@@ -34,6 +34,8 @@ const COLUMNS: [[&str; 3]; 4] = [
         "Share of redraws of the noise in which the patch is found again, in percent",
     ],
 ];
+/// Width below which three columns have room.
+const NARROW: f32 = 160.0;
 /// Width from which headings are written out.
 const WIDE: f32 = 330.0;
 
@@ -45,12 +47,19 @@ pub(super) fn table_ui(ui: &mut Ui, rows: &[PatchRow], commands: &mut Vec<Comman
     }
 }
 
-/// Right ends of the columns.
-fn ends(area: Rect) -> [f32; COLUMNS.len()] {
+/// Right ends of the columns; the last has no room in a narrow pane.
+fn ends(area: Rect) -> Vec<f32> {
     let inner = area.shrink2(vec2(space::SMALL, 0.0));
+    let count = if area.width() < NARROW {
+        COLUMNS.len() - 1
+    } else {
+        COLUMNS.len()
+    };
     let number = 14.0;
-    let step = (inner.width() - number) / COLUMNS.len() as f32;
-    std::array::from_fn(|column| inner.left() + number + step * (column + 1) as f32)
+    let step = (inner.width() - number) / count as f32;
+    (1..=count)
+        .map(|column| inner.left() + number + step * column as f32)
+        .collect()
 }
 
 fn headings_ui(ui: &mut Ui) {
