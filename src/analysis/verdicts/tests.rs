@@ -73,12 +73,17 @@ fn well(number: u32) -> Heart {
     heart(move |d| amount * (1.0 + 0.08 * d.x), amount)
 }
 
+/// Angle from the middle of a patch to its border.
+fn radius_rad(number: u32) -> f64 {
+    0.55 + 0.05 * f64::from(number % 5)
+}
+
 /// The same with a part that does not, of different sizes in different places.
 fn ill(number: u32) -> Heart {
     let amount = 0.42 + 0.013 * f64::from(number);
     let angle = f64::from(number);
     let centre = Vector3::new(0.8 * angle.cos(), 0.8 * angle.sin(), -0.6);
-    let limit = (0.45 + 0.07 * f64::from(number % 6)).cos();
+    let limit = radius_rad(number).cos();
     let grows = move |d: &Vector3| {
         if d.dot(&centre) > limit {
             0.0
@@ -196,12 +201,12 @@ fn features_are_what_was_built_in() {
         (0.0, 1.0)
     );
     // A cap of angle a is 1 − cos a of the hemisphere; averaging takes its rim away.
-    let cap = 1.0 - f64::cos(0.45 + 0.07 * 5.0);
-    assert!(of(12, Feature::StillShare) < cap && of(12, Feature::StillShare) > 0.6 * cap);
-    assert!(of(12, Feature::Compactness) > 0.7 && of(12, Feature::Confidence) == 1.0);
-    assert!(of(12, Feature::NormalSpread) < 0.1 && of(12, Feature::Closeness) < 0.2);
-    let reach = of(12, Feature::Well) + 2.0 * of(12, Feature::Spread);
-    assert_eq!(of(12, Feature::Reach), reach);
+    let cap = 1.0 - radius_rad(4).cos();
+    assert!(of(11, Feature::StillShare) < cap && of(11, Feature::StillShare) > 0.6 * cap);
+    assert!(of(11, Feature::Compactness) > 0.7 && of(11, Feature::Confidence) == 1.0);
+    assert!(of(11, Feature::NormalSpread) < 0.1 && of(11, Feature::Closeness) < 0.2);
+    let reach = of(11, Feature::Well) + 2.0 * of(11, Feature::Spread);
+    assert_eq!(of(11, Feature::Reach), reach);
 }
 
 #[test]
@@ -244,8 +249,11 @@ fn a_heart_unlike_any_that_was_seen_is_said_to_be_so() {
     let (hearts, labels) = cohort();
     let found = judged(&hearts, &labels);
     let [near, far] = [14, 16].map(|index| assessed(&found, index).familiarity.unwrap());
-    assert!(far.distance > 2.0 * near.distance && far.usual == near.usual);
-    assert!(far.as_far < near.as_far);
+    assert!(
+        far.distance > 2.0 * near.distance && far.usual == near.usual,
+        "{near:?} {far:?}"
+    );
+    assert_eq!(far.as_far, 0.0);
 }
 
 #[test]
