@@ -33,7 +33,7 @@ pub use error::ExperimentError;
 pub use interpolation_study::{
     InterpolationCase, InterpolationStudy, InterpolationStudyParams, interpolation_study,
 };
-pub use localisation::{LocalisationParams, LocalisationRow, localisation};
+pub use localisation::{LocalisationParams, LocalisationRow, MeanAndError, localisation};
 pub use medial_methods::MedialMethod;
 pub use motions::Motion;
 pub use noise::{NoiseFamily, NoiseReference, coordinate_variance, noise_sigma};
