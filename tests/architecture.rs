@@ -83,6 +83,10 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
         &[
             "alignment",
             "measures",
+            "medial",
+            "medial_space",
+            "segments",
+            "thickening",
             "metrics",
             "geodesics",
             "transport",

@@ -15,6 +15,7 @@ use crate::analysis::transport::CohortTransferParams;
 use crate::cli::experiment_args::{
     ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs, PartnerArgs,
 };
+use crate::cli::experiment_medial::noise_medial;
 use crate::cli::input::opened_study;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
@@ -29,6 +30,7 @@ use crate::io::{
 pub(super) fn experiment(command: &ExperimentCommand) -> Result<(), CliError> {
     match command {
         ExperimentCommand::NoiseDeformation(args) => noise(args),
+        ExperimentCommand::NoiseMedial(args) => noise_medial(args),
         ExperimentCommand::Metrics(args) => metrics(args),
         ExperimentCommand::Partners(args) => partners(args),
     }
@@ -221,12 +223,12 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     print(&lines.join("\n"))
 }
 
-fn pretty(value: &Value) -> Result<String, CliError> {
+pub(super) fn pretty(value: &Value) -> Result<String, CliError> {
     let text = serde_json::to_string_pretty(value).map_err(CliError::unusable)?;
     Ok(text + "\n")
 }
 
-fn file(folder: &Path, name: &str, text: String) -> ExportFile {
+pub(super) fn file(folder: &Path, name: &str, text: String) -> ExportFile {
     ExportFile {
         path: folder.join(name),
         bytes: text.into_bytes().into(),

@@ -11,6 +11,8 @@ use crate::cli::words::{GeodesicsWord, Switch};
 pub enum ExperimentCommand {
     /// Classifies synthetic deformations under noise, carries and interpolates them
     NoiseDeformation(NoiseDeformationArgs),
+    /// Classifies synthetic medial surfaces with and without a patch under noise, and finds patches of known size
+    NoiseMedial(NoiseMedialArgs),
     /// Tells the labels of a study apart by every metric, on the study and on noisy copies
     Metrics(MetricComparisonArgs),
     /// Says by every metric, with and without transfer, how near the other sequence of a patient is
@@ -29,6 +31,29 @@ pub struct NoiseDeformationArgs {
     /// Also without smoothing, Procrustes with it, and levels in percent of displacement
     #[arg(long, value_enum, default_value_t = Switch::Off)]
     pub whole: Switch,
+    /// Draws everything random
+    #[arg(long, default_value_t = 1)]
+    pub seed: u64,
+    /// Folder to write into; made if need be
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Print one JSON object
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// Options of `experiment noise-medial`.
+#[derive(Debug, Args)]
+pub struct NoiseMedialArgs {
+    /// Draws of surfaces, patches and noise, all anew
+    #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
+    pub redraws: u16,
+    /// Deformations without a patch, and as many with one
+    #[arg(long, value_name = "N", default_value_t = 20, value_parser = clap::value_parser!(u16).range(2..))]
+    pub per_class: u16,
+    /// Surfaces of each size and number of patches, in each redraw
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u16).range(1..))]
+    pub per_size: u16,
     /// Draws everything random
     #[arg(long, default_value_t = 1)]
     pub seed: u64,

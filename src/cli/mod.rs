@@ -7,6 +7,7 @@ mod demo;
 mod embed;
 mod experiment;
 mod experiment_args;
+mod experiment_medial;
 mod figure;
 mod figure_args;
 mod info;

@@ -7,13 +7,13 @@ use crate::analysis::experiments::{
 };
 
 /// Width of a panel with its margin, height of the plot, and what stands around it.
-const PANEL: f64 = 300.0;
-const PLOT: [f64; 2] = [220.0, 220.0];
-const LEFT: f64 = 60.0;
-const TOP: f64 = 40.0;
+pub(super) const PANEL: f64 = 300.0;
+pub(super) const PLOT: [f64; 2] = [220.0, 220.0];
+pub(super) const LEFT: f64 = 60.0;
+pub(super) const TOP: f64 = 40.0;
 
 /// Okabe and Ito's colours, told apart by all eyes, with a shape for each.
-const COLOURS: [&str; 5] = ["#0072b2", "#d55e00", "#666666", "#009e73", "#cc79a7"];
+pub(super) const COLOURS: [&str; 5] = ["#0072b2", "#d55e00", "#666666", "#009e73", "#cc79a7"];
 
 /// Panels for the noise in percent of the shape's variance; crosses are the figures of table 3.1.
 pub fn noise_svg(result: &NoiseDeformationResult) -> String {
@@ -36,7 +36,8 @@ pub fn noise_svg(result: &NoiseDeformationResult) -> String {
                     && cell.reference == NoiseReference::Shape
                     && cell.family.is_none_or(|of| of == family)
             });
-            line(&mut svg, x0, cells, levels, COLOURS[index % COLOURS.len()]);
+            let colour = COLOURS[index % COLOURS.len()];
+            line(&mut svg, x0, cells.map(Mark::from), levels, colour);
         }
         for cell in &result.cells {
             let first = cell.method == methods[0] && cell.reference == NoiseReference::Shape;
@@ -44,34 +45,27 @@ pub fn noise_svg(result: &NoiseDeformationResult) -> String {
                 .published
                 .filter(|_| first && cell.family == Some(family))
             {
-                let (x, y) = (x0 + across(cell.percent, levels), down(published));
-                writeln!(
-                    svg,
-                    "<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\" stroke=\"black\" fill=\"none\"/>",
-                    x - 4.0,
-                    y - 4.0
-                )
-                .ok();
+                cross(&mut svg, x0 + across(cell.percent, levels), down(published));
             }
         }
     }
-    legend(&mut svg, &methods);
+    legend(&mut svg, &methods, "3.1");
     svg + "</svg>\n"
 }
 
 /// Levels stand at even distances, clean data first.
-fn across(percent: f64, levels: &[f64]) -> f64 {
+pub(super) fn across(percent: f64, levels: &[f64]) -> f64 {
     let place = levels.iter().position(|level| *level == percent);
     let step = PLOT[0] / levels.len().max(1) as f64;
     place.map_or(0.0, |index| step * (index + 1) as f64)
 }
 
 /// τ of 1 at the top, 0 at the bottom.
-fn down(share: f64) -> f64 {
+pub(super) fn down(share: f64) -> f64 {
     TOP + PLOT[1] * (1.0 - share.clamp(0.0, 1.0))
 }
 
-fn axes(svg: &mut String, x0: f64, family: NoiseFamily, levels: &[f64]) {
+pub(super) fn axes(svg: &mut String, x0: f64, family: NoiseFamily, levels: &[f64]) {
     let (right, bottom) = (x0 + PLOT[0], down(0.0));
     writeln!(
         svg,
@@ -101,23 +95,41 @@ fn axes(svg: &mut String, x0: f64, family: NoiseFamily, levels: &[f64]) {
     .ok();
 }
 
+/// One mean of a line, with its standard error.
+pub(super) struct Mark {
+    pub percent: f64,
+    pub tau: f64,
+    pub standard_error: f64,
+}
+
+impl From<&NoiseCell> for Mark {
+    fn from(cell: &NoiseCell) -> Self {
+        Self {
+            percent: cell.percent,
+            tau: cell.tau,
+            standard_error: cell.standard_error,
+        }
+    }
+}
+
 /// Means joined by a line, with bars of one standard error.
-fn line<'a>(
+pub(super) fn line(
     svg: &mut String,
     x0: f64,
-    cells: impl Iterator<Item = &'a NoiseCell>,
+    marks: impl Iterator<Item = Mark>,
     levels: &[f64],
     colour: &str,
 ) {
     let mut points = Vec::new();
-    for cell in cells {
-        let x = x0 + across(cell.percent, levels);
+    for mark in marks {
+        let x = x0 + across(mark.percent, levels);
         let (low, high) = (
-            down(cell.tau - cell.standard_error),
-            down(cell.tau + cell.standard_error),
+            down(mark.tau - mark.standard_error),
+            down(mark.tau + mark.standard_error),
         );
-        writeln!(svg, "<path d=\"M{x:.1} {low:.1}V{high:.1}\" stroke=\"{colour}\"/><circle cx=\"{x:.1}\" cy=\"{:.1}\" r=\"3\" fill=\"{colour}\"/>", down(cell.tau)).ok();
-        points.push(format!("{x:.1},{:.1}", down(cell.tau)));
+        let y = down(mark.tau);
+        writeln!(svg, "<path d=\"M{x:.1} {low:.1}V{high:.1}\" stroke=\"{colour}\"/><circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"{colour}\"/>").ok();
+        points.push(format!("{x:.1},{y:.1}"));
     }
     writeln!(
         svg,
@@ -127,13 +139,25 @@ fn line<'a>(
     .ok();
 }
 
-fn legend(svg: &mut String, methods: &[&str]) {
+/// A published figure.
+pub(super) fn cross(svg: &mut String, x: f64, y: f64) {
+    writeln!(
+        svg,
+        "<path d=\"M{:.1} {:.1}l8 8m0 -8l-8 8\" stroke=\"black\" fill=\"none\"/>",
+        x - 4.0,
+        y - 4.0
+    )
+    .ok();
+}
+
+/// Names of the lines, and which table the crosses are from.
+pub(super) fn legend(svg: &mut String, methods: &[&str], table: &str) {
     let top = down(0.0) + 60.0;
     for (index, method) in methods.iter().enumerate() {
         let y = top + 20.0 * index as f64;
         writeln!(svg, "<circle cx=\"{LEFT}\" cy=\"{}\" r=\"4\" fill=\"{}\"/><text x=\"{}\" y=\"{y}\">{method}</text>", y - 4.0, COLOURS[index % COLOURS.len()], LEFT + 12.0).ok();
     }
-    writeln!(svg, "<text x=\"{}\" y=\"{top}\">× table 3.1 of the text; τ, accuracy of clusters; bars: standard error</text>", LEFT + PANEL).ok();
+    writeln!(svg, "<text x=\"{}\" y=\"{top}\">× table {table} of the text; τ, accuracy of clusters; bars: standard error</text>", LEFT + PANEL).ok();
 }
 
 fn capitalised(word: &str) -> String {

@@ -5,6 +5,8 @@ mod figures;
 #[cfg(test)]
 mod medial;
 #[cfg(test)]
+mod noise_medial;
+#[cfg(test)]
 mod refusals;
 #[cfg(test)]
 mod shape_space;

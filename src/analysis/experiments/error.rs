@@ -4,6 +4,7 @@ use crate::analysis::classification::{ClassesParamError, ClassifyError};
 use crate::analysis::deformations::{DeformationMapError, DeformationParamError};
 use crate::analysis::embedding::EmbeddingError;
 use crate::analysis::pose_distances::{PoseDistanceError, PoseDistanceParamError};
+use crate::analysis::thickening::{ThickeningError, ThickeningParamError};
 use crate::mesh::MeshError;
 use crate::progress::Stopped;
 use crate::study::SequenceError;
@@ -37,6 +38,12 @@ pub enum ExperimentError {
         name: &'static str,
         /// What was asked for.
         value: f64,
+    },
+    /// A patch is a part of the sheet.
+    #[error("the share of a patch must be above 0 and below 0.9, not {share}")]
+    PatchShare {
+        /// What was asked for.
+        share: f64,
     },
     /// Nobody's other sequence can be nearer.
     #[error(
@@ -79,6 +86,9 @@ pub enum ExperimentError {
     /// Settings of the rules.
     #[error(transparent)]
     Rules(#[from] ClassesParamError),
+    /// Settings of the search for patches.
+    #[error(transparent)]
+    Thickening(#[from] ThickeningParamError),
     /// A step of the method failed.
     #[error("{step}: {reason}")]
     Step {
@@ -103,6 +113,15 @@ impl From<EmbeddingError> for ExperimentError {
         match error {
             EmbeddingError::Stopped(stopped) => stopped.into(),
             other => step("laying out the map of poses", &other),
+        }
+    }
+}
+
+impl From<ThickeningError> for ExperimentError {
+    fn from(error: ThickeningError) -> Self {
+        match error {
+            ThickeningError::Stopped(stopped) => stopped.into(),
+            other => step("looking for patches", &other),
         }
     }
 }

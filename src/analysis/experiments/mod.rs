@@ -3,8 +3,14 @@
 mod comparison;
 mod error;
 mod interpolation_study;
+mod localisation;
+mod medial_methods;
+#[cfg(test)]
+mod medial_tests;
 mod motions;
 mod noise;
+mod noise_medial;
+mod noise_medial_result;
 mod noise_result;
 mod noise_study;
 mod noisy;
@@ -12,6 +18,9 @@ mod objects;
 mod one_motion;
 mod partners;
 mod pipeline;
+mod sheet_mesh;
+mod sheet_patches;
+mod sheets;
 mod synthetic;
 #[cfg(test)]
 mod tests;
@@ -24,8 +33,12 @@ pub use error::ExperimentError;
 pub use interpolation_study::{
     InterpolationCase, InterpolationStudy, InterpolationStudyParams, interpolation_study,
 };
+pub use localisation::{LocalisationParams, LocalisationRow, MeanAndError, localisation};
+pub use medial_methods::MedialMethod;
 pub use motions::Motion;
 pub use noise::{NoiseFamily, NoiseReference, coordinate_variance, noise_sigma};
+pub use noise_medial::{MedialNoiseParams, noise_medial};
+pub use noise_medial_result::{MedialNoiseCell, MedialNoiseResult, published_medial_tau};
 pub use noise_result::{NoiseCell, NoiseDeformationResult, published_tau};
 pub use noise_study::{NoiseDeformationParams, noise_deformation};
 pub use noisy::{Noise, noisy_study};
@@ -34,5 +47,6 @@ pub use partners::{
     Carrying, PartnerParams, PartnerRanks, PartnerRow, PartnerStudy, partner_study, patient_of,
 };
 pub use pipeline::Method;
+pub use sheets::{Sheet, SheetParams, sheet};
 pub use synthetic::{Deformation, SyntheticCohort, SyntheticParams, synthetic_cohort};
 pub use transfer_study::{TransferCase, TransferStudy, TransferStudyParams, transfer_study};
