@@ -45,7 +45,7 @@ pub(super) fn noise_medial(args: &NoiseMedialArgs) -> Result<(), CliError> {
         ),
         file(&args.out, "summary.json", pretty(&summary)?),
     ];
-    write_files(&files).map_err(CliError::Unusable)?;
+    write_files(files).map_err(CliError::Unusable)?;
     if args.json {
         return print_json(&summary);
     }
