@@ -65,7 +65,10 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
         "thickening",
         &["medial", "medial_space", "segments", "measures"],
     ),
-    ("verdicts", &["thickening", "medial", "classification"]),
+    (
+        "verdicts",
+        &["thickening", "medial", "classification", "measures"],
+    ),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),
     ("transport", &["alignment", "metrics", "geodesics"]),
