@@ -131,15 +131,13 @@ fn infarctions_are_told_from_normal_and_from_dilated_hearts() {
     let ill = auc(&groups["MINF"], &groups["NOR"], |verdict| {
         verdict.probability
     });
-    let of = |feature: Feature| move |verdict: &Verdict| verdict.features.get(feature).unwrap();
+    // Hearts in which nothing stands still at any pose have no path of poses: they count as the least.
+    let of = |feature: Feature| {
+        move |verdict: &Verdict| verdict.features.get(feature).unwrap_or(f64::NEG_INFINITY)
+    };
     println!("AUC, MINF against NOR: probability {ill:.3}");
     println!("feature: AUC of MINF against NOR and against DCM");
     for feature in Feature::ALL {
-        let known = |verdict: &&Verdict| verdict.features.get(feature).is_some();
-        if !groups.values().flatten().all(known) {
-            println!("{}: not told of every heart", feature.name());
-            continue;
-        }
         let told = |low: &str| auc(&groups["MINF"], &groups[low], of(feature));
         println!("{}: {:.3}, {:.3}", feature.name(), told("NOR"), told("DCM"));
     }

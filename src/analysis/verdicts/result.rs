@@ -139,7 +139,8 @@ pub enum RuleSource {
 /// How good the rule is on the hearts with labels, each left out in turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RuleQuality {
-    /// Right answers beside those with permuted labels.
+    /// Right answers beside those with permuted labels. Both classes weigh alike in the rule: where one is much more
+    /// frequent, always saying that one may be right as often.
     pub accuracy: Accuracy,
     /// Normal hearts called abnormal.
     pub false_alarms: usize,
