@@ -76,7 +76,12 @@ impl AskedWalls {
         match engine.showing(WorkKind::Medial) {
             Showing::Ready(outcome) => {
                 if let Some(found) = outcome.thickening() {
-                    store.put(&asked.subject, &asked.settings, Ok(Arc::clone(found)));
+                    // Colours and borders of a wall that is not resolved would look like findings.
+                    let told = match &found.not_assessed {
+                        Some(reason) => Err(reason.to_string()),
+                        None => Ok(Arc::clone(found)),
+                    };
+                    store.put(&asked.subject, &asked.settings, told);
                 }
             }
             Showing::Failed { error, .. } => {

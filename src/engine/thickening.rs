@@ -8,6 +8,7 @@ use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segm
 use crate::analysis::thickening::{
     Thickening, ThickeningError, ThickeningParams, phases, thickening,
 };
+use crate::analysis::verdicts::{HeartThickening, NotAssessed, VerdictParams, examine};
 use crate::engine::cache::Cache;
 use crate::engine::request::{AnalysisError, AnalysisRequest};
 use crate::engine::run::run;
@@ -35,6 +36,8 @@ pub struct SubjectThickening {
     pub beat: Arc<MedialBeat>,
     /// How they thicken, and where they do not.
     pub thickening: Thickening,
+    /// Why its wall carries no verdict, where it is not resolved: what is found in it may be blur or noise.
+    pub not_assessed: Option<NotAssessed>,
     /// The long axis at end-diastole.
     pub axis: Option<LongAxis>,
     /// Why there is no axis, where there is none.
@@ -127,8 +130,14 @@ pub(super) fn subject_thickening(
     let centres: Vec<Point3> = (beat.frames[end_diastole].atoms.iter())
         .map(|atom| atom.position)
         .collect();
+    let verdicts = (VerdictParams::default().check()).map_err(AnalysisError::unanswerable)?;
+    let heart = HeartThickening {
+        beat,
+        thickening: &found,
+    };
     Ok(SubjectThickening {
         beat: Arc::clone(beat),
+        not_assessed: examine(&heart, &verdicts).err(),
         thickening: found,
         segments: (centres.iter())
             .map(|&point| segment(axis.as_ref()?, point))

@@ -22,7 +22,8 @@ pub struct Disc {
 /// The plot and the colour bar in an area.
 pub fn places(area: Rect, named: bool) -> (Disc, Rect) {
     let (plot, bar) = area.split_top_bottom_at_y(area.bottom() - BAR_HEIGHT);
-    let names = if named { NAMES } else { [2.0, 2.0] };
+    // Without names there is a note above that says so.
+    let names = if named { NAMES } else { [NAMES[0], 2.0] };
     let inner = plot.shrink2(vec2(names[1], names[0]));
     let disc = Disc {
         centre: inner.center(),
