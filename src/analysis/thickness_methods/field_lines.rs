@@ -47,14 +47,14 @@ pub(super) fn line_lengths(
             lengths(
                 graph,
                 &tangents,
-                order.iter().copied(),
+                &order.iter().copied(),
                 Towards::Inner,
                 progress,
             )
         },
         || {
             let down = order.iter().rev().copied();
-            lengths(graph, &tangents, down, Towards::Outer, progress)
+            lengths(graph, &tangents, &down, Towards::Outer, progress)
         },
     );
     Ok((inner?.iter().zip(outer?)).map(|(a, b)| a + b).collect())
@@ -90,7 +90,7 @@ fn tangent(graph: &WallGraph, potential: &[f64], node: usize) -> [f64; 3] {
 fn lengths(
     graph: &WallGraph,
     tangents: &[[f64; 3]],
-    order: impl Iterator<Item = u32> + Clone,
+    order: &(impl Iterator<Item = u32> + Clone),
     towards: Towards,
     progress: &Progress,
 ) -> Result<Vec<f64>, Stopped> {
