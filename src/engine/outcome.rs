@@ -44,7 +44,7 @@ pub enum AnalysisOutcome {
 }
 
 impl AnalysisOutcome {
-    /// Memory that it holds, near enough to bound a cache by it, without [`Self::shared_beat`].
+    /// Memory that it holds, near enough to bound a cache by it, without atoms that other answers share.
     pub fn bytes(&self) -> usize {
         let matrix = |distances: &PoseDistances| {
             size_of_val(distances.distances.upper()) + size_of_val(&*distances.poses)
