@@ -182,6 +182,11 @@ impl App {
             ),
             None => {}
         }
+        match self.background.saved_views.poll() {
+            Some(Ok(command)) => self.queue.push(command),
+            Some(Err(reason)) => super::saved_views::refuse(&mut self.state, reason),
+            None => {}
+        }
         let dropped: Vec<PathBuf> = ctx.input(|input| {
             let files = input.raw.dropped_files.iter();
             files.map(|file| file.path().to_owned()).collect()
@@ -221,18 +226,23 @@ impl App {
         match effect {
             Effect::ChooseFiles => dialogs.ask(Question::Files, String::new()),
             Effect::ChooseFolder => dialogs.ask(Question::Folder, String::new()),
-            Effect::ChooseFigure => {
-                dialogs.ask(Question::Figure, export::figure_name(&self.state));
+            Effect::ChooseFigure(kind) => {
+                dialogs.ask(
+                    Question::Figure(kind),
+                    export::figure_name(&self.state, kind),
+                );
             }
             Effect::ChooseTables => dialogs.ask(Question::Tables, String::new()),
             Effect::Open(source) => self.background.open(source),
-            Effect::WriteFigure(path) => export::write_figure(
+            Effect::WriteFigure(kind, path) => export::write_figure(
                 &mut self.background.engine,
-                &self.state,
+                &mut self.state,
                 &self.viewport,
                 ctx.global_style().visuals.dark_mode,
+                kind,
                 path,
             ),
+            Effect::ReadPicture(path) => self.background.saved_views.read(path),
             Effect::WriteTables(folder) => {
                 export::write_tables(&mut self.background.engine, &self.state, folder);
             }

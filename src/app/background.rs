@@ -18,6 +18,7 @@ use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
 use super::map_orientation::{deformations_like, oriented_like};
 use super::pictures::Pictures;
+use super::saved_views::SavedViews;
 use super::state::{Fresh, State};
 use super::views::enough_subjects;
 
@@ -48,6 +49,8 @@ pub struct Background {
     pub pictures: Pictures,
     /// Asks for files.
     pub dialogs: Dialogs,
+    /// Reads the views that pictures carry.
+    pub saved_views: SavedViews,
     /// What the answers about beats belong to.
     beats: AskedBeats,
     /// What the answers about walls belong to.
@@ -66,6 +69,7 @@ impl Background {
             engine: Engine::start(Arc::clone(wake))?,
             pictures: Pictures::start(Arc::clone(wake))?,
             dialogs: Dialogs::start(Arc::clone(wake))?,
+            saved_views: SavedViews::start(Arc::clone(wake))?,
             beats: AskedBeats::default(),
             walls: AskedWalls::default(),
             told: [const { None }; FAILURES.len()],

@@ -8,16 +8,17 @@ use serde_json::Value;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
 use crate::cli::args::AnalyzeArgs;
-use crate::cli::figure::Studio;
+use crate::cli::figure::{Shot, Studio};
 use crate::cli::input::opened_study;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisTables, Cache, ExportFile, TableSettings, Unassessed, VerdictSettings, write_files,
+    AnalysisTables, Cache, ExportFile, TableSettings, ThickeningSettings, Unassessed,
+    VerdictSettings, write_files,
 };
-use crate::picture::figure::encoded_png;
+use crate::picture::page::PageFormat;
 use crate::picture::{PictureTheme, Quantity, SceneSettings};
 use crate::study::Study;
 
@@ -110,10 +111,17 @@ fn figures(
                 .and_then(|measures| measures.end_systole);
             let last = subject.sequence.frame_count() - 1;
             let systole = measured.or(subject.end_systole).unwrap_or(last).min(last);
-            let figure = studio.figure(index, systole, settings, None, FIGURE_SIZE, None)?;
+            let shot = Shot {
+                index,
+                frame: systole,
+                view: None,
+                size: FIGURE_SIZE,
+                thickening: ThickeningSettings::default(),
+            };
+            let figure = studio.figure(&shot, settings, None)?;
             files.push(ExportFile {
                 path: folder.join(format!("{}.png", file_name(&subject.id))),
-                bytes: encoded_png(&figure.canvas, &figure.settings)
+                bytes: (PageFormat::Png.file(&figure.page, &figure.settings, &studio.fonts))
                     .map_err(CliError::unusable)?
                     .into(),
             });

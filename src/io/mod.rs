@@ -45,7 +45,7 @@ pub use medial_experiment_json::noise_medial_json;
 pub use medial_experiment_svg::noise_medial_svg;
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
-pub use open::{looks_openable, open_paths};
+pub use open::{looks_openable, open_paths, read_head};
 pub use opened::{OpenError, Opened};
 pub use ply::write_ply;
 pub use report_csv::{deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv};

@@ -1,15 +1,19 @@
 //! A heart at a pose as a scene with colours, legends and labels: what the window and exported figures share.
 
 mod axes;
+mod bulls_eye;
 mod colour_map;
 pub mod figure;
 mod fit;
 mod frame_words;
+mod heart_frame;
 mod legend;
 mod limits;
 mod medial;
 mod numbers;
 mod openings;
+pub mod page;
+mod patch_words;
 mod prepared;
 mod quantity;
 mod scale_bar;
@@ -19,13 +23,19 @@ mod tokens;
 mod wall_rim;
 
 pub use axes::{AnatomicalView, CubeFace, HeartAxes};
+pub use bulls_eye::{
+    BullsEyeQuantity, FlatValues, FlatWall, ratio_share, sector_line, sector_outline, sector_strip,
+    value_text,
+};
 pub use colour_map::ColourMap;
 pub use fit::fitted_camera;
 pub use frame_words::frame_words;
+pub use heart_frame::HeartFrame;
 pub use legend::{ColourLegend, Tick};
 pub use limits::{CohortLimits, reference_frame};
-pub use medial::{HeartMedial, MedialSettings, PreparedMedial, WallPart};
+pub use medial::{HeartMedial, MedialSettings, PreparedMedial, WallPart, facing_patch};
 pub use numbers::{HeartNumbers, relative_density};
+pub use patch_words::{area_text, extent_words, patch_count_words, percent, segment_words};
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;

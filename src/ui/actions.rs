@@ -4,9 +4,9 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
-use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
-use crate::ui::command::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
+use crate::picture::{AnatomicalView, BullsEyeQuantity};
+use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
 
 /// A menu of the bar; also the group in the sheet of shortcuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -177,7 +177,8 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 4, "In-betweens: 7 per interval", None, Command::SetInBetweens(7)),
     action(Menu::Analysis, 5, "Play this beat on the heart beside it", Some((NONE, Key::T)), Command::CarryBeatBeside),
     action(Menu::Analysis, 5, "Stop playing the carried beat", None, Command::StopCarrying),
-    action(Menu::Export, 0, "Figure…", Some((NONE, Key::F2)), Command::ExportFigure(None)),
+    action(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), Command::ExportPatchFigure(None)),
+    action(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), Command::ExportFigure(None)),
     action(Menu::Export, 0, "Tables…", Some((CTRL, Key::E)), Command::ExportTables(None)),
     action(Menu::Help, 0, "Find a command", Some((CTRL, Key::K)), Command::TogglePalette),
     action(Menu::Help, 0, "Keyboard shortcuts", Some((NONE, Key::Questionmark)), Command::ToggleShortcuts),

@@ -46,7 +46,7 @@ pub use beat_axis::BeatAxis;
 pub use bulls_eye::{BullsEyePatch, BullsEyeView, bulls_eye_ui};
 pub use cohort_rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
 pub use cohort_table::{CohortView, cohort_table_ui};
-pub use command::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
+pub use command::{Command, Pane, ThemeChoice, ViewMode};
 pub use command_palette::{CommandPaletteView, command_palette_ui};
 pub use controls::{empty_pane_ui, pane_header_ui, tab_ui};
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};

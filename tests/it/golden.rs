@@ -9,10 +9,10 @@ use std::time::{Duration, Instant};
 
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::{App, AppOptions};
-use cardiomorph::picture::{Quantity, WallPart};
+use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
+use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
 use egui_kittest::{Harness, SnapshotOptions};
 
 /// The adapter that pictures are drawn with; `None`, with a message, if there is none.

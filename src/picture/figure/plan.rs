@@ -1,7 +1,7 @@
 //! Where the blocks of a figure stand, by its size and by what it says.
 
 use crate::picture::figure::content::FigureContent;
-use crate::picture::figure::text::{FigureFonts, Weight};
+use crate::picture::page::{FigureFonts, Weight};
 
 /// Where blocks stand; everything in pixels.
 pub(super) struct Plan {

@@ -271,12 +271,13 @@ fn add_borders(
         let fine = selected.is_some_and(|patch| patch != index);
         for &lies in places {
             let borders = patch.border.iter().map(|border| {
-                let corners: Vec<Point3> = (border.iter())
-                    .map(|&atom| now.place(atom as usize, lies))
+                let corners: Vec<[f64; 3]> = (border.iter())
+                    .map(|&atom| now.place(atom as usize, lies).coords.into())
                     .collect();
-                rounded(&corners)
+                let line = rounded(&corners).into_iter();
+                line.map(|point| point.map(|part| part as f32)).collect()
             });
-            strips[usize::from(fine)].extend(borders.filter(|line| !line.is_empty()));
+            strips[usize::from(fine)].extend(borders.filter(|line: &Vec<_>| !line.is_empty()));
         }
     }
     for (fine, strips) in strips.into_iter().enumerate() {

@@ -1,7 +1,5 @@
 //! Borders of patches as smooth closed lines on the medial surface and on the wall.
 
-use crate::mesh::Point3;
-
 /// On which side of which surface a line lies, so that it is seen from there.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Lies {
@@ -15,25 +13,31 @@ pub(super) enum Lies {
     Outside,
 }
 
+/// Teeth of one triangle are evened out by one step, those of two by the next.
+const EVENINGS: usize = 2;
+
 /// Rounds the corners of a closed line, which follows edges of the mesh: each corner is replaced by two
-/// points a quarter of the way to its neighbours (Chaikin's corner cutting), after a step of averaging that
-/// takes the saw teeth of triangles off. The first point comes back at the end.
-pub(super) fn rounded(corners: &[Point3]) -> Vec<[f32; 3]> {
+/// points a quarter of the way to its neighbours (Chaikin's corner cutting), after steps of averaging that
+/// take the saw teeth of triangles off. The first point comes back at the end.
+pub(in crate::picture) fn rounded<const N: usize>(corners: &[[f64; N]]) -> Vec<[f64; N]> {
     let count = corners.len();
     if count < 3 {
         return Vec::new();
     }
-    let even: Vec<Point3> = (0..count)
-        .map(|i| {
-            let beside = corners[(i + count - 1) % count].coords + corners[(i + 1) % count].coords;
-            Point3::from(0.5 * corners[i].coords + 0.25 * beside)
-        })
-        .collect();
+    let mut even = corners.to_vec();
+    for _ in 0..EVENINGS {
+        even = (0..count)
+            .map(|i| {
+                let (before, after) = (even[(i + count - 1) % count], even[(i + 1) % count]);
+                std::array::from_fn(|k| 0.5 * even[i][k] + 0.25 * (before[k] + after[k]))
+            })
+            .collect();
+    }
     let mut line = Vec::with_capacity(2 * count + 1);
     for i in 0..count {
-        let (a, b) = (even[i].coords, even[(i + 1) % count].coords);
+        let (a, b) = (even[i], even[(i + 1) % count]);
         for share in [0.25, 0.75] {
-            line.push((a + share * (b - a)).cast::<f32>().into());
+            line.push(std::array::from_fn(|k| a[k] + share * (b[k] - a[k])));
         }
     }
     line.extend(line.first().copied());
@@ -46,8 +50,7 @@ mod tests {
 
     #[test]
     fn a_rounded_line_is_closed_and_stays_within_its_corners() {
-        let square =
-            [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(|[x, y]| Point3::new(x, y, 1.0));
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(|[x, y]| [x, y, 1.0_f64]);
         let line = rounded(&square);
         assert_eq!(line.len(), 9);
         assert_eq!(line.first(), line.last());

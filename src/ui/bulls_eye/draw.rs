@@ -3,47 +3,27 @@
 use egui::epaint::Mesh;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2};
 
-use crate::analysis::segments::{Level, RING_RADII, Segment, ring};
-use crate::picture::{ColourMap, logarithmic_ticks};
+use crate::analysis::segments::{RING_RADII, Segment};
+use crate::picture::{
+    BullsEyeQuantity, ColourMap, logarithmic_ticks, ratio_share, sector_line, sector_outline,
+    sector_strip, value_text,
+};
 use crate::ui::bulls_eye::BullsEyeView;
 use crate::ui::bulls_eye::layout::Disc;
-use crate::ui::command::BullsEyeQuantity;
 use crate::ui::style::note_font;
 use crate::ui::theme::{colours, line};
 
-/// Angle between corners of drawn arcs: within half a pixel up to a radius of 200.
-const ARC_STEP_RAD: f64 = 0.06;
 /// Lines between segments: dark on every colour of the map.
 const BETWEEN: Color32 = Color32::from_rgba_premultiplied(22, 24, 28, 190);
 /// What has no value.
 const NO_VALUE: Color32 = Color32::from_rgb(0x80, 0x85, 0x8c);
 
-/// Share of the way along the colours, by ratios.
-fn share(ratio: f64, limits: [f64; 2]) -> f64 {
-    (ratio / limits[0]).ln() / (limits[1] / limits[0]).ln()
-}
-
 fn colour(map: &ColourMap, ratio: f64, limits: [f64; 2]) -> Color32 {
     if !(ratio.is_finite() && ratio > 0.0) {
         return NO_VALUE;
     }
-    let [red, green, blue] = map.at(share(ratio, limits));
+    let [red, green, blue] = map.at(ratio_share(ratio, limits));
     Color32::from_rgb(red, green, blue)
-}
-
-/// A value as it stands in its segment: "1.52", or "+52" percent.
-pub fn value_text(quantity: BullsEyeQuantity, ratio: f64) -> String {
-    match quantity {
-        BullsEyeQuantity::Ratio => format!("{ratio:.2}"),
-        BullsEyeQuantity::Thickening => {
-            let percent = (100.0 * (ratio - 1.0)).round();
-            if percent < 0.0 {
-                format!("−{:.0}", -percent)
-            } else {
-                format!("{:.0}", percent.abs())
-            }
-        }
-    }
 }
 
 /// Draws the disc.
@@ -82,7 +62,9 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
         if let Some(segment) = segment {
             let stroke = Stroke::new(width, colours(ui).strong);
             let below = Stroke::new(width + 2.0, BETWEEN);
-            let outline = outline(disc, segment);
+            let outline: Vec<Pos2> = (sector_outline(segment).into_iter())
+                .map(|point| disc.at(point))
+                .collect();
             painter.add(Shape::closed_line(outline.clone(), below));
             painter.add(Shape::closed_line(outline, stroke));
         }
@@ -104,25 +86,11 @@ fn continuous(view: &BullsEyeView, disc: &Disc, map: &ColourMap) -> Mesh {
     mesh
 }
 
-fn arc(disc: &Disc, [from, to]: [f64; 2], share: f64) -> impl Iterator<Item = Pos2> {
-    let steps = ((to - from).abs() / ARC_STEP_RAD).ceil().max(1.0) as usize;
-    let disc = *disc;
-    (0..=steps).map(move |step| disc.polar(from + (to - from) * step as f64 / steps as f64, share))
-}
-
-fn edges(segment: Segment) -> [f64; 2] {
-    let [middle, half] = segment.sector_rad();
-    [middle - half, middle + half]
-}
-
 fn sector_mesh(disc: &Disc, segment: Segment, colour: Color32) -> Shape {
-    let [inner, outer] = ring(segment.level());
-    let edges = edges(segment);
     let mut mesh = Mesh::default();
-    let pairs = arc(disc, edges, inner).zip(arc(disc, edges, outer));
-    for (index, (near, far)) in pairs.enumerate() {
-        mesh.colored_vertex(near, colour);
-        mesh.colored_vertex(far, colour);
+    for (index, [near, far]) in sector_strip(segment).into_iter().enumerate() {
+        mesh.colored_vertex(disc.at(near), colour);
+        mesh.colored_vertex(disc.at(far), colour);
         if index > 0 {
             let next = 2 * index as u32;
             mesh.add_triangle(next - 2, next - 1, next);
@@ -130,16 +98,6 @@ fn sector_mesh(disc: &Disc, segment: Segment, colour: Color32) -> Shape {
         }
     }
     Shape::mesh(mesh)
-}
-
-fn outline(disc: &Disc, segment: Segment) -> Vec<Pos2> {
-    let [inner, outer] = ring(segment.level());
-    let [from, to] = edges(segment);
-    let mut points: Vec<Pos2> = arc(disc, [from, to], outer).collect();
-    if inner > 0.0 {
-        points.extend(arc(disc, [to, from], inner));
-    }
-    points
 }
 
 /// Rings, and sectors where the orientation is known.
@@ -152,11 +110,9 @@ fn borders(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
     if !view.oriented {
         return;
     }
-    for segment in Segment::all().filter(|segment| segment.level() != Level::Apex) {
-        let [inner, outer] = ring(segment.level());
-        let [from, _] = edges(segment);
-        let ends = [disc.polar(from, inner), disc.polar(from, outer)];
-        ui.painter().line_segment(ends, stroke);
+    for ends in Segment::all().filter_map(sector_line) {
+        ui.painter()
+            .line_segment(ends.map(|end| disc.at(end)), stroke);
     }
 }
 
@@ -238,7 +194,7 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
     painter.add(Shape::mesh(mesh));
     let mut free_from = f32::NEG_INFINITY;
     for value in logarithmic_ticks(view.limits[0], view.limits[1], 4) {
-        let x = egui::lerp(bar.x_range(), share(value, view.limits) as f32);
+        let x = egui::lerp(bar.x_range(), ratio_share(value, view.limits) as f32);
         if x < free_from {
             continue;
         }

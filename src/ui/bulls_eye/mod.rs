@@ -9,8 +9,8 @@ use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::analysis::segments::Segment;
 use crate::engine::WorkKind;
-use crate::picture::WallPart;
-use crate::ui::command::{BullsEyeQuantity, Command};
+use crate::picture::{BullsEyeQuantity, WallPart, value_text};
+use crate::ui::command::Command;
 use crate::ui::controls::{choice_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
 use crate::ui::patch_panel::WallState;
 use crate::ui::theme::space;
@@ -202,7 +202,7 @@ fn hover_text(view: &BullsEyeView, segment: Segment) -> String {
             format!("{name} · PT {ratio:.2} × at {}", view.moment)
         }
         (Some(ratio), BullsEyeQuantity::Thickening) => {
-            let percent = draw::value_text(view.quantity, ratio);
+            let percent = value_text(view.quantity, ratio);
             format!("{name} · thickening {percent} %, ED to ES")
         }
     }

@@ -144,12 +144,3 @@ fn the_quantity_is_chosen_from_a_menu_and_segments_by_a_switch() {
     ];
     assert_eq!(*shown.state(), wanted);
 }
-
-#[test]
-fn numbers_have_units_that_fit() {
-    use super::draw::value_text;
-    assert_eq!(value_text(BullsEyeQuantity::Ratio, 1.518), "1.52");
-    assert_eq!(value_text(BullsEyeQuantity::Thickening, 1.518), "52");
-    assert_eq!(value_text(BullsEyeQuantity::Thickening, 0.9), "−10");
-    assert_eq!(value_text(BullsEyeQuantity::Thickening, 0.9999), "0");
-}

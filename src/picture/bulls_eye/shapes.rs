@@ -1,0 +1,103 @@
+//! Sectors of the bull's-eye in the unit disc, x to the right and y up, and values as they stand in them.
+
+use crate::analysis::segments::{Level, Segment, ring};
+use crate::picture::bulls_eye::BullsEyeQuantity;
+
+/// Angle between corners of drawn arcs: within half a pixel up to a radius of 200, within two up to 1,000.
+const ARC_STEP_RAD: f64 = 0.06;
+
+/// Share of the way along the colours, by ratios.
+pub fn ratio_share(ratio: f64, limits: [f64; 2]) -> f64 {
+    (ratio / limits[0]).ln() / (limits[1] / limits[0]).ln()
+}
+
+/// A ratio of thickness as it stands in its segment: "1.52", or "52" percent.
+pub fn value_text(quantity: BullsEyeQuantity, ratio: f64) -> String {
+    match quantity {
+        BullsEyeQuantity::Ratio => format!("{ratio:.2}"),
+        BullsEyeQuantity::Thickening => {
+            let percent = (100.0 * (ratio - 1.0)).round();
+            if percent < 0.0 {
+                format!("−{:.0}", -percent)
+            } else {
+                format!("{:.0}", percent.abs())
+            }
+        }
+    }
+}
+
+fn edges(segment: Segment) -> [f64; 2] {
+    let [middle, half] = segment.sector_rad();
+    [middle - half, middle + half]
+}
+
+fn arc([from, to]: [f64; 2], radius: f64) -> impl Iterator<Item = [f64; 2]> {
+    let steps = ((to - from).abs() / ARC_STEP_RAD).ceil().max(1.0) as usize;
+    (0..=steps).map(move |step| {
+        let (sin, cos) = (from + (to - from) * step as f64 / steps as f64).sin_cos();
+        [radius * cos, radius * sin]
+    })
+}
+
+/// Pairs of points on the inner and the outer arc of a segment, along it.
+pub fn sector_strip(segment: Segment) -> Vec<[[f64; 2]; 2]> {
+    let [inner, outer] = ring(segment.level());
+    let edges = edges(segment);
+    let pairs = arc(edges, inner).zip(arc(edges, outer));
+    pairs.map(|(near, far)| [near, far]).collect()
+}
+
+/// Around a segment.
+pub fn sector_outline(segment: Segment) -> Vec<[f64; 2]> {
+    let [inner, outer] = ring(segment.level());
+    let [from, to] = edges(segment);
+    let mut points: Vec<[f64; 2]> = arc([from, to], outer).collect();
+    if inner > 0.0 {
+        points.extend(arc([to, from], inner));
+    }
+    points
+}
+
+/// The line at which a segment begins, from its inner to its outer arc; the apex has none.
+pub fn sector_line(segment: Segment) -> Option<[[f64; 2]; 2]> {
+    if segment.level() == Level::Apex {
+        return None;
+    }
+    let (sin, cos) = edges(segment)[0].sin_cos();
+    Some(ring(segment.level()).map(|radius| [radius * cos, radius * sin]))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::segments::segment_on_plot;
+
+    fn area(points: &[[f64; 2]]) -> f64 {
+        let next = points.iter().cycle().skip(1);
+        let sum: f64 = (points.iter().zip(next))
+            .map(|(a, b)| a[0] * b[1] - a[1] * b[0])
+            .sum();
+        0.5 * sum.abs()
+    }
+
+    #[test]
+    fn the_sectors_fill_the_disc() {
+        let whole: f64 = Segment::all().map(|s| area(&sector_outline(s))).sum();
+        assert!((whole - std::f64::consts::PI).abs() < 0.01, "{whole}");
+        for segment in Segment::all() {
+            let strip = sector_strip(segment);
+            let [near, far] = strip[strip.len() / 2];
+            let middle = [0.5 * (near[0] + far[0]), 0.5 * (near[1] + far[1])];
+            assert_eq!(segment_on_plot(middle), Some(segment));
+        }
+    }
+
+    #[test]
+    fn values_are_said_with_the_digits_they_deserve() {
+        assert_eq!(value_text(BullsEyeQuantity::Ratio, 1.518), "1.52");
+        assert_eq!(value_text(BullsEyeQuantity::Thickening, 1.518), "52");
+        assert_eq!(value_text(BullsEyeQuantity::Thickening, 0.951), "−5");
+        assert_eq!(value_text(BullsEyeQuantity::Thickening, 0.999), "0");
+        assert_eq!(ratio_share(1.0, [0.5, 2.0]), 0.5);
+    }
+}

@@ -1,0 +1,236 @@
+//! What a patch figure says: numbers and words, ready to be laid out.
+
+use crate::analysis::thickening::Patch;
+use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
+use crate::engine::{SubjectThickening, ThickeningSettings, thickening_words};
+use crate::picture::bulls_eye::{BullsEyeQuantity, FlatValues, FlatWall};
+use crate::picture::figure::content::FigureContent;
+use crate::picture::page::FigureSettings;
+use crate::picture::patch_words::{area_text, extent_words, percent, segment_words};
+
+/// Patches in the table; more are counted below it.
+const MOST_ROWS: usize = 4;
+/// Segments without this many words say that the orientation is not known.
+const NO_SEGMENTS: &str = "orientation not known";
+
+/// What is said above a patch figure.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct VerdictLines {
+    /// "Abnormal patch"; "Not assessed".
+    pub heading: String,
+    /// Whether the heading names something ill.
+    pub abnormal: bool,
+    /// Probability and where it comes from, or why nothing is said.
+    pub evidence: String,
+}
+
+impl VerdictLines {
+    /// What is said of a subject; with `None` for verdicts, what thickening alone tells.
+    pub fn of(found: &SubjectThickening, verdicts: Option<&Verdicts>, subject: usize) -> Self {
+        let told = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
+        match told {
+            _ if found.not_assessed.is_some() => Self::not_assessed(found.not_assessed.as_ref()),
+            None => Self {
+                heading: String::new(),
+                abnormal: false,
+                evidence: extent_words(&found.thickening),
+            },
+            Some((_, Err(reason))) => Self::not_assessed(Some(reason)),
+            Some((all, Ok(verdict))) => {
+                let abnormal = verdict.finding != Finding::Nothing;
+                let mut heading = sentence(verdict.finding.name());
+                let share: f64 = found.thickening.patches.iter().map(|p| p.share).sum();
+                if verdict.finding == Finding::Patch && share > 0.0 {
+                    heading = format!("{heading} · {} of the LV", percent(share));
+                }
+                Self {
+                    heading,
+                    abnormal,
+                    evidence: evidence(all, verdict.probability),
+                }
+            }
+        }
+    }
+
+    fn not_assessed(reason: Option<&NotAssessed>) -> Self {
+        Self {
+            heading: "Not assessed".to_owned(),
+            abnormal: false,
+            evidence: reason.map_or_else(String::new, |reason| sentence(&reason.to_string())),
+        }
+    }
+}
+
+fn evidence(verdicts: &Verdicts, probability: f64) -> String {
+    match verdicts.rule {
+        RuleSource::Uncalibrated { normal, abnormal } => format!(
+            "By a rule fixed beforehand, since only {normal} normal and {abnormal} abnormal hearts with a label \
+             could be assessed: no probability"
+        ),
+        RuleSource::Cohort { normal, abnormal } => {
+            let mut words = format!(
+                "Probability of being abnormal {}, by a rule learnt without this heart from {normal} normal and \
+                 {abnormal} abnormal ones",
+                probability_text(probability)
+            );
+            if let Some(quality) = &verdicts.quality {
+                let told = quality.accuracy;
+                words += &format!(
+                    "; with each heart left out it is right in {} of {}, by chance in {:.0} %",
+                    told.correct,
+                    told.of,
+                    100.0 * told.baseline
+                );
+            }
+            words
+        }
+    }
+}
+
+/// Never more certain than two digits can tell.
+fn probability_text(probability: f64) -> String {
+    if probability > 0.99 {
+        "over 99 %".to_owned()
+    } else if probability < 0.01 {
+        "under 1 %".to_owned()
+    } else {
+        percent(probability)
+    }
+}
+
+fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    match letters.next() {
+        Some(first) => first.to_uppercase().chain(letters).collect(),
+        None => String::new(),
+    }
+}
+
+/// One patch in the table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatchLine {
+    /// Area, share of the LV, PT, confidence, as texts.
+    pub cells: [String; 4],
+    /// Where it lies.
+    pub segments: String,
+}
+
+/// Everything that a patch figure says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PatchContent {
+    /// Name, moment, volumes, legend, cube.
+    pub heart: FigureContent,
+    /// What is said of it.
+    pub verdict: VerdictLines,
+    /// The wall laid flat; `None` without a long axis.
+    pub flat: Option<(FlatWall, FlatValues)>,
+    /// Why it is not laid flat.
+    pub without_flat: String,
+    /// What the bull's-eye shows.
+    pub quantity: BullsEyeQuantity,
+    /// Ratios at the ends of its colours.
+    pub limits: [f64; 2],
+    /// Patches, largest first.
+    pub rows: Vec<PatchLine>,
+    /// Said in place of rows, or below them.
+    pub note: String,
+    /// How it was made.
+    pub parameters: String,
+}
+
+impl PatchContent {
+    /// Gathers what is known of a heart; `frame` is the one on show.
+    pub fn of(
+        heart: FigureContent,
+        found: &SubjectThickening,
+        verdict: VerdictLines,
+        quantity: BullsEyeQuantity,
+        frame: usize,
+        settings: &ThickeningSettings,
+    ) -> Self {
+        let told = &found.thickening;
+        let flat = FlatWall::of(found).map(|flat| {
+            let values = flat.values(found, quantity, frame);
+            (flat, values)
+        });
+        let assessed = found.not_assessed.is_none();
+        let rows: Vec<PatchLine> = (told.patches.iter())
+            .filter(|_| assessed)
+            .take(MOST_ROWS)
+            .map(|patch| line(found, patch))
+            .collect();
+        let more = told.patches.len().saturating_sub(rows.len());
+        let note = match (assessed, more) {
+            (false, _) => {
+                "What is found in a wall that is not resolved may be blur or noise".to_owned()
+            }
+            (true, 0) => extent_words(told),
+            (true, more) => format!("{}; {more} more patches in patches.csv", extent_words(told)),
+        };
+        Self {
+            without_flat: found.without_axis.clone().unwrap_or_default(),
+            parameters: format!(
+                "Medial surface {}. Tolerance used ± {:.3} ln PT, noise of one atom {:.3} ln r",
+                thickening_words(settings),
+                told.tolerance,
+                told.noise
+            ),
+            heart,
+            verdict,
+            flat,
+            quantity,
+            limits: [0.5, 2.0],
+            rows,
+            note,
+        }
+    }
+}
+
+fn line(found: &SubjectThickening, patch: &Patch) -> PatchLine {
+    let segments = match (patch.segments.is_empty(), &found.without_axis) {
+        (false, _) => segment_words(patch),
+        (true, Some(why)) => why.clone(),
+        (true, None) => NO_SEGMENTS.to_owned(),
+    };
+    PatchLine {
+        cells: [
+            patch.area_cm2.map_or_else(|| "–".to_owned(), area_text),
+            percent(patch.share),
+            format!("{:.2} ×", patch.thickening.exp()),
+            percent(patch.confidence),
+        ],
+        segments,
+    }
+}
+
+/// What a patch figure was made with, for the file, after what every figure says.
+pub fn patch_settings(content: &PatchContent) -> FigureSettings {
+    let mut settings = vec![
+        ("Verdict", content.verdict.heading.clone()),
+        ("Evidence", content.verdict.evidence.clone()),
+        ("Parameters", content.parameters.clone()),
+    ];
+    for row in &content.rows {
+        let [area, share, ratio, confidence] = &row.cells;
+        let words = format!(
+            "{area}, {share} of the LV, PT {ratio}, confidence {confidence}, {}",
+            row.segments
+        );
+        settings.push(("Patch", words));
+    }
+    settings
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_probability_is_certain() {
+        assert_eq!(probability_text(0.9999), "over 99 %");
+        assert_eq!(probability_text(0.83), "83 %");
+        assert_eq!(probability_text(0.0), "under 1 %");
+        assert_eq!(sentence("abnormal patch"), "Abnormal patch");
+        assert_eq!(sentence(""), "");
+    }
+}
