@@ -24,7 +24,7 @@ pub use fit::fitted_camera;
 pub use frame_words::frame_words;
 pub use legend::{ColourLegend, Tick};
 pub use limits::{CohortLimits, reference_frame};
-pub use medial::{HeartMedial, MedialSettings, PreparedMedial, WallPart};
+pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPart};
 pub use numbers::{HeartNumbers, relative_density};
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;

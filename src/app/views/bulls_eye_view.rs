@@ -8,10 +8,11 @@ use crate::analysis::segments::{
 use crate::app::document::nearest_frame;
 use crate::app::state::State;
 use crate::app::views::overlay_view::phase_name;
+use crate::app::views::patch_words::{part_name, percent};
 use crate::engine::SubjectThickening;
 use crate::mesh::Point3;
 use crate::picture::{Quantity, WallPart};
-use crate::ui::{BullsEyePatch, BullsEyeQuantity, BullsEyeView, WallState};
+use crate::ui::{BullsEyePatch, BullsEyeQuantity, BullsEyeView, PatchStanding, WallState};
 
 /// What the atoms' colours are made from and how the plot is laid.
 #[derive(Debug, Default)]
@@ -33,13 +34,19 @@ pub struct BullsEyeData {
 /// Ratios at the ends of the colours, unless others were typed.
 const LIMITS: [f64; 2] = [0.5, 2.0];
 
-fn patch_name(found: &SubjectThickening, index: usize) -> String {
+fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) -> String {
     let share = found
         .thickening
         .patches
         .get(index)
         .map_or(0.0, |patch| patch.share);
-    format!("Patch {} · {:.0} % of the LV", index + 1, 100.0 * share)
+    let what = match standing {
+        PatchStanding::Untold => "",
+        PatchStanding::Abnormal => " · abnormal",
+        PatchStanding::ThickensLittle => " · thickens little",
+    };
+    let part = part_name(standing, index);
+    format!("{part}{what} · {} of the LV", percent(share))
 }
 
 impl BullsEyeData {
@@ -58,11 +65,13 @@ impl BullsEyeData {
             Some(WallPart::Patch(patch)) => Some(patch),
             _ => None,
         };
+        let standing = state.patch_standing(state.document.subject);
         self.patches = (self.borders.iter().enumerate())
             .filter(|_| state.document.visibility.patches)
             .map(|(index, borders)| BullsEyePatch {
                 borders: borders.clone(),
-                name: patch_name(found, index),
+                name: patch_name(found, standing, index),
+                faint: standing == PatchStanding::ThickensLittle,
                 selected: selected == Some(index),
             })
             .collect();

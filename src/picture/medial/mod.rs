@@ -8,6 +8,6 @@ mod prepared;
 #[cfg(test)]
 mod tests;
 
-pub use marks::{HeartMedial, MedialSettings, WallPart};
+pub use marks::{HeartMedial, MedialSettings, PatchLook, WallPart};
 pub(super) use marks::{add_marks, atom_legend};
 pub use prepared::PreparedMedial;

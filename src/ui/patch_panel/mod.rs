@@ -33,6 +33,29 @@ pub enum WallState {
     NotAssessed(String),
 }
 
+/// What parts of the wall that do not thicken may be called. They are found in every heart where the wall thickens
+/// unevenly; only the verdict on the whole heart says that they are abnormal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum PatchStanding {
+    /// Not judged yet.
+    #[default]
+    Untold,
+    /// The verdict on the heart is an abnormal patch.
+    Abnormal,
+    /// It is something else: they are places that thicken little.
+    ThickensLittle,
+}
+
+impl PatchStanding {
+    /// What one of them is called.
+    pub fn part(self) -> &'static str {
+        match self {
+            Self::Untold | Self::Abnormal => "Patch",
+            Self::ThickensLittle => "Place",
+        }
+    }
+}
+
 /// One patch.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PatchRow {
@@ -59,6 +82,8 @@ pub struct PatchPanelView<'a> {
     pub subject: Option<&'a str>,
     /// How its wall stands.
     pub state: &'a WallState,
+    /// What the parts may be called.
+    pub standing: PatchStanding,
     /// "1 patch · 31 % of the LV"; empty while nothing is known.
     pub heading: &'a str,
     /// What the whole wall does.
@@ -108,7 +133,8 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
         return;
     }
     if !view.heading.is_empty() {
-        let colour = if view.rows.is_empty() {
+        let little = view.standing == PatchStanding::ThickensLittle;
+        let colour = if view.rows.is_empty() || little {
             colours(ui).strong
         } else {
             colours(ui).selection
@@ -137,7 +163,7 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
     }
     if !view.rows.is_empty() {
         ui.add_space(space::SMALL);
-        table::table_ui(ui, view.rows, commands);
+        table::table_ui(ui, view.rows, view.standing, commands);
     }
     ui.add_space(space::MEDIUM);
 }
