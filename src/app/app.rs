@@ -315,7 +315,8 @@ impl eframe::App for App {
         self.tell_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
         self.play(ctx);
-        self.background.request(&self.state);
+        let pointer_held = ctx.input(|input| input.pointer.any_down());
+        self.background.request(&self.state, pointer_held);
         let reference_frames = reference_frames(&self.state);
         let pictures = &mut self.background.pictures;
         self.viewport

@@ -12,7 +12,7 @@ use crate::picture::reference_frame;
 use crate::study::Study;
 
 use super::background_beats::AskedBeats;
-use super::background_walls::AskedWalls;
+use super::background_walls::{AskedVerdicts, AskedWalls};
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
@@ -23,7 +23,7 @@ use super::state::{Fresh, State};
 use super::views::enough_subjects;
 
 /// What a card says of work that failed.
-const FAILURES: [(WorkKind, &str); 9] = [
+const FAILURES: [(WorkKind, &str); 10] = [
     (WorkKind::Open, "Opening failed"),
     (WorkKind::Measures, "Volumes could not be computed"),
     (WorkKind::PoseMap, "The map of poses could not be computed"),
@@ -38,6 +38,7 @@ const FAILURES: [(WorkKind, &str); 9] = [
         WorkKind::Contribution,
         "The poses could not be compared by place",
     ),
+    (WorkKind::Verdicts, "The hearts could not be judged"),
     (WorkKind::Export, "Nothing was exported"),
 ];
 
@@ -55,6 +56,8 @@ pub struct Background {
     beats: AskedBeats,
     /// What the answers about walls belong to.
     walls: AskedWalls,
+    /// And what those about all hearts belong to.
+    verdicts: AskedVerdicts,
     /// The failures that have a card already, so that each is told once.
     told: [Option<String>; FAILURES.len()],
 }
@@ -72,6 +75,7 @@ impl Background {
             saved_views: SavedViews::start(Arc::clone(wake))?,
             beats: AskedBeats::default(),
             walls: AskedWalls::default(),
+            verdicts: AskedVerdicts::default(),
             told: [const { None }; FAILURES.len()],
         })
     }
@@ -87,6 +91,7 @@ impl Background {
         self.take_deformations(state);
         self.beats.take(state, &self.engine);
         self.walls.take(state, &self.engine);
+        self.verdicts.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
         }
@@ -103,8 +108,9 @@ impl Background {
         self.tell_failures(state);
     }
 
-    /// Asks for what the state on screen needs; free if it is there or under way.
-    pub fn request(&mut self, state: &State) {
+    /// Asks for what the state on screen needs; free if it is there or under way. While the pointer is held, verdicts
+    /// on all hearts wait: a threshold is dragged through many values.
+    pub fn request(&mut self, state: &State, pointer_held: bool) {
         let study = state.document.study();
         if study.subjects.is_empty() {
             return;
@@ -117,6 +123,8 @@ impl Background {
         self.beats.request(state, &mut self.engine);
         self.walls.request(state, &mut self.engine);
         self.request_deformations(state);
+        // Last, so that it sees what else has begun.
+        self.verdicts.request(state, &mut self.engine, pointer_held);
     }
 
     /// Maps of deformations are made from the map of poses, and classes are told apart on them: each
@@ -143,6 +151,7 @@ impl Background {
             self.engine.retry_open();
         } else if let Some(request) = match kind {
             WorkKind::Medial => self.walls.retry(state),
+            WorkKind::Verdicts => Some(self.verdicts.retry(state)),
             _ => wanted(state, kind).or_else(|| self.beats.retry(state, kind)),
         } {
             self.engine.retry(state.document.study(), request);

@@ -138,7 +138,7 @@ pub fn write_figure(
         camera: viewport.camera(state, shown),
         bulls_eye: state.document.bulls_eye,
         thickening: state.document.thickening,
-        verdicts: None,
+        verdicts: state.verdicts().map(|(told, _)| Arc::clone(told)),
         shown: shown.clone(),
     };
     let [width, height] = kind.size();

@@ -15,7 +15,8 @@ use super::state::State;
 use super::viewport::Viewport;
 use super::views::{
     BeatData, BullsEyeData, CohortData, DeformationData, MapData, PatchData, StatusData,
-    action_state, activity_rows, measures_view, menu_bar_view, metric_panel_view, report_entries,
+    VerdictData, action_state, activity_rows, measures_view, menu_bar_view, metric_panel_view,
+    report_entries,
 };
 
 /// Height of the bar with the menus.
@@ -113,6 +114,7 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
     let showing = |kind| drawing.engine.showing(kind);
     let measuring = matches!(showing(WorkKind::Measures), Showing::Computing { .. });
     let patches = PatchData::of(state, drawing.engine, drawing.viewport.shown().first());
+    let verdict = VerdictData::of(state, drawing.engine);
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
         state,
@@ -131,9 +133,11 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
         metric: metric_panel_view(state, drawing.map.subjects()),
         measures: measures_view(state, measuring),
         patch: patches.view(state),
+        verdict: verdict.view(state),
         bulls_eye: drawing.bulls_eye.view(state, patches.state()),
         activity: &activity,
         measuring,
+        judging: verdict.judging(),
         opening: matches!(drawing.engine.opening(), Showing::Computing { .. }),
         viewport: drawing.viewport,
         meter: &drawing.meter,

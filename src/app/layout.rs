@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use crate::ui::Pane;
 
 /// All panes with the words that name them in a saved layout; the words never change.
-pub const PANES: [(Pane, &str); 11] = [
+pub const PANES: [(Pane, &str); 12] = [
     (Pane::Cohort, "cohort"),
     (Pane::Activity, "activity"),
     (Pane::Viewport, "viewport"),
@@ -17,26 +17,28 @@ pub const PANES: [(Pane, &str); 11] = [
     (Pane::Curves, "curves"),
     (Pane::Measures, "measures"),
     (Pane::Patch, "patch"),
+    (Pane::Verdict, "verdict"),
     (Pane::BullsEye, "bulls_eye"),
 ];
 
 /// Panes that layouts of earlier versions lack, with the pane beside whose tab they appear.
-const LATER: [(Pane, Pane); 5] = [
+const LATER: [(Pane, Pane); 6] = [
     (Pane::DeformationMap, Pane::PoseMap),
     (Pane::SpaceTime, Pane::PoseMap),
     (Pane::Metric, Pane::Cohort),
     (Pane::Patch, Pane::Measures),
+    (Pane::Verdict, Pane::Patch),
     (Pane::BullsEye, Pane::Curves),
 ];
 
 /// Shares of the window's width: cohort, 3D view, results.
-const COLUMN_SHARES: [f32; 3] = [0.175, 0.53, 0.295];
+const COLUMN_SHARES: [f32; 3] = [0.19, 0.515, 0.295];
 
 /// Shares of the right column's height: map, and below it measures beside curves.
 const RIGHT_SHARES: [f32; 2] = [0.57, 0.43];
 
 /// Shares of the width below the map: measures, curves.
-const BELOW_SHARES: [f32; 2] = [0.42, 0.58];
+const BELOW_SHARES: [f32; 2] = [0.44, 0.56];
 
 /// A pane that can be written into a saved layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -85,10 +87,10 @@ impl Default for Layout {
         let middle = tabs(&[Pane::Viewport]);
         let map = tabs(&[Pane::PoseMap, Pane::DeformationMap, Pane::SpaceTime]);
         let below = [
-            [Pane::Measures, Pane::Patch],
-            [Pane::BullsEye, Pane::Curves],
+            &[Pane::Measures, Pane::Patch, Pane::Verdict][..],
+            &[Pane::BullsEye, Pane::Curves],
         ]
-        .map(|panes| tabs(&panes));
+        .map(&mut tabs);
         let below = insert_linear(&mut tiles, LinearDir::Horizontal, &below, &BELOW_SHARES);
         let right = [map, below];
         let right = insert_linear(&mut tiles, LinearDir::Vertical, &right, &RIGHT_SHARES);

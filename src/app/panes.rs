@@ -14,10 +14,10 @@ use egui_tiles::{
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{
     BullsEyeView, Command, DeformationMapView, EmptyStateView, MeasuresView, MetricPanelView, Pane,
-    PatchPanelView, PoseMapView, SpaceTimeView, WorkItem, activity_ui, bulls_eye_ui,
-    cohort_table_ui, curves_ui, deformation_map_ui, deformation_note, empty_state_ui,
+    PatchPanelView, PoseMapView, SpaceTimeView, VerdictPanelView, WorkItem, activity_ui,
+    bulls_eye_ui, cohort_table_ui, curves_ui, deformation_map_ui, deformation_note, empty_state_ui,
     measures_card_ui, metric_panel_ui, pane_header_ui, patch_panel_ui, pose_map_choosers_ui,
-    pose_map_header_ui, pose_map_ui, space_time_ui, tab_ui, viewport_header_ui,
+    pose_map_header_ui, pose_map_ui, space_time_ui, tab_ui, verdict_panel_ui, viewport_header_ui,
 };
 
 use super::layout::PaneTile;
@@ -45,12 +45,16 @@ pub struct Panes<'a> {
     pub measures: MeasuresView<'a>,
     /// The patches.
     pub patch: PatchPanelView<'a>,
+    /// What is said of the selected heart.
+    pub verdict: VerdictPanelView<'a>,
     /// The wall laid flat.
     pub bulls_eye: BullsEyeView<'a>,
     /// The activity list.
     pub activity: &'a [WorkItem],
     /// Whether volumes are being computed.
     pub measuring: bool,
+    /// Whether verdicts are still to come.
+    pub judging: bool,
     /// Whether something is being opened.
     pub opening: bool,
     /// The 3D view.
@@ -102,6 +106,7 @@ pub fn pane_title(pane: Pane) -> &'static str {
         Pane::Curves => "Volume",
         Pane::Measures => "Measures",
         Pane::Patch => "Patch",
+        Pane::Verdict => "Verdict",
         Pane::BullsEye => "Bull's-eye",
     }
 }
@@ -143,7 +148,7 @@ impl Panes<'_> {
     fn content_ui(&mut self, ui: &mut Ui, pane: Pane) {
         match pane {
             Pane::Cohort => {
-                let view = self.cohort.view(self.state, self.measuring);
+                let view = self.cohort.view(self.state, [self.measuring, self.judging]);
                 cohort_table_ui(ui, &view, self.commands);
             }
             Pane::Activity => activity_ui(ui, self.activity, self.commands),
@@ -159,6 +164,7 @@ impl Panes<'_> {
             }
             Pane::Measures => measures_card_ui(ui, &self.measures, self.commands),
             Pane::Patch => patch_panel_ui(ui, &self.patch, self.commands),
+            Pane::Verdict => verdict_panel_ui(ui, &self.verdict, self.commands),
             Pane::BullsEye => bulls_eye_ui(ui, &self.bulls_eye, self.commands),
         }
     }

@@ -15,6 +15,7 @@ use crate::ui::{ErrorCard, ThemeChoice};
 use super::carried::{CarriedHeart, CarryingState, transport_params};
 use super::differences::DifferenceStore;
 use super::document::{Document, OpeningReport, StudyRef};
+use super::found_verdicts::VerdictStore;
 use super::in_betweens::{InBetweenStore, InBetweens, geodesic_params};
 use super::play::PlayClock;
 use super::undo::History;
@@ -67,6 +68,8 @@ pub struct Results {
     pub differences: DifferenceStore,
     /// How walls thicken, and their patches.
     pub walls: WallStore,
+    /// What is said of all hearts.
+    pub verdicts: VerdictStore,
 }
 
 /// Everything the window shows.

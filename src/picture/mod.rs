@@ -33,9 +33,11 @@ pub use frame_words::frame_words;
 pub use heart_frame::HeartFrame;
 pub use legend::{ColourLegend, Tick};
 pub use limits::{CohortLimits, reference_frame};
-pub use medial::{HeartMedial, MedialSettings, PreparedMedial, WallPart, facing_patch};
+pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPart, facing_patch};
 pub use numbers::{HeartNumbers, relative_density};
-pub use patch_words::{area_text, extent_words, patch_count_words, percent, segment_words};
+pub use patch_words::{
+    PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,
+};
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;

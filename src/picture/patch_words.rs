@@ -2,23 +2,74 @@
 
 use crate::analysis::segments::{Level, Segment};
 use crate::analysis::thickening::{Extent, Patch, Thickening};
+use crate::analysis::verdicts::{Finding, NotAssessed, Verdict};
+use crate::picture::medial::PatchLook;
 
 /// Share of a patch below which a segment goes without saying.
 const LEAST_OF_PATCH: f64 = 0.05;
-/// "1 patch · 31 % of the LV".
-pub fn patch_count_words(found: &Thickening) -> String {
+/// What parts of the wall that do not thicken may be called. They are found in every heart where the wall thickens
+/// unevenly; only the verdict on the whole heart says that they are abnormal.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum PatchStanding {
+    /// Not judged yet.
+    #[default]
+    Untold,
+    /// The verdict on the heart is an abnormal patch.
+    Abnormal,
+    /// It is something else: they are places that thicken little.
+    ThickensLittle,
+}
+
+impl PatchStanding {
+    /// What the verdict on a heart lets its parts be called: a patch is abnormal only where the verdict is that the
+    /// heart has one.
+    pub fn of(verdict: Option<&Result<Verdict, NotAssessed>>) -> Self {
+        match verdict {
+            None => Self::Untold,
+            Some(Ok(verdict)) if verdict.finding == Finding::Patch => Self::Abnormal,
+            Some(_) => Self::ThickensLittle,
+        }
+    }
+
+    /// How the borders of these parts are drawn.
+    pub fn look(self) -> PatchLook {
+        match self {
+            Self::ThickensLittle => PatchLook::Faint,
+            Self::Untold | Self::Abnormal => PatchLook::Found,
+        }
+    }
+
+    /// What one of them is called.
+    pub fn part(self) -> &'static str {
+        match self {
+            Self::Untold | Self::Abnormal => "Patch",
+            Self::ThickensLittle => "Place",
+        }
+    }
+}
+
+/// "1 abnormal patch · 31 % of the LV", or what else the verdict lets it be called.
+pub fn patch_heading(found: &Thickening, standing: PatchStanding) -> String {
     match (found.extent, found.patches.as_slice()) {
         (Extent::HardlyAnywhere, _) => "Hardly any thickening anywhere".to_owned(),
         (_, []) => "No patch".to_owned(),
         (_, patches) => {
             let share: f64 = patches.iter().map(|patch| patch.share).sum();
-            let count = match patches.len() {
-                1 => "1 patch".to_owned(),
-                count => format!("{count} patches"),
+            let [one, more] = match standing {
+                PatchStanding::Untold => ["patch", "patches"],
+                PatchStanding::Abnormal => ["abnormal patch", "abnormal patches"],
+                PatchStanding::ThickensLittle => ["place thickens little", "places thicken little"],
             };
-            format!("{count} · {} of the LV", percent(share))
+            let count = patches.len();
+            let what = if count == 1 { one } else { more };
+            format!("{count} {what} · {} of the LV", percent(share))
         }
     }
+}
+
+/// "Patch 1", "Place 1": a part of the wall by its place in the list.
+pub fn part_name(standing: PatchStanding, index: usize) -> String {
+    format!("{} {}", standing.part(), index + 1)
 }
 
 /// What the whole wall does, in a sentence.

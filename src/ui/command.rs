@@ -45,6 +45,8 @@ pub enum Pane {
     Measures,
     /// The part of the wall that does not thicken.
     Patch,
+    /// What is said of the selected heart, and why.
+    Verdict,
     /// The wall laid flat, by segments.
     BullsEye,
 }

@@ -35,6 +35,8 @@ mod style;
 mod subject_drag;
 pub mod theme;
 mod time_bar;
+mod verdict_marks;
+mod verdict_panel;
 mod viewport_header;
 mod viewport_overlay;
 
@@ -44,7 +46,7 @@ pub use actions::{ACTIONS, Action, Menu};
 pub use activity::{WorkItem, WorkState, activity_ui};
 pub use beat_axis::BeatAxis;
 pub use bulls_eye::{BullsEyePatch, BullsEyeView, bulls_eye_ui};
-pub use cohort_rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
+pub use cohort_rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict, visible_rows};
 pub use cohort_table::{CohortView, cohort_table_ui};
 pub use command::{Command, Pane, ThemeChoice, ViewMode};
 pub use command_palette::{CommandPaletteView, command_palette_ui};
@@ -75,6 +77,11 @@ pub use subject_drag::{
     DraggedSubject, SubjectTarget, dragged_subject, dragged_subject_ui, subject_target_ui,
 };
 pub use time_bar::{TimeBarView, time_bar_ui};
+pub use verdict_marks::{VerdictMark, verdict_mark};
+pub use verdict_panel::{
+    AlikeHeart, Chance, EvidenceRow, Familiar, RuleTold, ToldVerdict, VerdictPanelView,
+    VerdictState, verdict_panel_ui,
+};
 pub use viewport_header::{ViewportHeaderView, quantity_name, viewport_header_ui};
 pub use viewport_overlay::{
     ColourBarView, CubeView, PatchNote, ScaleBarView, ViewportOverlayView, viewport_overlay_ui,

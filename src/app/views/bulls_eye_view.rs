@@ -6,7 +6,7 @@ use crate::app::document::nearest_frame;
 use crate::app::state::State;
 use crate::app::views::overlay_view::phase_name;
 use crate::engine::SubjectThickening;
-use crate::picture::{FlatValues, FlatWall, Quantity, WallPart};
+use crate::picture::{FlatValues, FlatWall, PatchStanding, Quantity, WallPart, part_name, percent};
 use crate::ui::{BullsEyePatch, BullsEyeView, WallState};
 
 /// What the atoms' colours are made from and how the plot is laid.
@@ -23,13 +23,19 @@ pub struct BullsEyeData {
 /// Ratios at the ends of the colours, unless others were typed.
 const LIMITS: [f64; 2] = [0.5, 2.0];
 
-fn patch_name(found: &SubjectThickening, index: usize) -> String {
+fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) -> String {
     let share = found
         .thickening
         .patches
         .get(index)
         .map_or(0.0, |patch| patch.share);
-    format!("Patch {} · {:.0} % of the LV", index + 1, 100.0 * share)
+    let what = match standing {
+        PatchStanding::Untold => "",
+        PatchStanding::Abnormal => " · abnormal",
+        PatchStanding::ThickensLittle => " · thickens little",
+    };
+    let part = part_name(standing, index);
+    format!("{part}{what} · {} of the LV", percent(share))
 }
 
 impl BullsEyeData {
@@ -57,11 +63,13 @@ impl BullsEyeData {
             Some(WallPart::Patch(patch)) => Some(patch),
             _ => None,
         };
+        let standing = state.patch_standing(state.document.subject);
         self.patches = (self.flat.borders.iter().enumerate())
             .filter(|_| state.document.visibility.patches)
             .map(|(index, borders)| BullsEyePatch {
                 borders: borders.clone(),
-                name: patch_name(found, index),
+                name: patch_name(found, standing, index),
+                faint: standing == PatchStanding::ThickensLittle,
                 selected: selected == Some(index),
             })
             .collect();

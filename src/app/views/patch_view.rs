@@ -1,14 +1,15 @@
-//! Patches of the selected heart in words: the table, the note over the picture, what is not assessed and why.
+//! Patches of the selected heart: the table, from where each is seen, what is not assessed and why.
 
 use crate::analysis::thickening::Patch;
 use crate::app::shown_heart::ShownHeart;
 use crate::app::state::State;
+use crate::app::views::patch_words::standing_note;
 use crate::engine::{Engine, Showing, SubjectThickening, WorkKind};
 use crate::picture::{
-    WallPart, area_text, extent_words, facing_patch, patch_count_words, percent, segment_words,
+    PatchStanding, WallPart, extent_words, facing_patch, patch_heading, segment_words,
 };
 use crate::render::Camera;
-use crate::ui::{PatchNote, PatchPanelView, PatchRow, WallState};
+use crate::ui::{PatchPanelView, PatchRow, WallState};
 
 /// A framed patch has this much of the heart around it, as a share of the heart's size.
 const LEAST_HALF_HEIGHT: f64 = 0.42;
@@ -17,6 +18,7 @@ const LEAST_HALF_HEIGHT: f64 = 0.42;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PatchData {
     state: WallState,
+    standing: PatchStanding,
     heading: String,
     note: String,
     rows: Vec<PatchRow>,
@@ -38,14 +40,16 @@ impl PatchData {
             };
         };
         let thickening = &found.thickening;
+        let standing = state.patch_standing(document.subject);
         let selected = match document.part {
             Some(WallPart::Patch(patch)) => Some(patch),
             _ => None,
         };
         let rows = thickening.patches.iter().enumerate();
         Self {
-            heading: patch_count_words(thickening),
-            note: extent_words(thickening),
+            standing,
+            heading: patch_heading(thickening, standing),
+            note: [extent_words(thickening), standing_note(state, thickening)].join(""),
             rows: rows
                 .map(|(index, patch)| PatchRow {
                     selected: selected == Some(index),
@@ -70,6 +74,7 @@ impl PatchData {
         PatchPanelView {
             subject: state.document.selected().map(|subject| &*subject.id),
             state: &self.state,
+            standing: self.standing,
             heading: &self.heading,
             note: &self.note,
             rows: &self.rows,
@@ -121,64 +126,6 @@ fn without_segments(found: &SubjectThickening) -> String {
         Some(why) => format!("segments not known: {why}"),
         None => "segments not known: the orientation is not".to_owned(),
     }
-}
-
-/// What the picture of a heart says of its patches; `None` where they are hidden or nothing is known yet.
-pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
-    let document = &state.document;
-    if !document.visibility.patches {
-        return None;
-    }
-    let (Ok(found), _) = state.wall_of(subject)? else {
-        return None;
-    };
-    let thickening = &found.thickening;
-    let chosen = match document.part {
-        Some(WallPart::Patch(patch)) if subject == document.subject => Some(patch),
-        _ => None,
-    };
-    let one = match (thickening.patches.as_slice(), chosen) {
-        ([only], _) => Some((0, only)),
-        (patches, Some(index)) => patches.get(index).map(|patch| (index, patch)),
-        _ => None,
-    };
-    let mut heading = patch_count_words(thickening);
-    let mut lines = Vec::new();
-    if let Some((index, patch)) = one {
-        if thickening.patches.len() > 1 {
-            let count = thickening.patches.len();
-            heading = format!(
-                "Patch {} of {count} · {} of the LV",
-                index + 1,
-                percent(patch.share)
-            );
-        }
-        if !patch.segments.is_empty() {
-            lines.push(segment_words(patch));
-        }
-        let area = patch.area_cm2.map(|area| format!("{} · ", area_text(area)));
-        lines.push(format!(
-            "{}PT {:.2} × · elsewhere {:.2} ×",
-            area.unwrap_or_default(),
-            patch.thickening.exp(),
-            thickening.well.exp()
-        ));
-    } else {
-        for patch in thickening.patches.iter().take(3) {
-            let area = patch
-                .area_cm2
-                .map_or_else(|| percent(patch.share), area_text);
-            lines.push(match patch.segments.as_slice() {
-                [] => area,
-                _ => format!("{area} · {}", segment_words(patch)),
-            });
-        }
-    }
-    Some(PatchNote {
-        heading,
-        lines,
-        found: !thickening.patches.is_empty(),
-    })
 }
 
 /// A camera in the heart's axes that looks straight at a patch, base up.

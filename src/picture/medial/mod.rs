@@ -10,7 +10,7 @@ mod prepared;
 mod tests;
 
 pub use facing::facing_patch;
-pub use marks::{HeartMedial, MedialSettings, WallPart};
+pub use marks::{HeartMedial, MedialSettings, PatchLook, WallPart};
 pub(super) use marks::{add_marks, atom_legend};
 pub(in crate::picture) use outline::rounded;
 pub use prepared::PreparedMedial;

@@ -26,6 +26,11 @@ fn colour(map: &ColourMap, ratio: f64, limits: [f64; 2]) -> Color32 {
     Color32::from_rgb(red, green, blue)
 }
 
+/// Borders of patches, on whatever colour, in either theme.
+const FOUND: Color32 = Color32::from_rgb(0xff, 0xd1, 0x66);
+/// And of places that only thicken little.
+const FAINT: Color32 = Color32::from_rgb(0xc8, 0xcd, 0xd3);
+
 /// Draws the disc.
 pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>) {
     let map = ColourMap::ratio();
@@ -51,8 +56,14 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
             // Dark below light: seen on pale and on deep colours.
             let below = Stroke::new(width + 2.0, BETWEEN);
             painter.add(Shape::closed_line(points.clone(), below));
-            let above = Stroke::new(width, Color32::from_rgb(0xff, 0xd1, 0x66));
-            painter.add(Shape::closed_line(points, above));
+            if patch.faint {
+                let closed: Vec<Pos2> = points.iter().chain(points.first()).copied().collect();
+                let above = Stroke::new(width, FAINT);
+                painter.extend(Shape::dashed_line(&closed, above, 5.0, 4.0));
+            } else {
+                let above = Stroke::new(width, FOUND);
+                painter.add(Shape::closed_line(points, above));
+            }
         }
     }
     for (segment, width) in [

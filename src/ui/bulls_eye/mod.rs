@@ -24,6 +24,8 @@ pub struct BullsEyePatch {
     pub name: String,
     /// Whether it is selected.
     pub selected: bool,
+    /// Whether it only thickens little, in a heart of which something else is said: dashed and grey.
+    pub faint: bool,
 }
 
 /// What the pane shows. Values are ratios of thickness, 1 for unchanged.

@@ -94,6 +94,7 @@ fn a_click_on_a_border_selects_its_patch() {
         borders: vec![vec![[0.3, 0.3], [0.8, 0.3], [0.3, 0.8]]],
         name: "Patch 1".to_owned(),
         selected,
+        faint: false,
     };
     for (selected, part) in [(false, Some(WallPart::Patch(0))), (true, None)] {
         let mut shown = harness(Shown {

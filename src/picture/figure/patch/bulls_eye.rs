@@ -11,6 +11,7 @@ use crate::picture::figure::patch::content::PatchContent;
 use crate::picture::figure::pen::Pen;
 use crate::picture::legend::{ColourLegend, Tick};
 use crate::picture::page::{Anchor, Weight};
+use crate::picture::patch_words::PatchStanding;
 use crate::picture::ticks::logarithmic_ticks;
 use crate::render::{ColourLimits, Picture};
 
@@ -20,6 +21,8 @@ const BETWEEN: [f32; 3] = [0.09, 0.10, 0.12];
 const NO_VALUE: [u8; 3] = [0x80, 0x85, 0x8c];
 /// Borders of patches: seen on pale and on deep colours, above a dark line.
 const BORDER: [f32; 3] = [1.0, 0.82, 0.40];
+/// And of places that only thicken little.
+const FAINT: [f32; 3] = [0.78, 0.80, 0.83];
 /// Walls by their angle, from the right against the clock.
 const WALLS: [(f64, &str); 6] = [
     (30.0, "anterolateral"),
@@ -102,10 +105,14 @@ pub(super) fn draw_bulls_eye(
             pen.page.line(&ends, false, width, BETWEEN);
         }
     }
+    let colour = match content.standing {
+        PatchStanding::ThickensLittle => FAINT,
+        PatchStanding::Untold | PatchStanding::Abnormal => BORDER,
+    };
     for border in flat.borders.iter().flatten() {
         let points: Vec<[f32; 2]> = border.iter().map(|&point| disc.at(point)).collect();
         pen.page.line(&points, true, 4.5 * width, BETWEEN);
-        pen.page.line(&points, true, 2.6 * width, BORDER);
+        pen.page.line(&points, true, 2.6 * width, colour);
     }
     if flat.oriented {
         numbers(pen, content.quantity, shown, content.limits, &disc);

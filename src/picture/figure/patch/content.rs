@@ -6,7 +6,7 @@ use crate::engine::{SubjectThickening, ThickeningSettings, thickening_words};
 use crate::picture::bulls_eye::{BullsEyeQuantity, FlatValues, FlatWall};
 use crate::picture::figure::content::FigureContent;
 use crate::picture::page::FigureSettings;
-use crate::picture::patch_words::{area_text, extent_words, percent, segment_words};
+use crate::picture::patch_words::{PatchStanding, area_text, extent_words, percent, segment_words};
 
 /// Patches in the table; more are counted below it.
 const MOST_ROWS: usize = 4;
@@ -122,6 +122,8 @@ pub struct PatchContent {
     pub heart: FigureContent,
     /// What is said of it.
     pub verdict: VerdictLines,
+    /// What its patches may be called.
+    pub standing: PatchStanding,
     /// The wall laid flat; `None` without a long axis.
     pub flat: Option<(FlatWall, FlatValues)>,
     /// Why it is not laid flat.
@@ -144,6 +146,7 @@ impl PatchContent {
         heart: FigureContent,
         found: &SubjectThickening,
         verdict: VerdictLines,
+        standing: PatchStanding,
         quantity: BullsEyeQuantity,
         frame: usize,
         settings: &ThickeningSettings,
@@ -165,7 +168,7 @@ impl PatchContent {
                 "What is found in a wall that is not resolved may be blur or noise".to_owned()
             }
             (true, 0) => extent_words(told),
-            (true, more) => format!("{}; {more} more patches in patches.csv", extent_words(told)),
+            (true, more) => format!("{}; {more} more in patches.csv", extent_words(told)),
         };
         Self {
             without_flat: found.without_axis.clone().unwrap_or_default(),
@@ -177,6 +180,7 @@ impl PatchContent {
             ),
             heart,
             verdict,
+            standing,
             flat,
             quantity,
             limits: [0.5, 2.0],

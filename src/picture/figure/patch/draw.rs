@@ -9,12 +9,13 @@ use crate::picture::figure::patch::content::PatchContent;
 use crate::picture::figure::patch::frame::PatchFrame;
 use crate::picture::figure::pen::Pen;
 use crate::picture::page::{Anchor, FigureFonts, Page};
+use crate::picture::patch_words::PatchStanding;
 use crate::picture::scale_bar::ScaleBar;
 use crate::picture::tokens::PictureTheme;
 use crate::render::{Camera, Picture};
 
 /// Heads of the table's columns.
-const HEADS: [&str; 6] = ["Patch", "Area", "of the LV", "PT", "Confidence", "Segments"];
+const HEADS: [&str; 5] = ["Area", "of the LV", "PT", "Confidence", "Segments"];
 
 /// A whole figure around a heart's picture, which has the size that `frame` says and is taken with `camera`.
 pub fn drawn_patch_figure(
@@ -146,7 +147,8 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
         _ => (Anchor::End, columns[column + 1] - gap),
     };
     if !content.rows.is_empty() {
-        for (column, head) in HEADS.into_iter().enumerate() {
+        let heads = std::iter::once(content.standing.part()).chain(HEADS);
+        for (column, head) in heads.enumerate() {
             let (anchor, x) = place(column);
             pen.write(head, muted, anchor, [x, base]);
         }
@@ -157,7 +159,11 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
         base += 1.3 * line;
     }
     for (index, (row, segments)) in content.rows.iter().zip(&frame.segments).enumerate() {
-        let number = pen.strong(theme.selection, pen.text);
+        let colour = match content.standing {
+            PatchStanding::ThickensLittle => theme.muted,
+            PatchStanding::Untold | PatchStanding::Abnormal => theme.selection,
+        };
+        let number = pen.strong(colour, pen.text);
         let name = (index + 1).to_string();
         pen.write(&name, number, Anchor::Start, [columns[0], base]);
         for (column, cell) in row.cells.iter().enumerate() {

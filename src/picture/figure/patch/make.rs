@@ -11,6 +11,7 @@ use crate::picture::figure::patch::draw::drawn_patch_figure;
 use crate::picture::figure::patch::frame::PatchFrame;
 use crate::picture::medial::facing_patch;
 use crate::picture::page::FigureFonts;
+use crate::picture::patch_words::PatchStanding;
 use crate::picture::scene::heart_scene;
 use crate::render::{Headless, RenderError};
 
@@ -36,13 +37,17 @@ pub fn rendered_patch_figure(
     headless: &mut Headless,
     fonts: &FigureFonts,
 ) -> Result<Figure, RenderError> {
-    let figure = &order.figure;
+    let verdict = (order.verdicts).and_then(|told| told.subjects.get(order.subject));
+    let standing = PatchStanding::of(verdict);
+    let mut figure = order.figure;
+    figure.scene.medial.patch_look = standing.look();
     let heart = heart_scene(figure.prepared, figure.extras, &figure.scene, figure.pose);
     let said = FigureContent::of(figure.shown, heart.legend, figure.prepared.axes.cube());
     let content = PatchContent::of(
         said,
         order.found,
         VerdictLines::of(order.found, order.verdicts, order.subject),
+        standing,
         figure.bulls_eye,
         figure.shown.frame,
         &figure.thickening,
