@@ -11,17 +11,16 @@ use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
 use crate::engine::cache::Cache;
 use crate::engine::export::ExportFile;
+use crate::engine::medial_map::map_of;
 use crate::engine::outcome::AnalysisOutcome;
-use crate::engine::request::{
-    AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap,
-    PoseMapParams, distance_words,
-};
+use crate::engine::request::{AnalysisError, AnalysisRequest, PoseMap, distance_words};
 use crate::engine::run::run;
+use crate::engine::settings::{ClassesSettings, DeformationMapSettings, PoseMapParams};
 use crate::engine::verdicts::{VerdictSettings, judged};
 use crate::engine::wall_tables::{Unassessed, WallTables};
 use crate::io::{
-    deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv, summary_json,
-    verdicts_csv, verdicts_json,
+    deformations_csv, distances_csv, frames_csv, medial_map_json, medial_mds_csv, poses_csv,
+    subjects_csv, summary_json, verdicts_csv, verdicts_json,
 };
 use crate::progress::Progress;
 use crate::study::Study;
@@ -108,6 +107,13 @@ impl AnalysisTables {
         let verdicts = judged(study, &walls.examined, &checked, &part)?;
         let mut tables = tables(study, &measures, &maps, told.as_ref());
         tables.push(("verdicts.csv".to_owned(), verdicts_csv(study, &verdicts)));
+        let (medial, without_medial) = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
+            Ok(map) => (Some(map), None),
+            Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
+            Err(AnalysisError::Unanswerable(reason)) => (None, Some(reason)),
+        };
+        let rows = medial_mds_csv(study, medial.as_ref());
+        tables.push(("medial_mds.csv".to_owned(), rows));
         let embeddings: Vec<_> = maps
             .iter()
             .map(|(word, map)| (*word, &map.embedding))
@@ -123,6 +129,8 @@ impl AnalysisTables {
         if let Value::Object(object) = &mut summary {
             object.insert("thickening".to_owned(), walls.summary.clone());
             object.insert("verdicts".to_owned(), verdicts_json(&verdicts, &checked));
+            let medial = medial_map_json(study, medial.as_ref(), without_medial.as_deref());
+            object.insert("medial_map".to_owned(), medial);
         }
         Ok(Self {
             measures,
