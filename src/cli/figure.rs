@@ -183,10 +183,10 @@ impl Look {
             quantity: args.colour.into(),
             typed_limits: args.limits,
             wireframe: args.wireframe,
-            medial: MedialSettings {
-                atoms: args.patch,
-                patches: args.patch,
-                ..MedialSettings::default()
+            medial: if args.patch {
+                MedialSettings::of_patch_figure()
+            } else {
+                MedialSettings::default()
             },
             theme: args.theme.into(),
             transparent: args.transparent,

@@ -9,6 +9,7 @@ use crate::analysis::classification::{Classes, ClassesParams};
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::verdicts::Verdicts;
 use crate::engine::cache::Cache;
 use crate::engine::export::ExportFile;
 use crate::engine::medial_map::map_of;
@@ -47,6 +48,12 @@ pub struct TableSettings {
 pub struct AnalysisTables {
     /// The measures, for figures.
     pub measures: Arc<Vec<SubjectMeasures>>,
+    /// What is said of the hearts, for the report.
+    pub verdicts: Arc<Verdicts>,
+    /// The map of poses by classical scaling.
+    pub poses: Arc<PoseMap>,
+    /// The map of deformations.
+    pub deformations: Option<Arc<DeformationMap>>,
     /// Name of each file and what it holds, without those of walls.
     pub tables: Vec<(String, String)>,
     /// Atoms, patches and segments.
@@ -134,6 +141,9 @@ impl AnalysisTables {
         }
         Ok(Self {
             measures,
+            verdicts: Arc::new(verdicts),
+            poses: Arc::clone(&maps[0].1),
+            deformations: told.map(|(map, _)| map),
             tables,
             walls,
             folder,

@@ -16,6 +16,7 @@ pub mod page;
 mod patch_words;
 mod prepared;
 mod quantity;
+pub mod report;
 mod scale_bar;
 mod scene;
 mod ticks;

@@ -138,15 +138,12 @@ fn hearts(criterion: &mut Criterion) {
                 return;
             };
             let count = subject.sequence.vertex_count();
-            criterion.bench_function(
-                &format!("surfaces_to_verdict_{count}_{noise}"),
-                |bencher| {
-                    bencher.iter(|| {
-                        let examined = assessed(subject)?.2;
-                        verdicts(&alone, &[Ok(examined)], &params, &Progress::default()).ok()
-                    });
-                },
-            );
+            criterion.bench_function(&format!("surfaces_to_verdict_{count}_{noise}"), |bencher| {
+                bencher.iter(|| {
+                    let examined = assessed(subject)?.2;
+                    verdicts(&alone, &[Ok(examined)], &params, &Progress::default()).ok()
+                });
+            });
             if vertices != 2_500 {
                 continue;
             }

@@ -7,6 +7,8 @@ mod medial;
 #[cfg(test)]
 mod noise_medial;
 #[cfg(test)]
+mod patch_figures;
+#[cfg(test)]
 mod refusals;
 #[cfg(test)]
 mod shape_space;

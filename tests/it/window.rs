@@ -5,6 +5,8 @@ mod around;
 #[cfg(test)]
 mod beats;
 #[cfg(test)]
+mod figures;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod walls;

@@ -12,6 +12,7 @@ mod saved_view;
 pub use content::{FigureContent, FigureSubject};
 pub use make::{Figure, FigureOrder, FigureView, rendered_figure};
 pub use patch::{PatchOrder, rendered_patch_figure};
+pub(in crate::picture) use pen::Pen;
 pub use saved_view::{SavedCamera, SavedShows, SavedSubject, SavedView, SavedViewError};
 
 /// Smallest width and height of a figure in pixels: below, its text would not be legible.

@@ -9,21 +9,21 @@ use crate::picture::tokens::PictureTheme;
 use crate::render::Picture;
 
 /// Draws onto one page.
-pub(super) struct Pen<'a> {
-    pub(super) page: &'a mut Page,
-    pub(super) fonts: &'a FigureFonts,
-    pub(super) theme: &'a PictureTheme,
+pub(in crate::picture) struct Pen<'a> {
+    pub(in crate::picture) page: &'a mut Page,
+    pub(in crate::picture) fonts: &'a FigureFonts,
+    pub(in crate::picture) theme: &'a PictureTheme,
     /// The em of running text in pixels.
-    pub(super) text: f32,
+    pub(in crate::picture) text: f32,
 }
 
 impl Pen<'_> {
     /// Height of a line of running text.
-    pub(super) fn line_height(&self) -> f32 {
+    pub(in crate::picture) fn line_height(&self) -> f32 {
         1.4 * self.text
     }
 
-    pub(super) fn regular(&self, colour: [f32; 3]) -> Type {
+    pub(in crate::picture) fn regular(&self, colour: [f32; 3]) -> Type {
         Type {
             weight: Weight::Regular,
             size: self.text,
@@ -31,7 +31,7 @@ impl Pen<'_> {
         }
     }
 
-    pub(super) fn strong(&self, colour: [f32; 3], size: f32) -> Type {
+    pub(in crate::picture) fn strong(&self, colour: [f32; 3], size: f32) -> Type {
         Type {
             weight: Weight::SemiBold,
             size,
@@ -39,12 +39,18 @@ impl Pen<'_> {
         }
     }
 
-    pub(super) fn write(&mut self, words: &str, set: Type, anchor: Anchor, at: [f32; 2]) -> f32 {
+    pub(in crate::picture) fn write(
+        &mut self,
+        words: &str,
+        set: Type,
+        anchor: Anchor,
+        at: [f32; 2],
+    ) -> f32 {
         self.page.words(self.fonts, words, set, anchor, at)
     }
 
     /// Words cut to a width.
-    pub(super) fn write_within(
+    pub(in crate::picture) fn write_within(
         &mut self,
         words: &str,
         set: Type,
@@ -58,7 +64,7 @@ impl Pen<'_> {
 
     /// A colour bar whose heading ends at `bottom`: heading below, numbers above it, colours on top; returns the
     /// upper edge.
-    pub(super) fn colour_bar(
+    pub(in crate::picture) fn colour_bar(
         &mut self,
         legend: &ColourLegend,
         heading: &[String],
@@ -119,7 +125,7 @@ impl Pen<'_> {
     }
 
     /// A bar with end marks, its lower edge at `at`, its length written above, no further left than `least`.
-    pub(super) fn scale_bar(&mut self, bar: &ScaleBar, at: [f32; 2], least: f32) {
+    pub(in crate::picture) fn scale_bar(&mut self, bar: &ScaleBar, at: [f32; 2], least: f32) {
         let text = self.text;
         let width = (text / 10.0).max(1.0);
         let (left, right, y) = (at[0], at[0] + bar.pixels, at[1] - 0.3 * text);

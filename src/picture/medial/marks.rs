@@ -58,6 +58,17 @@ pub struct MedialSettings {
     pub limits: Option<[f64; 2]>,
 }
 
+impl MedialSettings {
+    /// What a patch figure draws: atoms, and borders of patches.
+    pub fn of_patch_figure() -> Self {
+        Self {
+            atoms: true,
+            patches: true,
+            ..Self::default()
+        }
+    }
+}
+
 /// The middle of one heart's wall, ready, and what was found on it.
 #[derive(Clone, Copy, Debug)]
 pub struct HeartMedial<'a> {
