@@ -163,6 +163,26 @@ pub fn percent(share: f64) -> String {
     format!("{:.0} %", 100.0 * share)
 }
 
+/// Never more certain than two digits can tell.
+pub fn probability_words(probability: f64) -> String {
+    if probability > 0.99 {
+        "over 99 %".to_owned()
+    } else if probability < 0.01 {
+        "under 1 %".to_owned()
+    } else {
+        percent(probability)
+    }
+}
+
+/// With a capital at its beginning.
+pub fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    match letters.next() {
+        Some(first) => first.to_uppercase().chain(letters).collect(),
+        None => String::new(),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -203,5 +223,14 @@ mod tests {
             "basal–mid anteroseptal, apical septal, lateral and inferior, mid inferoseptal"
         );
         assert_eq!(said(&[]), "");
+    }
+
+    #[test]
+    fn no_probability_is_certain() {
+        assert_eq!(probability_words(0.9999), "over 99 %");
+        assert_eq!(probability_words(0.83), "83 %");
+        assert_eq!(probability_words(0.0), "under 1 %");
+        assert_eq!(sentence("abnormal patch"), "Abnormal patch");
+        assert_eq!(sentence(""), "");
     }
 }

@@ -1,7 +1,7 @@
 //! What the report says, as texts.
 
 use crate::analysis::verdicts::{Finding, RuleSource, Verdicts};
-use crate::picture::patch_words::percent;
+use crate::picture::patch_words::{percent, probability_words, sentence};
 use crate::picture::report::ReportOrder;
 
 /// Subject, label, EF, EDV, verdict, probability, patch, note.
@@ -33,7 +33,7 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
             let [verdict, probability, share, note] = match told {
                 Some(Ok(verdict)) => [
                     verdict.finding.name().to_owned(),
-                    percent(verdict.probability),
+                    probability_words(verdict.probability),
                     if verdict.finding == Finding::Patch {
                         percent(verdict.patched)
                     } else {
@@ -78,7 +78,7 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
     .into_iter()
     .map(|finding| (finding, count(finding)))
     .filter(|(_, count)| *count > 0)
-    .map(|(finding, count)| format!("{count} {}", finding.name()))
+    .map(|(finding, count)| format!("{}: {count}", finding.name()))
     .collect();
     let not = verdicts
         .subjects
@@ -86,9 +86,9 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
         .filter(|told| told.is_err())
         .count();
     if not > 0 {
-        parts.push(format!("{not} not assessed"));
+        parts.push(format!("not assessed: {not}"));
     }
-    parts.join(" · ")
+    sentence(&parts.join(" · "))
 }
 
 /// What the rule is worth.

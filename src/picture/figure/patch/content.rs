@@ -6,7 +6,9 @@ use crate::engine::{SubjectThickening, ThickeningSettings, thickening_words};
 use crate::picture::bulls_eye::{BullsEyeQuantity, FlatValues, FlatWall};
 use crate::picture::figure::content::FigureContent;
 use crate::picture::page::FigureSettings;
-use crate::picture::patch_words::{PatchStanding, area_text, extent_words, percent, segment_words};
+use crate::picture::patch_words::{
+    PatchStanding, area_text, extent_words, percent, probability_words, segment_words, sentence,
+};
 
 /// Patches in the table; more are counted below it.
 const MOST_ROWS: usize = 4;
@@ -71,7 +73,7 @@ fn evidence(verdicts: &Verdicts, probability: f64) -> String {
             let mut words = format!(
                 "Probability of being abnormal {}, by a rule learnt without this heart from {normal} normal and \
                  {abnormal} abnormal ones",
-                probability_text(probability)
+                probability_words(probability)
             );
             if let Some(quality) = &verdicts.quality {
                 let told = quality.accuracy;
@@ -84,25 +86,6 @@ fn evidence(verdicts: &Verdicts, probability: f64) -> String {
             }
             words
         }
-    }
-}
-
-/// Never more certain than two digits can tell.
-fn probability_text(probability: f64) -> String {
-    if probability > 0.99 {
-        "over 99 %".to_owned()
-    } else if probability < 0.01 {
-        "under 1 %".to_owned()
-    } else {
-        percent(probability)
-    }
-}
-
-fn sentence(words: &str) -> String {
-    let mut letters = words.chars();
-    match letters.next() {
-        Some(first) => first.to_uppercase().chain(letters).collect(),
-        None => String::new(),
     }
 }
 
@@ -223,18 +206,4 @@ pub fn patch_settings(content: &PatchContent) -> FigureSettings {
         settings.push(("Patch", words));
     }
     settings
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn no_probability_is_certain() {
-        assert_eq!(probability_text(0.9999), "over 99 %");
-        assert_eq!(probability_text(0.83), "83 %");
-        assert_eq!(probability_text(0.0), "under 1 %");
-        assert_eq!(sentence("abnormal patch"), "Abnormal patch");
-        assert_eq!(sentence(""), "");
-    }
 }
