@@ -17,7 +17,7 @@ use crate::engine::{
     write_files,
 };
 use crate::picture::figure::{
-    Figure, FigureOrder, FigureSubject, FigureView, PatchOrder, rendered_figure,
+    Figure, FigureOrder, FigureSubject, FigureView, LEAST_PATCH_SIZE, PatchOrder, rendered_figure,
     rendered_patch_figure,
 };
 use crate::picture::page::{FigureFonts, PageFormat};
@@ -40,6 +40,15 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
             "--out {out}: the name must end in .png, .svg or .pdf"
         ))
     })?;
+    let usual = if args.patch { PATCH_SIZE } else { SIZE };
+    let size = args.size.unwrap_or(usual);
+    let [least_width, least_height] = LEAST_PATCH_SIZE;
+    if args.patch && (size[0] < least_width || size[1] < least_height) {
+        return Err(CliError::Usage(format!(
+            "--size {}x{}: a patch figure needs at least {least_width}x{least_height} pixels",
+            size[0], size[1]
+        )));
+    }
     let study = opened_study(&args.study)?;
     let index = chosen_subject(&study, args.subject.as_deref())?;
     check_view(args, &study, index)?;
@@ -58,12 +67,11 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
         Some(frame) => frame,
         None => end_systole.filter(|_| args.patch).unwrap_or(0),
     };
-    let usual = if args.patch { PATCH_SIZE } else { SIZE };
     let shot = Shot {
         index,
         frame,
         view: args.view,
-        size: args.size.unwrap_or(usual),
+        size,
         thickening: args.patches.settings()?,
     };
     let look = Look::of(args);

@@ -6,7 +6,9 @@ use crate::app::document::nearest_frame;
 use crate::app::state::State;
 use crate::app::views::overlay_view::phase_name;
 use crate::engine::SubjectThickening;
-use crate::picture::{FlatValues, FlatWall, PatchStanding, Quantity, WallPart, part_name, percent};
+use crate::picture::{
+    FlatValues, FlatWall, PatchStanding, Quantity, WallPart, part_name, percent, ratio_limits,
+};
 use crate::ui::{BullsEyePatch, BullsEyeView, WallState};
 
 /// What the atoms' colours are made from and how the plot is laid.
@@ -19,9 +21,6 @@ pub struct BullsEyeData {
     moment: String,
     without_axis: Option<String>,
 }
-
-/// Ratios at the ends of the colours, unless others were typed.
-const LIMITS: [f64; 2] = [0.5, 2.0];
 
 fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) -> String {
     let share = found
@@ -95,10 +94,7 @@ impl BullsEyeData {
                 _ => None,
             },
             oriented: self.flat.oriented,
-            limits: document
-                .limits_of(Quantity::ThicknessRatio)
-                .filter(|limits| limits[0] > 0.0 && limits[1] > limits[0])
-                .unwrap_or(LIMITS),
+            limits: ratio_limits(document.limits_of(Quantity::ThicknessRatio)),
         }
     }
 }

@@ -4,4 +4,6 @@ mod flat_wall;
 mod shapes;
 
 pub use flat_wall::{BullsEyeQuantity, FlatValues, FlatWall};
-pub use shapes::{ratio_share, sector_line, sector_outline, sector_strip, value_text};
+pub use shapes::{
+    ink_on, ratio_limits, ratio_share, sector_line, sector_outline, sector_strip, value_text,
+};

@@ -6,6 +6,26 @@ use crate::picture::bulls_eye::BullsEyeQuantity;
 /// Angle between corners of drawn arcs: within half a pixel up to a radius of 200, within two up to 1,000.
 const ARC_STEP_RAD: f64 = 0.06;
 
+/// Ratios at the ends of the colours, unless others were typed.
+const LIMITS: [f64; 2] = [0.5, 2.0];
+
+/// Ratios at the ends of the colours: those that were typed, if ratios can be them.
+pub fn ratio_limits(typed: Option<[f64; 2]>) -> [f64; 2] {
+    typed
+        .filter(|[low, high]| *low > 0.0 && high > low)
+        .unwrap_or(LIMITS)
+}
+
+/// Ink for numbers on a colour: dark on light ones, light on dark ones.
+pub fn ink_on([red, green, blue]: [u8; 3]) -> [u8; 3] {
+    let light = 0.299 * f32::from(red) + 0.587 * f32::from(green) + 0.114 * f32::from(blue);
+    if light > 140.0 {
+        [0x16, 0x18, 0x1c]
+    } else {
+        [0xf4, 0xf6, 0xf8]
+    }
+}
+
 /// Share of the way along the colours, by ratios.
 pub fn ratio_share(ratio: f64, limits: [f64; 2]) -> f64 {
     (ratio / limits[0]).ln() / (limits[1] / limits[0]).ln()
@@ -90,6 +110,15 @@ mod tests {
             let middle = [0.5 * (near[0] + far[0]), 0.5 * (near[1] + far[1])];
             assert_eq!(segment_on_plot(middle), Some(segment));
         }
+    }
+
+    #[test]
+    fn ink_and_limits_can_always_be_used() {
+        assert_eq!(ink_on([255; 3]), [0x16, 0x18, 0x1c]);
+        assert_eq!(ink_on([0x2b, 0x6c, 0xb0]), [0xf4, 0xf6, 0xf8]);
+        assert_eq!(ratio_limits(Some([0.8, 1.5])), [0.8, 1.5]);
+        assert_eq!(ratio_limits(Some([-1.0, 1.5])), LIMITS);
+        assert_eq!(ratio_limits(Some([1.5, 1.5])), LIMITS);
     }
 
     #[test]

@@ -17,5 +17,7 @@ pub use saved_view::{SavedCamera, SavedShows, SavedSubject, SavedView, SavedView
 
 /// Smallest width and height of a figure in pixels: below, its text would not be legible.
 pub const LEAST_SIZE: [u32; 2] = [320, 240];
+/// Smallest width and height of a patch figure in pixels.
+pub const LEAST_PATCH_SIZE: [u32; 2] = [800, 600];
 /// Greatest width and height of a figure in pixels.
 pub const GREATEST_SIZE: u32 = 8192;

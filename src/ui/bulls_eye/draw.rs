@@ -5,8 +5,8 @@ use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2};
 
 use crate::analysis::segments::{RING_RADII, Segment};
 use crate::picture::{
-    BullsEyeQuantity, ColourMap, logarithmic_ticks, ratio_share, sector_line, sector_outline,
-    sector_strip, value_text,
+    BullsEyeQuantity, ColourMap, ink_on, logarithmic_ticks, ratio_share, sector_line,
+    sector_outline, sector_strip, value_text,
 };
 use crate::ui::bulls_eye::BullsEyeView;
 use crate::ui::bulls_eye::layout::Disc;
@@ -133,22 +133,14 @@ fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc, map: &ColourMap) {
         let Some(value) = view.segments[segment.index()] else {
             continue;
         };
-        let behind = colour(map, value, view.limits);
+        let [red, green, blue, _] = colour(map, value, view.limits).to_array();
+        let [ink_red, ink_green, ink_blue] = ink_on([red, green, blue]);
+        let ink = Color32::from_rgb(ink_red, ink_green, ink_blue);
         let at = disc.middle_of(segment);
         let text = value_text(view.quantity, value);
         let font = FontId::proportional(size);
         let painter = ui.painter();
-        painter.text(at, Align2::CENTER_CENTER, text, font, readable_on(behind));
-    }
-}
-
-/// Dark on light colours, light on dark ones.
-fn readable_on(behind: Color32) -> Color32 {
-    let [r, g, b, _] = behind.to_array().map(f32::from);
-    if 0.299 * r + 0.587 * g + 0.114 * b > 140.0 {
-        Color32::from_rgb(0x16, 0x18, 0x1c)
-    } else {
-        Color32::from_rgb(0xf4, 0xf6, 0xf8)
+        painter.text(at, Align2::CENTER_CENTER, text, font, ink);
     }
 }
 

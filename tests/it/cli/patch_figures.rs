@@ -89,7 +89,7 @@ fn the_three_kinds_of_file_are_what_their_names_say() {
         ("a.pdf", b"%PDF"),
     ] {
         let out = folder.path().join(name);
-        if figure(&out, &["--size", "640x480"]).is_none() {
+        if figure(&out, &["--size", "800x600"]).is_none() {
             return;
         }
         assert!(fs::read(&out).unwrap().starts_with(start), "{name}");
@@ -98,6 +98,10 @@ fn the_three_kinds_of_file_are_what_their_names_say() {
     let output = cardiomorph(&["figure", "--patch", "--out", text(&out)]);
     assert_eq!(code(&output), 2);
     assert!(said(&output).contains("must end in .png, .svg or .pdf"));
+    let small = ["figure", "--patch", "--size", "640x480", "--out", "a.png"];
+    let output = cardiomorph(&small);
+    assert_eq!(code(&output), 2);
+    assert!(said(&output).contains("at least 800x600"));
 }
 
 #[test]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::segments::{RING_RADII, Segment, ring};
 use crate::picture::bulls_eye::{
-    BullsEyeQuantity, FlatValues, FlatWall, ratio_share, sector_line, value_text,
+    BullsEyeQuantity, FlatValues, FlatWall, ink_on, ratio_share, sector_line, value_text,
 };
 use crate::picture::colour_map::ColourMap;
 use crate::picture::figure::patch::content::PatchContent;
@@ -79,7 +79,7 @@ pub(super) fn draw_bulls_eye(
         return;
     };
     let line = pen.line_height();
-    let legend = legend(content);
+    let legend = legend(content, shown);
     let bar_height = 2.4 * line + 0.9 * pen.text;
     let names = pen.fonts.width("inferolateral", Weight::Regular, pen.text);
     let across = 0.5 * (high[0] - low[0]) - 0.72 * names;
@@ -94,6 +94,8 @@ pub(super) fn draw_bulls_eye(
     let width = (pen.text / 14.0).max(1.0);
     let behind = colours(flat, shown, content.limits, disc.radius);
     let corner = [disc.centre[0] - disc.radius, disc.centre[1] - disc.radius];
+    let ground = NO_VALUE.map(|channel| f32::from(channel) / 255.0);
+    pen.page.fill(&disc.circle(1.0), ground);
     pen.page
         .picture(corner, [2.0 * disc.radius; 2], Arc::new(behind));
     for radius in RING_RADII {
@@ -144,8 +146,13 @@ fn title(content: &PatchContent) -> String {
 }
 
 /// The colours with numbers.
-fn legend(content: &PatchContent) -> ColourLegend {
+fn legend(content: &PatchContent, shown: &FlatValues) -> ColourLegend {
     let [low, high] = content.limits;
+    let mut values = shown.values.iter().map(|&value| f64::from(value));
+    let [below, above] = [
+        values.clone().any(|value| value < low),
+        values.any(|value| value > high),
+    ];
     let ticks = logarithmic_ticks(low, high, 5)
         .into_iter()
         .map(|value| Tick {
@@ -164,8 +171,8 @@ fn legend(content: &PatchContent) -> ColourLegend {
         },
         ticks: ticks.collect(),
         map: ColourMap::ratio(),
-        below: false,
-        above: false,
+        below,
+        above,
     }
 }
 
@@ -188,7 +195,7 @@ fn numbers(
         };
         let value = shown.segments[segment.index()];
         let behind = value.map_or(NO_VALUE, |value| map.at(ratio_share(value, limits)));
-        let colour = readable_on(behind);
+        let colour = ink_on(behind).map(|channel| f32::from(channel) / 255.0);
         let mut small = pen.regular(colour);
         small.size = 0.72 * size;
         let at = [middle[0], middle[1] - 0.25 * size];
@@ -201,16 +208,6 @@ fn numbers(
             Anchor::Middle,
             [middle[0], middle[1] + 0.75 * size],
         );
-    }
-}
-
-/// Dark on light colours, light on dark ones.
-fn readable_on(behind: [u8; 3]) -> [f32; 3] {
-    let [red, green, blue] = behind.map(f32::from);
-    if 0.299 * red + 0.587 * green + 0.114 * blue > 140.0 {
-        [0.09, 0.09, 0.11]
-    } else {
-        [0.96, 0.96, 0.97]
     }
 }
 

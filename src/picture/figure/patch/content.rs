@@ -131,15 +131,19 @@ impl PatchContent {
         verdict: VerdictLines,
         standing: PatchStanding,
         quantity: BullsEyeQuantity,
+        limits: [f64; 2],
         frame: usize,
         settings: &ThickeningSettings,
     ) -> Self {
         let told = &found.thickening;
-        let flat = FlatWall::of(found).map(|flat| {
+        let assessed = found.not_assessed.is_none();
+        let flat = FlatWall::of(found).map(|mut flat| {
             let values = flat.values(found, quantity, frame);
+            if !assessed {
+                flat.borders.clear();
+            }
             (flat, values)
         });
-        let assessed = found.not_assessed.is_none();
         let rows: Vec<PatchLine> = (told.patches.iter())
             .filter(|_| assessed)
             .take(MOST_ROWS)
@@ -166,7 +170,7 @@ impl PatchContent {
             standing,
             flat,
             quantity,
-            limits: [0.5, 2.0],
+            limits,
             rows,
             note,
         }

@@ -110,7 +110,7 @@ fn beside_heart(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent, c
     if let Some(legend) = &content.heart.legend {
         pen.colour_bar(legend, &frame.heading, [margin, bottom], bar_width);
     }
-    let most = (width - bar_width - cube - 4.0 * margin).max(0.1 * width);
+    let most = (width - bar_width - cube - 4.0 * margin).clamp(0.1 * width, 0.25 * width);
     let height = frame.heart_size[1] as f32;
     if let Some(bar) = ScaleBar::fitting(camera, height, most, content.heart.unit) {
         let between = 2.0 * margin + bar_width + width - cube;

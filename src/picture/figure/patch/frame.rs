@@ -5,7 +5,7 @@ use crate::picture::page::{FigureFonts, Weight};
 
 /// The size that the design was drawn at; other sizes scale with it.
 const DESIGN: [f32; 2] = [1600.0, 1200.0];
-/// Text below 10.5 pixels is not legible: sizes stop shrinking here.
+/// Text below 10.5 pixels is not legible: sizes stop shrinking here, at [`LEAST_PATCH_SIZE`](crate::picture::figure::LEAST_PATCH_SIZE).
 const LEAST_SCALE: f32 = 0.5;
 /// Share of the width that the heart has.
 const HEART_SHARE: f32 = 0.56;
@@ -68,12 +68,7 @@ impl PatchFrame {
             .map(|row| wrapped(&row.segments, width - margin - columns[5]))
             .collect();
         let imprint = [
-            fonts.wrapped(
-                &content.parameters,
-                Weight::Regular,
-                0.87 * text,
-                room / 1.0,
-            ),
+            fonts.wrapped(&content.parameters, Weight::Regular, 0.87 * text, room),
             fonts.wrapped(&content.heart.footer, Weight::Regular, 0.87 * text, room),
         ]
         .concat();

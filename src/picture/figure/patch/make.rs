@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::verdicts::Verdicts;
 use crate::engine::SubjectThickening;
+use crate::picture::bulls_eye::ratio_limits;
 use crate::picture::figure::content::FigureContent;
 use crate::picture::figure::make::{Figure, FigureOrder, FigureView};
 use crate::picture::figure::patch::content::{PatchContent, VerdictLines, patch_settings};
@@ -41,6 +42,8 @@ pub fn rendered_patch_figure(
     let standing = PatchStanding::of(verdict);
     let mut figure = order.figure;
     figure.scene.medial.patch_look = standing.look();
+    // What is found in a wall that is not resolved may be blur or noise.
+    figure.scene.medial.patches &= order.found.not_assessed.is_none();
     let heart = heart_scene(figure.prepared, figure.extras, &figure.scene, figure.pose);
     let said = FigureContent::of(figure.shown, heart.legend, figure.prepared.axes.cube());
     let content = PatchContent::of(
@@ -49,6 +52,7 @@ pub fn rendered_patch_figure(
         VerdictLines::of(order.found, order.verdicts, order.subject),
         standing,
         figure.bulls_eye,
+        ratio_limits(figure.scene.medial.limits),
         figure.shown.frame,
         &figure.thickening,
     );
