@@ -123,19 +123,18 @@ fn footer(
         ..
     } = *plan;
     let bottom = imprint(pen, &plan.imprint, [margin, size[1] - margin * 0.8]) + 0.2 * line;
-    let mut legend_top = bottom;
-    if let Some(legend) = &content.legend {
-        legend_top = pen.colour_bar(legend, &plan.heading, [margin, bottom], bar_width);
-    }
-    let most = if content.legend.is_some() && !plan.scale_above {
+    let at = [margin, bottom];
+    let legend_top = pen.colour_bars(&content.legends, &plan.headings, at, bar_width);
+    let has_legend = !content.legends.is_empty();
+    let most = if has_legend && !plan.scale_above {
         size[0] - bar_width - cube - 4.0 * margin
     } else {
         0.4 * size[0]
     };
     let most = most.min(0.22 * size[0]).max(40.0);
     if let Some(bar) = ScaleBar::fitting(camera, heart_height, most, content.unit) {
-        let left = match (&content.legend, plan.scale_above) {
-            (Some(_), false) => {
+        let left = match (has_legend, plan.scale_above) {
+            (true, false) => {
                 let between = margin + bar_width + size[0] - margin - cube;
                 0.5 * (between - bar.pixels)
             }

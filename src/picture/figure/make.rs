@@ -11,7 +11,7 @@ use crate::picture::figure::saved_view::{SavedCamera, SavedView};
 use crate::picture::heart_frame::HeartFrame;
 use crate::picture::page::{FigureFonts, FigureSettings, Page, VIEW_KEY};
 use crate::picture::prepared::PreparedSubject;
-use crate::picture::scene::{HeartExtras, SceneSettings, heart_scene};
+use crate::picture::scene::{HeartExtras, HeartScene, SceneSettings, heart_scene};
 use crate::render::{Camera, GeometryPose, Headless, RenderError};
 
 /// Where a figure is taken from.
@@ -73,7 +73,7 @@ pub fn rendered_figure(
     fonts: &FigureFonts,
 ) -> Result<Figure, RenderError> {
     let heart = heart_scene(order.prepared, order.extras, &order.scene, order.pose);
-    let content = FigureContent::of(order.shown, heart.legend, order.prepared.axes.cube());
+    let content = order.content(&heart);
     let frame = FigureFrame::of(order.size, &content, fonts);
     let camera = order.camera(frame.heart_aspect());
     let [width, height] = [frame.size[0], frame.heart_height];
@@ -92,6 +92,16 @@ pub fn rendered_figure(
 }
 
 impl FigureOrder<'_> {
+    /// What the figure says beside its heart.
+    pub(super) fn content(&self, heart: &HeartScene) -> FigureContent {
+        let legends = [&heart.legend, &heart.atom_legend].into_iter().flatten();
+        FigureContent::of(
+            self.shown,
+            legends.cloned().collect(),
+            self.prepared.axes.cube(),
+        )
+    }
+
     /// The camera for a picture of the heart of this width by height.
     pub(super) fn camera(&self, aspect: f32) -> Camera {
         let axes = &self.prepared.axes;
@@ -114,7 +124,7 @@ impl FigureOrder<'_> {
             ("Moment", content.moment.clone()),
             ("Quantity", self.scene.quantity.word().to_owned()),
         ];
-        if let Some(legend) = &content.legend {
+        for legend in &content.legends {
             let limits = legend.limits;
             let words = format!("{} to {} {}", limits.low, limits.high, legend.unit);
             settings.push(("Colour limits", words.trim_end().to_owned()));

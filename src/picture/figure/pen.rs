@@ -62,6 +62,26 @@ impl Pen<'_> {
         self.write(&short, set, anchor, at);
     }
 
+    /// Colour bars one above the other, the last one's heading ending at `bottom`; returns the upper edge.
+    pub(in crate::picture) fn colour_bars(
+        &mut self,
+        legends: &[ColourLegend],
+        headings: &[Vec<String>],
+        [left, bottom]: [f32; 2],
+        width: f32,
+    ) -> f32 {
+        let gap = 0.6 * self.line_height();
+        let mut below = bottom;
+        for (legend, heading) in legends.iter().zip(headings).rev() {
+            below = self.colour_bar(legend, heading, [left, below], width) - gap;
+        }
+        if legends.is_empty() {
+            bottom
+        } else {
+            below + gap
+        }
+    }
+
     /// A colour bar whose heading ends at `bottom`: heading below, numbers above it, colours on top; returns the
     /// upper edge.
     pub(in crate::picture) fn colour_bar(

@@ -2,9 +2,10 @@
 
 use crate::analysis::thickening::Patch;
 use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
-use crate::engine::{SubjectThickening, ThickeningSettings, thickening_words};
-use crate::picture::bulls_eye::{BullsEyeQuantity, FlatValues, FlatWall};
+use crate::engine::{SubjectThickening, thickening_words};
+use crate::picture::bulls_eye::{BullsEyeQuantity, FlatValues, FlatWall, ratio_limits};
 use crate::picture::figure::content::FigureContent;
+use crate::picture::figure::patch::make::PatchOrder;
 use crate::picture::page::FigureSettings;
 use crate::picture::patch_words::{
     PatchStanding, area_text, extent_words, percent, probability_words, segment_words, sentence,
@@ -124,21 +125,14 @@ pub struct PatchContent {
 }
 
 impl PatchContent {
-    /// Gathers what is known of a heart; `frame` is the one on show.
-    pub fn of(
-        heart: FigureContent,
-        found: &SubjectThickening,
-        verdict: VerdictLines,
-        standing: PatchStanding,
-        quantity: BullsEyeQuantity,
-        limits: [f64; 2],
-        frame: usize,
-        settings: &ThickeningSettings,
-    ) -> Self {
+    /// Gathers what is known of a heart.
+    pub fn of(heart: FigureContent, order: &PatchOrder<'_>) -> Self {
+        let PatchOrder { figure, found, .. } = *order;
+        let quantity = figure.bulls_eye;
         let told = &found.thickening;
         let assessed = found.not_assessed.is_none();
         let flat = FlatWall::of(found).map(|mut flat| {
-            let values = flat.values(found, quantity, frame);
+            let values = flat.values(found, quantity, figure.shown.frame);
             if !assessed {
                 flat.borders.clear();
             }
@@ -161,16 +155,16 @@ impl PatchContent {
             without_flat: found.without_axis.clone().unwrap_or_default(),
             parameters: format!(
                 "Medial surface {}. Tolerance used ± {:.3} ln PT, noise of one atom {:.3} ln r",
-                thickening_words(settings),
+                thickening_words(&figure.thickening),
                 told.tolerance,
                 told.noise
             ),
             heart,
-            verdict,
-            standing,
+            verdict: VerdictLines::of(found, order.verdicts, order.subject),
+            standing: order.standing(),
             flat,
             quantity,
-            limits,
+            limits: ratio_limits(figure.scene.medial.limits),
             rows,
             note,
         }

@@ -107,9 +107,8 @@ fn beside_heart(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent, c
         ..
     } = *frame;
     let width = frame.heart_size[0] as f32;
-    if let Some(legend) = &content.heart.legend {
-        pen.colour_bar(legend, &frame.heading, [margin, bottom], bar_width);
-    }
+    let legends = &content.heart.legends;
+    pen.colour_bars(legends, &frame.headings, [margin, bottom], bar_width);
     let most = (width - bar_width - cube - 4.0 * margin).clamp(0.1 * width, 0.25 * width);
     let height = frame.heart_size[1] as f32;
     if let Some(bar) = ScaleBar::fitting(camera, height, most, content.heart.unit) {

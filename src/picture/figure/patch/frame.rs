@@ -1,6 +1,7 @@
 //! Where the blocks of a patch figure stand, by its size and by what it says.
 
 use crate::picture::figure::patch::content::PatchContent;
+use crate::picture::figure::plan::{bar_headings, bars_height};
 use crate::picture::page::{FigureFonts, Weight};
 
 /// The size that the design was drawn at; other sizes scale with it.
@@ -26,7 +27,7 @@ pub struct PatchFrame {
     pub(super) text: f32,
     pub(super) line: f32,
     pub(super) evidence: Vec<String>,
-    pub(super) heading: Vec<String>,
+    pub(super) headings: Vec<Vec<String>>,
     pub(super) segments: Vec<Vec<String>>,
     pub(super) imprint: Vec<String>,
     /// Left edges of the table's columns, and of the words after them.
@@ -56,12 +57,7 @@ impl PatchFrame {
             118.0 * scale
         };
         let bar_width = (360.0 * scale).min(0.6 * heart_width);
-        let heading = (content.heart.legend.as_ref()).map_or_else(Vec::new, |legend| {
-            wrapped(
-                &format!("{} ({})", legend.heading(), legend.note),
-                bar_width * 1.1,
-            )
-        });
+        let headings = bar_headings(&content.heart.legends, fonts, text, 1.1 * bar_width);
         let step = |index: usize| margin + [0.0, 60.0, 190.0, 300.0, 400.0, 560.0][index] * scale;
         let columns: [f32; 6] = std::array::from_fn(step);
         let segments: Vec<Vec<String>> = (content.rows.iter())
@@ -81,7 +77,7 @@ impl PatchFrame {
         let header = if content.rows.is_empty() { 0.0 } else { 1.3 };
         let table_height = line * (header + lines as f32 + 1.2) + 0.6 * margin;
         let table_top = height - imprint_height - table_height + line;
-        let legend_height = line * (1.2 + heading.len() as f32) + 0.9 * text;
+        let legend_height = bars_height(&headings, text) + 0.2 * line;
         let legend_bottom = table_top - 1.5 * line;
         let heart_bottom = legend_bottom - legend_height.max(cube) - 0.2 * margin;
         Self {
@@ -97,7 +93,7 @@ impl PatchFrame {
             text,
             line,
             evidence,
-            heading,
+            headings,
             segments,
             imprint,
             columns,

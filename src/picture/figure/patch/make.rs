@@ -4,10 +4,8 @@ use std::sync::Arc;
 
 use crate::analysis::verdicts::Verdicts;
 use crate::engine::SubjectThickening;
-use crate::picture::bulls_eye::ratio_limits;
-use crate::picture::figure::content::FigureContent;
 use crate::picture::figure::make::{Figure, FigureOrder, FigureView};
-use crate::picture::figure::patch::content::{PatchContent, VerdictLines, patch_settings};
+use crate::picture::figure::patch::content::{PatchContent, patch_settings};
 use crate::picture::figure::patch::draw::drawn_patch_figure;
 use crate::picture::figure::patch::frame::PatchFrame;
 use crate::picture::medial::facing_patch;
@@ -29,6 +27,13 @@ pub struct PatchOrder<'a> {
     pub subject: usize,
 }
 
+impl PatchOrder<'_> {
+    /// What the patches may be called.
+    pub(super) fn standing(&self) -> PatchStanding {
+        PatchStanding::of((self.verdicts).and_then(|told| told.subjects.get(self.subject)))
+    }
+}
+
 /// Renders a patch figure, by default from where the largest patch is seen best.
 ///
 /// # Errors
@@ -38,24 +43,12 @@ pub fn rendered_patch_figure(
     headless: &mut Headless,
     fonts: &FigureFonts,
 ) -> Result<Figure, RenderError> {
-    let verdict = (order.verdicts).and_then(|told| told.subjects.get(order.subject));
-    let standing = PatchStanding::of(verdict);
     let mut figure = order.figure;
-    figure.scene.medial.patch_look = standing.look();
+    figure.scene.medial.patch_look = order.standing().look();
     // What is found in a wall that is not resolved may be blur or noise.
     figure.scene.medial.patches &= order.found.not_assessed.is_none();
     let heart = heart_scene(figure.prepared, figure.extras, &figure.scene, figure.pose);
-    let said = FigureContent::of(figure.shown, heart.legend, figure.prepared.axes.cube());
-    let content = PatchContent::of(
-        said,
-        order.found,
-        VerdictLines::of(order.found, order.verdicts, order.subject),
-        standing,
-        figure.bulls_eye,
-        ratio_limits(figure.scene.medial.limits),
-        figure.shown.frame,
-        &figure.thickening,
-    );
+    let content = PatchContent::of(figure.content(&heart), order);
     let frame = PatchFrame::of(figure.size, &content, fonts);
     let camera = match (figure.view, order.found.thickening.patches.first()) {
         (FigureView::Home, Some(largest)) => {
