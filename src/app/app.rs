@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Context, Ui};
 
-use crate::engine::{OpenSource, Wake};
+use crate::engine::{OpenSource, Wake, WorkKind};
 use crate::study::built_in::BuiltInParams;
 use crate::ui::{self, Command};
 
@@ -147,6 +147,11 @@ impl App {
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
         self.background.busy() || self.background.pictures.busy()
+    }
+
+    /// Whether one kind of work goes on.
+    pub fn works_on(&self, kind: WorkKind) -> bool {
+        self.background.engine.computes(kind)
     }
 
     /// Hearts on screen, as subject and place in the beat.

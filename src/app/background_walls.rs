@@ -41,7 +41,7 @@ impl AskedWalls {
     /// under way. While a threshold is dragged, what was begun is finished first: patches follow the drag, where
     /// each step would stop the one before.
     pub fn request(&mut self, state: &State, engine: &mut Engine) {
-        let computing = matches!(engine.showing(WorkKind::Medial), Showing::Computing { .. });
+        let computing = engine.computes(WorkKind::Medial);
         if let Some(wanted) = wanted(state) {
             if computing
                 && self
@@ -115,9 +115,7 @@ impl AskedVerdicts {
     /// thresholds that were left are stopped at once, so that they do not hold up the new patches.
     pub fn request(&mut self, state: &State, engine: &mut Engine, pointer_held: bool) {
         let wanted = VerdictKey::wanted(state);
-        let computing =
-            |engine: &Engine, kind| matches!(engine.showing(kind), Showing::Computing { .. });
-        if self.key != Some(wanted) && computing(engine, WorkKind::Verdicts) {
+        if self.key != Some(wanted) && engine.computes(WorkKind::Verdicts) {
             engine.cancel(WorkKind::Verdicts);
             *self = Self {
                 key: None,
@@ -127,7 +125,7 @@ impl AskedVerdicts {
         if self.key == Some(wanted) || state.measures().is_none() || pointer_held {
             return;
         }
-        if !BEFORE_VERDICTS.iter().any(|&kind| computing(engine, kind)) {
+        if !BEFORE_VERDICTS.iter().any(|&kind| engine.computes(kind)) {
             let request = AnalysisRequest::Verdicts(wanted.settings());
             if self.set_aside {
                 engine.retry(state.document.study(), request);
