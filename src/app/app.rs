@@ -255,8 +255,9 @@ impl App {
             Effect::Retry(kind) => self.background.retry(&self.state, kind),
             Effect::SetTheme(theme) => ui::choose(ctx, theme),
             Effect::TogglePane(pane) => {
-                let open = self.layout.is_open(pane);
-                self.layout.set_open(pane, !open);
+                // A tab behind another one is brought forward first.
+                let seen = self.layout.is_in_front(pane);
+                self.layout.set_open(pane, !seen);
             }
             Effect::ShowPane(pane) => self.layout.set_open(pane, true),
             Effect::ResetLayout => self.layout = Layout::default(),

@@ -159,6 +159,19 @@ impl Layout {
             .make_active(|_, tile| matches!(tile, Tile::Pane(PaneTile(other)) if *other == pane));
     }
 
+    /// Whether a pane is seen: open, and no other tab in front of it.
+    pub fn is_in_front(&self, pane: Pane) -> bool {
+        let Some(tile) = self.tile_of(pane) else {
+            return false;
+        };
+        let parent = self.tree.tiles.parent_of(tile);
+        let behind = match parent.and_then(|parent| self.tree.tiles.get(parent)) {
+            Some(Tile::Container(Container::Tabs(tabs))) => tabs.active != Some(tile),
+            _ => false,
+        };
+        self.is_open(pane) && !behind
+    }
+
     /// A closed tab that lay in front gives way to an open one beside it.
     fn leave_tab(&mut self, closed: TileId) {
         let Some(parent) = self.tree.tiles.parent_of(closed) else {
@@ -238,6 +251,16 @@ mod tests {
         layout.set_open(Pane::Viewport, true);
         assert!(layout.is_open(Pane::Viewport));
         assert_eq!(saved(&layout), before);
+    }
+
+    #[test]
+    fn only_one_tab_of_a_place_is_in_front() {
+        let mut layout = Layout::default();
+        layout.show(Pane::Verdict);
+        assert!(layout.is_in_front(Pane::Verdict));
+        assert!(layout.is_open(Pane::Patch) && !layout.is_in_front(Pane::Patch));
+        layout.set_open(Pane::Verdict, false);
+        assert!(!layout.is_in_front(Pane::Verdict));
     }
 
     #[test]
