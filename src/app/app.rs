@@ -337,7 +337,8 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let begin = Instant::now();
         self.cohort.refresh(&self.state);
-        self.bulls_eye.refresh(&self.state);
+        self.bulls_eye
+            .refresh(&self.state, self.viewport.cohort_limits());
         self.move_points(ui.ctx());
         let mut drawing = Drawing {
             state: &self.state,

@@ -91,6 +91,11 @@ impl Viewport {
         look.camera(&shown.heart.frame, fitted)
     }
 
+    /// The fixed colour ranges of the study.
+    pub fn cohort_limits(&self) -> &CohortLimits {
+        &self.limits
+    }
+
     /// How hearts are drawn now.
     pub fn settings(&self, state: &State, dark: bool) -> SceneSettings {
         let document = &state.document;

@@ -25,8 +25,8 @@ mod wall_rim;
 
 pub use axes::{AnatomicalView, CubeFace, HeartAxes};
 pub use bulls_eye::{
-    BullsEyeQuantity, FlatValues, FlatWall, ink_on, ratio_limits, ratio_share, sector_line,
-    sector_outline, sector_strip, value_text,
+    BullsEyeQuantity, BullsEyeScale, FlatValues, FlatWall, ink_on, sector_line, sector_outline,
+    sector_strip,
 };
 pub use colour_map::ColourMap;
 pub use fit::fitted_camera;

@@ -129,6 +129,8 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::View, 3, "Next quantity of the bull's-eye", Some((NONE, Key::B)), Command::NextBullsEye),
     action(Menu::View, 3, "Bull's-eye: PT of this pose", None, Command::SetBullsEye(BullsEyeQuantity::Ratio)),
     action(Menu::View, 3, "Bull's-eye: thickening", None, Command::SetBullsEye(BullsEyeQuantity::Thickening)),
+    action(Menu::View, 3, "Bull's-eye: displacement", None, Command::SetBullsEye(BullsEyeQuantity::Displacement)),
+    action(Menu::View, 3, "Bull's-eye: area ratio", None, Command::SetBullsEye(BullsEyeQuantity::AreaRatio)),
     action(Menu::View, 3, "Bull's-eye by segment", None, Command::ToggleBullsEyeSegments),
     action(Menu::View, 4, "Theme: as the system", None, Command::SetTheme(ThemeChoice::System)),
     action(Menu::View, 4, "Theme: dark", None, Command::SetTheme(ThemeChoice::Dark)),

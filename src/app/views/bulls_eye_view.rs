@@ -7,7 +7,7 @@ use crate::app::state::State;
 use crate::app::views::overlay_view::phase_name;
 use crate::engine::SubjectThickening;
 use crate::picture::{
-    FlatValues, FlatWall, PatchStanding, Quantity, WallPart, part_name, percent, ratio_limits,
+    BullsEyeScale, CohortLimits, FlatValues, FlatWall, PatchStanding, WallPart, part_name, percent,
 };
 use crate::ui::{BullsEyePatch, BullsEyeView, WallState};
 
@@ -20,6 +20,7 @@ pub struct BullsEyeData {
     patches: Vec<BullsEyePatch>,
     moment: String,
     without_axis: Option<String>,
+    scale: BullsEyeScale,
 }
 
 fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) -> String {
@@ -39,9 +40,18 @@ fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) 
 
 impl BullsEyeData {
     /// Lays the wall flat again where it changed, and takes the values of the pose on screen.
-    pub fn refresh(&mut self, state: &State) {
-        let Some((Ok(found), _)) = state.wall_of(state.document.subject) else {
-            *self = Self::default();
+    pub fn refresh(&mut self, state: &State, cohort: &CohortLimits) {
+        let document = &state.document;
+        let quantity = document.bulls_eye;
+        let unit = document.selected().map(|subject| subject.unit);
+        let typed = document.limits_of(quantity.on_heart());
+        let scale = BullsEyeScale::of(quantity, cohort, typed, unit.unwrap_or_default());
+        let known = state.wall_of(document.subject).zip(document.selected());
+        let Some(((Ok(found), _), subject)) = known else {
+            *self = Self {
+                scale,
+                ..Self::default()
+            };
             return;
         };
         let made = self.made_from.as_ref();
@@ -53,11 +63,11 @@ impl BullsEyeData {
                 ..Self::default()
             };
         }
-        let document = &state.document;
+        self.scale = scale;
         let frame = nearest_frame(document.position, found.beat.frames.len());
         let phase = phase_name(state.phases_of(document.subject), frame);
         self.moment = phase.map_or_else(|| format!("frame {frame}"), str::to_owned);
-        self.shown = self.flat.values(found, document.bulls_eye, frame);
+        self.shown = self.flat.values(found, subject, quantity, frame);
         let selected = match state.document.part {
             Some(WallPart::Patch(patch)) => Some(patch),
             _ => None,
@@ -81,7 +91,7 @@ impl BullsEyeData {
             subject: document.selected().map(|subject| &*subject.id),
             state: wall,
             without_axis: self.without_axis.as_deref(),
-            quantity: document.bulls_eye,
+            scale: &self.scale,
             moment: &self.moment,
             by_segment: document.bulls_eye_segments,
             points: &self.flat.points,
@@ -94,7 +104,6 @@ impl BullsEyeData {
                 _ => None,
             },
             oriented: self.flat.oriented,
-            limits: ratio_limits(document.limits_of(Quantity::ThicknessRatio)),
         }
     }
 }

@@ -1,37 +1,13 @@
 //! One heart's wall on the bull's-eye: laid flat once, with values of any pose.
 
-use serde::{Deserialize, Serialize};
-
 use crate::analysis::segments::{
     Polar, Segment, flat_map, plot_point, polar, segment_means, vertex_areas,
 };
 use crate::engine::SubjectThickening;
 use crate::mesh::Point3;
+use crate::picture::bulls_eye::BullsEyeQuantity;
 use crate::picture::medial::rounded;
-
-/// What the bull's-eye shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum BullsEyeQuantity {
-    /// PT of the pose on screen against end-diastole.
-    Ratio,
-    /// Thickening from end-diastole to end-systole, as the whole beat tells it.
-    #[default]
-    Thickening,
-}
-
-impl BullsEyeQuantity {
-    /// Both, in the order in which one key steps through them.
-    pub const ALL: [Self; 2] = [Self::Thickening, Self::Ratio];
-
-    /// The other one.
-    pub fn next(self) -> Self {
-        match self {
-            Self::Ratio => Self::Thickening,
-            Self::Thickening => Self::Ratio,
-        }
-    }
-}
+use crate::study::Subject;
 
 /// The medial surface at end-diastole in the unit disc, x to the right (lateral) and y up (anterior).
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -48,7 +24,7 @@ pub struct FlatWall {
     weights: Vec<f64>,
 }
 
-/// Ratios of thickness on the bull's-eye, 1 for unchanged.
+/// Numbers on the bull's-eye: ratios, 1 for unchanged, or lengths.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct FlatValues {
     /// Of each atom; not a number where it does not take part.
@@ -94,14 +70,15 @@ impl FlatWall {
     pub fn values(
         &self,
         found: &SubjectThickening,
+        subject: &Subject,
         quantity: BullsEyeQuantity,
         frame: usize,
     ) -> FlatValues {
         let (beat, told) = (&found.beat, &found.thickening);
-        let taking_part = |ratios: Vec<f64>| {
-            let every = ratios.iter().zip(&beat.regular);
+        let taking_part = |numbers: Vec<f64>| -> Vec<f32> {
+            let every = numbers.iter().zip(&beat.regular);
             every
-                .map(|(&ratio, &on)| if on { ratio as f32 } else { f32::NAN })
+                .map(|(&number, &on)| if on { number as f32 } else { f32::NAN })
                 .collect()
         };
         let means = |numbers: &[f64]| segment_means(&found.segments, &self.weights, numbers);
@@ -127,6 +104,117 @@ impl FlatWall {
                 values: taking_part(told.thickening.iter().map(|ln| ln.exp()).collect()),
                 segments: means(&told.thickening).map(|mean| mean.map(f64::exp)),
             },
+            BullsEyeQuantity::Displacement => {
+                let places = |frame| self.template_places(found, subject, frame);
+                let (now, rest) = (places(frame), places(told.end_diastole));
+                if now.len() != self.weights.len() || rest.len() != now.len() {
+                    return FlatValues::default();
+                }
+                let ways: Vec<f64> = (now.iter().zip(&rest))
+                    .map(|(now, rest)| (now - rest).norm())
+                    .collect();
+                FlatValues {
+                    segments: means(&ways),
+                    values: taking_part(ways),
+                }
+            }
+            BullsEyeQuantity::AreaRatio => {
+                let triangles = beat.faces.triangles();
+                let areas = |frame| {
+                    let places = self.template_places(found, subject, frame);
+                    (places.len() == self.weights.len()).then(|| vertex_areas(&places, triangles))
+                };
+                let (Some(now), Some(rest)) = (areas(frame), areas(told.end_diastole)) else {
+                    return FlatValues::default();
+                };
+                let even: Vec<f64> = (self.weights.iter())
+                    .map(|&weight| f64::from(weight > 0.0))
+                    .collect();
+                let ratios = now.iter().zip(&rest).map(|(now, rest)| now / rest);
+                let [sum, before] =
+                    [&now, &rest].map(|areas| segment_means(&found.segments, &even, areas));
+                FlatValues {
+                    values: taking_part(ratios.collect()),
+                    segments: std::array::from_fn(|index| Some(sum[index]? / before[index]?)),
+                }
+            }
         }
+    }
+
+    /// Where the vertices of the template surface are at a frame, in the order of atoms; empty where the subject is
+    /// not the one that was assessed.
+    fn template_places(
+        &self,
+        found: &SubjectThickening,
+        subject: &Subject,
+        frame: usize,
+    ) -> Vec<Point3> {
+        let surface = subject.sequence.surface(found.beat.surface);
+        let mesh = surface.and_then(|surface| surface.frames().get(frame));
+        let points = mesh.map_or(&[][..], |mesh| mesh.vertices());
+        let places = found.beat.vertices.iter();
+        places
+            .map_while(|&vertex| points.get(vertex as usize).copied())
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::{AnalysisRequest, Cache, ThickeningSettings, run};
+    use crate::mesh::phantom;
+    use crate::progress::Progress;
+    use crate::study::built_in::{BuiltInParams, cohort};
+    use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
+    use std::sync::Arc;
+
+    #[test]
+    fn every_quantity_has_its_mean_in_every_segment_and_rest_at_end_diastole() {
+        let params = BuiltInParams {
+            vertices: 400,
+            ..BuiltInParams::default()
+        };
+        let study = cohort(&params).unwrap().study;
+        let request = AnalysisRequest::Thickening {
+            subject: 0,
+            params: ThickeningSettings::default(),
+        };
+        let outcome = run(&study, &request, &Cache::default(), &Progress::default()).unwrap();
+        let found: Arc<SubjectThickening> = Arc::clone(outcome.thickening().unwrap());
+        let subject = &study.subjects[0];
+        let flat = FlatWall::of(&found).unwrap();
+        assert!(flat.oriented);
+        let [diastole, systole] = [found.thickening.end_diastole, found.thickening.end_systole];
+        let at = |quantity, frame| flat.values(&found, subject, quantity, frame);
+        for (quantity, rest, [least, most]) in [
+            (BullsEyeQuantity::Ratio, 1.0, [1.1, 2.5]),
+            (BullsEyeQuantity::Displacement, 0.0, [0.5, 25.0]),
+            (BullsEyeQuantity::AreaRatio, 1.0, [0.3, 0.95]),
+        ] {
+            let (still, moved) = (at(quantity, diastole), at(quantity, systole));
+            for segment in Segment::all() {
+                let [still, moved] = [&still, &moved].map(|v| v.segments[segment.index()].unwrap());
+                assert!((still - rest).abs() < 1e-9, "{quantity:?}: {still}");
+                assert!((least..most).contains(&moved), "{quantity:?}: {moved}");
+            }
+            let told = moved
+                .values
+                .iter()
+                .filter(|value| value.is_finite())
+                .count();
+            let regular = found.beat.regular.iter().filter(|&&on| on).count();
+            assert_eq!(told, regular, "{quantity:?}");
+        }
+        // Another heart's surfaces are not taken for these.
+        let ball = vec![phantom::sphere(1, 20.0)];
+        let ball = SurfaceSequence::new(SurfaceKind::Cavity, ball).unwrap();
+        let other = Subject::new(
+            "other",
+            MeshSequence::new(vec![ball]).unwrap(),
+            subject.unit,
+        );
+        let none = flat.values(&found, &other, BullsEyeQuantity::Displacement, systole);
+        assert_eq!(none, FlatValues::default());
     }
 }

@@ -1,20 +1,9 @@
-//! Sectors of the bull's-eye in the unit disc, x to the right and y up, and values as they stand in them.
+//! Sectors of the bull's-eye in the unit disc, x to the right and y up.
 
 use crate::analysis::segments::{Level, Segment, ring};
-use crate::picture::bulls_eye::BullsEyeQuantity;
 
 /// Angle between corners of drawn arcs: within half a pixel up to a radius of 200, within two up to 1,000.
 const ARC_STEP_RAD: f64 = 0.06;
-
-/// Ratios at the ends of the colours, unless others were typed.
-const LIMITS: [f64; 2] = [0.5, 2.0];
-
-/// Ratios at the ends of the colours: those that were typed, if ratios can be them.
-pub fn ratio_limits(typed: Option<[f64; 2]>) -> [f64; 2] {
-    typed
-        .filter(|[low, high]| *low > 0.0 && high > low)
-        .unwrap_or(LIMITS)
-}
 
 /// Ink for numbers on a colour: dark on light ones, light on dark ones.
 pub fn ink_on([red, green, blue]: [u8; 3]) -> [u8; 3] {
@@ -23,26 +12,6 @@ pub fn ink_on([red, green, blue]: [u8; 3]) -> [u8; 3] {
         [0x16, 0x18, 0x1c]
     } else {
         [0xf4, 0xf6, 0xf8]
-    }
-}
-
-/// Share of the way along the colours, by ratios.
-pub fn ratio_share(ratio: f64, limits: [f64; 2]) -> f64 {
-    (ratio / limits[0]).ln() / (limits[1] / limits[0]).ln()
-}
-
-/// A ratio of thickness as it stands in its segment: "1.52", or "52" percent.
-pub fn value_text(quantity: BullsEyeQuantity, ratio: f64) -> String {
-    match quantity {
-        BullsEyeQuantity::Ratio => format!("{ratio:.2}"),
-        BullsEyeQuantity::Thickening => {
-            let percent = (100.0 * (ratio - 1.0)).round();
-            if percent < 0.0 {
-                format!("−{:.0}", -percent)
-            } else {
-                format!("{:.0}", percent.abs())
-            }
-        }
     }
 }
 
@@ -113,20 +82,8 @@ mod tests {
     }
 
     #[test]
-    fn ink_and_limits_can_always_be_used() {
+    fn ink_is_dark_on_light_and_light_on_dark() {
         assert_eq!(ink_on([255; 3]), [0x16, 0x18, 0x1c]);
         assert_eq!(ink_on([0x2b, 0x6c, 0xb0]), [0xf4, 0xf6, 0xf8]);
-        assert_eq!(ratio_limits(Some([0.8, 1.5])), [0.8, 1.5]);
-        assert_eq!(ratio_limits(Some([-1.0, 1.5])), LIMITS);
-        assert_eq!(ratio_limits(Some([1.5, 1.5])), LIMITS);
-    }
-
-    #[test]
-    fn values_are_said_with_the_digits_they_deserve() {
-        assert_eq!(value_text(BullsEyeQuantity::Ratio, 1.518), "1.52");
-        assert_eq!(value_text(BullsEyeQuantity::Thickening, 1.518), "52");
-        assert_eq!(value_text(BullsEyeQuantity::Thickening, 0.951), "−5");
-        assert_eq!(value_text(BullsEyeQuantity::Thickening, 0.999), "0");
-        assert_eq!(ratio_share(1.0, [0.5, 2.0]), 0.5);
     }
 }

@@ -4,10 +4,7 @@ use egui::epaint::Mesh;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2};
 
 use crate::analysis::segments::{RING_RADII, Segment};
-use crate::picture::{
-    BullsEyeQuantity, ColourMap, ink_on, logarithmic_ticks, ratio_share, sector_line,
-    sector_outline, sector_strip, value_text,
-};
+use crate::picture::{BullsEyeScale, ink_on, sector_line, sector_outline, sector_strip};
 use crate::ui::bulls_eye::BullsEyeView;
 use crate::ui::bulls_eye::layout::Disc;
 use crate::ui::style::note_font;
@@ -18,12 +15,10 @@ const BETWEEN: Color32 = Color32::from_rgba_premultiplied(22, 24, 28, 190);
 /// What has no value.
 const NO_VALUE: Color32 = Color32::from_rgb(0x80, 0x85, 0x8c);
 
-fn colour(map: &ColourMap, ratio: f64, limits: [f64; 2]) -> Color32 {
-    if !(ratio.is_finite() && ratio > 0.0) {
-        return NO_VALUE;
-    }
-    let [red, green, blue] = map.at(ratio_share(ratio, limits));
-    Color32::from_rgb(red, green, blue)
+fn colour(scale: &BullsEyeScale, value: f64) -> Color32 {
+    scale.colour(value).map_or(NO_VALUE, |[red, green, blue]| {
+        Color32::from_rgb(red, green, blue)
+    })
 }
 
 /// Borders of patches, on whatever colour, in either theme.
@@ -33,20 +28,19 @@ const FAINT: Color32 = Color32::from_rgb(0xc8, 0xcd, 0xd3);
 
 /// Draws the disc.
 pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>) {
-    let map = ColourMap::ratio();
     let painter = ui.painter();
     painter.circle_filled(disc.centre, disc.radius, colours(ui).control);
     if view.by_segment && view.oriented {
         for segment in Segment::all() {
             let value = view.segments[segment.index()].unwrap_or(f64::NAN);
-            painter.add(sector_mesh(disc, segment, colour(&map, value, view.limits)));
+            painter.add(sector_mesh(disc, segment, colour(view.scale, value)));
         }
     } else {
-        painter.add(Shape::mesh(continuous(view, disc, &map)));
+        painter.add(Shape::mesh(continuous(view, disc)));
     }
     borders(ui, view, disc);
     if view.by_segment && view.oriented {
-        numbers(ui, view, disc, &map);
+        numbers(ui, view, disc);
     }
     for patch in view.patches {
         let fine = !patch.selected && view.patches.iter().any(|patch| patch.selected);
@@ -83,10 +77,10 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
 }
 
 /// Every place its own colour.
-fn continuous(view: &BullsEyeView, disc: &Disc, map: &ColourMap) -> Mesh {
+fn continuous(view: &BullsEyeView, disc: &Disc) -> Mesh {
     let mut mesh = Mesh::default();
     for (point, &value) in view.points.iter().zip(view.values) {
-        mesh.colored_vertex(disc.at(*point), colour(map, f64::from(value), view.limits));
+        mesh.colored_vertex(disc.at(*point), colour(view.scale, f64::from(value)));
     }
     let count = mesh.vertices.len() as u32;
     for face in view.faces {
@@ -127,17 +121,17 @@ fn borders(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
     }
 }
 
-fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc, map: &ColourMap) {
+fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
     let size = (0.1 * disc.radius).clamp(8.0, 13.0);
     for segment in Segment::all() {
         let Some(value) = view.segments[segment.index()] else {
             continue;
         };
-        let [red, green, blue, _] = colour(map, value, view.limits).to_array();
+        let [red, green, blue, _] = colour(view.scale, value).to_array();
         let [ink_red, ink_green, ink_blue] = ink_on([red, green, blue]);
         let ink = Color32::from_rgb(ink_red, ink_green, ink_blue);
         let at = disc.middle_of(segment);
-        let text = value_text(view.quantity, value);
+        let text = view.scale.text(value);
         let font = FontId::proportional(size);
         let painter = ui.painter();
         painter.text(at, Align2::CENTER_CENTER, text, font, ink);
@@ -178,12 +172,11 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
         pos2(area.left() + 16.0, area.top()),
         pos2(area.right() - 16.0, area.top() + HEIGHT),
     );
-    let map = ColourMap::ratio();
     let mut mesh = Mesh::default();
     let steps = 64u32;
     for step in 0..=steps {
         let part = f64::from(step) / f64::from(steps);
-        let [red, green, blue] = map.at(part);
+        let [red, green, blue] = view.scale.map.at(part);
         let x = egui::lerp(bar.x_range(), part as f32);
         let colour = Color32::from_rgb(red, green, blue);
         mesh.colored_vertex(pos2(x, bar.top()), colour);
@@ -196,25 +189,16 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
     }
     painter.add(Shape::mesh(mesh));
     let mut free_from = f32::NEG_INFINITY;
-    for value in logarithmic_ticks(view.limits[0], view.limits[1], 4) {
-        let x = egui::lerp(bar.x_range(), ratio_share(value, view.limits) as f32);
+    for (value, text) in view.scale.ticks(4) {
+        let x = egui::lerp(bar.x_range(), view.scale.share(value) as f32);
         if x < free_from {
             continue;
         }
-        let text = value_text(view.quantity, value);
-        let text = if view.quantity == BullsEyeQuantity::Ratio {
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        } else {
-            text
-        };
         let at = pos2(x, bar.bottom() + 1.0);
         painter.text(at, Align2::CENTER_TOP, text, note_font(), colours.muted);
         free_from = x + 34.0;
     }
-    let title = match view.quantity {
-        BullsEyeQuantity::Ratio => format!("PT, × end-diastole · {}", view.moment),
-        BullsEyeQuantity::Thickening => "thickening ED to ES, %".to_owned(),
-    };
+    let title = view.scale.title(view.moment);
     let at = pos2(area.center().x, area.bottom());
     painter.text(at, Align2::CENTER_BOTTOM, title, note_font(), colours.text);
 }

@@ -24,6 +24,11 @@ impl Default for Shown {
     }
 }
 
+fn ratio_scale() -> BullsEyeScale {
+    let quantity = BullsEyeQuantity::Ratio;
+    BullsEyeScale::of(quantity, &Default::default(), None, Default::default())
+}
+
 fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
     let points = [[0.0, 0.0], [0.9, 0.0], [0.0, 0.9], [-0.9, 0.0], [0.0, -0.9]];
     let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
@@ -36,7 +41,7 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
                     subject: Some("P07"),
                     state: &shown.state,
                     without_axis: None,
-                    quantity: BullsEyeQuantity::Ratio,
+                    scale: &ratio_scale(),
                     moment: "ES",
                     by_segment: true,
                     points: if shown.map { &points } else { &[] },
@@ -46,7 +51,6 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
                     patches: &shown.patches,
                     selected: shown.selected,
                     oriented: shown.oriented,
-                    limits: [0.5, 2.0],
                 };
                 bulls_eye_ui(ui, &view, commands);
             },

@@ -3,17 +3,13 @@
 use std::sync::Arc;
 
 use crate::analysis::segments::{RING_RADII, Segment, ring};
-use crate::picture::bulls_eye::{
-    BullsEyeQuantity, FlatValues, FlatWall, ink_on, ratio_share, sector_line, value_text,
-};
-use crate::picture::colour_map::ColourMap;
+use crate::picture::bulls_eye::{BullsEyeScale, FlatValues, FlatWall, ink_on, sector_line};
 use crate::picture::figure::patch::content::PatchContent;
 use crate::picture::figure::pen::Pen;
 use crate::picture::legend::{ColourLegend, Tick};
 use crate::picture::page::{Anchor, Weight};
-use crate::picture::patch_words::PatchStanding;
-use crate::picture::ticks::logarithmic_ticks;
-use crate::render::{ColourLimits, Picture};
+use crate::picture::patch_words::{PatchStanding, sentence};
+use crate::render::Picture;
 
 /// Lines between segments, and below borders of patches.
 const BETWEEN: [f32; 3] = [0.09, 0.10, 0.12];
@@ -79,7 +75,7 @@ pub(super) fn draw_bulls_eye(
         return;
     };
     let line = pen.line_height();
-    let legend = legend(content, shown);
+    let legend = legend(&content.scale, shown);
     let bar_height = 2.4 * line + 0.9 * pen.text;
     let names = pen.fonts.width("inferolateral", Weight::Regular, pen.text);
     let across = 0.5 * (high[0] - low[0]) - 0.72 * names;
@@ -92,7 +88,7 @@ pub(super) fn draw_bulls_eye(
         radius: across.min(down).max(1.0),
     };
     let width = (pen.text / 14.0).max(1.0);
-    let behind = colours(flat, shown, content.limits, disc.radius);
+    let behind = colours(flat, shown, &content.scale, disc.radius);
     let corner = [disc.centre[0] - disc.radius, disc.centre[1] - disc.radius];
     let ground = NO_VALUE.map(|channel| f32::from(channel) / 255.0);
     pen.page.fill(&disc.circle(1.0), ground);
@@ -117,7 +113,7 @@ pub(super) fn draw_bulls_eye(
         pen.page.line(&points, true, 2.6 * width, colour);
     }
     if flat.oriented {
-        numbers(pen, content.quantity, shown, content.limits, &disc);
+        numbers(pen, &content.scale, shown, &disc);
         names_of_walls(pen, &disc);
     } else {
         let set = pen.regular(pen.theme.muted);
@@ -136,55 +132,32 @@ pub(super) fn draw_bulls_eye(
 }
 
 fn title(content: &PatchContent) -> String {
-    match content.quantity {
-        BullsEyeQuantity::Ratio => format!(
-            "PT, × end-diastole (grey: none told) · {}",
-            content.heart.moment
-        ),
-        BullsEyeQuantity::Thickening => "Thickening from ED to ES, % (grey: none told)".to_owned(),
-    }
+    let title = sentence(&content.scale.title(&content.heart.moment));
+    format!("{title} (grey: none told)")
 }
 
 /// The colours with numbers.
-fn legend(content: &PatchContent, shown: &FlatValues) -> ColourLegend {
-    let [low, high] = content.limits;
-    let mut values = shown.values.iter().map(|&value| f64::from(value));
-    let [below, above] = [
-        values.clone().any(|value| value < low),
-        values.any(|value| value > high),
-    ];
-    let ticks = logarithmic_ticks(low, high, 5)
-        .into_iter()
-        .map(|value| Tick {
-            value,
-            position: ratio_share(value, content.limits) as f32,
-            text: value_text(content.quantity, value),
-        });
+fn legend(scale: &BullsEyeScale, shown: &FlatValues) -> ColourLegend {
+    let ticks = scale.ticks(5).into_iter().map(|(value, text)| Tick {
+        value,
+        position: scale.share(value) as f32,
+        text,
+    });
+    let limits = scale.limits;
     ColourLegend {
         title: String::new(),
         unit: "",
         note: "",
-        limits: ColourLimits {
-            low: low as f32,
-            high: high as f32,
-            logarithmic: true,
-        },
+        limits,
         ticks: ticks.collect(),
-        map: ColourMap::ratio(),
-        below,
-        above,
+        map: scale.map.clone(),
+        below: shown.values.iter().any(|&value| value < limits.low),
+        above: shown.values.iter().any(|&value| value > limits.high),
     }
 }
 
 /// Number of each segment, and its mean below.
-fn numbers(
-    pen: &mut Pen<'_>,
-    quantity: BullsEyeQuantity,
-    shown: &FlatValues,
-    limits: [f64; 2],
-    disc: &Disc,
-) {
-    let map = ColourMap::ratio();
+fn numbers(pen: &mut Pen<'_>, scale: &BullsEyeScale, shown: &FlatValues, disc: &Disc) {
     let size = (0.082 * disc.radius).min(1.2 * pen.text);
     for segment in Segment::all() {
         let [inner, outer] = ring(segment.level());
@@ -194,13 +167,15 @@ fn numbers(
             disc.polar(segment.sector_rad()[0], 0.5 * (inner + outer))
         };
         let value = shown.segments[segment.index()];
-        let behind = value.map_or(NO_VALUE, |value| map.at(ratio_share(value, limits)));
+        let behind = value
+            .and_then(|value| scale.colour(value))
+            .unwrap_or(NO_VALUE);
         let colour = ink_on(behind).map(|channel| f32::from(channel) / 255.0);
         let mut small = pen.regular(colour);
         small.size = 0.72 * size;
         let at = [middle[0], middle[1] - 0.25 * size];
         pen.write(&segment.number().to_string(), small, Anchor::Middle, at);
-        let text = value.map_or_else(|| "–".to_owned(), |value| value_text(quantity, value));
+        let text = value.map_or_else(|| "–".to_owned(), |value| scale.text(value));
         let set = pen.strong(colour, size);
         pen.write(
             &text,
@@ -234,27 +209,21 @@ fn names_of_walls(pen: &mut Pen<'_>, disc: &Disc) {
 }
 
 /// Every place its own colour, on transparent ground; twice as fine as the page, for smooth edges.
-fn colours(flat: &FlatWall, shown: &FlatValues, limits: [f64; 2], radius: f32) -> Picture {
+fn colours(flat: &FlatWall, shown: &FlatValues, scale: &BullsEyeScale, radius: f32) -> Picture {
     let side = (4.0 * radius).ceil().clamp(2.0, 4096.0) as u32;
     let mut rgba = vec![0; side as usize * side as usize * 4];
     let half = 0.5 * f64::from(side);
-    let map = ColourMap::ratio();
     for face in &flat.faces {
         let corner = |index: u32| {
             let [x, y] = *flat.points.get(index as usize)?;
             let value = f64::from(*shown.values.get(index as usize)?);
-            Some(([half * (1.0 + x), half * (1.0 - y)], value.ln()))
+            Some(([half * (1.0 + x), half * (1.0 - y)], value))
         };
         let Some(corners) = face.map(corner).into_iter().collect::<Option<Vec<_>>>() else {
             continue;
         };
-        fill_face(&mut rgba, side, &corners, |log| {
-            if log.is_finite() {
-                map.at(ratio_share(log.exp(), limits))
-            } else {
-                NO_VALUE
-            }
-        });
+        let colour = |value| scale.colour(value).unwrap_or(NO_VALUE);
+        fill_face(&mut rgba, side, &corners, colour);
     }
     Picture {
         width: side,

@@ -3,13 +3,14 @@
 use crate::analysis::thickening::Patch;
 use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
 use crate::engine::{SubjectThickening, thickening_words};
-use crate::picture::bulls_eye::{BullsEyeQuantity, FlatValues, FlatWall, ratio_limits};
+use crate::picture::bulls_eye::{BullsEyeScale, FlatValues, FlatWall};
 use crate::picture::figure::content::FigureContent;
 use crate::picture::figure::patch::make::PatchOrder;
 use crate::picture::page::FigureSettings;
 use crate::picture::patch_words::{
     PatchStanding, area_text, extent_words, percent, probability_words, segment_words, sentence,
 };
+use crate::picture::quantity::Quantity;
 
 /// Patches in the table; more are counted below it.
 const MOST_ROWS: usize = 4;
@@ -112,10 +113,8 @@ pub struct PatchContent {
     pub flat: Option<(FlatWall, FlatValues)>,
     /// Why it is not laid flat.
     pub without_flat: String,
-    /// What the bull's-eye shows.
-    pub quantity: BullsEyeQuantity,
-    /// Ratios at the ends of its colours.
-    pub limits: [f64; 2],
+    /// What the bull's-eye shows, in which colours and words.
+    pub scale: BullsEyeScale,
     /// Patches, largest first.
     pub rows: Vec<PatchLine>,
     /// Said in place of rows, or below them.
@@ -129,10 +128,18 @@ impl PatchContent {
     pub fn of(heart: FigureContent, order: &PatchOrder<'_>) -> Self {
         let PatchOrder { figure, found, .. } = *order;
         let quantity = figure.bulls_eye;
+        let scene = &figure.scene;
+        let typed = match quantity.on_heart() {
+            Quantity::ThicknessRatio => scene.medial.limits,
+            same if same == scene.quantity => scene.typed_limits,
+            _ => None,
+        };
+        let subject = figure.shown.subject;
+        let scale = BullsEyeScale::of(quantity, &scene.cohort_limits, typed, subject.unit);
         let told = &found.thickening;
         let assessed = found.not_assessed.is_none();
         let flat = FlatWall::of(found).map(|mut flat| {
-            let values = flat.values(found, quantity, figure.shown.frame);
+            let values = flat.values(found, subject, quantity, figure.shown.frame);
             if !assessed {
                 flat.borders.clear();
             }
@@ -163,8 +170,7 @@ impl PatchContent {
             verdict: VerdictLines::of(found, order.verdicts, order.subject),
             standing: order.standing(),
             flat,
-            quantity,
-            limits: ratio_limits(figure.scene.medial.limits),
+            scale,
             rows,
             note,
         }
