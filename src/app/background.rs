@@ -12,6 +12,8 @@ use crate::picture::reference_frame;
 use crate::study::Study;
 
 use super::background_beats::AskedBeats;
+use super::background_medial::{self, Seen, wanted_map};
+use super::background_thickness::AskedThickness;
 use super::background_walls::AskedWalls;
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
@@ -52,6 +54,8 @@ pub struct Background {
     beats: AskedBeats,
     /// What the answers about walls belong to.
     walls: AskedWalls,
+    /// What the answers about thickness belong to.
+    thickness: AskedThickness,
     /// The failures that have a card already, so that each is told once.
     told: [Option<String>; FAILURES.len()],
 }
@@ -68,6 +72,7 @@ impl Background {
             dialogs: Dialogs::start(Arc::clone(wake))?,
             beats: AskedBeats::default(),
             walls: AskedWalls::default(),
+            thickness: AskedThickness::default(),
             told: [const { None }; FAILURES.len()],
         })
     }
@@ -83,6 +88,8 @@ impl Background {
         self.take_deformations(state);
         self.beats.take(state, &self.engine);
         self.walls.take(state, &self.engine);
+        background_medial::take(state, &self.engine);
+        self.thickness.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
         }
@@ -100,7 +107,7 @@ impl Background {
     }
 
     /// Asks for what the state on screen needs; free if it is there or under way.
-    pub fn request(&mut self, state: &State) {
+    pub fn request(&mut self, state: &State, seen: &Seen) {
         let study = state.document.study();
         if study.subjects.is_empty() {
             return;
@@ -113,6 +120,8 @@ impl Background {
         self.beats.request(state, &mut self.engine);
         self.walls.request(state, &mut self.engine);
         self.request_deformations(state);
+        background_medial::request(state, &mut self.engine, seen);
+        self.thickness.request(state, &mut self.engine, seen);
     }
 
     /// Maps of deformations are made from the map of poses, and classes are told apart on them: each
@@ -139,6 +148,7 @@ impl Background {
             self.engine.retry_open();
         } else if let Some(request) = match kind {
             WorkKind::Medial => self.walls.retry(state),
+            WorkKind::Thickness => self.thickness.retry(state),
             _ => wanted(state, kind).or_else(|| self.beats.retry(state, kind)),
         } {
             self.engine.retry(state.document.study(), request);
@@ -153,6 +163,11 @@ impl Background {
     /// Stops one kind of work.
     pub fn stop(&mut self, kind: WorkKind) {
         self.engine.cancel(kind);
+    }
+
+    /// The frame of the selected heart whose thickness was asked for last.
+    pub fn thickness_frame(&self, state: &State) -> Option<usize> {
+        self.thickness.frame(state)
     }
 
     /// Whether anything runs, so that bars must move.
@@ -246,6 +261,7 @@ fn wanted(state: &State, kind: WorkKind) -> Option<AnalysisRequest> {
         WorkKind::Measures => Some(AnalysisRequest::Measures),
         WorkKind::PoseMap => Some(AnalysisRequest::PoseMap(state.document.map)),
         WorkKind::DeformationMap => Some(AnalysisRequest::DeformationMap(deformations(state))),
+        WorkKind::MedialMap => Some(wanted_map(state)),
         WorkKind::Classes => Some(AnalysisRequest::Classes(ClassesSettings {
             deformations: deformations(state),
             classes: ClassesParams::default(),

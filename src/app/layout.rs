@@ -1,12 +1,14 @@
 //! Where the tiles of the window lie: moved, closed, restored and remembered.
 
+use std::collections::HashSet;
+
 use egui_tiles::{Container, Linear, LinearDir, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
 
 use crate::ui::Pane;
 
 /// All panes with the words that name them in a saved layout; the words never change.
-pub const PANES: [(Pane, &str); 11] = [
+pub const PANES: [(Pane, &str); 13] = [
     (Pane::Cohort, "cohort"),
     (Pane::Activity, "activity"),
     (Pane::Viewport, "viewport"),
@@ -18,15 +20,19 @@ pub const PANES: [(Pane, &str); 11] = [
     (Pane::Measures, "measures"),
     (Pane::Patch, "patch"),
     (Pane::BullsEye, "bulls_eye"),
+    (Pane::MedialMap, "medial_map"),
+    (Pane::Thickness, "thickness"),
 ];
 
 /// Panes that layouts of earlier versions lack, with the pane beside whose tab they appear.
-const LATER: [(Pane, Pane); 5] = [
+const LATER: [(Pane, Pane); 7] = [
     (Pane::DeformationMap, Pane::PoseMap),
     (Pane::SpaceTime, Pane::PoseMap),
     (Pane::Metric, Pane::Cohort),
     (Pane::Patch, Pane::Measures),
     (Pane::BullsEye, Pane::Curves),
+    (Pane::MedialMap, Pane::PoseMap),
+    (Pane::Thickness, Pane::Curves),
 ];
 
 /// Shares of the window's width: cohort, 3D view, results.
@@ -83,12 +89,17 @@ impl Default for Layout {
         };
         let left = tabs(&[Pane::Cohort, Pane::Activity, Pane::Metric]);
         let middle = tabs(&[Pane::Viewport]);
-        let map = tabs(&[Pane::PoseMap, Pane::DeformationMap, Pane::SpaceTime]);
+        let map = tabs(&[
+            Pane::PoseMap,
+            Pane::DeformationMap,
+            Pane::SpaceTime,
+            Pane::MedialMap,
+        ]);
         let below = [
-            [Pane::Measures, Pane::Patch],
-            [Pane::BullsEye, Pane::Curves],
+            &[Pane::Measures, Pane::Patch][..],
+            &[Pane::BullsEye, Pane::Curves, Pane::Thickness],
         ]
-        .map(|panes| tabs(&panes));
+        .map(&mut tabs);
         let below = insert_linear(&mut tiles, LinearDir::Horizontal, &below, &BELOW_SHARES);
         let right = [map, below];
         let right = insert_linear(&mut tiles, LinearDir::Vertical, &right, &RIGHT_SHARES);
@@ -136,6 +147,15 @@ impl Layout {
     pub fn is_open(&self, pane: Pane) -> bool {
         self.tile_of(pane)
             .is_some_and(|tile| self.tree.is_visible(tile))
+    }
+
+    /// The panes that are seen: open, and in front of other tabs.
+    pub fn seen(&self) -> HashSet<Pane> {
+        let tiles = self.tree.active_tiles().into_iter();
+        tiles
+            .filter_map(|tile| self.tree.tiles.get_pane(&tile))
+            .map(|pane| pane.0)
+            .collect()
     }
 
     /// Opens a pane in its place and brings it before other tabs, or closes it.
@@ -225,6 +245,20 @@ mod tests {
         assert!(!back.is_open(Pane::Curves));
         assert!(back.is_open(Pane::PoseMap));
         assert_eq!(saved(&back), saved(&layout));
+    }
+
+    #[test]
+    fn a_pane_is_seen_while_it_is_open_and_in_front() {
+        let mut layout = Layout::default();
+        layout.show(Pane::PoseMap);
+        let seen = layout.seen();
+        assert!(seen.contains(&Pane::PoseMap) && seen.contains(&Pane::Viewport));
+        assert!(!seen.contains(&Pane::MedialMap));
+        layout.set_open(Pane::MedialMap, true);
+        assert!(layout.seen().contains(&Pane::MedialMap));
+        assert!(!layout.seen().contains(&Pane::PoseMap));
+        layout.set_open(Pane::MedialMap, false);
+        assert!(!layout.seen().contains(&Pane::MedialMap));
     }
 
     #[test]

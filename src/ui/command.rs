@@ -69,6 +69,10 @@ pub enum Pane {
     Patch,
     /// The wall laid flat, by segments.
     BullsEye,
+    /// The map of the medial shape space.
+    MedialMap,
+    /// The wall's thickness in several ways of measuring it.
+    Thickness,
 }
 
 /// Light or dark.

@@ -7,6 +7,8 @@ mod beats;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod medial;
+#[cfg(test)]
 mod walls;
 
 use std::path::{Path, PathBuf};
