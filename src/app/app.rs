@@ -12,6 +12,7 @@ use crate::ui::{self, Command};
 
 use super::apply::{Effect, Moment, apply};
 use super::background::{Background, reference_frames};
+use super::background_medial::Seen;
 use super::dialogs::Question;
 use super::export;
 use super::frame_ui::{Drawing, frame_ui};
@@ -21,7 +22,7 @@ use super::settings::Settings;
 use super::state::State;
 use super::times::Times;
 use super::viewport::Viewport;
-use super::views::{BullsEyeData, CohortData, DeformationData, MapData};
+use super::views::{BullsEyeData, CohortData, DeformationData, MapData, MedialMapData};
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -77,6 +78,7 @@ pub struct App {
     cohort: CohortData,
     map: MapData,
     deformations: DeformationData,
+    medial_map: MedialMapData,
     bulls_eye: BullsEyeData,
     adapter: String,
     times: Times,
@@ -121,6 +123,7 @@ impl App {
             cohort: CohortData::default(),
             map: MapData::default(),
             deformations: DeformationData::default(),
+            medial_map: MedialMapData::default(),
             bulls_eye: BullsEyeData::default(),
             adapter: cc
                 .wgpu_render_state
@@ -256,7 +259,7 @@ impl App {
             Effect::SetTheme(theme) => ui::choose(ctx, theme),
             Effect::TogglePane(pane) => {
                 // A tab behind another one is brought forward first.
-                let seen = self.layout.is_in_front(pane);
+                let seen = self.layout.seen().contains(&pane);
                 self.layout.set_open(pane, !seen);
             }
             Effect::ShowPane(pane) => self.layout.set_open(pane, true),
@@ -274,7 +277,9 @@ impl App {
         let motion = ctx.global_style().animation_time > 0.0;
         let poses = self.map.refresh(&self.state, now_s, motion);
         let deformations = self.deformations.refresh(&self.state, now_s, motion);
-        if poses || deformations {
+        let subjects = self.map.subjects();
+        let medial = (self.medial_map).refresh(&self.state, subjects, now_s, motion);
+        if poses || deformations || medial {
             ctx.request_repaint();
         }
     }
@@ -321,8 +326,11 @@ impl eframe::App for App {
         self.tell_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
         self.play(ctx);
-        let pointer_held = ctx.input(|input| input.pointer.any_down());
-        self.background.request(&self.state, pointer_held);
+        let seen = Seen {
+            panes: self.layout.seen(),
+            pointer_held: ctx.input(|input| input.pointer.any_down()),
+        };
+        self.background.request(&self.state, &seen);
         let reference_frames = reference_frames(&self.state);
         let pictures = &mut self.background.pictures;
         self.viewport
@@ -348,6 +356,8 @@ impl eframe::App for App {
             cohort: &self.cohort,
             map: &self.map,
             deformations: &self.deformations,
+            medial_map: &self.medial_map,
+            thickness_frame: self.background.thickness_frame(&self.state),
             bulls_eye: &self.bulls_eye,
             adapter: &self.adapter,
             meter: self.times.prepare_meter(),

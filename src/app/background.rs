@@ -12,6 +12,8 @@ use crate::picture::reference_frame;
 use crate::study::Study;
 
 use super::background_beats::AskedBeats;
+use super::background_medial::{self, Seen, wanted_map};
+use super::background_thickness::AskedThickness;
 use super::background_walls::{AskedVerdicts, AskedWalls};
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
@@ -58,6 +60,8 @@ pub struct Background {
     walls: AskedWalls,
     /// And what those about all hearts belong to.
     verdicts: AskedVerdicts,
+    /// What the answers about thickness belong to.
+    thickness: AskedThickness,
     /// The failures that have a card already, so that each is told once.
     told: [Option<String>; FAILURES.len()],
 }
@@ -76,6 +80,7 @@ impl Background {
             beats: AskedBeats::default(),
             walls: AskedWalls::default(),
             verdicts: AskedVerdicts::default(),
+            thickness: AskedThickness::default(),
             told: [const { None }; FAILURES.len()],
         })
     }
@@ -92,6 +97,8 @@ impl Background {
         self.beats.take(state, &self.engine);
         self.walls.take(state, &self.engine);
         self.verdicts.take(state, &self.engine);
+        background_medial::take(state, &self.engine);
+        self.thickness.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
         }
@@ -110,7 +117,7 @@ impl Background {
 
     /// Asks for what the state on screen needs; free if it is there or under way. While the pointer is held, verdicts
     /// on all hearts wait: a threshold is dragged through many values.
-    pub fn request(&mut self, state: &State, pointer_held: bool) {
+    pub fn request(&mut self, state: &State, seen: &Seen) {
         let study = state.document.study();
         if study.subjects.is_empty() {
             return;
@@ -123,8 +130,11 @@ impl Background {
         self.beats.request(state, &mut self.engine);
         self.walls.request(state, &mut self.engine);
         self.request_deformations(state);
+        background_medial::request(state, &mut self.engine, seen);
+        self.thickness.request(state, &mut self.engine, seen);
         // Last, so that it sees what else has begun.
-        self.verdicts.request(state, &mut self.engine, pointer_held);
+        let held = seen.pointer_held;
+        self.verdicts.request(state, &mut self.engine, held);
     }
 
     /// Maps of deformations are made from the map of poses, and classes are told apart on them: each
@@ -152,6 +162,7 @@ impl Background {
         } else if let Some(request) = match kind {
             WorkKind::Medial => self.walls.retry(state),
             WorkKind::Verdicts => Some(self.verdicts.retry(state)),
+            WorkKind::Thickness => self.thickness.retry(state),
             _ => wanted(state, kind).or_else(|| self.beats.retry(state, kind)),
         } {
             self.engine.retry(state.document.study(), request);
@@ -166,6 +177,11 @@ impl Background {
     /// Stops one kind of work.
     pub fn stop(&mut self, kind: WorkKind) {
         self.engine.cancel(kind);
+    }
+
+    /// The frame of the selected heart whose thickness was asked for last.
+    pub fn thickness_frame(&self, state: &State) -> Option<usize> {
+        self.thickness.frame(state)
     }
 
     /// Whether anything runs, so that bars must move.
@@ -259,6 +275,7 @@ fn wanted(state: &State, kind: WorkKind) -> Option<AnalysisRequest> {
         WorkKind::Measures => Some(AnalysisRequest::Measures),
         WorkKind::PoseMap => Some(AnalysisRequest::PoseMap(state.document.map)),
         WorkKind::DeformationMap => Some(AnalysisRequest::DeformationMap(deformations(state))),
+        WorkKind::MedialMap => Some(wanted_map(state)),
         WorkKind::Classes => Some(AnalysisRequest::Classes(ClassesSettings {
             deformations: deformations(state),
             classes: ClassesParams::default(),

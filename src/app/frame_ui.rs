@@ -14,9 +14,9 @@ use super::panes::{Panes, tab_containers};
 use super::state::State;
 use super::viewport::Viewport;
 use super::views::{
-    BeatData, BullsEyeData, CohortData, DeformationData, MapData, PatchData, StatusData,
-    VerdictData, action_state, activity_rows, measures_view, menu_bar_view, metric_panel_view,
-    report_entries,
+    BeatData, BullsEyeData, CohortData, DeformationData, MapData, MedialMapData, PatchData,
+    StatusData, ThicknessData, VerdictData, action_state, activity_rows, measures_view,
+    menu_bar_view, metric_panel_view, report_entries,
 };
 
 /// Height of the bar with the menus.
@@ -42,6 +42,10 @@ pub struct Drawing<'a> {
     pub map: &'a MapData,
     /// Points of the map of deformations.
     pub deformations: &'a DeformationData,
+    /// Points of the map of the medial shape space.
+    pub medial_map: &'a MedialMapData,
+    /// The frame whose thickness was asked for last.
+    pub thickness_frame: Option<usize>,
     /// The wall laid flat.
     pub bulls_eye: &'a BullsEyeData,
     /// What the pictures are drawn with.
@@ -115,6 +119,7 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
     let measuring = matches!(showing(WorkKind::Measures), Showing::Computing { .. });
     let patches = PatchData::of(state, drawing.engine, drawing.viewport.shown().first());
     let verdict = VerdictData::of(state, drawing.engine);
+    let thickness = ThicknessData::of(state, drawing.engine, drawing.thickness_frame);
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
         state,
@@ -127,6 +132,12 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
             drawing.map.subjects(),
             drawing.map.left_out(),
         ),
+        medial_map: drawing.medial_map.view(
+            state,
+            drawing.map.subjects(),
+            &showing(WorkKind::MedialMap),
+        ),
+        thickness: thickness.view(state),
         space_time: drawing
             .map
             .space_time(state, &drawing.engine.showing(WorkKind::PoseMap)),

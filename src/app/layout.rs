@@ -1,12 +1,14 @@
 //! Where the tiles of the window lie: moved, closed, restored and remembered.
 
+use std::collections::HashSet;
+
 use egui_tiles::{Container, Linear, LinearDir, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
 
 use crate::ui::Pane;
 
 /// All panes with the words that name them in a saved layout; the words never change.
-pub const PANES: [(Pane, &str); 12] = [
+pub const PANES: [(Pane, &str); 14] = [
     (Pane::Cohort, "cohort"),
     (Pane::Activity, "activity"),
     (Pane::Viewport, "viewport"),
@@ -19,16 +21,20 @@ pub const PANES: [(Pane, &str); 12] = [
     (Pane::Patch, "patch"),
     (Pane::Verdict, "verdict"),
     (Pane::BullsEye, "bulls_eye"),
+    (Pane::MedialMap, "medial_map"),
+    (Pane::Thickness, "thickness"),
 ];
 
 /// Panes that layouts of earlier versions lack, with the pane beside whose tab they appear.
-const LATER: [(Pane, Pane); 6] = [
+const LATER: [(Pane, Pane); 8] = [
     (Pane::DeformationMap, Pane::PoseMap),
     (Pane::SpaceTime, Pane::PoseMap),
     (Pane::Metric, Pane::Cohort),
     (Pane::Patch, Pane::Measures),
     (Pane::Verdict, Pane::Patch),
     (Pane::BullsEye, Pane::Curves),
+    (Pane::MedialMap, Pane::PoseMap),
+    (Pane::Thickness, Pane::Curves),
 ];
 
 /// Shares of the window's width: cohort, 3D view, results.
@@ -85,10 +91,15 @@ impl Default for Layout {
         };
         let left = tabs(&[Pane::Cohort, Pane::Activity, Pane::Metric]);
         let middle = tabs(&[Pane::Viewport]);
-        let map = tabs(&[Pane::PoseMap, Pane::DeformationMap, Pane::SpaceTime]);
+        let map = tabs(&[
+            Pane::PoseMap,
+            Pane::DeformationMap,
+            Pane::SpaceTime,
+            Pane::MedialMap,
+        ]);
         let below = [
             &[Pane::Measures, Pane::Patch, Pane::Verdict][..],
-            &[Pane::BullsEye, Pane::Curves],
+            &[Pane::BullsEye, Pane::Curves, Pane::Thickness],
         ]
         .map(&mut tabs);
         let below = insert_linear(&mut tiles, LinearDir::Horizontal, &below, &BELOW_SHARES);
@@ -140,6 +151,15 @@ impl Layout {
             .is_some_and(|tile| self.tree.is_visible(tile))
     }
 
+    /// The panes that are seen: open, and in front of other tabs.
+    pub fn seen(&self) -> HashSet<Pane> {
+        let tiles = self.tree.active_tiles().into_iter();
+        tiles
+            .filter_map(|tile| self.tree.tiles.get_pane(&tile))
+            .map(|pane| pane.0)
+            .collect()
+    }
+
     /// Opens a pane in its place and brings it before other tabs, or closes it.
     pub fn set_open(&mut self, pane: Pane, open: bool) {
         let Some(tile) = self.tile_of(pane) else {
@@ -157,19 +177,6 @@ impl Layout {
     pub fn show(&mut self, pane: Pane) {
         self.tree
             .make_active(|_, tile| matches!(tile, Tile::Pane(PaneTile(other)) if *other == pane));
-    }
-
-    /// Whether a pane is seen: open, and no other tab in front of it.
-    pub fn is_in_front(&self, pane: Pane) -> bool {
-        let Some(tile) = self.tile_of(pane) else {
-            return false;
-        };
-        let parent = self.tree.tiles.parent_of(tile);
-        let behind = match parent.and_then(|parent| self.tree.tiles.get(parent)) {
-            Some(Tile::Container(Container::Tabs(tabs))) => tabs.active != Some(tile),
-            _ => false,
-        };
-        self.is_open(pane) && !behind
     }
 
     /// A closed tab that lay in front gives way to an open one beside it.
@@ -243,6 +250,20 @@ mod tests {
     }
 
     #[test]
+    fn a_pane_is_seen_while_it_is_open_and_in_front() {
+        let mut layout = Layout::default();
+        layout.show(Pane::PoseMap);
+        let seen = layout.seen();
+        assert!(seen.contains(&Pane::PoseMap) && seen.contains(&Pane::Viewport));
+        assert!(!seen.contains(&Pane::MedialMap));
+        layout.set_open(Pane::MedialMap, true);
+        assert!(layout.seen().contains(&Pane::MedialMap));
+        assert!(!layout.seen().contains(&Pane::PoseMap));
+        layout.set_open(Pane::MedialMap, false);
+        assert!(!layout.seen().contains(&Pane::MedialMap));
+    }
+
+    #[test]
     fn a_closed_pane_comes_back_to_its_place() {
         let mut layout = Layout::default();
         let before = saved(&layout);
@@ -257,10 +278,10 @@ mod tests {
     fn only_one_tab_of_a_place_is_in_front() {
         let mut layout = Layout::default();
         layout.show(Pane::Verdict);
-        assert!(layout.is_in_front(Pane::Verdict));
-        assert!(layout.is_open(Pane::Patch) && !layout.is_in_front(Pane::Patch));
+        assert!(layout.seen().contains(&Pane::Verdict));
+        assert!(layout.is_open(Pane::Patch) && !layout.seen().contains(&Pane::Patch));
         layout.set_open(Pane::Verdict, false);
-        assert!(!layout.is_in_front(Pane::Verdict));
+        assert!(!layout.seen().contains(&Pane::Verdict));
     }
 
     #[test]

@@ -49,6 +49,10 @@ pub enum Pane {
     Verdict,
     /// The wall laid flat, by segments.
     BullsEye,
+    /// The map of the medial shape space.
+    MedialMap,
+    /// The wall's thickness in several ways of measuring it.
+    Thickness,
 }
 
 /// Light or dark.

@@ -20,6 +20,7 @@ mod load_report;
 mod map_ground;
 mod marks;
 mod measures_card;
+mod medial_map;
 mod menu_bar;
 mod metric_panel;
 mod metric_words;
@@ -34,6 +35,7 @@ mod status_bar;
 mod style;
 mod subject_drag;
 pub mod theme;
+mod thickness_panel;
 mod time_bar;
 mod verdict_marks;
 mod verdict_panel;
@@ -62,6 +64,9 @@ pub use load_report::{ReportSubject, load_report_ui};
 pub use map_ground::{MapState, MapSubject};
 pub use marks::role_name;
 pub use measures_card::{MeasuresView, measures_card_ui};
+pub use medial_map::{
+    MedialMapView, MedialPoint, medial_map_choosers_ui, medial_map_header_ui, medial_map_ui,
+};
 pub use menu_bar::{MenuBarView, menu_bar_ui};
 pub use metric_panel::{MetricPanelView, metric_panel_ui};
 pub use patch_panel::{PatchPanelView, PatchRow, WallState, patch_panel_ui};
@@ -75,6 +80,10 @@ pub use status_bar::{StatusBarView, StatusJob, status_bar_ui};
 pub use style::{apply, choose, install, medium_font};
 pub use subject_drag::{
     DraggedSubject, SubjectTarget, dragged_subject, dragged_subject_ui, subject_target_ui,
+};
+pub use thickness_panel::{
+    Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip,
+    thickness_panel_ui,
 };
 pub use time_bar::{TimeBarView, time_bar_ui};
 pub use verdict_marks::{VerdictMark, verdict_mark};

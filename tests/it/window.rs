@@ -9,6 +9,8 @@ mod figures;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod medial;
+#[cfg(test)]
 mod walls;
 
 use std::path::{Path, PathBuf};

@@ -9,9 +9,9 @@ use super::placement::{Frame, Placement};
 use super::result::{HeartPaths, NotMapped, PathStep, StillPart, StillPath};
 
 /// Paths of the poses of one heart: one for each patch, from all of its atoms at every step (4.6.2); where there is
-/// no patch, that of M̂, as the method has it (4.5). Of M̂ only steps that tell count, since where even a well
-/// wall hardly changes, as in diastasis, all atoms are still; in a heart that hardly thickens at all no step
-/// tells, and that all of it is still is what is to be seen of it: then all steps count.
+/// no patch, that of M̂, as the method has it (4.5). M̂ is another set in every step: all of the wall where even a well
+/// one hardly changes, as in diastasis, and little or nothing in contraction. So its path goes far, unless
+/// all of the wall is still in every step, as in a heart that hardly thickens at all.
 ///
 /// # Errors
 /// If nothing is still in any step, or the heart has no extent.
@@ -21,9 +21,7 @@ pub fn heart_paths(
     axis: Option<&LongAxis>,
 ) -> Result<HeartPaths, NotMapped> {
     let paths: Vec<StillPath> = if found.patches.is_empty() {
-        let tells = found.steps.iter().any(|step| step.telling);
-        let steps = found.steps.iter().filter(|step| step.telling || !tells);
-        let steps = steps.filter_map(|step| {
+        let steps = found.steps.iter().filter_map(|step| {
             Some(PathStep {
                 from: step.from,
                 to: step.to,

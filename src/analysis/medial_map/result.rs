@@ -58,7 +58,7 @@ pub struct HeartPaths {
 /// Why a heart is not on the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotMapped {
-    /// Nothing is still in the steps that tell.
+    /// All of the wall changes in every step.
     #[error("no atom stands still in any of {steps} steps")]
     NothingStill {
         /// Steps of the beat.

@@ -205,9 +205,8 @@ fn each_patch_has_its_path_and_hearts_without_one_wander() {
     };
     let (patches, others) = (spreads(true), spreads(false));
     let (widest, middle) = (patches[patches.len() - 1], others[others.len() / 2]);
-    println!("SPREADS {patches:?} {others:?}");
-    assert!(widest < 0.3, "{patches:?}");
-    assert!(middle > 1.5 * widest, "{patches:?} {others:?}");
+    assert!(widest < 0.1, "{patches:?}");
+    assert!(middle > 3.0 * widest, "{patches:?} {others:?}");
 }
 
 #[test]
@@ -246,26 +245,22 @@ fn neither_place_nor_size_nor_how_a_heart_lies_changes_the_map() {
 }
 
 #[test]
-fn of_a_heart_without_patch_the_steps_that_tell_count_unless_none_does() {
+fn steps_in_which_nothing_is_still_are_left_out_and_a_heart_without_any_says_so() {
     let params = BuiltInParams {
         vertices: 600,
         ..BuiltInParams::default()
     };
     let mut heart = known(&cohort(&params).unwrap().study.subjects[0]);
     assert!(heart.found.patches.is_empty());
-    let from = |heart: &Known| -> Vec<usize> {
-        let paths = paths(heart);
-        assert_eq!(paths.paths[0].part, StillPart::Whole);
-        paths.paths[0].steps.iter().map(|step| step.from).collect()
-    };
     for step in &mut heart.found.steps {
-        step.telling = step.from % 3 == 1;
+        let still = step.from % 3 == 1;
+        step.descriptor = still.then(|| pose(Point3::origin(), Vector3::x()));
     }
-    assert_eq!(from(&heart), [1, 4, 7]);
-    for step in &mut heart.found.steps {
-        step.telling = false;
-    }
-    assert_eq!(from(&heart).len(), 8);
+    let found = paths(&heart);
+    assert_eq!(found.paths[0].part, StillPart::Whole);
+    let steps = found.paths[0].steps.iter();
+    let steps: Vec<(usize, usize)> = steps.map(|step| (step.from, step.to)).collect();
+    assert_eq!(steps, [(1, 2), (4, 5), (7, 0)]);
     for step in &mut heart.found.steps {
         step.descriptor = None;
     }
