@@ -67,6 +67,22 @@ pub fn patch_heading(found: &Thickening, standing: PatchStanding) -> String {
     }
 }
 
+/// What could have been missed: "Patches from 2.1 cm² on (2 % of the LV) would have been found"; empty where nothing
+/// is known of it.
+pub fn smallest_words(found: &Thickening) -> String {
+    let Some(least) = found.smallest else {
+        return String::new();
+    };
+    let share = format!("{:.1} % of the LV", 100.0 * least.share);
+    match least.area_cm2 {
+        Some(area) => format!(
+            "Patches from {} on ({share}) would have been found",
+            area_text(area)
+        ),
+        None => format!("Patches from {share} on would have been found"),
+    }
+}
+
 /// "Patch 1", "Place 1": a part of the wall by its place in the list.
 pub fn part_name(standing: PatchStanding, index: usize) -> String {
     format!("{} {}", standing.part(), index + 1)

@@ -7,6 +7,7 @@ use crate::app::views::patch_words::standing_note;
 use crate::engine::{Engine, Showing, SubjectThickening, WorkKind};
 use crate::picture::{
     PatchStanding, WallPart, extent_words, facing_patch, patch_heading, segment_words,
+    smallest_words,
 };
 use crate::render::Camera;
 use crate::ui::{PatchPanelView, PatchRow, WallState};
@@ -49,7 +50,12 @@ impl PatchData {
         Self {
             standing,
             heading: patch_heading(thickening, standing),
-            note: [extent_words(thickening), standing_note(state, thickening)].join(""),
+            note: [
+                extent_words(thickening),
+                standing_note(state, thickening),
+                sentences_after(&smallest_words(thickening)),
+            ]
+            .join(""),
             rows: rows
                 .map(|(index, patch)| PatchRow {
                     selected: selected == Some(index),
@@ -83,6 +89,15 @@ impl PatchData {
             tolerance: self.tolerance,
             well: self.well,
         }
+    }
+}
+
+/// Words after a sentence that ends without a stop; nothing for no words.
+fn sentences_after(words: &str) -> String {
+    if words.is_empty() {
+        String::new()
+    } else {
+        format!(". {words}")
     }
 }
 

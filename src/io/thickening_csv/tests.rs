@@ -58,6 +58,7 @@ fn found() -> Thickening {
         regular_area: 100.0,
         size: 10.0,
         extent: Extent::AllButPatches,
+        smallest: None,
         patches: vec![Patch {
             atoms: vec![0, 3],
             area: 50.0,

@@ -25,7 +25,11 @@ fn patches_from_the_limit_on_are_found_and_those_of_half_of_it_are_not() {
     assert!((limit.area_cm2.unwrap() * 100.0 - limit.area).abs() < 1e-9);
     let found_of = |share: f64| {
         (centres().into_iter())
-            .filter(|&centre| !found(&beat(&CURVE, share_at(centre, share))).patches.is_empty())
+            .filter(|&centre| {
+                !found(&beat(&CURVE, share_at(centre, share)))
+                    .patches
+                    .is_empty()
+            })
             .count()
     };
     assert!(found_of(1.3 * limit.share) >= 11, "{limit:?}");
@@ -51,7 +55,11 @@ fn a_hole_smaller_than_a_patch_is_filled_and_a_larger_one_stays() {
     for (hole, loops) in [(0.12, 1), (0.5, 2)] {
         let (outer, inner) = (patch_at(SIDE, 0.75), hole);
         let beat = beat(&CURVE, |d| {
-            if d.dot(&SIDE) > f64::cos(inner) { WELL } else { outer(d) }
+            if d.dot(&SIDE) > f64::cos(inner) {
+                WELL
+            } else {
+                outer(d)
+            }
         });
         let found = found(&beat);
         assert_eq!(found.patches.len(), 1, "{hole}");
@@ -74,5 +82,10 @@ fn rough_positions_hardly_move_the_centroid_of_a_large_patch() {
     let [before, after] = [&clean, &rough].map(|beat| found(beat).patches[0].clone());
     let moved = (before.centroid - after.centroid).norm();
     assert!(moved < 1.5, "{moved}");
-    assert!((after.area / before.area - 1.0).abs() < 0.1, "{} {}", before.area, after.area);
+    assert!(
+        (after.area / before.area - 1.0).abs() < 0.1,
+        "{} {}",
+        before.area,
+        after.area
+    );
 }

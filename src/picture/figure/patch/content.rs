@@ -9,6 +9,7 @@ use crate::picture::figure::patch::make::PatchOrder;
 use crate::picture::page::FigureSettings;
 use crate::picture::patch_words::{
     PatchStanding, area_text, extent_words, percent, probability_words, segment_words, sentence,
+    smallest_words,
 };
 use crate::picture::quantity::Quantity;
 
@@ -155,8 +156,12 @@ impl PatchContent {
             (false, _) => {
                 "What is found in a wall that is not resolved may be blur or noise".to_owned()
             }
-            (true, 0) => extent_words(told),
-            (true, more) => format!("{}; {more} more in patches.csv", extent_words(told)),
+            (true, 0) => said(&[extent_words(told), smallest_words(told)]),
+            (true, more) => said(&[
+                extent_words(told),
+                format!("{more} more in patches.csv"),
+                smallest_words(told),
+            ]),
         };
         Self {
             without_flat: found.without_axis.clone().unwrap_or_default(),
@@ -175,6 +180,14 @@ impl PatchContent {
             note,
         }
     }
+}
+
+/// Sentences one after the other.
+fn said(parts: &[String]) -> String {
+    let told: Vec<&str> = (parts.iter().map(String::as_str))
+        .filter(|part| !part.is_empty())
+        .collect();
+    told.join(". ")
 }
 
 fn line(found: &SubjectThickening, patch: &Patch) -> PatchLine {
