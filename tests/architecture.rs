@@ -70,6 +70,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     (
         "medial_map",
         &[
+            "measures",
             "medial",
             "medial_space",
             "thickening",

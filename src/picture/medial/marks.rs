@@ -5,7 +5,6 @@ use std::sync::Arc;
 use crate::analysis::medial::MedialSurface;
 use crate::analysis::medial_space::PoseDescriptor;
 use crate::analysis::segments::Segment;
-use crate::engine::SubjectThickening;
 use crate::mesh::{Point3, Vector3};
 use crate::picture::legend::{ColourLegend, colour_map};
 use crate::picture::limits::THICKNESS_RATIO;
@@ -18,65 +17,7 @@ use crate::render::{
 use crate::study::SurfaceKind;
 
 use super::outline::{Lies, dashed, rounded};
-use super::prepared::PreparedMedial;
-
-/// A part of the wall that is selected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum WallPart {
-    /// A patch of the heart, by its place in the list.
-    Patch(usize),
-    /// A segment, of every heart.
-    Segment(Segment),
-}
-
-/// How borders of patches look.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum PatchLook {
-    /// As what was found in the heart.
-    #[default]
-    Found,
-    /// As places that thicken little in a heart of which something else is said: dashed and grey.
-    Faint,
-}
-
-/// What of the medial surface is drawn.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MedialSettings {
-    /// Atoms as discs coloured by PT.
-    pub atoms: bool,
-    /// Spokes to both sides of the wall.
-    pub spokes: bool,
-    /// Borders of patches.
-    pub patches: bool,
-    /// How they look.
-    pub patch_look: PatchLook,
-    /// ANV as an arrow from MP.
-    pub direction: bool,
-    /// The part that is selected.
-    pub part: Option<WallPart>,
-    /// Typed limits of the colours of atoms.
-    pub limits: Option<[f64; 2]>,
-}
-
-impl MedialSettings {
-    /// What a patch figure draws: atoms, and borders of patches.
-    pub fn of_patch_figure() -> Self {
-        Self {
-            atoms: true,
-            patches: true,
-            ..Self::default()
-        }
-    }
-}
-
-/// The middle of one heart's wall, ready, and what was found on it.
-#[derive(Clone, Copy, Debug)]
-pub struct HeartMedial<'a> {
-    /// The atoms.
-    pub prepared: &'a PreparedMedial,
-    /// How they thicken, and the patches.
-    pub found: &'a SubjectThickening,
-}
+use super::settings::{HeartMedial, PatchLook, WallPart};
 
 /// How far a line lies off its surface, as a share of the radius there.
 const LIFT: f64 = 0.1;

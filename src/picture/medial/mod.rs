@@ -6,11 +6,12 @@ mod marks;
 mod nearest;
 mod outline;
 mod prepared;
+mod settings;
 #[cfg(test)]
 mod tests;
 
 pub use facing::facing_patch;
-pub use marks::{HeartMedial, MedialSettings, PatchLook, WallPart};
 pub(super) use marks::{add_marks, atom_legend};
 pub(in crate::picture) use outline::rounded;
 pub use prepared::PreparedMedial;
+pub use settings::{HeartMedial, MedialSettings, PatchLook, WallPart};

@@ -53,7 +53,7 @@ fn a_patch_figure_names_the_heart_the_patch_and_how_it_was_told() {
         " cm²",
         "apical",
         "PT, thickness ratio",
-        "Thickening from ED to ES, %",
+        "Thickening ED to ES, %",
         " mm",
         "border 0.5",
         "not for diagnosis",
