@@ -68,6 +68,17 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
         &["medial", "medial_space", "segments", "measures"],
     ),
     (
+        "medial_map",
+        &[
+            "medial",
+            "medial_space",
+            "thickening",
+            "segments",
+            "pose_distances",
+            "embedding",
+        ],
+    ),
+    (
         "verdicts",
         &["thickening", "medial", "measures", "classification"],
     ),

@@ -8,6 +8,7 @@ pub mod experiments;
 pub mod geodesics;
 pub mod measures;
 pub mod medial;
+pub mod medial_map;
 pub mod medial_space;
 pub mod metrics;
 pub mod pose_distances;

@@ -6,12 +6,13 @@ use std::time::{Duration, Instant};
 
 use egui::{Context, Ui};
 
-use crate::engine::{OpenSource, Wake};
+use crate::engine::{OpenSource, Wake, WorkKind};
 use crate::study::built_in::BuiltInParams;
 use crate::ui::{self, Command};
 
 use super::apply::{Effect, Moment, apply};
 use super::background::{Background, reference_frames};
+use super::background_medial::Seen;
 use super::dialogs::Question;
 use super::export;
 use super::frame_ui::{Drawing, frame_ui};
@@ -21,7 +22,7 @@ use super::settings::Settings;
 use super::state::State;
 use super::times::Times;
 use super::viewport::Viewport;
-use super::views::{BullsEyeData, CohortData, DeformationData, MapData};
+use super::views::{BullsEyeData, CohortData, DeformationData, MapData, MedialMapData};
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -77,6 +78,7 @@ pub struct App {
     cohort: CohortData,
     map: MapData,
     deformations: DeformationData,
+    medial_map: MedialMapData,
     bulls_eye: BullsEyeData,
     adapter: String,
     times: Times,
@@ -121,6 +123,7 @@ impl App {
             cohort: CohortData::default(),
             map: MapData::default(),
             deformations: DeformationData::default(),
+            medial_map: MedialMapData::default(),
             bulls_eye: BullsEyeData::default(),
             adapter: cc
                 .wgpu_render_state
@@ -147,6 +150,11 @@ impl App {
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
         self.background.busy() || self.background.pictures.busy()
+    }
+
+    /// Whether one kind of work goes on.
+    pub fn works_on(&self, kind: WorkKind) -> bool {
+        self.background.engine.computes(kind)
     }
 
     /// Hearts on screen, as subject and place in the beat.
@@ -180,6 +188,11 @@ impl App {
                 problem.to_string(),
                 None,
             ),
+            None => {}
+        }
+        match self.background.saved_views.poll() {
+            Some(Ok(command)) => self.queue.push(command),
+            Some(Err(reason)) => super::saved_views::refuse(&mut self.state, reason),
             None => {}
         }
         let dropped: Vec<PathBuf> = ctx.input(|input| {
@@ -221,18 +234,23 @@ impl App {
         match effect {
             Effect::ChooseFiles => dialogs.ask(Question::Files, String::new()),
             Effect::ChooseFolder => dialogs.ask(Question::Folder, String::new()),
-            Effect::ChooseFigure => {
-                dialogs.ask(Question::Figure, export::figure_name(&self.state));
+            Effect::ChooseFigure(kind) => {
+                dialogs.ask(
+                    Question::Figure(kind),
+                    export::figure_name(&self.state, kind),
+                );
             }
             Effect::ChooseTables => dialogs.ask(Question::Tables, String::new()),
             Effect::Open(source) => self.background.open(source),
-            Effect::WriteFigure(path) => export::write_figure(
+            Effect::WriteFigure(kind, path) => export::write_figure(
                 &mut self.background.engine,
-                &self.state,
+                &mut self.state,
                 &self.viewport,
                 ctx.global_style().visuals.dark_mode,
+                kind,
                 path,
             ),
+            Effect::ReadPicture(path) => self.background.saved_views.read(path),
             Effect::WriteTables(folder) => {
                 export::write_tables(&mut self.background.engine, &self.state, folder);
             }
@@ -240,8 +258,9 @@ impl App {
             Effect::Retry(kind) => self.background.retry(&self.state, kind),
             Effect::SetTheme(theme) => ui::choose(ctx, theme),
             Effect::TogglePane(pane) => {
-                let open = self.layout.is_open(pane);
-                self.layout.set_open(pane, !open);
+                // A tab behind another one is brought forward first.
+                let seen = self.layout.seen().contains(&pane);
+                self.layout.set_open(pane, !seen);
             }
             Effect::ShowPane(pane) => self.layout.set_open(pane, true),
             Effect::ResetLayout => self.layout = Layout::default(),
@@ -258,7 +277,9 @@ impl App {
         let motion = ctx.global_style().animation_time > 0.0;
         let poses = self.map.refresh(&self.state, now_s, motion);
         let deformations = self.deformations.refresh(&self.state, now_s, motion);
-        if poses || deformations {
+        let subjects = self.map.subjects();
+        let medial = (self.medial_map).refresh(&self.state, subjects, now_s, motion);
+        if poses || deformations || medial {
             ctx.request_repaint();
         }
     }
@@ -305,7 +326,11 @@ impl eframe::App for App {
         self.tell_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
         self.play(ctx);
-        self.background.request(&self.state);
+        let seen = Seen {
+            panes: self.layout.seen(),
+            pointer_held: ctx.input(|input| input.pointer.any_down()),
+        };
+        self.background.request(&self.state, &seen);
         let reference_frames = reference_frames(&self.state);
         let pictures = &mut self.background.pictures;
         self.viewport
@@ -320,7 +345,8 @@ impl eframe::App for App {
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let begin = Instant::now();
         self.cohort.refresh(&self.state);
-        self.bulls_eye.refresh(&self.state);
+        self.bulls_eye
+            .refresh(&self.state, self.viewport.cohort_limits());
         self.move_points(ui.ctx());
         let mut drawing = Drawing {
             state: &self.state,
@@ -330,6 +356,8 @@ impl eframe::App for App {
             cohort: &self.cohort,
             map: &self.map,
             deformations: &self.deformations,
+            medial_map: &self.medial_map,
+            thickness_frame: self.background.thickness_frame(&self.state),
             bulls_eye: &self.bulls_eye,
             adapter: &self.adapter,
             meter: self.times.prepare_meter(),

@@ -8,9 +8,10 @@ use crate::study::Revision;
 use crate::ui::{Command, Pane, ThemeChoice};
 
 use super::document::Document;
+use super::export::FigureKind;
 use super::state::State;
 use super::undo::Gesture;
-use super::{apply_beat, apply_carry, apply_view, apply_wall, apply_window};
+use super::{apply_beat, apply_carry, apply_view, apply_wall, apply_window, saved_views};
 
 /// What surrounds a command.
 #[derive(Clone, Copy, Debug)]
@@ -31,13 +32,15 @@ pub enum Effect {
     /// Ask for a folder.
     ChooseFolder,
     /// Ask where a picture goes.
-    ChooseFigure,
+    ChooseFigure(FigureKind),
     /// Ask where tables go.
     ChooseTables,
     /// Read or make a study.
     Open(OpenSource),
-    /// Write a picture of the 3D view.
-    WriteFigure(PathBuf),
+    /// Write a picture.
+    WriteFigure(FigureKind, PathBuf),
+    /// Read the view that a picture carries.
+    ReadPicture(PathBuf),
     /// Write all tables.
     WriteTables(PathBuf),
     /// Stop background work.
@@ -119,6 +122,8 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::NextBullsEye
         | C::ToggleBullsEyeSegments => apply_wall::apply(state, &command, moment),
 
+        C::TakeUpView(view) => saved_views::apply(state, &view, moment),
+
         C::CarryBeat { .. }
         | C::CarryBeatBeside
         | C::StopCarrying
@@ -130,6 +135,7 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::Open(_)
         | C::OpenBuiltIn
         | C::ExportFigure(_)
+        | C::ExportPatchFigure(_)
         | C::ExportTables(_)
         | C::Retry(_)
         | C::Cancel(_)

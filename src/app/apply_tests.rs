@@ -1,6 +1,7 @@
 //! What commands do to the state, without a window.
 
 use super::apply::{Effect, Moment, apply};
+use super::export::FigureKind;
 use super::state::State;
 use super::testing::{state_of, subject_with_frames};
 use crate::engine::WorkKind;
@@ -173,11 +174,16 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
     let path = std::path::PathBuf::from("figure.png");
     assert_eq!(
         give(&mut state, Command::ExportFigure(Some(path.clone()))),
-        [Effect::WriteFigure(path)]
+        [Effect::WriteFigure(FigureKind::View, path)]
     );
     assert_eq!(
         give(&mut state, Command::Cancel(WorkKind::PoseMap)),
         [Effect::Stop(WorkKind::PoseMap)]
+    );
+    let picture = std::path::PathBuf::from("P07_patch.png");
+    assert_eq!(
+        give(&mut state, Command::Open(vec![picture.clone()])),
+        [Effect::ReadPicture(picture)]
     );
     assert_eq!(give(&mut state, Command::Open(Vec::new())), []);
     assert_eq!(

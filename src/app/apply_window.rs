@@ -4,6 +4,8 @@ use crate::engine::{OpenSource, WorkKind};
 use crate::ui::Command;
 
 use super::apply::Effect;
+use super::export::FigureKind;
+use super::saved_views::is_picture;
 use super::settings::remember_recent;
 use super::state::State;
 
@@ -16,12 +18,17 @@ pub fn apply(state: &mut State, command: Command) -> Vec<Effect> {
             if paths.is_empty() {
                 return Vec::new();
             }
+            if is_picture(&paths) {
+                return paths.into_iter().map(Effect::ReadPicture).collect();
+            }
             remember_recent(&mut state.recent, &paths);
             Effect::Open(OpenSource::Paths(paths))
         }
         Command::OpenBuiltIn => Effect::Open(OpenSource::BuiltIn(state.built_in)),
-        Command::ExportFigure(None) => Effect::ChooseFigure,
-        Command::ExportFigure(Some(path)) => Effect::WriteFigure(path),
+        Command::ExportFigure(None) => Effect::ChooseFigure(FigureKind::View),
+        Command::ExportFigure(Some(path)) => Effect::WriteFigure(FigureKind::View, path),
+        Command::ExportPatchFigure(None) => Effect::ChooseFigure(FigureKind::Patch),
+        Command::ExportPatchFigure(Some(path)) => Effect::WriteFigure(FigureKind::Patch, path),
         Command::ExportTables(None) => Effect::ChooseTables,
         Command::ExportTables(Some(path)) => Effect::WriteTables(path),
         Command::Retry(kind) => {

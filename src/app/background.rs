@@ -12,17 +12,20 @@ use crate::picture::reference_frame;
 use crate::study::Study;
 
 use super::background_beats::AskedBeats;
-use super::background_walls::AskedWalls;
+use super::background_medial::{self, Seen, wanted_map};
+use super::background_thickness::AskedThickness;
+use super::background_walls::{AskedVerdicts, AskedWalls};
 use super::dialogs::Dialogs;
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
 use super::map_orientation::{deformations_like, oriented_like};
 use super::pictures::Pictures;
+use super::saved_views::SavedViews;
 use super::state::{Fresh, State};
 use super::views::enough_subjects;
 
 /// What a card says of work that failed.
-const FAILURES: [(WorkKind, &str); 9] = [
+const FAILURES: [(WorkKind, &str); 10] = [
     (WorkKind::Open, "Opening failed"),
     (WorkKind::Measures, "Volumes could not be computed"),
     (WorkKind::PoseMap, "The map of poses could not be computed"),
@@ -37,6 +40,7 @@ const FAILURES: [(WorkKind, &str); 9] = [
         WorkKind::Contribution,
         "The poses could not be compared by place",
     ),
+    (WorkKind::Verdicts, "The hearts could not be judged"),
     (WorkKind::Export, "Nothing was exported"),
 ];
 
@@ -48,10 +52,16 @@ pub struct Background {
     pub pictures: Pictures,
     /// Asks for files.
     pub dialogs: Dialogs,
+    /// Reads the views that pictures carry.
+    pub saved_views: SavedViews,
     /// What the answers about beats belong to.
     beats: AskedBeats,
     /// What the answers about walls belong to.
     walls: AskedWalls,
+    /// And what those about all hearts belong to.
+    verdicts: AskedVerdicts,
+    /// What the answers about thickness belong to.
+    thickness: AskedThickness,
     /// The failures that have a card already, so that each is told once.
     told: [Option<String>; FAILURES.len()],
 }
@@ -66,8 +76,11 @@ impl Background {
             engine: Engine::start(Arc::clone(wake))?,
             pictures: Pictures::start(Arc::clone(wake))?,
             dialogs: Dialogs::start(Arc::clone(wake))?,
+            saved_views: SavedViews::start(Arc::clone(wake))?,
             beats: AskedBeats::default(),
             walls: AskedWalls::default(),
+            verdicts: AskedVerdicts::default(),
+            thickness: AskedThickness::default(),
             told: [const { None }; FAILURES.len()],
         })
     }
@@ -83,6 +96,9 @@ impl Background {
         self.take_deformations(state);
         self.beats.take(state, &self.engine);
         self.walls.take(state, &self.engine);
+        self.verdicts.take(state, &self.engine);
+        background_medial::take(state, &self.engine);
+        self.thickness.take(state, &self.engine);
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, &opened);
         }
@@ -99,8 +115,9 @@ impl Background {
         self.tell_failures(state);
     }
 
-    /// Asks for what the state on screen needs; free if it is there or under way.
-    pub fn request(&mut self, state: &State) {
+    /// Asks for what the state on screen needs; free if it is there or under way. While the pointer is held, verdicts
+    /// on all hearts wait: a threshold is dragged through many values.
+    pub fn request(&mut self, state: &State, seen: &Seen) {
         let study = state.document.study();
         if study.subjects.is_empty() {
             return;
@@ -113,6 +130,11 @@ impl Background {
         self.beats.request(state, &mut self.engine);
         self.walls.request(state, &mut self.engine);
         self.request_deformations(state);
+        background_medial::request(state, &mut self.engine, seen);
+        self.thickness.request(state, &mut self.engine, seen);
+        // Last, so that it sees what else has begun.
+        let held = seen.pointer_held;
+        self.verdicts.request(state, &mut self.engine, held);
     }
 
     /// Maps of deformations are made from the map of poses, and classes are told apart on them: each
@@ -139,6 +161,8 @@ impl Background {
             self.engine.retry_open();
         } else if let Some(request) = match kind {
             WorkKind::Medial => self.walls.retry(state),
+            WorkKind::Verdicts => Some(self.verdicts.retry(state)),
+            WorkKind::Thickness => self.thickness.retry(state),
             _ => wanted(state, kind).or_else(|| self.beats.retry(state, kind)),
         } {
             self.engine.retry(state.document.study(), request);
@@ -153,6 +177,11 @@ impl Background {
     /// Stops one kind of work.
     pub fn stop(&mut self, kind: WorkKind) {
         self.engine.cancel(kind);
+    }
+
+    /// The frame of the selected heart whose thickness was asked for last.
+    pub fn thickness_frame(&self, state: &State) -> Option<usize> {
+        self.thickness.frame(state)
     }
 
     /// Whether anything runs, so that bars must move.
@@ -246,6 +275,7 @@ fn wanted(state: &State, kind: WorkKind) -> Option<AnalysisRequest> {
         WorkKind::Measures => Some(AnalysisRequest::Measures),
         WorkKind::PoseMap => Some(AnalysisRequest::PoseMap(state.document.map)),
         WorkKind::DeformationMap => Some(AnalysisRequest::DeformationMap(deformations(state))),
+        WorkKind::MedialMap => Some(wanted_map(state)),
         WorkKind::Classes => Some(AnalysisRequest::Classes(ClassesSettings {
             deformations: deformations(state),
             classes: ClassesParams::default(),

@@ -1,10 +1,11 @@
-//! Background work on walls: atoms and thickening of the hearts on screen.
+//! Background work on walls: atoms and thickening of the hearts on screen, verdicts on all hearts.
 
 use std::sync::Arc;
 
 use crate::engine::{AnalysisRequest, Engine, Showing, ThickeningSettings, WorkKind};
 use crate::study::Subject;
 
+use super::found_verdicts::VerdictKey;
 use super::stage::on_stage;
 use super::state::State;
 
@@ -40,7 +41,7 @@ impl AskedWalls {
     /// under way. While a threshold is dragged, what was begun is finished first: patches follow the drag, where
     /// each step would stop the one before.
     pub fn request(&mut self, state: &State, engine: &mut Engine) {
-        let computing = matches!(engine.showing(WorkKind::Medial), Showing::Computing { .. });
+        let computing = engine.computes(WorkKind::Medial);
         if let Some(wanted) = wanted(state) {
             if computing
                 && self
@@ -88,6 +89,78 @@ impl AskedWalls {
                 store.put(&asked.subject, &asked.settings, Err(error.to_string()));
             }
             _ => {}
+        }
+    }
+}
+
+/// Work that comes before verdicts on all hearts: what is on screen, and what is asked for at once.
+const BEFORE_VERDICTS: [WorkKind; 5] = [
+    WorkKind::Measures,
+    WorkKind::Medial,
+    WorkKind::PoseMap,
+    WorkKind::DeformationMap,
+    WorkKind::Classes,
+];
+
+/// What the verdicts that come in belong to.
+#[derive(Debug, Default)]
+pub struct AskedVerdicts {
+    key: Option<VerdictKey>,
+    /// Whether what was begun was stopped here, and not by the user.
+    set_aside: bool,
+}
+
+impl AskedVerdicts {
+    /// Asks for verdicts once nothing on screen waits any more; free if they are there or under way. Those of
+    /// thresholds that were left are stopped at once, so that they do not hold up the new patches.
+    pub fn request(&mut self, state: &State, engine: &mut Engine, pointer_held: bool) {
+        let wanted = VerdictKey::wanted(state);
+        if self.key != Some(wanted) && engine.computes(WorkKind::Verdicts) {
+            engine.cancel(WorkKind::Verdicts);
+            *self = Self {
+                key: None,
+                set_aside: true,
+            };
+        }
+        if self.key == Some(wanted) || state.measures().is_none() || pointer_held {
+            return;
+        }
+        if !BEFORE_VERDICTS.iter().any(|&kind| engine.computes(kind)) {
+            let request = AnalysisRequest::Verdicts(wanted.settings());
+            if self.set_aside {
+                engine.retry(state.document.study(), request);
+            } else {
+                engine.request(state.document.study(), request);
+            }
+            *self = Self {
+                key: Some(wanted),
+                set_aside: false,
+            };
+        }
+    }
+
+    /// What the user asks to be computed again.
+    pub fn retry(&mut self, state: &State) -> AnalysisRequest {
+        let wanted = VerdictKey::wanted(state);
+        *self = Self {
+            key: Some(wanted),
+            set_aside: false,
+        };
+        AnalysisRequest::Verdicts(wanted.settings())
+    }
+
+    /// Takes in what was computed since the last frame.
+    pub fn take(&self, state: &mut State, engine: &Engine) {
+        let store = &mut state.results.verdicts;
+        store.asked = self.key;
+        let Some(asked) = self.key else {
+            return;
+        };
+        if let Showing::Ready(outcome) = engine.showing(WorkKind::Verdicts)
+            && let Some(value) = outcome.verdicts()
+            && store.found.as_ref().is_none_or(|(key, _)| *key != asked)
+        {
+            store.found = Some((asked, Arc::clone(value)));
         }
     }
 }

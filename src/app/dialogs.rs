@@ -7,9 +7,11 @@ use std::time::{Duration, Instant};
 use crate::engine::{Job, Wake, Workers};
 use crate::ui::Command;
 
+use super::export::FigureKind;
+
 /// Endings of files that can be opened, as the dialog filters them.
-const READABLE: [&str; 11] = [
-    "obj", "ply", "stl", "vtk", "vtp", "glb", "gltf", "csv", "pvd", "series", "toml",
+const READABLE: [&str; 12] = [
+    "obj", "ply", "stl", "vtk", "vtp", "glb", "gltf", "csv", "pvd", "series", "toml", "png",
 ];
 
 /// An answer this quick was given by no person: no dialog could be shown.
@@ -23,7 +25,7 @@ pub enum Question {
     /// Which folder to open.
     Folder,
     /// Where a picture goes.
-    Figure,
+    Figure(FigureKind),
     /// Into which folder tables go.
     Tables,
 }
@@ -97,12 +99,20 @@ fn answer(question: Question, suggested: &str) -> Option<Command> {
             .set_title("Open a folder of meshes")
             .pick_folders()
             .map(Command::Open),
-        Question::Figure => dialog
-            .set_title("Save the 3D view as a picture")
-            .set_file_name(suggested)
-            .add_filter("PNG picture", &["png"])
-            .save_file()
-            .map(|path| Command::ExportFigure(Some(with_png_ending(path)))),
+        Question::Figure(kind) => {
+            let (title, command): (_, fn(Option<PathBuf>) -> Command) = match kind {
+                FigureKind::View => ("Save the 3D view as a figure", Command::ExportFigure),
+                FigureKind::Patch => ("Save the patch figure", Command::ExportPatchFigure),
+            };
+            dialog
+                .set_title(title)
+                .set_file_name(suggested)
+                .add_filter("PNG picture", &["png"])
+                .add_filter("SVG drawing", &["svg"])
+                .add_filter("PDF page", &["pdf"])
+                .save_file()
+                .map(|path| command(Some(with_png_ending(path))))
+        }
         Question::Tables => dialog
             .set_title("Save all tables into a folder")
             .pick_folder()

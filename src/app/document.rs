@@ -5,10 +5,10 @@ use std::sync::Arc;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::{PoseMapParams, ThickeningSettings};
 use crate::io::OpenError;
-use crate::picture::{Quantity, WallPart};
+use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
 use crate::render::Shading;
 use crate::study::{Notice, Revision, Study, Subject};
-use crate::ui::{BullsEyeQuantity, ViewMode};
+use crate::ui::ViewMode;
 
 use super::look::Look;
 
@@ -221,7 +221,11 @@ impl Document {
 
     /// Sets or clears typed limits of the quantity on screen.
     pub fn set_limits(&mut self, limits: Option<[f64; 2]>) {
-        let quantity = self.bar_quantity();
+        self.set_limits_of(self.bar_quantity(), limits);
+    }
+
+    /// Sets or clears typed limits of a quantity.
+    pub fn set_limits_of(&mut self, quantity: Quantity, limits: Option<[f64; 2]>) {
         self.colour_limits.retain(|(other, _)| *other != quantity);
         if let Some(limits) = limits {
             self.colour_limits.push((quantity, limits));

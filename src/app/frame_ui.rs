@@ -14,8 +14,9 @@ use super::panes::{Panes, tab_containers};
 use super::state::State;
 use super::viewport::Viewport;
 use super::views::{
-    BeatData, BullsEyeData, CohortData, DeformationData, MapData, PatchData, StatusData,
-    action_state, activity_rows, measures_view, menu_bar_view, metric_panel_view, report_entries,
+    BeatData, BullsEyeData, CohortData, DeformationData, MapData, MedialMapData, PatchData,
+    StatusData, ThicknessData, VerdictData, action_state, activity_rows, measures_view,
+    menu_bar_view, metric_panel_view, report_entries,
 };
 
 /// Height of the bar with the menus.
@@ -41,6 +42,10 @@ pub struct Drawing<'a> {
     pub map: &'a MapData,
     /// Points of the map of deformations.
     pub deformations: &'a DeformationData,
+    /// Points of the map of the medial shape space.
+    pub medial_map: &'a MedialMapData,
+    /// The frame whose thickness was asked for last.
+    pub thickness_frame: Option<usize>,
     /// The wall laid flat.
     pub bulls_eye: &'a BullsEyeData,
     /// What the pictures are drawn with.
@@ -113,6 +118,8 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
     let showing = |kind| drawing.engine.showing(kind);
     let measuring = matches!(showing(WorkKind::Measures), Showing::Computing { .. });
     let patches = PatchData::of(state, drawing.engine, drawing.viewport.shown().first());
+    let verdict = VerdictData::of(state, drawing.engine);
+    let thickness = ThicknessData::of(state, drawing.engine, drawing.thickness_frame);
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
         state,
@@ -125,15 +132,23 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
             drawing.map.subjects(),
             drawing.map.left_out(),
         ),
+        medial_map: drawing.medial_map.view(
+            state,
+            drawing.map.subjects(),
+            &showing(WorkKind::MedialMap),
+        ),
+        thickness: thickness.view(state),
         space_time: drawing
             .map
             .space_time(state, &drawing.engine.showing(WorkKind::PoseMap)),
         metric: metric_panel_view(state, drawing.map.subjects()),
         measures: measures_view(state, measuring),
         patch: patches.view(state),
+        verdict: verdict.view(state),
         bulls_eye: drawing.bulls_eye.view(state, patches.state()),
         activity: &activity,
         measuring,
+        judging: verdict.judging(),
         opening: matches!(drawing.engine.opening(), Showing::Computing { .. }),
         viewport: drawing.viewport,
         meter: &drawing.meter,

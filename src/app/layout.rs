@@ -1,12 +1,14 @@
 //! Where the tiles of the window lie: moved, closed, restored and remembered.
 
+use std::collections::HashSet;
+
 use egui_tiles::{Container, Linear, LinearDir, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
 
 use crate::ui::Pane;
 
 /// All panes with the words that name them in a saved layout; the words never change.
-pub const PANES: [(Pane, &str); 11] = [
+pub const PANES: [(Pane, &str); 14] = [
     (Pane::Cohort, "cohort"),
     (Pane::Activity, "activity"),
     (Pane::Viewport, "viewport"),
@@ -17,26 +19,32 @@ pub const PANES: [(Pane, &str); 11] = [
     (Pane::Curves, "curves"),
     (Pane::Measures, "measures"),
     (Pane::Patch, "patch"),
+    (Pane::Verdict, "verdict"),
     (Pane::BullsEye, "bulls_eye"),
+    (Pane::MedialMap, "medial_map"),
+    (Pane::Thickness, "thickness"),
 ];
 
 /// Panes that layouts of earlier versions lack, with the pane beside whose tab they appear.
-const LATER: [(Pane, Pane); 5] = [
+const LATER: [(Pane, Pane); 8] = [
     (Pane::DeformationMap, Pane::PoseMap),
     (Pane::SpaceTime, Pane::PoseMap),
     (Pane::Metric, Pane::Cohort),
     (Pane::Patch, Pane::Measures),
+    (Pane::Verdict, Pane::Patch),
     (Pane::BullsEye, Pane::Curves),
+    (Pane::MedialMap, Pane::PoseMap),
+    (Pane::Thickness, Pane::Curves),
 ];
 
 /// Shares of the window's width: cohort, 3D view, results.
-const COLUMN_SHARES: [f32; 3] = [0.175, 0.53, 0.295];
+const COLUMN_SHARES: [f32; 3] = [0.19, 0.515, 0.295];
 
 /// Shares of the right column's height: map, and below it measures beside curves.
 const RIGHT_SHARES: [f32; 2] = [0.57, 0.43];
 
 /// Shares of the width below the map: measures, curves.
-const BELOW_SHARES: [f32; 2] = [0.42, 0.58];
+const BELOW_SHARES: [f32; 2] = [0.44, 0.56];
 
 /// A pane that can be written into a saved layout.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -83,12 +91,17 @@ impl Default for Layout {
         };
         let left = tabs(&[Pane::Cohort, Pane::Activity, Pane::Metric]);
         let middle = tabs(&[Pane::Viewport]);
-        let map = tabs(&[Pane::PoseMap, Pane::DeformationMap, Pane::SpaceTime]);
+        let map = tabs(&[
+            Pane::PoseMap,
+            Pane::DeformationMap,
+            Pane::SpaceTime,
+            Pane::MedialMap,
+        ]);
         let below = [
-            [Pane::Measures, Pane::Patch],
-            [Pane::BullsEye, Pane::Curves],
+            &[Pane::Measures, Pane::Patch, Pane::Verdict][..],
+            &[Pane::BullsEye, Pane::Curves, Pane::Thickness],
         ]
-        .map(|panes| tabs(&panes));
+        .map(&mut tabs);
         let below = insert_linear(&mut tiles, LinearDir::Horizontal, &below, &BELOW_SHARES);
         let right = [map, below];
         let right = insert_linear(&mut tiles, LinearDir::Vertical, &right, &RIGHT_SHARES);
@@ -136,6 +149,15 @@ impl Layout {
     pub fn is_open(&self, pane: Pane) -> bool {
         self.tile_of(pane)
             .is_some_and(|tile| self.tree.is_visible(tile))
+    }
+
+    /// The panes that are seen: open, and in front of other tabs.
+    pub fn seen(&self) -> HashSet<Pane> {
+        let tiles = self.tree.active_tiles().into_iter();
+        tiles
+            .filter_map(|tile| self.tree.tiles.get_pane(&tile))
+            .map(|pane| pane.0)
+            .collect()
     }
 
     /// Opens a pane in its place and brings it before other tabs, or closes it.
@@ -228,6 +250,20 @@ mod tests {
     }
 
     #[test]
+    fn a_pane_is_seen_while_it_is_open_and_in_front() {
+        let mut layout = Layout::default();
+        layout.show(Pane::PoseMap);
+        let seen = layout.seen();
+        assert!(seen.contains(&Pane::PoseMap) && seen.contains(&Pane::Viewport));
+        assert!(!seen.contains(&Pane::MedialMap));
+        layout.set_open(Pane::MedialMap, true);
+        assert!(layout.seen().contains(&Pane::MedialMap));
+        assert!(!layout.seen().contains(&Pane::PoseMap));
+        layout.set_open(Pane::MedialMap, false);
+        assert!(!layout.seen().contains(&Pane::MedialMap));
+    }
+
+    #[test]
     fn a_closed_pane_comes_back_to_its_place() {
         let mut layout = Layout::default();
         let before = saved(&layout);
@@ -236,6 +272,16 @@ mod tests {
         layout.set_open(Pane::Viewport, true);
         assert!(layout.is_open(Pane::Viewport));
         assert_eq!(saved(&layout), before);
+    }
+
+    #[test]
+    fn only_one_tab_of_a_place_is_in_front() {
+        let mut layout = Layout::default();
+        layout.show(Pane::Verdict);
+        assert!(layout.seen().contains(&Pane::Verdict));
+        assert!(layout.is_open(Pane::Patch) && !layout.seen().contains(&Pane::Patch));
+        layout.set_open(Pane::Verdict, false);
+        assert!(!layout.seen().contains(&Pane::Verdict));
     }
 
     #[test]

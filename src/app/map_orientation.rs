@@ -5,6 +5,7 @@ use std::hash::Hash;
 
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
+use crate::analysis::medial_map::{MedialMap, StillPart};
 use crate::engine::PoseMap;
 
 /// An item on the new map and on the old.
@@ -27,6 +28,21 @@ pub fn deformations_like(map: DeformationMap, previous: &DeformationMap) -> Defo
         (&previous.subjects, &previous.embedding),
     );
     DeformationMap { embedding, ..map }
+}
+
+/// The same for a map of the medial shape space.
+pub fn medial_like(map: MedialMap, previous: &MedialMap) -> MedialMap {
+    let steps = |map: &MedialMap| -> Vec<(usize, StillPart, usize)> {
+        let poses = map.poses.iter();
+        poses
+            .map(|pose| (pose.subject, pose.part, pose.step_from))
+            .collect()
+    };
+    let embedding = turned(
+        (&steps(&map), &map.embedding),
+        (&steps(previous), &previous.embedding),
+    );
+    MedialMap { embedding, ..map }
 }
 
 /// With s = Σ pᵢ·qᵢ and c = Σ pᵢ×qᵢ over items in both maps, p of the new map and q of the old,

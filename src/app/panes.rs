@@ -4,8 +4,8 @@ use std::collections::HashSet;
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
 
-use egui::epaint::{Mesh, RectShape};
-use egui::{Color32, CornerRadius, Rect, Sense, Shape, Stroke, StrokeKind, Ui, pos2};
+use egui::epaint::RectShape;
+use egui::{Color32, CornerRadius, Rect, Sense, Shape, Stroke, StrokeKind, Ui};
 use egui_tiles::{
     Behavior, Container, ResizeState, SimplificationOptions, TabState, Tabs, Tile, TileId, Tiles,
     Tree, UiResponse,
@@ -13,13 +13,16 @@ use egui_tiles::{
 
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{
-    BullsEyeView, Command, DeformationMapView, EmptyStateView, MeasuresView, MetricPanelView, Pane,
-    PatchPanelView, PoseMapView, SpaceTimeView, WorkItem, activity_ui, bulls_eye_ui,
-    cohort_table_ui, curves_ui, deformation_map_ui, deformation_note, empty_state_ui,
-    measures_card_ui, metric_panel_ui, pane_header_ui, patch_panel_ui, pose_map_choosers_ui,
-    pose_map_header_ui, pose_map_ui, space_time_ui, tab_ui, viewport_header_ui,
+    BullsEyeView, Command, DeformationMapView, EmptyStateView, MeasuresView, MedialMapView,
+    MetricPanelView, Pane, PatchPanelView, PoseMapView, SpaceTimeView, ThicknessPanelView,
+    VerdictPanelView, WorkItem, activity_ui, bulls_eye_ui, cohort_table_ui, curves_ui,
+    deformation_map_ui, deformation_note, empty_state_ui, measures_card_ui, medial_map_choosers_ui,
+    medial_map_header_ui, medial_map_ui, metric_panel_ui, pane_header_ui, patch_panel_ui,
+    pose_map_choosers_ui, pose_map_header_ui, pose_map_ui, space_time_ui, tab_ui,
+    thickness_panel_ui, verdict_panel_ui, viewport_header_ui,
 };
 
+use super::corners::corner_masks;
 use super::layout::PaneTile;
 use super::state::State;
 use super::viewport::Viewport;
@@ -37,6 +40,10 @@ pub struct Panes<'a> {
     pub map: PoseMapView<'a>,
     /// The map of deformations.
     pub deformations: DeformationMapView<'a>,
+    /// The map of the medial shape space.
+    pub medial_map: MedialMapView<'a>,
+    /// Thickness in several ways.
+    pub thickness: ThicknessPanelView<'a>,
     /// Poses through time.
     pub space_time: SpaceTimeView<'a>,
     /// Settings of metric and maps.
@@ -45,12 +52,16 @@ pub struct Panes<'a> {
     pub measures: MeasuresView<'a>,
     /// The patches.
     pub patch: PatchPanelView<'a>,
+    /// What is said of the selected heart.
+    pub verdict: VerdictPanelView<'a>,
     /// The wall laid flat.
     pub bulls_eye: BullsEyeView<'a>,
     /// The activity list.
     pub activity: &'a [WorkItem],
     /// Whether volumes are being computed.
     pub measuring: bool,
+    /// Whether verdicts are still to come.
+    pub judging: bool,
     /// Whether something is being opened.
     pub opening: bool,
     /// The 3D view.
@@ -102,7 +113,10 @@ pub fn pane_title(pane: Pane) -> &'static str {
         Pane::Curves => "Volume",
         Pane::Measures => "Measures",
         Pane::Patch => "Patch",
+        Pane::Verdict => "Verdict",
         Pane::BullsEye => "Bull's-eye",
+        Pane::MedialMap => "Medial",
+        Pane::Thickness => "Thickness",
     }
 }
 
@@ -143,7 +157,7 @@ impl Panes<'_> {
     fn content_ui(&mut self, ui: &mut Ui, pane: Pane) {
         match pane {
             Pane::Cohort => {
-                let view = self.cohort.view(self.state, self.measuring);
+                let view = self.cohort.view(self.state, [self.measuring, self.judging]);
                 cohort_table_ui(ui, &view, self.commands);
             }
             Pane::Activity => activity_ui(ui, self.activity, self.commands),
@@ -159,7 +173,10 @@ impl Panes<'_> {
             }
             Pane::Measures => measures_card_ui(ui, &self.measures, self.commands),
             Pane::Patch => patch_panel_ui(ui, &self.patch, self.commands),
+            Pane::Verdict => verdict_panel_ui(ui, &self.verdict, self.commands),
             Pane::BullsEye => bulls_eye_ui(ui, &self.bulls_eye, self.commands),
+            Pane::MedialMap => medial_map_ui(ui, &self.medial_map, self.commands),
+            Pane::Thickness => thickness_panel_ui(ui, &self.thickness, self.commands),
         }
     }
 
@@ -199,6 +216,9 @@ impl Behavior<PaneTile> for Panes<'_> {
             }
             Pane::PoseMap if !self.tabbed.contains(&tile_id) => {
                 pose_map_header_ui(ui, &self.map, self.commands);
+            }
+            Pane::MedialMap if !self.tabbed.contains(&tile_id) => {
+                medial_map_header_ui(ui, &self.medial_map, self.commands);
             }
             _ if !self.tabbed.contains(&tile_id) => self.plain_header_ui(ui, pane),
             _ => {}
@@ -249,6 +269,13 @@ impl Behavior<PaneTile> for Panes<'_> {
                 let room = ui.available_width() - names;
                 if room > 90.0 {
                     pose_map_choosers_ui(ui, &self.map, room > 250.0, self.commands);
+                }
+                return;
+            }
+            Some(Pane::MedialMap) => {
+                ui.add_space(space::LARGE);
+                if ui.available_width() - names > 90.0 {
+                    medial_map_choosers_ui(ui, &self.medial_map, self.commands);
                 }
                 return;
             }
@@ -349,31 +376,4 @@ fn tabs_width(ui: &Ui, tiles: &Tiles<PaneTile>, tabbed: &HashSet<TileId>, tabs: 
         })
         .sum::<f32>()
         + space::LARGE
-}
-
-/// What lies outside the rounded corners of a rectangle, so that pictures have round corners too.
-fn corner_masks(rect: Rect, radius: f32, colour: Color32) -> Mesh {
-    const STEPS: u32 = 6;
-    let mut mesh = Mesh::default();
-    for (corner, x, y) in [
-        (rect.left_top(), 1.0, 1.0),
-        (rect.right_top(), -1.0, 1.0),
-        (rect.right_bottom(), -1.0, -1.0),
-        (rect.left_bottom(), 1.0, -1.0),
-    ] {
-        let start = mesh.vertices.len() as u32;
-        mesh.colored_vertex(corner, colour);
-        for step in 0..=STEPS {
-            let angle = std::f32::consts::FRAC_PI_2 * step as f32 / STEPS as f32;
-            let place = pos2(
-                corner.x + x * radius * (1.0 - angle.cos()),
-                corner.y + y * radius * (1.0 - angle.sin()),
-            );
-            mesh.colored_vertex(place, colour);
-        }
-        for step in 0..STEPS {
-            mesh.add_triangle(start, start + 1 + step, start + 2 + step);
-        }
-    }
-    mesh
 }

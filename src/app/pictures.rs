@@ -4,12 +4,11 @@ use std::convert::Infallible;
 use std::sync::Arc;
 
 use crate::engine::{Job, Wake, Workers};
-use crate::picture::{CohortLimits, PreparedSubject, fitted_camera};
+use crate::picture::{CohortLimits, HeartFrame, PreparedSubject, fitted_camera};
 use crate::render::Camera;
 use crate::study::{Revision, Study, Subject};
 
 use super::in_betweens::InBetweens;
-use super::look::HeartFrame;
 use super::medial_pictures::MedialPictures;
 
 /// Hearts are let go of, least recently drawn first, while all together have more vertices than

@@ -4,7 +4,10 @@ use std::sync::Arc;
 
 use egui::Rect;
 
-use crate::picture::{HeartExtras, HeartMedial, HeartNumbers, PreparedMedial, Quantity};
+use crate::picture::{
+    HeartExtras, HeartMedial, HeartNumbers, MedialSettings, PatchLook, PreparedMedial, Quantity,
+    SceneSettings,
+};
 use crate::render::Camera;
 use crate::study::Subject;
 use crate::ui::ViewMode;
@@ -30,11 +33,24 @@ pub struct ShownHeart {
     pub numbers: Option<Arc<HeartNumbers>>,
     /// The middle of its wall.
     pub medial: Option<ShownMedial>,
+    /// How the borders of its patches look.
+    pub patch_look: PatchLook,
     /// What lies over it.
     pub overlay: OverlayData,
 }
 
 impl ShownHeart {
+    /// How it is drawn, where hearts are drawn so.
+    pub fn settings(&self, settings: &SceneSettings) -> SceneSettings {
+        SceneSettings {
+            medial: MedialSettings {
+                patch_look: self.patch_look,
+                ..settings.medial
+            },
+            ..*settings
+        }
+    }
+
     /// What is drawn beside its surfaces.
     pub fn extras(&self) -> HeartExtras<'_> {
         HeartExtras {
@@ -96,6 +112,7 @@ pub fn shown_heart(
         numbers: numbers.of(state, place, &heart, medial.as_ref()),
         medial,
         heart,
+        patch_look: state.patch_look(place.subject),
         overlay: OverlayData::of(state, place),
     })
 }

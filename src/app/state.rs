@@ -6,6 +6,7 @@ use std::sync::Arc;
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::medial_map::MedialMap;
 use crate::analysis::transport::Reference;
 use crate::engine::PoseMap;
 use crate::study::built_in::BuiltInParams;
@@ -15,8 +16,10 @@ use crate::ui::{ErrorCard, ThemeChoice};
 use super::carried::{CarriedHeart, CarryingState, transport_params};
 use super::differences::DifferenceStore;
 use super::document::{Document, OpeningReport, StudyRef};
+use super::found_verdicts::VerdictStore;
 use super::in_betweens::{InBetweenStore, InBetweens, geodesic_params};
 use super::play::PlayClock;
+use super::thickness_store::ThicknessStore;
 use super::undo::History;
 use super::walls::{FoundWall, WallStore};
 
@@ -67,6 +70,12 @@ pub struct Results {
     pub differences: DifferenceStore,
     /// How walls thicken, and their patches.
     pub walls: WallStore,
+    /// What is said of all hearts.
+    pub verdicts: VerdictStore,
+    /// The map of the medial shape space, turned to agree with the map before it.
+    pub medial_map: Option<Fresh<MedialMap>>,
+    /// Thickness of walls in several ways of measuring it.
+    pub thickness: ThicknessStore,
 }
 
 /// Everything the window shows.
@@ -140,6 +149,11 @@ impl State {
     /// The map of deformations of the study on screen.
     pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
         self.of_this_study(self.results.deformations.as_ref())
+    }
+
+    /// The map of the medial shape space of the study on screen.
+    pub fn medial_map(&self) -> Option<&Arc<MedialMap>> {
+        self.of_this_study(self.results.medial_map.as_ref())
     }
 
     /// How well the classes of the study on screen can be told apart.

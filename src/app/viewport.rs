@@ -6,8 +6,8 @@ use std::sync::atomic::AtomicU64;
 use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
 use crate::picture::{
-    CohortLimits, HeartScene, MedialSettings, PictureTheme, Quantity, SceneSettings, WallPart,
-    heart_scene,
+    CohortLimits, HeartScene, MedialSettings, PatchLook, PictureTheme, Quantity, SceneSettings,
+    WallPart, heart_scene,
 };
 use crate::render::{Camera, ViewId};
 use crate::ui::theme::{colours, line, radius, type_size};
@@ -91,6 +91,11 @@ impl Viewport {
         look.camera(&shown.heart.frame, fitted)
     }
 
+    /// The fixed colour ranges of the study.
+    pub fn cohort_limits(&self) -> &CohortLimits {
+        &self.limits
+    }
+
     /// How hearts are drawn now.
     pub fn settings(&self, state: &State, dark: bool) -> SceneSettings {
         let document = &state.document;
@@ -108,6 +113,7 @@ impl Viewport {
                 atoms: visible.atoms,
                 spokes: visible.spokes,
                 patches: visible.patches,
+                patch_look: PatchLook::default(),
                 direction: visible.direction,
                 part: document.part,
                 limits: document.limits_of(Quantity::ThicknessRatio),
@@ -193,7 +199,8 @@ impl Viewport {
         for (place, cell) in cells.iter().enumerate() {
             let prepared = &cell.heart.heart.prepared;
             let pose = pose_in(prepared, cell.heart.position);
-            let mut picture = heart_scene(prepared, cell.heart.extras(), settings, pose);
+            let settings = cell.heart.settings(settings);
+            let mut picture = heart_scene(prepared, cell.heart.extras(), &settings, pose);
             let scene = std::mem::take(&mut picture.scene);
             if legends.is_none() && picture.legend.is_some() {
                 legends = Some((place, picture));

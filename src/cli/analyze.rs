@@ -1,28 +1,21 @@
 //! `analyze`: measures, distances, maps, patches of the wall, a summary and figures, into one folder.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use serde_json::Value;
 
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::measures::SubjectMeasures;
+use crate::cli::analyze_pictures::Pictured;
 use crate::cli::args::AnalyzeArgs;
-use crate::cli::figure::Studio;
 use crate::cli::input::opened_study;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisTables, Cache, ExportFile, TableSettings, Unassessed, VerdictSettings, write_files,
+    AnalysisTables, Cache, TableSettings, Unassessed, VerdictSettings, write_files,
 };
-use crate::picture::figure::encoded_png;
-use crate::picture::{PictureTheme, Quantity, SceneSettings};
 use crate::study::Study;
-
-/// Size of the figures of a report: two side by side on a page at 300 dots per inch.
-const FIGURE_SIZE: [u32; 2] = [1000, 750];
 
 pub(super) fn analyze(args: &AnalyzeArgs) -> Result<(), CliError> {
     let summary = analyzed(args)?;
@@ -51,22 +44,25 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
         },
     };
     let (work_study, work_folder) = (Arc::clone(&study), folder.to_owned());
+    let cache = Arc::new(Cache::default());
+    let work_cache = Arc::clone(&cache);
     let tables = run_work(move |progress| {
-        let cache = Cache::default();
-        AnalysisTables::of(&work_study, &settings, &work_folder, &cache, progress)
+        AnalysisTables::of(&work_study, &settings, &work_folder, &work_cache, progress)
     })?;
     if let Some(reason) = &tables.without_deformations {
         say(&format!("cardiomorph: no map of deformations: {reason}"));
     }
     say_unassessed(&study, tables.unassessed());
-    let mut drawn = Vec::new();
-    if args.figures == Switch::On {
-        match figures(&study, &tables.measures, folder) {
-            Ok(figures) => drawn = figures,
-            Err(error @ CliError::Stopped(_)) => return Err(error),
-            Err(error) => say(&format!("cardiomorph: no figures: {error}")),
-        }
-    }
+    let pictured = Pictured {
+        study: Arc::clone(&study),
+        measures: Arc::clone(&tables.measures),
+        verdicts: Arc::clone(&tables.verdicts),
+        poses: Arc::clone(&tables.poses),
+        deformations: tables.deformations.clone(),
+        settings,
+        folder: folder.to_owned(),
+    };
+    let drawn = pictured.files(args.figures == Switch::On, &cache)?;
     let (files, summary) = tables.files(drawn).map_err(CliError::Unusable)?;
     write_files(files).map_err(CliError::Unusable)?;
     Ok(summary)
@@ -82,61 +78,5 @@ fn say_unassessed(study: &Study, unassessed: &[Unassessed]) {
             study.subjects.len(),
             first.reason
         ));
-    }
-}
-
-/// One figure per subject: end-systole, coloured by the way that each place has come since
-/// end-diastole.
-fn figures(
-    study: &Arc<Study>,
-    measures: &Arc<Vec<SubjectMeasures>>,
-    folder: &Path,
-) -> Result<Vec<ExportFile>, CliError> {
-    let (study, measures) = (Arc::clone(study), Arc::clone(measures));
-    let folder = folder.join("figures");
-    run_work(move |progress| -> Result<Vec<ExportFile>, CliError> {
-        progress.begin_phase("drawing figures", 0.0, 1.0);
-        progress.expect_steps(study.subjects.len());
-        let mut studio = Studio::open(&study, &measures)?;
-        let settings = SceneSettings {
-            quantity: Quantity::Displacement,
-            theme: PictureTheme::LIGHT,
-            ..studio.settings()
-        };
-        let mut files = Vec::with_capacity(study.subjects.len());
-        for (index, subject) in study.subjects.iter().enumerate() {
-            let measured = measures
-                .get(index)
-                .and_then(|measures| measures.end_systole);
-            let last = subject.sequence.frame_count() - 1;
-            let systole = measured.or(subject.end_systole).unwrap_or(last).min(last);
-            let figure = studio.figure(index, systole, settings, None, FIGURE_SIZE, None)?;
-            files.push(ExportFile {
-                path: folder.join(format!("{}.png", file_name(&subject.id))),
-                bytes: encoded_png(&figure.canvas, &figure.settings)
-                    .map_err(CliError::unusable)?
-                    .into(),
-            });
-            progress.step()?;
-        }
-        Ok(files)
-    })
-}
-
-/// An id as the name of a file: whatever could lead elsewhere becomes a dash.
-fn file_name(id: &str) -> String {
-    let plain = |letter: char| letter.is_alphanumeric() || "-_. ".contains(letter);
-    let name: String = id.chars().map(|c| if plain(c) { c } else { '-' }).collect();
-    name.trim_start_matches('.').to_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_id_cannot_lead_out_of_the_folder() {
-        assert_eq!(file_name("../../etc/passwd"), "-..-etc-passwd");
-        assert_eq!(file_name("P-041"), "P-041");
     }
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use serde_json::json;
 
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::verdicts::Verdicts;
 use crate::cli::figure_args::FigureArgs;
 use crate::cli::input::{answered, measured, opened_study};
 use crate::cli::outcome::CliError;
@@ -12,27 +13,102 @@ use crate::cli::print::{print, print_json};
 use crate::cli::words::ViewWord;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisRequest, Cache, ExportFile, SubjectThickening, ThickeningSettings, write_files,
+    AnalysisRequest, Cache, ExportFile, SubjectThickening, ThickeningSettings, VerdictSettings,
+    write_files,
 };
 use crate::picture::figure::{
-    Figure, FigureFonts, FigureOrder, FigureSubject, FigureView, encoded_png, rendered_figure,
+    Figure, FigureOrder, FigureSubject, FigureView, LEAST_PATCH_SIZE, PatchOrder, rendered_figure,
+    rendered_patch_figure,
 };
+use crate::picture::page::{FigureFonts, PageFormat};
 use crate::picture::{
-    CohortLimits, HeartExtras, HeartMedial, PreparedMedial, PreparedSubject, Quantity,
-    SceneSettings, reference_frame,
+    BullsEyeQuantity, CohortLimits, HeartExtras, HeartMedial, HeartNumbers, MedialSettings,
+    PreparedMedial, PreparedSubject, Quantity, SceneSettings, reference_frame,
 };
-use crate::render::Headless;
+use crate::render::{GeometryPose, Headless};
 use crate::study::Study;
 
+/// Pixels of a figure of a heart: half a page at 300 dots per inch.
+const SIZE: [u32; 2] = [1200, 900];
+/// Pixels of a patch figure: two columns of a journal at 340 dots per inch.
+const PATCH_SIZE: [u32; 2] = [2400, 1800];
+
 pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
+    let format = PageFormat::of(&args.out).ok_or_else(|| {
+        let out = args.out.display();
+        CliError::Usage(format!(
+            "--out {out}: the name must end in .png, .svg or .pdf"
+        ))
+    })?;
+    let usual = if args.patch { PATCH_SIZE } else { SIZE };
+    let size = args.size.unwrap_or(usual);
+    let [least_width, least_height] = LEAST_PATCH_SIZE;
+    if args.patch && (size[0] < least_width || size[1] < least_height) {
+        return Err(CliError::Usage(format!(
+            "--size {}x{}: a patch figure needs at least {least_width}x{least_height} pixels",
+            size[0], size[1]
+        )));
+    }
     let study = opened_study(&args.study)?;
     let index = chosen_subject(&study, args.subject.as_deref())?;
+    check_view(args, &study, index)?;
+    let cache = Arc::new(Cache::default());
+    let measures = measured(&study, &cache)?;
+    let shows_ratio = Quantity::from(args.colour) == Quantity::ThicknessRatio;
+    let wall = (shows_ratio || args.patch)
+        .then(|| found_wall(args, &study, index, &cache))
+        .transpose()?;
+    let verdicts = match args.patch {
+        true => Some(said_of(args, &study, &cache)?),
+        false => None,
+    };
+    let end_systole = wall.as_ref().map(|found| found.thickening.end_systole);
+    let frame = match args.frame {
+        Some(frame) => frame,
+        None => end_systole.filter(|_| args.patch).unwrap_or(0),
+    };
+    let shot = Shot {
+        index,
+        frame,
+        view: args.view,
+        size,
+        thickening: args.patches.settings()?,
+    };
+    let look = Look::of(args);
+    let id = study.subjects[index].id.clone();
+    let bytes = run_work(move |progress| -> Result<Vec<u8>, CliError> {
+        progress.begin_phase("drawing", 0.0, 1.0);
+        let mut studio = Studio::open(&study, &measures)?;
+        progress.check()?;
+        let settings = look.over(studio.settings());
+        let figure = match (&wall, &verdicts) {
+            (Some(found), Some(told)) => studio.patch_figure(&shot, settings, found, Some(told))?,
+            _ => studio.figure(&shot, settings, wall.as_deref())?,
+        };
+        (format.file(&figure.page, &figure.settings, &studio.fonts)).map_err(CliError::unusable)
+    })?;
+    let file = ExportFile {
+        path: args.out.clone(),
+        bytes: bytes.into(),
+    };
+    write_files(vec![file]).map_err(CliError::Unusable)?;
+    let out = args.out.display().to_string();
+    if args.json {
+        let [width, height] = shot.size;
+        return print_json(&json!({
+            "file": out, "subject": id, "frame": frame, "width": width, "height": height,
+        }));
+    }
+    print(&out)
+}
+
+/// Whether the frame is there and the direction has a name.
+fn check_view(args: &FigureArgs, study: &Study, index: usize) -> Result<(), CliError> {
     let subject = &study.subjects[index];
     let frames = subject.sequence.frame_count();
-    if args.frame >= frames {
+    if let Some(frame) = args.frame.filter(|frame| *frame >= frames) {
         return Err(CliError::Usage(format!(
-            "--frame {}: {} has frames 0 to {}",
-            args.frame,
+            "--frame {frame}: {} has frames 0 to {}",
             subject.id,
             frames - 1
         )));
@@ -49,52 +125,41 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
             subject.id
         )));
     }
-    let cache = Arc::new(Cache::default());
-    let measures = measured(&study, &cache)?;
-    let wall = match Quantity::from(args.colour) {
-        Quantity::ThicknessRatio => Some(found_wall(&study, index, &cache)?),
-        _ => None,
-    };
-    let (frame, size, view) = (args.frame, args.size, args.view);
-    let look = Look::of(args);
-    let id = subject.id.clone();
-    let bytes = run_work(move |progress| -> Result<Vec<u8>, CliError> {
-        progress.begin_phase("drawing", 0.0, 1.0);
-        let mut studio = Studio::open(&study, &measures)?;
-        progress.check()?;
-        let settings = look.over(studio.settings());
-        let figure = studio.figure(index, frame, settings, view, size, wall.as_deref())?;
-        encoded_png(&figure.canvas, &figure.settings).map_err(CliError::unusable)
-    })?;
-    let file = ExportFile {
-        path: args.out.clone(),
-        bytes: bytes.into(),
-    };
-    write_files(vec![file]).map_err(CliError::Unusable)?;
-    let out = args.out.display().to_string();
-    if args.json {
-        let [width, height] = size;
-        return print_json(&json!({
-            "file": out, "subject": id, "frame": frame, "width": width, "height": height,
-        }));
-    }
-    print(&out)
+    Ok(())
 }
 
 /// How the wall of a subject thickens.
 fn found_wall(
+    args: &FigureArgs,
     study: &Arc<Study>,
     subject: usize,
     cache: &Arc<Cache>,
 ) -> Result<Arc<SubjectThickening>, CliError> {
     let request = AnalysisRequest::Thickening {
         subject,
-        params: ThickeningSettings::default(),
+        params: args.patches.settings()?,
     };
     let outcome = answered(study, request, cache)?;
     match outcome.thickening() {
         Some(found) => Ok(Arc::clone(found)),
         None => Err(CliError::Unusable("the thickness is missing".to_owned())),
+    }
+}
+
+/// What is said of all subjects.
+fn said_of(
+    args: &FigureArgs,
+    study: &Arc<Study>,
+    cache: &Arc<Cache>,
+) -> Result<Arc<Verdicts>, CliError> {
+    let request = AnalysisRequest::Verdicts(VerdictSettings {
+        thickening: args.patches.settings()?,
+        ..VerdictSettings::default()
+    });
+    let outcome = answered(study, request, cache)?;
+    match outcome.verdicts() {
+        Some(told) => Ok(Arc::clone(told)),
+        None => Err(CliError::Unusable("the verdicts are missing".to_owned())),
     }
 }
 
@@ -126,6 +191,11 @@ impl Look {
             quantity: args.colour.into(),
             typed_limits: args.limits,
             wireframe: args.wireframe,
+            medial: if args.patch {
+                MedialSettings::of_patch_figure()
+            } else {
+                MedialSettings::default()
+            },
             theme: args.theme.into(),
             transparent: args.transparent,
             ..SceneSettings::default()
@@ -140,13 +210,28 @@ impl Look {
     }
 }
 
+/// One picture to take.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shot {
+    /// Of which subject.
+    pub(super) index: usize,
+    /// At which frame.
+    pub(super) frame: usize,
+    /// From where.
+    pub(super) view: Option<ViewWord>,
+    /// Pixels across and down.
+    pub(super) size: [u32; 2],
+    /// How its wall was assessed.
+    pub(super) thickening: ThickeningSettings,
+}
+
 /// What all figures of one study share: the renderer, the typefaces, the fixed colour range.
 pub(super) struct Studio<'a> {
     study: &'a Study,
     measures: &'a [SubjectMeasures],
     limits: CohortLimits,
     headless: Headless,
-    fonts: FigureFonts,
+    pub(super) fonts: FigureFonts,
 }
 
 impl<'a> Studio<'a> {
@@ -181,46 +266,102 @@ impl<'a> Studio<'a> {
         }
     }
 
-    /// One figure of the subject at `index`.
+    /// One figure of a heart.
     ///
     /// # Errors
     /// If there is no such subject, or the graphics driver fails.
     pub(super) fn figure(
         &mut self,
-        index: usize,
-        frame: usize,
+        shot: &Shot,
         scene: SceneSettings,
-        view: Option<ViewWord>,
-        size: [u32; 2],
         wall: Option<&SubjectThickening>,
     ) -> Result<Figure, CliError> {
-        let subject = self
-            .study
-            .subjects
-            .get(index)
+        let stage = Stage::of(self.study, self.measures, shot, wall)?;
+        let order = stage.order(self.study, self.measures, shot, scene, wall);
+        rendered_figure(&order, &mut self.headless, &self.fonts).map_err(CliError::unusable)
+    }
+
+    /// One patch figure.
+    ///
+    /// # Errors
+    /// If there is no such subject, or the graphics driver fails.
+    pub(super) fn patch_figure(
+        &mut self,
+        shot: &Shot,
+        scene: SceneSettings,
+        found: &SubjectThickening,
+        verdicts: Option<&Verdicts>,
+    ) -> Result<Figure, CliError> {
+        let stage = Stage::of(self.study, self.measures, shot, Some(found))?;
+        let order = PatchOrder {
+            figure: stage.order(self.study, self.measures, shot, scene, Some(found)),
+            found,
+            verdicts,
+            subject: shot.index,
+        };
+        rendered_patch_figure(&order, &mut self.headless, &self.fonts).map_err(CliError::unusable)
+    }
+}
+
+/// A heart made ready for its picture.
+struct Stage {
+    prepared: PreparedSubject,
+    medial: Option<PreparedMedial>,
+    numbers: Option<HeartNumbers>,
+}
+
+impl Stage {
+    fn of(
+        study: &Study,
+        measures: &[SubjectMeasures],
+        shot: &Shot,
+        wall: Option<&SubjectThickening>,
+    ) -> Result<Self, CliError> {
+        let index = shot.index;
+        let subject = (study.subjects.get(index))
             .ok_or_else(|| CliError::Unusable(format!("there is no subject {index}")))?;
-        let measures = self.measures.get(index);
-        let prepared = PreparedSubject::new(subject, reference_frame(subject, measures));
+        let prepared = PreparedSubject::new(subject, reference_frame(subject, measures.get(index)));
         let medial = wall
             .map(|found| PreparedMedial::new(subject, &found.beat, found.thickening.end_diastole));
-        let numbers = medial.as_ref().and_then(|medial| medial.numbers(&prepared));
-        let extras = HeartExtras {
-            numbers: numbers.as_ref(),
-            medial: (medial.as_ref().zip(wall))
-                .map(|(prepared, found)| HeartMedial { prepared, found }),
-        };
-        let order = FigureOrder {
+        Ok(Self {
+            numbers: medial.as_ref().and_then(|medial| medial.numbers(&prepared)),
+            medial,
+            prepared,
+        })
+    }
+
+    fn order<'a>(
+        &'a self,
+        study: &'a Study,
+        measures: &'a [SubjectMeasures],
+        shot: &Shot,
+        scene: SceneSettings,
+        wall: Option<&'a SubjectThickening>,
+    ) -> FigureOrder<'a> {
+        FigureOrder {
+            study: &study.name,
             shown: FigureSubject {
-                subject,
-                measures,
-                frame,
+                subject: &study.subjects[shot.index],
+                measures: measures.get(shot.index),
+                frame: shot.frame,
             },
-            prepared: &prepared,
-            extras,
+            position: shot.frame as f64,
+            pose: GeometryPose {
+                from: shot.frame,
+                to: shot.frame,
+                blend: 0.0,
+            },
+            prepared: &self.prepared,
+            extras: HeartExtras {
+                numbers: self.numbers.as_ref(),
+                medial: (self.medial.as_ref().zip(wall))
+                    .map(|(prepared, found)| HeartMedial { prepared, found }),
+            },
             scene,
-            view: view.map_or(FigureView::Home, |word| FigureView::Anatomical(word.into())),
-            size,
-        };
-        rendered_figure(&order, &mut self.headless, &self.fonts).map_err(CliError::unusable)
+            bulls_eye: BullsEyeQuantity::default(),
+            thickening: shot.thickening,
+            view: (shot.view).map_or(FigureView::Home, |word| FigureView::Anatomical(word.into())),
+            size: shot.size,
+        }
     }
 }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use crate::cli::patch_options::PatchOptions;
 use crate::cli::words::{QuantityWord, ThemeWord, ViewWord};
 
 /// Options of `figure`.
@@ -15,21 +16,24 @@ pub struct FigureArgs {
     /// Id of the subject, as `info` lists it [default: the first]
     #[arg(long, value_name = "ID")]
     pub subject: Option<String>,
-    /// Frame, numbered from 0
-    #[arg(long, value_name = "N", default_value_t = 0)]
-    pub frame: usize,
+    /// Frame, numbered from 0 [default: 0, or end-systole with --patch]
+    #[arg(long, value_name = "N")]
+    pub frame: Option<usize>,
+    /// The patch figure: the heart with its atoms, bull's-eye, patches in a table, verdict
+    #[arg(long)]
+    pub patch: bool,
     /// What colours stand for
     #[arg(long, value_enum, default_value_t = QuantityWord::Tissue)]
     pub colour: QuantityWord,
     /// Limits of the colours, LOW,HIGH, in place of the fixed ones
     #[arg(long, value_name = "LOW,HIGH", value_parser = limits, allow_hyphen_values = true)]
     pub limits: Option<[f64; 2]>,
-    /// PNG to write
-    #[arg(long, value_name = "PNG")]
+    /// File to write; its ending says what: .png, .svg or .pdf
+    #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
-    /// Pixels, from 320x240 to 8192x8192
-    #[arg(long, value_name = "WxH", default_value = "1200x900", value_parser = size)]
-    pub size: [u32; 2],
+    /// Pixels, from 320x240 to 8192x8192 [default: 1200x900, or 2400x1800 with --patch]
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<[u32; 2]>,
     /// Draw nothing behind the heart
     #[arg(long)]
     pub transparent: bool,
@@ -42,6 +46,9 @@ pub struct FigureArgs {
     /// Draw edges
     #[arg(long)]
     pub wireframe: bool,
+    /// How the wall is assessed.
+    #[command(flatten)]
+    pub patches: PatchOptions,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,

@@ -1,6 +1,7 @@
 //! The headless door: one file per command, sharing requests, engine and writers with the window.
 
 mod analyze;
+mod analyze_pictures;
 mod args;
 mod corresponding;
 mod demo;

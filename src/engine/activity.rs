@@ -32,13 +32,17 @@ pub enum WorkKind {
     Medial,
     /// Verdicts on all hearts.
     Verdicts,
+    /// The map of poses of the medial shape space.
+    MedialMap,
+    /// Ways of measuring the thickness of a wall.
+    Thickness,
     /// Writing tables or a figure.
     Export,
 }
 
 impl WorkKind {
     /// What analyses do; the others are opening and exporting.
-    pub const ANALYSES: [Self; 9] = [
+    pub const ANALYSES: [Self; 11] = [
         Self::Measures,
         Self::PoseMap,
         Self::DeformationMap,
@@ -48,6 +52,8 @@ impl WorkKind {
         Self::Contribution,
         Self::Medial,
         Self::Verdicts,
+        Self::MedialMap,
+        Self::Thickness,
     ];
 }
 

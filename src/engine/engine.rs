@@ -169,6 +169,11 @@ impl Engine {
         });
     }
 
+    /// Whether one kind of analysis goes on.
+    pub fn computes(&self, kind: WorkKind) -> bool {
+        matches!(self.showing(kind), Showing::Computing { .. })
+    }
+
     /// How the export stands.
     pub fn export(&self) -> Showing<'_, Vec<PathBuf>, String> {
         self.export.showing()

@@ -7,10 +7,13 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::geodesics::GeodesicPath;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial::MedialBeat;
+use crate::analysis::medial_map::MedialMap;
 use crate::analysis::pose_distances::PoseDistances;
 use crate::analysis::verdicts::Verdicts;
+use crate::engine::medial_map::{StudyPaths, map_bytes, paths_bytes};
 use crate::engine::request::PoseMap;
 use crate::engine::thickening::SubjectThickening;
+use crate::engine::thickness::FrameThickness;
 use crate::mesh::Point3;
 use crate::study::MeshSequence;
 
@@ -41,6 +44,12 @@ pub enum AnalysisOutcome {
     Thickening(Arc<SubjectThickening>),
     /// What is said of all hearts of the study.
     Verdicts(Arc<Verdicts>),
+    /// The paths of all hearts in the medial shape space.
+    MedialPaths(Arc<StudyPaths>),
+    /// The map of them.
+    MedialMap(Arc<MedialMap>),
+    /// Thickness of one wall at a frame in all ways of measuring it.
+    FrameThickness(Arc<FrameThickness>),
 }
 
 impl AnalysisOutcome {
@@ -74,6 +83,9 @@ impl AnalysisOutcome {
             Self::MedialBeat(_) => 0,
             Self::Thickening(found) => found.own_bytes(),
             Self::Verdicts(found) => size_of_val(&*found.subjects),
+            Self::MedialPaths(paths) => paths_bytes(paths),
+            Self::MedialMap(map) => map_bytes(map),
+            Self::FrameThickness(found) => size_of_val(&*found.answers),
         }
     }
 
@@ -170,6 +182,30 @@ impl AnalysisOutcome {
     pub fn verdicts(&self) -> Option<&Arc<Verdicts>> {
         match self {
             Self::Verdicts(found) => Some(found),
+            _ => None,
+        }
+    }
+
+    /// The paths of all hearts, if that is what it is.
+    pub fn medial_paths(&self) -> Option<&Arc<StudyPaths>> {
+        match self {
+            Self::MedialPaths(paths) => Some(paths),
+            _ => None,
+        }
+    }
+
+    /// The medial map, if that is what it is.
+    pub fn medial_map(&self) -> Option<&Arc<MedialMap>> {
+        match self {
+            Self::MedialMap(map) => Some(map),
+            _ => None,
+        }
+    }
+
+    /// Thickness in all ways, if that is what it is.
+    pub fn frame_thickness(&self) -> Option<&Arc<FrameThickness>> {
+        match self {
+            Self::FrameThickness(found) => Some(found),
             _ => None,
         }
     }

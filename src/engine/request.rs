@@ -11,39 +11,16 @@ use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
 use crate::analysis::thickening::ThickeningParams;
+use crate::analysis::thickness_methods::ThicknessParams;
 use crate::analysis::transport::{Reference, TransportParams};
 use crate::analysis::verdicts::VerdictParams;
 use crate::engine::activity::WorkKind;
+use crate::engine::medial_map::MedialMapParams;
+use crate::engine::settings::{ClassesSettings, DeformationMapSettings, PoseMapParams};
 use crate::engine::thickening::ThickeningSettings;
+use crate::engine::thickness::ThicknessSettings;
 use crate::engine::verdicts::VerdictSettings;
 use crate::progress::Stopped;
-
-/// Settings of the map of all poses.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PoseMapParams {
-    /// How poses are compared.
-    pub distances: PoseDistanceParams,
-    /// How distances become a map.
-    pub method: MapMethod,
-}
-
-/// Settings of the map of whole deformations.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct DeformationMapSettings {
-    /// The map of poses on which deformations are curves.
-    pub poses: PoseMapParams,
-    /// How curves become a map.
-    pub map: DeformationMapParams,
-}
-
-/// Settings of what is said of classes.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ClassesSettings {
-    /// The distances and the map by which classes are told apart.
-    pub deformations: DeformationMapSettings,
-    /// How they are.
-    pub classes: ClassesParams,
-}
 
 /// One question to a study. Subjects are indices into it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -109,6 +86,19 @@ pub enum AnalysisRequest {
     },
     /// Whether each heart has an abnormal patch, by a rule of the labelled ones.
     Verdicts(VerdictSettings),
+    /// The paths of all hearts in the medial shape space.
+    MedialPaths(ThickeningSettings),
+    /// The map of the poses of the medial shape space.
+    MedialMap(MedialMapParams),
+    /// Thickness of one heart's wall at a frame in all ways of measuring it.
+    FrameThickness {
+        /// Whose wall.
+        subject: usize,
+        /// At which frame.
+        frame: usize,
+        /// How it is measured.
+        params: ThicknessSettings,
+    },
 }
 
 /// How much of a subject an answer depends on.
@@ -144,6 +134,8 @@ impl AnalysisRequest {
             Self::Contribution { .. } => WorkKind::Contribution,
             Self::MedialBeat { .. } | Self::Thickening { .. } => WorkKind::Medial,
             Self::Verdicts(_) => WorkKind::Verdicts,
+            Self::MedialPaths(_) | Self::MedialMap(_) => WorkKind::MedialMap,
+            Self::FrameThickness { .. } => WorkKind::Thickness,
         }
     }
 
@@ -154,7 +146,8 @@ impl AnalysisRequest {
             Self::InBetweens { subject, .. }
             | Self::Interval { subject, .. }
             | Self::MedialBeat { subject, .. }
-            | Self::Thickening { subject, .. } => Some([subject, subject]),
+            | Self::Thickening { subject, .. }
+            | Self::FrameThickness { subject, .. } => Some([subject, subject]),
             Self::Transfer { from, onto, .. } => Some([from, onto]),
             Self::Contribution { a, b, .. } => Some([a.subject, b.subject]),
             _ => None,
@@ -165,7 +158,7 @@ impl AnalysisRequest {
     pub(super) fn reads(&self) -> Reads {
         match self {
             Self::MedialBeat { .. } => Reads::Surfaces,
-            Self::Thickening { .. } => Reads::Heart,
+            Self::Thickening { .. } | Self::FrameThickness { .. } => Reads::Heart,
             _ => Reads::Shape,
         }
     }
@@ -184,6 +177,9 @@ impl AnalysisRequest {
             Self::MedialBeat { .. } => "Medial surface",
             Self::Thickening { .. } => "Thickening",
             Self::Verdicts(_) => "Verdicts",
+            Self::MedialPaths(_) => "Paths of still parts",
+            Self::MedialMap(_) => "Medial map",
+            Self::FrameThickness { .. } => "Ways of measuring thickness",
         }
     }
 
@@ -222,6 +218,12 @@ impl AnalysisRequest {
                 let walls = thickening_words(&settings.thickening);
                 format!("{walls}; ridge {ridge}, {permutations} permutations, seed {seed}")
             }
+            Self::MedialPaths(settings) => thickening_words(settings),
+            Self::MedialMap(params) => {
+                let walls = thickening_words(&params.thickening);
+                format!("{walls}; {}", method_words(params.method))
+            }
+            Self::FrameThickness { frame, params, .. } => thickness_words(*frame, params),
         }
     }
 }
@@ -242,12 +244,28 @@ pub fn distance_words(params: &PoseDistanceParams) -> String {
 }
 
 fn map_words(params: &PoseMapParams) -> String {
-    let method = match params.method {
+    let method = method_words(params.method);
+    format!("{}, {method}", distance_words(&params.distances))
+}
+
+fn method_words(method: MapMethod) -> String {
+    match method {
         MapMethod::ClassicalMds => "classical MDS".to_owned(),
         MapMethod::Smacof => "SMACOF".to_owned(),
         MapMethod::Isomap { neighbours } => format!("Isomap of {neighbours} neighbours"),
-    };
-    format!("{}, {method}", distance_words(&params.distances))
+    }
+}
+
+fn thickness_words(frame: usize, settings: &ThicknessSettings) -> String {
+    let ThicknessParams {
+        slices,
+        chords,
+        voxels_across,
+    } = settings.methods;
+    format!(
+        "frame {frame}, {}, {slices} slices of {chords} chords, {voxels_across} voxels across the wall",
+        medial_words(&settings.medial)
+    )
 }
 
 fn deformation_words(settings: &DeformationMapSettings) -> String {
@@ -351,23 +369,4 @@ impl AnalysisError {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn settings_read_as_a_person_would_say_them() {
-        let request = AnalysisRequest::PoseMap(PoseMapParams::default());
-        assert_eq!(
-            request.parameters(),
-            "quasi-conformal, additive form, μ = 0.001, scale-free corners, λ = 3, \
-             smoothed over 0.1 √area, SMACOF"
-        );
-        let mut metric = MetricParams {
-            kind: MetricKind::Rigid,
-            ..MetricParams::default()
-        };
-        assert_eq!(metric_words(&metric), "rigid");
-        metric.kind = MetricKind::AnglePreserving;
-        assert!(!metric_words(&metric).contains('μ'));
-    }
-}
+mod tests;

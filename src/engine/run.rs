@@ -13,10 +13,9 @@ use crate::analysis::pose_distances::{
 };
 use crate::engine::cache::Cache;
 use crate::engine::outcome::AnalysisOutcome;
-use crate::engine::request::{
-    AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap, PoseMapParams,
-};
-use crate::engine::{run_pairs, thickening, verdicts};
+use crate::engine::request::{AnalysisError, AnalysisRequest, PoseMap};
+use crate::engine::settings::{ClassesSettings, DeformationMapSettings, PoseMapParams};
+use crate::engine::{medial_map, run_pairs, thickening, thickness, verdicts};
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
@@ -106,6 +105,23 @@ pub fn run(
         AnalysisRequest::Verdicts(settings) => {
             let found = verdicts::study_verdicts(study, settings, cache, progress)?;
             AnalysisOutcome::Verdicts(Arc::new(found))
+        }
+        AnalysisRequest::MedialPaths(settings) => {
+            let paths = medial_map::study_paths(study, settings, cache, progress)?;
+            AnalysisOutcome::MedialPaths(Arc::new(paths))
+        }
+        AnalysisRequest::MedialMap(params) => {
+            let map = medial_map::study_map(study, params, cache, progress)?;
+            AnalysisOutcome::MedialMap(Arc::new(map))
+        }
+        AnalysisRequest::FrameThickness {
+            subject,
+            frame,
+            params,
+        } => {
+            let found =
+                thickness::frame_thickness(study, *subject, *frame, params, cache, progress)?;
+            AnalysisOutcome::FrameThickness(Arc::new(found))
         }
     };
     cache.put(study, *request, outcome.clone());

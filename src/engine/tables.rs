@@ -9,19 +9,19 @@ use crate::analysis::classification::{Classes, ClassesParams};
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::verdicts::Verdicts;
 use crate::engine::cache::Cache;
 use crate::engine::export::ExportFile;
+use crate::engine::medial_map::map_of;
 use crate::engine::outcome::AnalysisOutcome;
-use crate::engine::request::{
-    AnalysisError, AnalysisRequest, ClassesSettings, DeformationMapSettings, PoseMap,
-    PoseMapParams, distance_words,
-};
+use crate::engine::request::{AnalysisError, AnalysisRequest, PoseMap, distance_words};
 use crate::engine::run::run;
+use crate::engine::settings::{ClassesSettings, DeformationMapSettings, PoseMapParams};
 use crate::engine::verdicts::{VerdictSettings, judged};
 use crate::engine::wall_tables::{Unassessed, WallTables};
 use crate::io::{
-    deformations_csv, distances_csv, frames_csv, poses_csv, subjects_csv, summary_json,
-    verdicts_csv, verdicts_json,
+    deformations_csv, distances_csv, frames_csv, medial_map_json, medial_mds_csv, poses_csv,
+    subjects_csv, summary_json, verdicts_csv, verdicts_json,
 };
 use crate::progress::Progress;
 use crate::study::Study;
@@ -48,6 +48,12 @@ pub struct TableSettings {
 pub struct AnalysisTables {
     /// The measures, for figures.
     pub measures: Arc<Vec<SubjectMeasures>>,
+    /// What is said of the hearts, for the report.
+    pub verdicts: Arc<Verdicts>,
+    /// The map of poses by classical scaling.
+    pub poses: Arc<PoseMap>,
+    /// The map of deformations.
+    pub deformations: Option<Arc<DeformationMap>>,
     /// Name of each file and what it holds, without those of walls.
     pub tables: Vec<(String, String)>,
     /// Atoms, patches and segments.
@@ -108,6 +114,13 @@ impl AnalysisTables {
         let verdicts = judged(study, &walls.examined, &checked, &part)?;
         let mut tables = tables(study, &measures, &maps, told.as_ref());
         tables.push(("verdicts.csv".to_owned(), verdicts_csv(study, &verdicts)));
+        let (medial, without_medial) = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
+            Ok(map) => (Some(map), None),
+            Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
+            Err(AnalysisError::Unanswerable(reason)) => (None, Some(reason)),
+        };
+        let rows = medial_mds_csv(study, medial.as_ref());
+        tables.push(("medial_mds.csv".to_owned(), rows));
         let embeddings: Vec<_> = maps
             .iter()
             .map(|(word, map)| (*word, &map.embedding))
@@ -123,9 +136,14 @@ impl AnalysisTables {
         if let Value::Object(object) = &mut summary {
             object.insert("thickening".to_owned(), walls.summary.clone());
             object.insert("verdicts".to_owned(), verdicts_json(&verdicts, &checked));
+            let medial = medial_map_json(study, medial.as_ref(), without_medial.as_deref());
+            object.insert("medial_map".to_owned(), medial);
         }
         Ok(Self {
             measures,
+            verdicts: Arc::new(verdicts),
+            poses: Arc::clone(&maps[0].1),
+            deformations: told.map(|(map, _)| map),
             tables,
             walls,
             folder,

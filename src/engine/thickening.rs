@@ -2,6 +2,8 @@
 
 use std::sync::Arc;
 
+use serde::{Deserialize, Serialize};
+
 use crate::analysis::measures::{SubjectMeasures, measure_subject};
 use crate::analysis::medial::{MedialBeat, MedialError, MedialParams, medial_beat};
 use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segment};
@@ -21,7 +23,8 @@ use crate::study::Study;
 const ATOMS_SHARE: f32 = 0.8;
 
 /// Settings of the search for patches, from the surfaces on.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ThickeningSettings {
     /// How balls are laid into the wall.
     pub medial: MedialParams,

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::analysis::verdicts::{Examined, NotAssessed};
 use crate::engine::cache::Cache;
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
+use crate::engine::medial_map::{StudyPaths, paths_of};
 use crate::engine::outcome::AnalysisOutcome;
 use crate::engine::request::{AnalysisError, AnalysisRequest};
 use crate::engine::run::run;
@@ -40,6 +41,8 @@ pub(super) struct WallTables {
     pub unassessed: Vec<Unassessed>,
     /// What verdicts read of each heart.
     pub examined: Vec<Result<Examined, NotAssessed>>,
+    /// What the medial map is made of.
+    pub paths: StudyPaths,
 }
 
 impl WallTables {
@@ -67,6 +70,7 @@ impl WallTables {
             summary: Value::Null,
             unassessed: Vec::new(),
             examined: Vec::with_capacity(study.subjects.len()),
+            paths: StudyPaths::with_capacity(study.subjects.len()),
         };
         tables.add_atoms(&atoms_csv_header())?;
         let count = study.subjects.len().max(1) as f32;
@@ -80,6 +84,7 @@ impl WallTables {
             };
             let answer = run(study, &request, cache, &part);
             tables.examined.push(examined(&answer, &checked)?);
+            tables.paths.push(paths_of(&answer)?);
             hearts.push(tables.add(study, subject, answer, &part)?);
         }
         tables.summary = json!({

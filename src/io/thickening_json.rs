@@ -64,6 +64,9 @@ pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
         "well_share_contraction": well_share(Phase::Contraction),
         "well_share_expansion": well_share(Phase::Expansion),
         "oriented": wall.axis.is_some_and(|axis| axis.is_oriented()),
+        "smallest_patch": found.smallest.map(|least| {
+            json!({ "share": least.share, "area_cm2": least.area_cm2 })
+        }),
         "patches": found.patches.iter().map(patch_json).collect::<Vec<Value>>(),
     })
 }

@@ -179,6 +179,7 @@ mod tests {
             abnormal: true,
             probability: 0.1 + 0.2,
             features: Features::default(),
+            patched: 0.31,
             alike_normal: vec![1],
             alike_abnormal: vec![0, 1],
             familiarity: Some(Familiarity {

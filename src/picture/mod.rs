@@ -1,17 +1,22 @@
 //! A heart at a pose as a scene with colours, legends and labels: what the window and exported figures share.
 
 mod axes;
+mod bulls_eye;
 mod colour_map;
 pub mod figure;
 mod fit;
 mod frame_words;
+mod heart_frame;
 mod legend;
 mod limits;
 mod medial;
 mod numbers;
 mod openings;
+pub mod page;
+mod patch_words;
 mod prepared;
 mod quantity;
+pub mod report;
 mod scale_bar;
 mod scene;
 mod ticks;
@@ -19,13 +24,22 @@ mod tokens;
 mod wall_rim;
 
 pub use axes::{AnatomicalView, CubeFace, HeartAxes};
+pub use bulls_eye::{
+    BullsEyeQuantity, BullsEyeScale, FlatValues, FlatWall, ink_on, sector_line, sector_outline,
+    sector_strip,
+};
 pub use colour_map::ColourMap;
 pub use fit::fitted_camera;
 pub use frame_words::frame_words;
+pub use heart_frame::HeartFrame;
 pub use legend::{ColourLegend, Tick};
 pub use limits::{CohortLimits, reference_frame};
-pub use medial::{HeartMedial, MedialSettings, PreparedMedial, WallPart};
+pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPart, facing_patch};
 pub use numbers::{HeartNumbers, relative_density};
+pub use patch_words::{
+    PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,
+    smallest_words,
+};
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;

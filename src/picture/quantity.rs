@@ -1,7 +1,10 @@
 //! What the colours on a heart can stand for.
 
+use serde::{Deserialize, Serialize};
+
 /// A number on every vertex, or plain tissue.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// The colour of tissue; no number.
     #[default]

@@ -4,9 +4,9 @@ use std::mem::discriminant;
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
-use crate::picture::Quantity;
+use crate::picture::{BullsEyeQuantity, Quantity};
 use crate::render::Shading;
-use crate::ui::command::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
+use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
 
 /// What menus and the palette need to know of the program.
 #[derive(Clone, Debug, Default, PartialEq)]

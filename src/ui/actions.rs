@@ -4,9 +4,9 @@ use egui::{Key, KeyboardShortcut, Modifiers};
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
-use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
-use crate::ui::command::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
+use crate::picture::{AnatomicalView, BullsEyeQuantity};
+use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
 
 /// A menu of the bar; also the group in the sheet of shortcuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -129,6 +129,8 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::View, 3, "Next quantity of the bull's-eye", Some((NONE, Key::B)), Command::NextBullsEye),
     action(Menu::View, 3, "Bull's-eye: PT of this pose", None, Command::SetBullsEye(BullsEyeQuantity::Ratio)),
     action(Menu::View, 3, "Bull's-eye: thickening", None, Command::SetBullsEye(BullsEyeQuantity::Thickening)),
+    action(Menu::View, 3, "Bull's-eye: displacement", None, Command::SetBullsEye(BullsEyeQuantity::Displacement)),
+    action(Menu::View, 3, "Bull's-eye: area ratio", None, Command::SetBullsEye(BullsEyeQuantity::AreaRatio)),
     action(Menu::View, 3, "Bull's-eye by segment", None, Command::ToggleBullsEyeSegments),
     action(Menu::View, 4, "Theme: as the system", None, Command::SetTheme(ThemeChoice::System)),
     action(Menu::View, 4, "Theme: dark", None, Command::SetTheme(ThemeChoice::Dark)),
@@ -138,11 +140,14 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::View, 5, "Pane: poses", None, Command::TogglePane(Pane::PoseMap)),
     action(Menu::View, 5, "Pane: deformations", None, Command::TogglePane(Pane::DeformationMap)),
     action(Menu::View, 5, "Pane: poses through time", None, Command::TogglePane(Pane::SpaceTime)),
+    action(Menu::View, 5, "Pane: medial map", None, Command::TogglePane(Pane::MedialMap)),
     action(Menu::View, 5, "Pane: metric", None, Command::TogglePane(Pane::Metric)),
     action(Menu::View, 5, "Pane: volume", None, Command::TogglePane(Pane::Curves)),
     action(Menu::View, 5, "Pane: measures", None, Command::TogglePane(Pane::Measures)),
     action(Menu::View, 5, "Pane: patch", None, Command::TogglePane(Pane::Patch)),
+    action(Menu::View, 5, "Pane: verdict", None, Command::TogglePane(Pane::Verdict)),
     action(Menu::View, 5, "Pane: bull's-eye", None, Command::TogglePane(Pane::BullsEye)),
+    action(Menu::View, 5, "Pane: thickness", None, Command::TogglePane(Pane::Thickness)),
     action(Menu::View, 5, "Reset layout", None, Command::ResetLayout),
     action(Menu::View, 6, "Full screen", Some((NONE, Key::F11)), Command::ToggleFullScreen),
     action(Menu::Analysis, 0, "Play or pause", Some((NONE, Key::Space)), Command::TogglePlay),
@@ -158,6 +163,7 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 2, "Map of poses", None, Command::ShowPane(Pane::PoseMap)),
     action(Menu::Analysis, 2, "Map of deformations", None, Command::ShowPane(Pane::DeformationMap)),
     action(Menu::Analysis, 2, "Poses through time in 3D", None, Command::ShowPane(Pane::SpaceTime)),
+    action(Menu::Analysis, 2, "Map of the medial shape space", None, Command::ShowPane(Pane::MedialMap)),
     action(Menu::Analysis, 2, "Clusters of deformations", None, Command::ToggleClusters),
     action(Menu::Analysis, 3, "Metric and maps…", None, Command::ShowPane(Pane::Metric)),
     action(Menu::Analysis, 3, "Metric: quasi-conformal", None, Command::SetMetric(MetricKind::QuasiConformal)),
@@ -169,7 +175,9 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 3, "Map of poses by Isomap", None, Command::SetMapMethod(MapMethod::ISOMAP)),
     action(Menu::Analysis, 3, "Reset metric and maps", None, Command::ResetMaps),
     action(Menu::Analysis, 3, "Patch of the wall", None, Command::ShowPane(Pane::Patch)),
+    action(Menu::Analysis, 3, "Verdict on this heart", None, Command::ShowPane(Pane::Verdict)),
     action(Menu::Analysis, 3, "Bull's-eye", None, Command::ShowPane(Pane::BullsEye)),
+    action(Menu::Analysis, 3, "Ways of measuring thickness", None, Command::ShowPane(Pane::Thickness)),
     action(Menu::Analysis, 3, "Reset the thresholds of patches", None, Command::ResetThickening),
     action(Menu::Analysis, 4, "In-betweens: off", None, Command::SetInBetweens(0)),
     action(Menu::Analysis, 4, "In-betweens: 1 per interval", None, Command::SetInBetweens(1)),
@@ -177,7 +185,8 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 4, "In-betweens: 7 per interval", None, Command::SetInBetweens(7)),
     action(Menu::Analysis, 5, "Play this beat on the heart beside it", Some((NONE, Key::T)), Command::CarryBeatBeside),
     action(Menu::Analysis, 5, "Stop playing the carried beat", None, Command::StopCarrying),
-    action(Menu::Export, 0, "Figure…", Some((NONE, Key::F2)), Command::ExportFigure(None)),
+    action(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), Command::ExportPatchFigure(None)),
+    action(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), Command::ExportFigure(None)),
     action(Menu::Export, 0, "Tables…", Some((CTRL, Key::E)), Command::ExportTables(None)),
     action(Menu::Help, 0, "Find a command", Some((CTRL, Key::K)), Command::TogglePalette),
     action(Menu::Help, 0, "Keyboard shortcuts", Some((NONE, Key::Questionmark)), Command::ToggleShortcuts),

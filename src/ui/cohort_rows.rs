@@ -3,6 +3,40 @@
 use std::cmp::Ordering;
 
 use crate::study::LabelRole;
+use crate::ui::verdict_marks::VerdictMark;
+
+/// What is said of one subject.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CohortVerdict {
+    /// What was found.
+    pub mark: VerdictMark,
+    /// Share of the wall in abnormal patches; `None` where none was found.
+    pub share: Option<f64>,
+    /// That the heart counts as abnormal, in `0..=1`; `None` where it is not assessed.
+    pub probability: Option<f64>,
+    /// In a sentence or two.
+    pub words: String,
+}
+
+impl CohortVerdict {
+    /// "patch 31 %".
+    pub fn text(&self) -> String {
+        let word = self.mark.word();
+        match self.share {
+            Some(share) => format!("{word} {:.0} %", 100.0 * share),
+            None => word.to_owned(),
+        }
+    }
+
+    /// What a narrow column has room for, beside the mark: "31 %".
+    pub fn short(&self) -> String {
+        match (self.share, self.mark) {
+            (Some(share), _) => format!("{:.0} %", 100.0 * share),
+            (None, VerdictMark::NotAssessed) => String::new(),
+            (None, mark) => mark.word().to_owned(),
+        }
+    }
+}
 
 /// One subject as the cohort table and the palette show it.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -15,6 +49,8 @@ pub struct CohortRow {
     pub role: LabelRole,
     /// Ejection fraction as a fraction; `None` until it is computed or where it cannot be.
     pub ejection_fraction: Option<f64>,
+    /// What is said of it; `None` until that is known.
+    pub verdict: Option<CohortVerdict>,
     /// Number of poses.
     pub frame_count: usize,
     /// Findings of the load report that can affect results.
@@ -35,15 +71,18 @@ pub enum CohortColumn {
     Label,
     /// Ejection fraction.
     EjectionFraction,
+    /// Verdict; sorted by the probability of being abnormal.
+    Verdict,
 }
 
 impl CohortColumn {
     /// All columns from left to right; the index is the argument of `SortCohort`.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 5] = [
         Self::Role,
         Self::Subject,
         Self::Label,
         Self::EjectionFraction,
+        Self::Verdict,
     ];
 }
 
@@ -58,8 +97,8 @@ pub struct CohortSort {
 
 /// Indices of the rows that match a search, sorted; rows that compare equal keep the study's order.
 ///
-/// Every word of the search must occur in the id, the label, the role's name or the EF in percent;
-/// letter case does not matter. Missing values come last in either direction.
+/// Every word of the search must occur in the id, the label, the role's name, the EF in percent or the words of
+/// the verdict's column; letter case does not matter. Missing values come last in either direction.
 pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) -> Vec<usize> {
     let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
     let mut visible: Vec<usize> = (0..rows.len())
@@ -81,7 +120,9 @@ fn searchable(row: &CohortRow) -> String {
         .unwrap_or_default();
     let role = crate::ui::marks::role_name(row.role);
     let label = row.label.as_deref().unwrap_or_default();
-    format!("{} {label} {role} {percent}", row.id).to_lowercase()
+    let verdict = row.verdict.as_ref().map(CohortVerdict::text);
+    let verdict = verdict.unwrap_or_default();
+    format!("{} {label} {role} {percent} {verdict}", row.id).to_lowercase()
 }
 
 fn compare(a: &CohortRow, b: &CohortRow, sort: CohortSort) -> Ordering {
@@ -103,7 +144,16 @@ fn compare(a: &CohortRow, b: &CohortRow, sort: CohortSort) -> Ordering {
                 turn(a.total_cmp(&b))
             })
         }
+        CohortColumn::Verdict => missing_last(certainty(a), certainty(b), |a, b| {
+            turn(a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
+        }),
     }
+}
+
+/// Finding and probability; `None` where nothing is said or nothing can be.
+fn certainty(row: &CohortRow) -> Option<(VerdictMark, f64)> {
+    let verdict = row.verdict.as_ref()?;
+    Some((verdict.mark, verdict.probability?))
 }
 
 fn missing_last<T>(a: Option<T>, b: Option<T>, compare: impl Fn(T, T) -> Ordering) -> Ordering {
@@ -185,6 +235,34 @@ mod tests {
     fn numbers_in_names_count_as_numbers() {
         let sort = Some(CohortSort::default());
         assert_eq!(visible_rows(&cohort(), "", sort), [2, 1, 0]);
+    }
+
+    #[test]
+    fn verdicts_are_found_by_their_words_and_sorted_by_probability() {
+        let verdict = |mark, share, probability| {
+            Some(CohortVerdict {
+                mark,
+                share,
+                probability,
+                words: String::new(),
+            })
+        };
+        let mut rows = cohort();
+        rows[0].verdict = verdict(VerdictMark::Patch, Some(0.312), Some(0.98));
+        rows[1].verdict = verdict(VerdictMark::NotAssessed, None, None);
+        rows[2].verdict = verdict(VerdictMark::Nothing, None, Some(0.03));
+        let texts = rows.iter().map(|row| row.verdict.as_ref().unwrap().text());
+        let texts: Vec<String> = texts.collect();
+        assert_eq!(texts, ["patch 31 %", "not assessed", "none"]);
+        assert_eq!(visible_rows(&rows, "patch", None), [0]);
+        assert_eq!(visible_rows(&rows, "not assessed", None), [1]);
+        for (descending, order) in [(false, [2, 0, 1]), (true, [0, 2, 1])] {
+            let sort = Some(CohortSort {
+                column: CohortColumn::Verdict,
+                descending,
+            });
+            assert_eq!(visible_rows(&rows, "", sort), order);
+        }
     }
 
     #[test]

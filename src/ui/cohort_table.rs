@@ -1,11 +1,13 @@
 //! The list of subjects: find one, sort them, select one.
 
+mod columns;
+
 use egui::{
     Align2, Key, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2,
     vec2,
 };
 
-use crate::ui::cohort_rows::{CohortColumn, CohortRow, CohortSort};
+use crate::ui::cohort_rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict};
 use crate::ui::command::Command;
 use crate::ui::controls::empty_pane_ui;
 use crate::ui::marks::{role_mark, role_name};
@@ -13,6 +15,8 @@ use crate::ui::normal_ranges::EJECTION_FRACTION;
 use crate::ui::style::{note, note_font, text_font};
 use crate::ui::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::theme::{colours, space};
+
+use columns::{Columns, Told, cell, verdict_cell};
 
 /// What the cohort pane shows.
 #[derive(Clone, Debug)]
@@ -31,6 +35,8 @@ pub struct CohortView<'a> {
     pub compared: Option<usize>,
     /// Whether ejection fractions are still to come.
     pub measuring: bool,
+    /// Whether verdicts are still to come.
+    pub judging: bool,
 }
 
 /// Draws the filter box and the table.
@@ -74,7 +80,7 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
         .show(ui, |ui| {
             let mut text = view.search.to_owned();
             let edit = TextEdit::singleline(&mut text)
-                .hint_text("Filter by name, label, EF…")
+                .hint_text("Filter by name, label, EF, verdict…")
                 .margin(vec2(space::MEDIUM, 3.0))
                 .desired_width(f32::INFINITY);
             let response = ui.add(edit).accessible_name("Filter subjects");
@@ -89,51 +95,14 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
         });
 }
 
-/// Horizontal places of the columns.
-struct Columns {
-    mark: f32,
-    subject: f32,
-    label: f32,
-    /// Right edge: numbers end here.
-    ejection_fraction: f32,
-}
-
-impl Columns {
-    /// Without labels their column is empty, and names take its room.
-    fn within(across: egui::Rangef, labelled: bool) -> Self {
-        let inner = across.shrink(space::LARGE);
-        let from = inner.min + 22.0;
-        let to = inner.max;
-        Self {
-            mark: inner.min + 6.0,
-            subject: from,
-            label: if labelled {
-                from + ((to - 40.0 - from) * 0.56).max(68.0)
-            } else {
-                to - 40.0
-            },
-            ejection_fraction: to,
-        }
-    }
-
-    /// Room of a column, for its heading and its text.
-    fn span(&self, column: CohortColumn) -> [f32; 2] {
-        let gap = space::MEDIUM;
-        match column {
-            CohortColumn::Role => [self.mark - 10.0, self.subject - 2.0],
-            CohortColumn::Subject => [self.subject, self.label - gap],
-            CohortColumn::Label => [self.label, self.ejection_fraction - 40.0],
-            CohortColumn::EjectionFraction => {
-                [self.ejection_fraction - 38.0, self.ejection_fraction]
-            }
-        }
-    }
-}
-
 fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
     let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
-    let names = ["", "Subject", "Label", "EF %"];
-    let readable = ["Role", "Subject", "Label", "EF %"];
+    let verdict = match columns.told {
+        Told::Words | Told::Short => "Verdict",
+        Told::Mark => "",
+    };
+    let names = ["", "Subject", "Label", "EF %", verdict];
+    let readable = ["Role", "Subject", "Label", "EF %", "Verdict"];
     for (index, column) in CohortColumn::ALL.into_iter().enumerate() {
         let [left, right] = columns.span(column);
         if right <= left {
@@ -170,10 +139,13 @@ fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut V
                 .text(at, anchor, arrow, egui::FontId::proportional(8.0), colour);
         }
         crate::ui::controls::focus_ring(ui, &response);
-        if response
-            .on_hover_text(format!("Sort by {}", readable[index]))
-            .clicked()
-        {
+        let hint = match column {
+            CohortColumn::Verdict => {
+                "Sort by verdict: by the probability that the heart counts as abnormal".to_owned()
+            }
+            _ => format!("Sort by {}", readable[index]),
+        };
+        if response.on_hover_text(hint).clicked() {
             commands.push(Command::SortCohort(index));
         }
     }
@@ -231,7 +203,11 @@ fn row_ui(
     let selected = view.selected == Some(index);
     let id = ui.scope_id().with(("row", index));
     let response = ui.interact(rect, id, Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::selected(Role::ListBoxOption, true, selected, &row.id));
+    response.widget_info(|| {
+        let mut info = WidgetInfo::selected(Role::ListBoxOption, true, selected, &row.id);
+        info.hint_text = row.verdict.as_ref().map(CohortVerdict::text);
+        info
+    });
     if selected {
         ui.painter().rect_filled(rect, 0.0, colours.selected_row);
         let edge = Rect::from_min_size(rect.min, vec2(2.0, rect.height()));
@@ -274,6 +250,7 @@ fn row_ui(
         text_font(),
         colour,
     );
+    verdict_cell(ui, columns, y, row.verdict.as_ref(), view.judging);
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
         commands.push(Command::SelectSubject(index));
@@ -292,23 +269,6 @@ fn row_ui(
     subject_target_ui(ui, &response, &target, commands);
     row_menu_ui(&response, index, view, commands);
     response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
-}
-
-/// Text of one cell, cut off with an ellipsis where the column ends.
-fn cell(
-    ui: &Ui,
-    columns: &Columns,
-    column: CohortColumn,
-    y: f32,
-    text: &str,
-    colour: egui::Color32,
-) {
-    let [left, right] = columns.span(column);
-    let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), text_font(), colour);
-    job.wrap = egui::text::TextWrapping::truncate_at_width((right - left).max(8.0));
-    let galley = ui.painter().layout_job(job);
-    let at = pos2(left, y - 0.5 * galley.size().y);
-    ui.painter().galley(at, galley, colour);
 }
 
 fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &mut Vec<Command>) {
@@ -360,6 +320,9 @@ fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
         )),
         None => ui.label("Ejection fraction not known"),
     };
+    if let Some(verdict) = &row.verdict {
+        ui.label(&verdict.words);
+    }
     ui.label(note(match row.frame_count {
         1 => "1 pose".to_owned(),
         count => format!("{count} poses"),

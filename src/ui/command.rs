@@ -6,7 +6,8 @@ use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
 use crate::engine::{PoseMapParams, ThickeningSettings, WorkKind};
-use crate::picture::{AnatomicalView, Quantity, WallPart};
+use crate::picture::figure::SavedView;
+use crate::picture::{AnatomicalView, BullsEyeQuantity, Quantity, WallPart};
 use crate::render::{Camera, Shading};
 
 /// What the 3D view shows at once.
@@ -19,29 +20,6 @@ pub enum ViewMode {
     SideBySide,
     /// Every pose of one heart.
     AllPhases,
-}
-
-/// What the bull's-eye shows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum BullsEyeQuantity {
-    /// PT of the pose on screen against end-diastole.
-    Ratio,
-    /// Thickening from end-diastole to end-systole, as the whole beat tells it.
-    #[default]
-    Thickening,
-}
-
-impl BullsEyeQuantity {
-    /// Both, in the order in which one key steps through them.
-    pub const ALL: [Self; 2] = [Self::Thickening, Self::Ratio];
-
-    /// The other one.
-    pub fn next(self) -> Self {
-        match self {
-            Self::Ratio => Self::Thickening,
-            Self::Thickening => Self::Ratio,
-        }
-    }
 }
 
 /// A tile of the window.
@@ -67,8 +45,14 @@ pub enum Pane {
     Measures,
     /// The part of the wall that does not thicken.
     Patch,
+    /// What is said of the selected heart, and why.
+    Verdict,
     /// The wall laid flat, by segments.
     BullsEye,
+    /// The map of the medial shape space.
+    MedialMap,
+    /// The wall's thickness in several ways of measuring it.
+    Thickness,
 }
 
 /// Light or dark.
@@ -238,8 +222,12 @@ pub enum Command {
     ToggleLoadReport,
     /// Show or hide About.
     ToggleAbout,
-    /// Write a picture of the 3D view; `None` asks where.
+    /// Write a figure of the 3D view; `None` asks where.
     ExportFigure(Option<PathBuf>),
+    /// Write the figure of the patch: heart, bull's-eye, table, verdict; `None` asks where.
+    ExportPatchFigure(Option<PathBuf>),
+    /// Show what a picture shows.
+    TakeUpView(Box<SavedView>),
     /// Write all tables; `None` asks where.
     ExportTables(Option<PathBuf>),
     /// Undo the last change of state.

@@ -171,7 +171,7 @@ mod tests {
             ..Default::default()
         };
         assert_eq!(
-            clicked_through("Export", "Figure…", &state),
+            clicked_through("Export", "3D view…", &state),
             [Command::ExportFigure(None)]
         );
     }

@@ -7,6 +7,8 @@ mod medial;
 #[cfg(test)]
 mod noise_medial;
 #[cfg(test)]
+mod patch_figures;
+#[cfg(test)]
 mod refusals;
 #[cfg(test)]
 mod shape_space;
@@ -208,6 +210,7 @@ fn analyze_writes_the_same_bytes_with_one_thread_and_with_two() {
         "distances.csv",
         "poses_mds.csv",
         "poses_smacof.csv",
+        "medial_mds.csv",
         "atoms.csv",
         "patches.csv",
         "segments.csv",
@@ -219,6 +222,19 @@ fn analyze_writes_the_same_bytes_with_one_thread_and_with_two() {
     let poses = reports[0].join("poses_mds.csv");
     assert_eq!(header(&poses), ["subject", "frame", "x", "y"]);
     assert_eq!(rows(&poses).len(), 184);
+    let medial = reports[0].join("medial_mds.csv");
+    let columns = ["subject", "step_from", "step_to", "patch", "x", "y"];
+    assert_eq!(header(&medial), columns);
+    let (steps, patches) = (rows(&medial), rows(&reports[0].join("patches.csv")));
+    for patch in &patches {
+        let own = |row: &&csv::StringRecord| (&row[0], &row[3]) == (&patch[0], &patch[1]);
+        assert_eq!(steps.iter().filter(own).count(), 8, "{patch:?}");
+    }
+    assert!(
+        steps
+            .iter()
+            .any(|row| &row[0] == "N01" && row[3].is_empty())
+    );
     let distances = rows(&reports[0].join("distances.csv"));
     assert_eq!((distances.len(), distances[0].len()), (184, 186));
     let summary: Value =

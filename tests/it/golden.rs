@@ -9,10 +9,10 @@ use std::time::{Duration, Instant};
 
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::{App, AppOptions};
-use cardiomorph::picture::{Quantity, WallPart};
+use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{BullsEyeQuantity, Command, Pane, ThemeChoice, ViewMode};
+use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
 use egui_kittest::{Harness, SnapshotOptions};
 
 /// The adapter that pictures are drawn with; `None`, with a message, if there is none.
@@ -170,6 +170,17 @@ fn the_thickness_ratio_and_a_segment_look_as_they_did_in_the_light_window() {
     ];
     let light = ThemeChoice::Light;
     compare_after("thickness_light", light, commands, wall_is_known);
+}
+
+#[test]
+fn the_medial_map_looks_as_it_did_in_the_dark_window() {
+    let commands = vec![
+        Command::ShowPane(Pane::MedialMap),
+        Command::ShowPane(Pane::Patch),
+    ];
+    compare_after("medial_map_dark", ThemeChoice::Dark, commands, |app| {
+        app.state().medial_map().is_some() && wall_is_known(app)
+    });
 }
 
 #[test]

@@ -131,6 +131,16 @@ fn screenshots_are_taken_when_asked_for() {
             ],
         },
         Shot {
+            name: "medial_map.png",
+            pixels_per_point: 1.0,
+            commands: vec![
+                light.clone(),
+                pose(13, 3),
+                Command::ShowPane(Pane::MedialMap),
+                Command::ShowPane(Pane::Thickness),
+            ],
+        },
+        Shot {
             name: "difference.png",
             pixels_per_point: 1.0,
             commands: vec![

@@ -5,7 +5,11 @@ mod around;
 #[cfg(test)]
 mod beats;
 #[cfg(test)]
+mod figures;
+#[cfg(test)]
 mod maps;
+#[cfg(test)]
+mod medial;
 #[cfg(test)]
 mod walls;
 

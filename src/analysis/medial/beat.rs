@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::error::MedialError;
 use super::params::CheckedMedialParams;
 use super::result::{MedialBeat, MedialSurface};
-use super::surface::{WallAtlas, joined_points};
+use super::surface::{MOST_NOISE, WallAtlas, joined_points};
 use crate::analysis::measures::split_wall;
 use crate::mesh::{Faces, Point3, TriMesh};
 use crate::progress::Progress;
@@ -16,10 +16,10 @@ use crate::study::{MeshSequence, Subject, SurfaceKind};
 /// Atoms of a heart at every frame, one per vertex of the endocardium, or of the inner side of a closed wall.
 ///
 /// All frames are smoothed over the same length, by the median over frames of their walls' median thickness, so that a
-/// ratio of radii compares equally smooth walls.
+/// ratio of radii compares equally smooth walls. Where the surfaces are rough the length is greater, as far as their noise asks for it.
 ///
 /// # Errors
-/// If there is no wall or its inner side cannot be told, a frame cannot be used, or it was stopped.
+/// If there is no wall or its inner side cannot be told, a frame cannot be used, noise leaves hardly any atom, or it was stopped.
 pub fn medial_beat(
     subject: &Subject,
     params: &CheckedMedialParams,
@@ -42,12 +42,26 @@ pub fn medial_beat(
     let mut thicknesses: Vec<f64> = measured.iter().map(|&(_, thickness)| thickness).collect();
     let middle = thicknesses.len() / 2;
     let typical = *thicknesses.select_nth_unstable_by(middle, f64::total_cmp).1;
-    let frames: Vec<MedialSurface> = (measured.par_iter().enumerate())
-        .map(|(frame, (points, _))| atlas.surface(frame, points, typical, params, progress))
+    let poses: Vec<&[Point3]> = measured
+        .iter()
+        .map(|(points, _)| points.as_slice())
+        .collect();
+    let (thickness, plan) = atlas.plan(&poses, typical, params, progress)?;
+    let frames: Vec<MedialSurface> = (poses.par_iter().enumerate())
+        .map(|(frame, points)| atlas.surface(frame, points, (thickness, plan), params, progress))
         .collect::<Result<_, MedialError>>()?;
-    let regular = (0..template.vertices.len())
+    let regular: Vec<bool> = (0..template.vertices.len())
         .map(|atom| frames.iter().all(|frame| frame.end[atom].is_none()))
         .collect();
+    let lost = regular.iter().filter(|&&regular| !regular).count();
+    if plan.noise > MOST_NOISE * thickness && 2 * lost > regular.len() {
+        return Err(MedialError::Noise {
+            noise: plan.noise,
+            thickness,
+            lost,
+            atoms: regular.len(),
+        });
+    }
     Ok(MedialBeat {
         surface: template.kinds[0],
         vertices: template.vertices,

@@ -41,6 +41,21 @@ pub enum MedialError {
         /// Vertices of the template.
         atoms: usize,
     },
+    /// Vertices are off by so much that most atoms are lost.
+    #[error(
+        "noise: vertices are off by {noise:.2}, which is not small against the wall's thickness of {thickness:.2} (in coordinates); \
+         {lost} of {atoms} atoms are lost"
+    )]
+    Noise {
+        /// Standard deviation of each coordinate, in coordinates.
+        noise: f64,
+        /// Typical thickness, in coordinates.
+        thickness: f64,
+        /// Atoms that are lost.
+        lost: usize,
+        /// All of them.
+        atoms: usize,
+    },
     /// Connectivity of the template is broken.
     #[error(transparent)]
     Mesh(#[from] MeshError),

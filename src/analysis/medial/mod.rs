@@ -11,6 +11,7 @@ mod face_tree;
 mod orientation;
 mod params;
 mod result;
+mod roughness;
 mod smoothing;
 mod surface;
 #[cfg(test)]

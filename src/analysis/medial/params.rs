@@ -1,7 +1,10 @@
 //! How strongly surfaces are smoothed, and which balls count.
 
+use serde::{Deserialize, Serialize};
+
 /// Settings of the medial surface; [`MedialParams::check`] makes them usable.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct MedialParams {
     /// Length ℓ over which the surfaces are smoothed before balls are laid into the wall, as a share of the wall's median
     /// thickness. Waves of length 2πℓ keep three quarters of their height. 0: surfaces as they are.

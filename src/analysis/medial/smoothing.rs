@@ -42,8 +42,33 @@ pub(super) fn smooth(connectivity: &Connectivity, points: &[Point3], length: f64
             points: points.to_vec(),
         };
     }
-    let rim = System::of_boundary(connectivity, points, length);
-    let inside = System::of_surface(connectivity, points, length);
+    smooth_by(connectivity, points, points, length)
+}
+
+/// The same where noise is so large that areas and angles of the surfaces are those of noise: M and L come from
+/// the surfaces smoothed before, `passes` times over.
+pub(super) fn smooth_rough(
+    connectivity: &Connectivity,
+    points: &[Point3],
+    length: f64,
+    passes: usize,
+) -> Smoothed {
+    let mut smoothed = smooth(connectivity, points, length);
+    for _ in 0..passes {
+        smoothed = smooth_by(connectivity, &smoothed.once, points, length);
+    }
+    smoothed
+}
+
+/// With areas and angles of another shape.
+fn smooth_by(
+    connectivity: &Connectivity,
+    shape: &[Point3],
+    points: &[Point3],
+    length: f64,
+) -> Smoothed {
+    let rim = System::of_boundary(connectivity, shape, length);
+    let inside = System::of_surface(connectivity, shape, length);
     let step = |field: &[Vector3]| inside.solve(field, &rim.solve(field, field));
     let start: Vec<Vector3> = points.iter().map(|p| p.coords).collect();
     let once = step(&start);

@@ -10,7 +10,8 @@ use super::face_tree::{FaceTree, FacesOfPose};
 use super::orientation::{Opposite, turn_into_muscle, typical_thickness};
 use super::params::CheckedMedialParams;
 use super::result::{Atom, MedialSurface};
-use super::smoothing::smooth;
+use super::roughness::{Plan, Roughness};
+use super::smoothing::smooth_rough;
 use crate::analysis::measures::UntoldVolume;
 use crate::mesh::{Point3, TriMesh, Vector3, face_normals, vertex_normals};
 use crate::progress::Progress;
@@ -24,12 +25,15 @@ const MOST_THICKNESS: f64 = 4.0;
 /// Share of vertices that must have a ball; the rest of a wall cannot be trusted where fewer have.
 const LEAST_FITTING: f64 = 0.5;
 
+/// Noise over the typical thickness from which lost atoms are put down to noise.
+pub(super) const MOST_NOISE: f64 = 0.2;
+
 /// Atoms of a wall at one pose, one per vertex of the template.
 ///
 /// With `others`, the template is the inner surface, usually the endocardium, and the others the outer one. Without, it
 /// is a closed wall, of which every vertex of both sides has its atom.
 ///
-/// Surfaces are smoothed over [`smoothing`](super::MedialParams::smoothing); from every vertex p the largest ball that
+/// Surfaces are smoothed over [`smoothing`](super::MedialParams::smoothing), or more where they are rough; from every vertex p the largest ball that
 /// touches p and the side across gives x = p + r n, S₀ = −n, S₁ = (q − x) / r, q being where it touches across. Since the tangent plane of the
 /// medial surface halves the angle between the spokes, its normal is N = (S₁ − S₀) / |S₁ − S₀|.
 ///
@@ -52,8 +56,8 @@ pub fn medial_surface(
     let atlas = WallAtlas::new(&frames, probes, others.is_empty())?;
     progress.expect_steps(atlas.steps_per_frame());
     let pose = joined_points(&frames[0]);
-    let thickness = atlas.thickness(&pose);
-    atlas.surface(0, &pose, thickness, params, progress)
+    let (thickness, plan) = atlas.plan(&[&pose], atlas.thickness(&pose), params, progress)?;
+    atlas.surface(0, &pose, (thickness, plan), params, progress)
 }
 
 /// Vertices of all surfaces, one after the other.
@@ -71,6 +75,7 @@ pub(super) struct WallAtlas {
     pub connectivity: Connectivity,
     opposite: Opposite,
     tree: FaceTree,
+    pub roughness: Roughness,
     /// Vertices of which there are atoms.
     pub probes: Vec<u32>,
     /// Places in `probes`, so that neighbours mostly follow each other.
@@ -113,6 +118,7 @@ impl WallAtlas {
         });
         let order = probe_order(&connectivity, &tree, &probes);
         Ok(Self {
+            roughness: Roughness::new(&connectivity),
             connectivity,
             opposite,
             tree,
@@ -140,7 +146,7 @@ impl WallAtlas {
         typical_thickness(&self.connectivity, self.opposite, &tree, faces)
     }
 
-    /// Atoms at a pose of a wall about as thick as this.
+    /// Atoms at a pose of a wall about as thick as this, smoothed by this plan.
     ///
     /// # Errors
     /// If half of the vertices have no ball, or it was stopped.
@@ -148,12 +154,12 @@ impl WallAtlas {
         &self,
         frame: usize,
         points: &[Point3],
-        thickness: f64,
+        (thickness, plan): (f64, Plan),
         params: &CheckedMedialParams,
         progress: &Progress,
     ) -> Result<MedialSurface, MedialError> {
         let triangles = &self.connectivity.triangles;
-        let smoothed = smooth(&self.connectivity, points, params.smoothing * thickness);
+        let smoothed = smooth_rough(&self.connectivity, points, plan.length, plan.passes);
         progress.check()?;
         let normals = vertex_normals(&smoothed.once, triangles);
         let face_normals = mean_normals(&normals, triangles);
@@ -175,10 +181,20 @@ impl WallAtlas {
         let mut balls = self.balls(&wall, 0.5 * thickness, progress)?;
         let without = balls.iter().filter(|ball| !ball.touches()).count();
         if without as f64 > (1.0 - LEAST_FITTING) * balls.len() as f64 {
-            return Err(MedialError::NoRoom {
-                frame,
-                without,
-                atoms: balls.len(),
+            let atoms = balls.len();
+            return Err(if plan.noise > MOST_NOISE * thickness {
+                MedialError::Noise {
+                    noise: plan.noise,
+                    thickness,
+                    lost: without,
+                    atoms,
+                }
+            } else {
+                MedialError::NoRoom {
+                    frame,
+                    without,
+                    atoms,
+                }
             });
         }
         self.lend_radii(&mut balls);

@@ -1,5 +1,7 @@
 //! Poses as points of R³ × R⁺ × S²: where, by how much and which way the still part of the wall lies.
 
+use serde::{Deserialize, Serialize};
+
 use crate::mesh::{Point3, Vector3};
 
 use super::mean::mean_direction;
@@ -20,7 +22,8 @@ pub struct PoseDescriptor {
 }
 
 /// What r̂ is made of the ratios of thickness.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum RatioForm {
     /// The product over all atoms, as printed: grows with the number of atoms.
     Product,

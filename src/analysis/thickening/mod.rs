@@ -6,6 +6,7 @@ mod averaged;
 mod by_place;
 mod confidence;
 mod curve;
+mod detection;
 mod diffusion;
 mod error;
 mod neighbours;
@@ -27,6 +28,8 @@ mod thickening;
 pub use by_place::{PlaceThickening, thickening_of_levels, thickening_of_segments};
 pub use error::ThickeningError;
 pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
-pub use result::{Extent, Patch, PatchSegment, Phase, Steadiness, Thickening, ThickeningStep};
+pub use result::{
+    Extent, Patch, PatchSegment, Phase, SmallestPatch, Steadiness, Thickening, ThickeningStep,
+};
 pub use steps::{phase_of, thickness_ratios};
 pub use thickening::{phases, thickening};

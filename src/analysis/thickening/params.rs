@@ -1,10 +1,13 @@
 //! What counts as still, as a patch, and as noise.
 
+use serde::{Deserialize, Serialize};
+
 use crate::analysis::medial_space::RatioForm;
 
 /// Settings of the search for the part of the wall that does not thicken;
 /// [`ThickeningParams::check`] makes them usable.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
 pub struct ThickeningParams {
     /// |ln PT| of a step up to which an atom counts as still (M̂ of 4.4). `None`: as much as noise alone
     /// makes of PT = 1, twice its standard deviation, but at least ln 1.05.

@@ -58,8 +58,7 @@ impl Wall<'_> {
             .collect();
         Patch {
             area,
-            area_cm2: (self.unit == LengthUnit::Millimetre)
-                .then(|| area * self.unit.area_from_square()),
+            area_cm2: self.in_cm2(area),
             share: area / self.mesh.whole,
             segments: self.segment_shares(&atoms, area),
             centroid: Point3::from(Vector3::from(centroid)),
@@ -70,6 +69,11 @@ impl Wall<'_> {
             path,
             atoms,
         }
+    }
+
+    /// An area in cm², where the unit of coordinates is known.
+    pub fn in_cm2(&self, area: f64) -> Option<f64> {
+        (self.unit == LengthUnit::Millimetre).then(|| area * self.unit.area_from_square())
     }
 
     fn area(&self, atoms: &[u32]) -> f64 {

@@ -24,7 +24,7 @@ pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
 }
 
 /// Share of the least area of a patch that its core must have, so that one atom in noise makes none.
-const CORE_AREA: f64 = 0.5;
+pub(super) const CORE_AREA: f64 = 0.5;
 
 /// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `border` of what
 /// the well wall does, with the least area together, half of which thickens by less than `core` of it and
@@ -55,4 +55,33 @@ pub(super) fn still_parts(
         .collect();
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));
     parts.into_iter().map(|(_, part)| part).collect()
+}
+
+/// A part as it is told: holes in it are filled that are smaller than the least area of a patch, since motion is told from
+/// noise over no less an area than stillness, and atoms without a face in it are left out.
+pub(super) fn tidied(
+    part: Vec<u32>,
+    mesh: &RegularMesh,
+    neighbours: &Neighbours,
+    least_share: f64,
+) -> Vec<u32> {
+    let mut outside: Vec<bool> = mesh.areas.iter().map(|&area| area > 0.0).collect();
+    part.iter().for_each(|&atom| outside[atom as usize] = false);
+    let area = |hole: &[u32]| -> f64 { hole.iter().map(|&v| mesh.areas[v as usize]).sum() };
+    let holes = (neighbours.parts(&outside).into_iter())
+        .filter(|hole| area(hole) < least_share * mesh.whole);
+    let mut inside = vec![false; mesh.areas.len()];
+    (part.iter().copied().chain(holes.flatten())).for_each(|atom| inside[atom as usize] = true);
+    let mut on_face = vec![false; mesh.areas.len()];
+    for triangle in &mesh.triangles {
+        if triangle.iter().all(|&atom| inside[atom as usize]) {
+            triangle
+                .iter()
+                .for_each(|&atom| on_face[atom as usize] = true);
+        }
+    }
+    let tidy: Vec<u32> = (0..on_face.len() as u32)
+        .filter(|&atom| on_face[atom as usize])
+        .collect();
+    if tidy.is_empty() { part } else { tidy }
 }

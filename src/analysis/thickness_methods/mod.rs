@@ -12,6 +12,7 @@ mod measure;
 mod nearest;
 mod params;
 mod result;
+mod spread;
 #[cfg(test)]
 mod tests;
 mod volume_over_area;
@@ -23,4 +24,5 @@ pub use laplace_field::{LaplaceField, laplace_field};
 pub use measure::{all_methods, thickness};
 pub use params::{CheckedThicknessParams, ThicknessParams};
 pub use result::{ThicknessMap, ThicknessMethod};
+pub use spread::{Agreement, ThicknessSpread};
 pub use volume_over_area::mean_wall_thickness;

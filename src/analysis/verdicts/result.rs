@@ -22,6 +22,8 @@ pub struct Examined {
     pub features: Features,
     /// What the whole wall does.
     pub extent: Extent,
+    /// Share of the wall in patches, 0..=1.
+    pub patched: f64,
 }
 
 /// Why nothing is said of a heart.
@@ -109,6 +111,8 @@ pub struct Verdict {
     pub probability: f64,
     /// What the rule saw, and what else describes the heart.
     pub features: Features,
+    /// Share of the wall in patches, 0..=1, whatever was found: a part that thickens little is no finding by itself.
+    pub patched: f64,
     /// The three most alike hearts with a normal label, nearest first, by the rule's standardised features.
     pub alike_normal: Vec<usize>,
     /// The three most alike with an abnormal label.

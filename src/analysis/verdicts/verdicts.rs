@@ -123,6 +123,7 @@ pub fn examine(
         None => Ok(Examined {
             features,
             extent: heart.thickening.extent,
+            patched: (heart.thickening.patches.iter()).fold(0.0, |sum, patch| sum + patch.share),
         }),
     }
 }
@@ -194,6 +195,7 @@ impl<'a> Judged<'a> {
                 familiarity(&self.standardised, index, &learnt.seen, &self.usual)
             }),
             features: features.clone(),
+            patched: heart.patched,
         }
     }
 }

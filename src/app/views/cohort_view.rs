@@ -3,36 +3,51 @@
 use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::verdicts::Verdicts;
 use crate::app::document::Sorting;
 use crate::app::state::State;
+use crate::app::views::verdict_view::cohort_verdict;
 use crate::study::{Revision, Severity, Subject};
 use crate::ui::{CohortColumn, CohortRow, CohortSort, CohortView, ViewMode, visible_rows};
+
+/// What rows are made from: measures and verdicts as long as they are the same ones.
+type MadeFrom = (
+    Revision,
+    Option<Arc<Vec<SubjectMeasures>>>,
+    Option<Arc<Verdicts>>,
+);
+
+fn is_same<T>(a: Option<&Arc<T>>, b: Option<&Arc<T>>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        _ => false,
+    }
+}
 
 /// Rows of the table with what they were made from.
 #[derive(Debug, Default)]
 pub struct CohortData {
-    made_from: Option<(Revision, Option<Arc<Vec<SubjectMeasures>>>)>,
+    made_from: Option<MadeFrom>,
     rows: Vec<CohortRow>,
     filtered_by: Option<(String, Sorting)>,
     visible: Vec<usize>,
 }
 
 impl CohortData {
-    /// Makes rows again where the study, the measures, the filter or the order changed.
+    /// Makes rows again where the study, the measures, the verdicts, the filter or the order changed.
     pub fn refresh(&mut self, state: &State) {
         let revision = state.document.study().revision;
         let measures = state.measures();
-        let same = self.made_from.as_ref().is_some_and(|(made, from)| {
+        let verdicts = state.verdicts().map(|(verdicts, _)| verdicts);
+        let same = self.made_from.as_ref().is_some_and(|(made, from, told)| {
             *made == revision
-                && match (from, measures) {
-                    (Some(from), Some(now)) => Arc::ptr_eq(from, now),
-                    (None, None) => true,
-                    _ => false,
-                }
+                && is_same(from.as_ref(), measures)
+                && is_same(told.as_ref(), verdicts)
         });
         if !same {
             self.rows = cohort_rows(state);
-            self.made_from = Some((revision, measures.cloned()));
+            self.made_from = Some((revision, measures.cloned(), verdicts.cloned()));
             self.filtered_by = None;
         }
         let document = &state.document;
@@ -48,8 +63,8 @@ impl CohortData {
         &self.rows
     }
 
-    /// What the pane shows.
-    pub fn view<'a>(&'a self, state: &'a State, measuring: bool) -> CohortView<'a> {
+    /// What the pane shows; the last two say whether measures and verdicts are still to come.
+    pub fn view<'a>(&'a self, state: &'a State, [measuring, judging]: [bool; 2]) -> CohortView<'a> {
         let document = &state.document;
         let compared = (document.view_mode == ViewMode::SideBySide)
             .then(|| document.compared())
@@ -62,6 +77,7 @@ impl CohortData {
             selected: document.selected().map(|_| document.subject),
             compared,
             measuring,
+            judging,
         }
     }
 }
@@ -105,6 +121,7 @@ fn cohort_rows(state: &State) -> Vec<CohortRow> {
             label: subject.label.clone(),
             role: study.role(subject),
             ejection_fraction: state.measures_of(index).and_then(|measures| measures.ef),
+            verdict: cohort_verdict(state, index),
             frame_count: subject.sequence.frame_count(),
             warning_count: subject
                 .notices

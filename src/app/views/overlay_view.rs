@@ -6,7 +6,7 @@ use crate::app::document::nearest_frame;
 use crate::app::in_betweens::{BetweenWords, between_words};
 use crate::app::stage::OnStage;
 use crate::app::state::State;
-use crate::app::views::patch_view::patch_note;
+use crate::app::views::patch_words::patch_note;
 use crate::app::views::straight_because;
 use crate::picture::{ColourLegend, HeartAxes, HeartScene, PreparedSubject, Quantity, frame_words};
 use crate::render::Camera;

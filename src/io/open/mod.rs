@@ -33,6 +33,7 @@ use find_sequences::{Search, folder_name};
 use group_files::stem;
 use plan::SubjectPlan;
 use read_file::name_of;
+pub use read_file::read_head;
 
 /// Opens studies, folders, series and mesh files, together as one study.
 ///

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
-use crate::io::{Limits, MeshFile, ReadMeshError, read_mesh_with_siblings};
+use crate::io::{Limits, MeshFile, OpenError, ReadMeshError, read_mesh_with_siblings};
 
 /// The last part of a path as text.
 pub(super) fn name_of(path: &Path) -> String {
@@ -44,6 +44,23 @@ pub(super) fn read_bytes(path: &Path, limits: &Limits) -> Result<Vec<u8>, String
         return Err(too_large(bytes.len() as u64));
     }
     Ok(bytes)
+}
+
+/// The first bytes of a file, at most so many.
+///
+/// # Errors
+/// If it cannot be read.
+pub fn read_head(path: &Path, most: u64) -> Result<Vec<u8>, OpenError> {
+    let mut bytes = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes));
+    match read {
+        Ok(_) => Ok(bytes),
+        Err(error) => Err(OpenError {
+            subject: None,
+            path: path.to_owned(),
+            reason: said(&error),
+        }),
+    }
 }
 
 /// A text file, in UTF-8, without the mark that some editors put in front.

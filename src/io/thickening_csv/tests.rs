@@ -59,6 +59,7 @@ fn found(unit: LengthUnit) -> Thickening {
         regular_area: 100.0,
         size: 10.0,
         extent: Extent::AllButPatches,
+        smallest: None,
         patches: vec![Patch {
             atoms: vec![0, 3],
             area: 50.0,

@@ -29,8 +29,8 @@ pub struct FigureContent {
     pub ejection_fraction: String,
     /// Volumes at end-diastole and end-systole; empty where none can be told.
     pub volumes: String,
-    /// The colour bar; `None` where colours are tissue.
-    pub legend: Option<ColourLegend>,
+    /// The colour bars, of surfaces before that of atoms; none where colours are tissue.
+    pub legends: Vec<ColourLegend>,
     /// What lengths are counted in, for the scale bar.
     pub unit: LengthUnit,
     /// Sides of the orientation cube; none where names are not known.
@@ -41,7 +41,7 @@ pub struct FigureContent {
 
 impl FigureContent {
     /// Gathers what is known. A subject carries a pseudonym; nothing else names a person.
-    pub fn of(shown: FigureSubject<'_>, legend: Option<ColourLegend>, cube: Vec<CubeFace>) -> Self {
+    pub fn of(shown: FigureSubject<'_>, legends: Vec<ColourLegend>, cube: Vec<CubeFace>) -> Self {
         let measures = shown.measures;
         let ejection_fraction = measures
             .and_then(|measures| measures.ef)
@@ -57,7 +57,7 @@ impl FigureContent {
             moment: moment(shown),
             ejection_fraction,
             volumes,
-            legend,
+            legends,
             unit: shown.subject.unit,
             cube,
             footer: format!(
@@ -153,7 +153,7 @@ mod tests {
             measures: Some(&measures),
             frame: 3,
         };
-        let content = FigureContent::of(shown, None, Vec::new());
+        let content = FigureContent::of(shown, Vec::new(), Vec::new());
         assert_eq!(content.title, "P-041");
         assert_eq!(
             content.moment,
@@ -172,7 +172,7 @@ mod tests {
             measures: None,
             frame: 0,
         };
-        let content = FigureContent::of(shown, None, Vec::new());
+        let content = FigureContent::of(shown, Vec::new(), Vec::new());
         assert_eq!(content.moment, "frame 0 (0–1)");
         assert_eq!(content.ejection_fraction, "");
         assert_eq!(content.volumes, "");

@@ -1,13 +1,17 @@
 //! From a heart to a finished figure: scene, rendering, text, settings.
 
+use std::sync::Arc;
+
+use crate::engine::ThickeningSettings;
 use crate::picture::axes::AnatomicalView;
-use crate::picture::figure::canvas::Canvas;
+use crate::picture::bulls_eye::BullsEyeQuantity;
 use crate::picture::figure::content::{FigureContent, FigureSubject};
 use crate::picture::figure::layout::{FigureFrame, drawn_figure};
-use crate::picture::figure::picture_file::FigureSettings;
-use crate::picture::figure::text::FigureFonts;
+use crate::picture::figure::saved_view::{SavedCamera, SavedView};
+use crate::picture::heart_frame::HeartFrame;
+use crate::picture::page::{FigureFonts, FigureSettings, Page, VIEW_KEY};
 use crate::picture::prepared::PreparedSubject;
-use crate::picture::scene::{HeartExtras, SceneSettings, heart_scene};
+use crate::picture::scene::{HeartExtras, HeartScene, SceneSettings, heart_scene};
 use crate::render::{Camera, GeometryPose, Headless, RenderError};
 
 /// Where a figure is taken from.
@@ -18,21 +22,31 @@ pub enum FigureView {
     Home,
     /// One of the six anatomical directions.
     Anatomical(AnatomicalView),
-    /// Turned as in the window; the distance is chosen to fit.
-    Turned(glam::Quat),
+    /// As the window sees it.
+    Seen(Camera),
 }
 
 /// Everything that decides how a figure looks.
 #[derive(Clone, Copy, Debug)]
 pub struct FigureOrder<'a> {
+    /// Name of the study.
+    pub study: &'a str,
     /// Who and when.
     pub shown: FigureSubject<'a>,
+    /// Place in the beat, counted in frames.
+    pub position: f64,
+    /// The same as a pose of `prepared`.
+    pub pose: GeometryPose,
     /// The heart, ready for drawing.
     pub prepared: &'a PreparedSubject,
     /// What is drawn beside its surfaces.
     pub extras: HeartExtras<'a>,
     /// Colours and what is drawn.
     pub scene: SceneSettings,
+    /// What the bull's-eye shows, here or in the window that takes the view up again.
+    pub bulls_eye: BullsEyeQuantity,
+    /// How the wall was assessed.
+    pub thickening: ThickeningSettings,
     /// Where from.
     pub view: FigureView,
     /// Pixels across and down.
@@ -42,13 +56,14 @@ pub struct FigureOrder<'a> {
 /// A finished figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Figure {
-    /// Its pixels.
-    pub canvas: Canvas,
+    /// What stands on it.
+    pub page: Page,
     /// What it was made with, for the file.
     pub settings: FigureSettings,
 }
 
-/// Renders a figure. The whole beat fits, so that figures of one beat can be laid side by side.
+/// Renders a figure. Unless the camera is given, the whole beat fits, so that figures of one beat can be laid side
+/// by side.
 ///
 /// # Errors
 /// If the graphics driver fails.
@@ -57,65 +72,78 @@ pub fn rendered_figure(
     headless: &mut Headless,
     fonts: &FigureFonts,
 ) -> Result<Figure, RenderError> {
-    let pose = GeometryPose {
-        from: order.shown.frame,
-        to: order.shown.frame,
-        blend: 0.0,
-    };
-    let heart = heart_scene(order.prepared, order.extras, &order.scene, pose);
-    let axes = &order.prepared.axes;
-    let content = FigureContent::of(order.shown, heart.legend, axes.cube());
+    let heart = heart_scene(order.prepared, order.extras, &order.scene, order.pose);
+    let content = order.content(&heart);
     let frame = FigureFrame::of(order.size, &content, fonts);
-    let turned = match order.view {
-        FigureView::Home => axes.home(),
-        FigureView::Anatomical(view) => axes.view(view),
-        FigureView::Turned(rotation) => rotation,
-    };
-    let camera = order.prepared.camera_from(turned, frame.heart_aspect());
-    let picture = headless.picture(
-        &heart.scene,
-        &camera,
-        frame.size[0],
-        frame.heart_height,
-        frame.scale,
-    )?;
-    let canvas = drawn_figure(
+    let camera = order.camera(frame.heart_aspect());
+    let [width, height] = [frame.size[0], frame.heart_height];
+    let picture = headless.picture(&heart.scene, &camera, width, height, frame.scale)?;
+    let page = drawn_figure(
         &frame,
         &content,
-        &picture.rgba,
+        Arc::new(picture),
         &camera,
         &order.scene.theme,
         order.scene.transparent,
         fonts,
     );
-    let settings = settings(order, &content, &camera);
-    Ok(Figure { canvas, settings })
+    let settings = order.settings(&content, &camera);
+    Ok(Figure { page, settings })
 }
 
-fn settings(order: &FigureOrder<'_>, content: &FigureContent, camera: &Camera) -> FigureSettings {
-    let version = env!("CARGO_PKG_VERSION");
-    let mut settings = vec![
-        ("Software", format!("Cardiomorph {version}")),
-        ("Comment", "research use, not for diagnosis".to_owned()),
-        ("Title", content.title.clone()),
-        ("Frame", order.shown.frame.to_string()),
-        ("Moment", content.moment.clone()),
-        ("Quantity", order.scene.quantity.word().to_owned()),
-    ];
-    if let Some(legend) = &content.legend {
-        let limits = legend.limits;
-        let unit = legend.unit;
-        settings.push((
-            "Colour limits",
-            format!("{} to {} {unit}", limits.low, limits.high)
-                .trim_end()
-                .to_owned(),
-        ));
-        settings.push(("Colour limits are", legend.note.to_owned()));
+impl FigureOrder<'_> {
+    /// What the figure says beside its heart.
+    pub(super) fn content(&self, heart: &HeartScene) -> FigureContent {
+        let legends = [&heart.legend, &heart.atom_legend].into_iter().flatten();
+        FigureContent::of(
+            self.shown,
+            legends.cloned().collect(),
+            self.prepared.axes.cube(),
+        )
     }
-    let [x, y, z, w] = camera.world_from_camera.to_array();
-    settings.push(("Camera rotation x y z w", format!("{x} {y} {z} {w}")));
-    settings.push(("Camera target", format!("{}", camera.target)));
-    settings.push(("Camera half height", camera.half_height.to_string()));
-    settings
+
+    /// The camera for a picture of the heart of this width by height.
+    pub(super) fn camera(&self, aspect: f32) -> Camera {
+        let axes = &self.prepared.axes;
+        let turned = match self.view {
+            FigureView::Home => axes.home(),
+            FigureView::Anatomical(view) => axes.view(view),
+            FigureView::Seen(camera) => return camera,
+        };
+        self.prepared.camera_from(turned, aspect)
+    }
+
+    /// What the figure is made with, for the file: in words, and as a view that the window can take up again.
+    pub(super) fn settings(&self, content: &FigureContent, camera: &Camera) -> FigureSettings {
+        let version = env!("CARGO_PKG_VERSION");
+        let mut settings = vec![
+            ("Software", format!("Cardiomorph {version}")),
+            ("Comment", "research use, not for diagnosis".to_owned()),
+            ("Title", content.title.clone()),
+            ("Frame", self.shown.frame.to_string()),
+            ("Moment", content.moment.clone()),
+            ("Quantity", self.scene.quantity.word().to_owned()),
+        ];
+        for legend in &content.legends {
+            let limits = legend.limits;
+            let words = format!("{} to {} {}", limits.low, limits.high, legend.unit);
+            settings.push(("Colour limits", words.trim_end().to_owned()));
+            settings.push(("Colour limits are", legend.note.to_owned()));
+        }
+        let [x, y, z, w] = camera.world_from_camera.to_array();
+        settings.push(("Camera rotation x y z w", format!("{x} {y} {z} {w}")));
+        settings.push(("Camera target", format!("{}", camera.target)));
+        settings.push(("Camera half height", camera.half_height.to_string()));
+        let view = SavedView::of(
+            self.study,
+            self.shown.subject,
+            self.position,
+            SavedCamera::of(*camera, &HeartFrame::of(self.prepared)),
+            &self.scene,
+            self.bulls_eye,
+            self.thickening,
+        );
+        settings.push((VIEW_KEY, view.text()));
+        settings
+    }
 }

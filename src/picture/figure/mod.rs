@@ -1,22 +1,23 @@
-//! Figures for papers and reports: a heart with everything that is needed to read it.
+//! Figures for papers and reports: a heart, or its abnormal patch, with everything that is needed to read it.
 
-mod canvas;
 mod content;
 mod cube;
 mod layout;
 mod make;
-mod picture_file;
+mod patch;
+mod pen;
 mod plan;
-mod text;
+mod saved_view;
 
-pub use canvas::Canvas;
 pub use content::{FigureContent, FigureSubject};
-pub use layout::{FigureFrame, drawn_figure};
 pub use make::{Figure, FigureOrder, FigureView, rendered_figure};
-pub use picture_file::{FigureSettings, encoded_png};
-pub use text::{FigureFonts, FontError, Weight};
+pub use patch::{PatchOrder, rendered_patch_figure};
+pub(in crate::picture) use pen::Pen;
+pub use saved_view::{SavedCamera, SavedShows, SavedSubject, SavedView, SavedViewError};
 
 /// Smallest width and height of a figure in pixels: below, its text would not be legible.
 pub const LEAST_SIZE: [u32; 2] = [320, 240];
+/// Smallest width and height of a patch figure in pixels.
+pub const LEAST_PATCH_SIZE: [u32; 2] = [800, 600];
 /// Greatest width and height of a figure in pixels.
 pub const GREATEST_SIZE: u32 = 8192;

@@ -1,7 +1,8 @@
 //! Where the blocks of a figure stand, by its size and by what it says.
 
 use crate::picture::figure::content::FigureContent;
-use crate::picture::figure::text::{FigureFonts, Weight};
+use crate::picture::legend::ColourLegend;
+use crate::picture::page::{FigureFonts, Weight};
 
 /// Where blocks stand; everything in pixels.
 pub(super) struct Plan {
@@ -16,7 +17,8 @@ pub(super) struct Plan {
     pub(super) facts_below: bool,
     /// The scale bar stands above the colour bar instead of beside it.
     pub(super) scale_above: bool,
-    pub(super) heading: Vec<String>,
+    /// Lines below each colour bar.
+    pub(super) headings: Vec<Vec<String>>,
     pub(super) imprint: Vec<String>,
     pub(super) header_height: f32,
     pub(super) footer_height: f32,
@@ -48,23 +50,16 @@ impl Plan {
             92.0 * scale
         };
         let bar_width = (300.0 * scale).min(room - cube - margin).min(0.6 * room);
-        let heading = content.legend.as_ref().map_or_else(Vec::new, |legend| {
-            let words = format!("{} ({})", legend.heading(), legend.note);
-            fonts.wrapped(&words, Weight::Regular, text, bar_width)
-        });
-        let scale_above =
-            content.legend.is_some() && bar_width + cube + 2.0 * margin + 100.0 * scale > room;
+        let headings = bar_headings(&content.legends, fonts, text, bar_width);
+        let has_legend = !headings.is_empty();
+        let scale_above = has_legend && bar_width + cube + 2.0 * margin + 100.0 * scale > room;
         let imprint = fonts.wrapped(&content.footer, Weight::Regular, 0.87 * text, room);
         let header_lines = if facts_below && !content.ejection_fraction.is_empty() {
             2.0
         } else {
             1.0
         };
-        let legend_height = if content.legend.is_some() {
-            0.9 * text + line * (1.0 + heading.len() as f32)
-        } else {
-            0.0
-        };
+        let legend_height = bars_height(&headings, text);
         let scale_height = 1.9 * text;
         let blocks = if scale_above {
             legend_height + scale_height + 0.5 * margin
@@ -83,8 +78,31 @@ impl Plan {
             cube,
             facts_below,
             scale_above,
-            heading,
+            headings,
             imprint,
         }
     }
+}
+
+/// What stands below each colour bar: title, unit, and where its limits come from.
+pub(super) fn bar_headings(
+    legends: &[ColourLegend],
+    fonts: &FigureFonts,
+    text: f32,
+    width: f32,
+) -> Vec<Vec<String>> {
+    let words = legends
+        .iter()
+        .map(|legend| format!("{} ({})", legend.heading(), legend.note));
+    words
+        .map(|words| fonts.wrapped(&words, Weight::Regular, text, width))
+        .collect()
+}
+
+/// Height of colour bars with these headings, one above the other.
+pub(super) fn bars_height(headings: &[Vec<String>], text: f32) -> f32 {
+    let line = 1.4 * text;
+    let bars = headings.iter();
+    let each = bars.map(|heading| 0.9 * text + line * (1.0 + heading.len() as f32));
+    each.sum::<f32>() + 0.6 * line * headings.len().saturating_sub(1) as f32
 }

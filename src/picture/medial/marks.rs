@@ -17,7 +17,7 @@ use crate::render::{
 };
 use crate::study::SurfaceKind;
 
-use super::outline::{Lies, rounded};
+use super::outline::{Lies, dashed, rounded};
 use super::prepared::PreparedMedial;
 
 /// A part of the wall that is selected.
@@ -29,6 +29,16 @@ pub enum WallPart {
     Segment(Segment),
 }
 
+/// How borders of patches look.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum PatchLook {
+    /// As what was found in the heart.
+    #[default]
+    Found,
+    /// As places that thicken little in a heart of which something else is said: dashed and grey.
+    Faint,
+}
+
 /// What of the medial surface is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MedialSettings {
@@ -38,12 +48,25 @@ pub struct MedialSettings {
     pub spokes: bool,
     /// Borders of patches.
     pub patches: bool,
+    /// How they look.
+    pub patch_look: PatchLook,
     /// ANV as an arrow from MP.
     pub direction: bool,
     /// The part that is selected.
     pub part: Option<WallPart>,
     /// Typed limits of the colours of atoms.
     pub limits: Option<[f64; 2]>,
+}
+
+impl MedialSettings {
+    /// What a patch figure draws: atoms, and borders of patches.
+    pub fn of_patch_figure() -> Self {
+        Self {
+            atoms: true,
+            patches: true,
+            ..Self::default()
+        }
+    }
 }
 
 /// The middle of one heart's wall, ready, and what was found on it.
@@ -60,6 +83,8 @@ const LIFT: f64 = 0.1;
 /// Lines are finer where another patch is selected.
 const BORDER_WIDTH: [f32; 2] = [3.0, 1.6];
 const UNSELECTED_OPACITY: f32 = 0.7;
+/// Length of a dash and of the gap after it, as shares of the heart's size.
+const DASH: [f64; 2] = [0.022, 0.018];
 const SPOKE_WIDTH: f32 = 1.0;
 const RING_WIDTH: f32 = 1.6;
 const ARROW_WIDTH: f32 = 2.5;
@@ -130,6 +155,8 @@ pub(in crate::picture) fn add_marks(
     }
     if medial.patches {
         let places = lies(prepared, settings);
+        let [red, green, blue] = patch_colour(settings);
+        let colour = |opacity| [red, green, blue, opacity];
         add_borders(scene, heart, &now, settings, &places, &colour);
     }
     if let Some(WallPart::Segment(segment)) = medial.part {
@@ -137,9 +164,17 @@ pub(in crate::picture) fn add_marks(
         scene.lines.push(lines(strips, colour(1.0), RING_WIDTH));
     }
     if medial.direction {
-        add_directions(scene, heart, pose, settings, colour(1.0));
+        let [red, green, blue] = patch_colour(settings);
+        add_directions(scene, heart, pose, settings, [red, green, blue, 1.0]);
     }
     scene.lines.retain(|lines| !lines.strips.is_empty());
+}
+
+fn patch_colour(settings: &SceneSettings) -> [f32; 3] {
+    match settings.medial.patch_look {
+        PatchLook::Found => settings.theme.selection,
+        PatchLook::Faint => settings.theme.muted,
+    }
 }
 
 /// A medial surface between two frames.
@@ -268,15 +303,27 @@ fn add_borders(
     };
     let mut strips = [Vec::new(), Vec::new()];
     for (index, patch) in heart.found.thickening.patches.iter().enumerate() {
-        let fine = selected.is_some_and(|patch| patch != index);
+        let faint = settings.medial.patch_look == PatchLook::Faint;
+        let fine = match selected {
+            Some(patch) => patch != index,
+            None => faint,
+        };
         for &lies in places {
             let borders = patch.border.iter().map(|border| {
-                let corners: Vec<Point3> = (border.iter())
-                    .map(|&atom| now.place(atom as usize, lies))
+                let corners: Vec<[f64; 3]> = (border.iter())
+                    .map(|&atom| now.place(atom as usize, lies).coords.into())
                     .collect();
-                rounded(&corners)
+                let line = rounded(&corners).into_iter();
+                line.map(|point| point.map(|part| part as f32)).collect()
             });
-            strips[usize::from(fine)].extend(borders.filter(|line| !line.is_empty()));
+            let borders = borders.filter(|line: &Vec<[f32; 3]>| !line.is_empty());
+            let strips = &mut strips[usize::from(fine)];
+            if faint {
+                let lengths = DASH.map(|share| share * heart.found.thickening.size);
+                strips.extend(borders.flat_map(|line| dashed(&line, lengths)));
+            } else {
+                strips.extend(borders);
+            }
         }
     }
     for (fine, strips) in strips.into_iter().enumerate() {

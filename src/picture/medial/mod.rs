@@ -1,6 +1,7 @@
 //! The middle of the wall in pictures: atoms as discs, spokes, patches outlined, and PT on every surface.
 
 mod discs;
+mod facing;
 mod marks;
 mod nearest;
 mod outline;
@@ -8,6 +9,8 @@ mod prepared;
 #[cfg(test)]
 mod tests;
 
-pub use marks::{HeartMedial, MedialSettings, WallPart};
+pub use facing::facing_patch;
+pub use marks::{HeartMedial, MedialSettings, PatchLook, WallPart};
 pub(super) use marks::{add_marks, atom_legend};
+pub(in crate::picture) use outline::rounded;
 pub use prepared::PreparedMedial;

@@ -3,65 +3,44 @@
 use egui::epaint::Mesh;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2};
 
-use crate::analysis::segments::{Level, RING_RADII, Segment, ring};
-use crate::picture::{ColourMap, logarithmic_ticks};
+use crate::analysis::segments::{RING_RADII, Segment};
+use crate::picture::{BullsEyeScale, ink_on, sector_line, sector_outline, sector_strip};
 use crate::ui::bulls_eye::BullsEyeView;
 use crate::ui::bulls_eye::layout::Disc;
-use crate::ui::command::BullsEyeQuantity;
 use crate::ui::style::note_font;
 use crate::ui::theme::{colours, line};
 
-/// Angle between corners of drawn arcs: within half a pixel up to a radius of 200.
-const ARC_STEP_RAD: f64 = 0.06;
 /// Lines between segments: dark on every colour of the map.
 const BETWEEN: Color32 = Color32::from_rgba_premultiplied(22, 24, 28, 190);
 /// What has no value.
 const NO_VALUE: Color32 = Color32::from_rgb(0x80, 0x85, 0x8c);
 
-/// Share of the way along the colours, by ratios.
-fn share(ratio: f64, limits: [f64; 2]) -> f64 {
-    (ratio / limits[0]).ln() / (limits[1] / limits[0]).ln()
+fn colour(scale: &BullsEyeScale, value: f64) -> Color32 {
+    scale.colour(value).map_or(NO_VALUE, |[red, green, blue]| {
+        Color32::from_rgb(red, green, blue)
+    })
 }
 
-fn colour(map: &ColourMap, ratio: f64, limits: [f64; 2]) -> Color32 {
-    if !(ratio.is_finite() && ratio > 0.0) {
-        return NO_VALUE;
-    }
-    let [red, green, blue] = map.at(share(ratio, limits));
-    Color32::from_rgb(red, green, blue)
-}
-
-/// A value as it stands in its segment: "1.52", or "+52" percent.
-pub fn value_text(quantity: BullsEyeQuantity, ratio: f64) -> String {
-    match quantity {
-        BullsEyeQuantity::Ratio => format!("{ratio:.2}"),
-        BullsEyeQuantity::Thickening => {
-            let percent = (100.0 * (ratio - 1.0)).round();
-            if percent < 0.0 {
-                format!("−{:.0}", -percent)
-            } else {
-                format!("{:.0}", percent.abs())
-            }
-        }
-    }
-}
+/// Borders of patches, on whatever colour, in either theme.
+const FOUND: Color32 = Color32::from_rgb(0xff, 0xd1, 0x66);
+/// And of places that only thicken little.
+const FAINT: Color32 = Color32::from_rgb(0xc8, 0xcd, 0xd3);
 
 /// Draws the disc.
 pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>) {
-    let map = ColourMap::ratio();
     let painter = ui.painter();
     painter.circle_filled(disc.centre, disc.radius, colours(ui).control);
     if view.by_segment && view.oriented {
         for segment in Segment::all() {
             let value = view.segments[segment.index()].unwrap_or(f64::NAN);
-            painter.add(sector_mesh(disc, segment, colour(&map, value, view.limits)));
+            painter.add(sector_mesh(disc, segment, colour(view.scale, value)));
         }
     } else {
-        painter.add(Shape::mesh(continuous(view, disc, &map)));
+        painter.add(Shape::mesh(continuous(view, disc)));
     }
     borders(ui, view, disc);
     if view.by_segment && view.oriented {
-        numbers(ui, view, disc, &map);
+        numbers(ui, view, disc);
     }
     for patch in view.patches {
         let fine = !patch.selected && view.patches.iter().any(|patch| patch.selected);
@@ -71,8 +50,14 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
             // Dark below light: seen on pale and on deep colours.
             let below = Stroke::new(width + 2.0, BETWEEN);
             painter.add(Shape::closed_line(points.clone(), below));
-            let above = Stroke::new(width, Color32::from_rgb(0xff, 0xd1, 0x66));
-            painter.add(Shape::closed_line(points, above));
+            if patch.faint {
+                let closed: Vec<Pos2> = points.iter().chain(points.first()).copied().collect();
+                let above = Stroke::new(width, FAINT);
+                painter.extend(Shape::dashed_line(&closed, above, 5.0, 4.0));
+            } else {
+                let above = Stroke::new(width, FOUND);
+                painter.add(Shape::closed_line(points, above));
+            }
         }
     }
     for (segment, width) in [
@@ -82,7 +67,9 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
         if let Some(segment) = segment {
             let stroke = Stroke::new(width, colours(ui).strong);
             let below = Stroke::new(width + 2.0, BETWEEN);
-            let outline = outline(disc, segment);
+            let outline: Vec<Pos2> = (sector_outline(segment).into_iter())
+                .map(|point| disc.at(point))
+                .collect();
             painter.add(Shape::closed_line(outline.clone(), below));
             painter.add(Shape::closed_line(outline, stroke));
         }
@@ -90,10 +77,10 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
 }
 
 /// Every place its own colour.
-fn continuous(view: &BullsEyeView, disc: &Disc, map: &ColourMap) -> Mesh {
+fn continuous(view: &BullsEyeView, disc: &Disc) -> Mesh {
     let mut mesh = Mesh::default();
     for (point, &value) in view.points.iter().zip(view.values) {
-        mesh.colored_vertex(disc.at(*point), colour(map, f64::from(value), view.limits));
+        mesh.colored_vertex(disc.at(*point), colour(view.scale, f64::from(value)));
     }
     let count = mesh.vertices.len() as u32;
     for face in view.faces {
@@ -104,25 +91,11 @@ fn continuous(view: &BullsEyeView, disc: &Disc, map: &ColourMap) -> Mesh {
     mesh
 }
 
-fn arc(disc: &Disc, [from, to]: [f64; 2], share: f64) -> impl Iterator<Item = Pos2> {
-    let steps = ((to - from).abs() / ARC_STEP_RAD).ceil().max(1.0) as usize;
-    let disc = *disc;
-    (0..=steps).map(move |step| disc.polar(from + (to - from) * step as f64 / steps as f64, share))
-}
-
-fn edges(segment: Segment) -> [f64; 2] {
-    let [middle, half] = segment.sector_rad();
-    [middle - half, middle + half]
-}
-
 fn sector_mesh(disc: &Disc, segment: Segment, colour: Color32) -> Shape {
-    let [inner, outer] = ring(segment.level());
-    let edges = edges(segment);
     let mut mesh = Mesh::default();
-    let pairs = arc(disc, edges, inner).zip(arc(disc, edges, outer));
-    for (index, (near, far)) in pairs.enumerate() {
-        mesh.colored_vertex(near, colour);
-        mesh.colored_vertex(far, colour);
+    for (index, [near, far]) in sector_strip(segment).into_iter().enumerate() {
+        mesh.colored_vertex(disc.at(near), colour);
+        mesh.colored_vertex(disc.at(far), colour);
         if index > 0 {
             let next = 2 * index as u32;
             mesh.add_triangle(next - 2, next - 1, next);
@@ -130,16 +103,6 @@ fn sector_mesh(disc: &Disc, segment: Segment, colour: Color32) -> Shape {
         }
     }
     Shape::mesh(mesh)
-}
-
-fn outline(disc: &Disc, segment: Segment) -> Vec<Pos2> {
-    let [inner, outer] = ring(segment.level());
-    let [from, to] = edges(segment);
-    let mut points: Vec<Pos2> = arc(disc, [from, to], outer).collect();
-    if inner > 0.0 {
-        points.extend(arc(disc, [to, from], inner));
-    }
-    points
 }
 
 /// Rings, and sectors where the orientation is known.
@@ -152,36 +115,26 @@ fn borders(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
     if !view.oriented {
         return;
     }
-    for segment in Segment::all().filter(|segment| segment.level() != Level::Apex) {
-        let [inner, outer] = ring(segment.level());
-        let [from, _] = edges(segment);
-        let ends = [disc.polar(from, inner), disc.polar(from, outer)];
-        ui.painter().line_segment(ends, stroke);
+    for ends in Segment::all().filter_map(sector_line) {
+        ui.painter()
+            .line_segment(ends.map(|end| disc.at(end)), stroke);
     }
 }
 
-fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc, map: &ColourMap) {
+fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
     let size = (0.1 * disc.radius).clamp(8.0, 13.0);
     for segment in Segment::all() {
         let Some(value) = view.segments[segment.index()] else {
             continue;
         };
-        let behind = colour(map, value, view.limits);
+        let [red, green, blue, _] = colour(view.scale, value).to_array();
+        let [ink_red, ink_green, ink_blue] = ink_on([red, green, blue]);
+        let ink = Color32::from_rgb(ink_red, ink_green, ink_blue);
         let at = disc.middle_of(segment);
-        let text = value_text(view.quantity, value);
+        let text = view.scale.text(value);
         let font = FontId::proportional(size);
         let painter = ui.painter();
-        painter.text(at, Align2::CENTER_CENTER, text, font, readable_on(behind));
-    }
-}
-
-/// Dark on light colours, light on dark ones.
-fn readable_on(behind: Color32) -> Color32 {
-    let [r, g, b, _] = behind.to_array().map(f32::from);
-    if 0.299 * r + 0.587 * g + 0.114 * b > 140.0 {
-        Color32::from_rgb(0x16, 0x18, 0x1c)
-    } else {
-        Color32::from_rgb(0xf4, 0xf6, 0xf8)
+        painter.text(at, Align2::CENTER_CENTER, text, font, ink);
     }
 }
 
@@ -219,12 +172,11 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
         pos2(area.left() + 16.0, area.top()),
         pos2(area.right() - 16.0, area.top() + HEIGHT),
     );
-    let map = ColourMap::ratio();
     let mut mesh = Mesh::default();
     let steps = 64u32;
     for step in 0..=steps {
         let part = f64::from(step) / f64::from(steps);
-        let [red, green, blue] = map.at(part);
+        let [red, green, blue] = view.scale.map.at(part);
         let x = egui::lerp(bar.x_range(), part as f32);
         let colour = Color32::from_rgb(red, green, blue);
         mesh.colored_vertex(pos2(x, bar.top()), colour);
@@ -237,25 +189,16 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
     }
     painter.add(Shape::mesh(mesh));
     let mut free_from = f32::NEG_INFINITY;
-    for value in logarithmic_ticks(view.limits[0], view.limits[1], 4) {
-        let x = egui::lerp(bar.x_range(), share(value, view.limits) as f32);
+    for (value, text) in view.scale.ticks(4) {
+        let x = egui::lerp(bar.x_range(), view.scale.share(value) as f32);
         if x < free_from {
             continue;
         }
-        let text = value_text(view.quantity, value);
-        let text = if view.quantity == BullsEyeQuantity::Ratio {
-            text.trim_end_matches('0').trim_end_matches('.').to_owned()
-        } else {
-            text
-        };
         let at = pos2(x, bar.bottom() + 1.0);
         painter.text(at, Align2::CENTER_TOP, text, note_font(), colours.muted);
         free_from = x + 34.0;
     }
-    let title = match view.quantity {
-        BullsEyeQuantity::Ratio => format!("PT, × end-diastole · {}", view.moment),
-        BullsEyeQuantity::Thickening => "thickening ED to ES, %".to_owned(),
-    };
+    let title = view.scale.title(view.moment);
     let at = pos2(area.center().x, area.bottom());
     painter.text(at, Align2::CENTER_BOTTOM, title, note_font(), colours.text);
 }

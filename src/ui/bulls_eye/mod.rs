@@ -9,8 +9,8 @@ use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::analysis::segments::Segment;
 use crate::engine::WorkKind;
-use crate::picture::WallPart;
-use crate::ui::command::{BullsEyeQuantity, Command};
+use crate::picture::{BullsEyeQuantity, BullsEyeScale, WallPart};
+use crate::ui::command::Command;
 use crate::ui::controls::{choice_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
 use crate::ui::patch_panel::WallState;
 use crate::ui::theme::space;
@@ -24,9 +24,11 @@ pub struct BullsEyePatch {
     pub name: String,
     /// Whether it is selected.
     pub selected: bool,
+    /// Whether it only thickens little, in a heart of which something else is said: dashed and grey.
+    pub faint: bool,
 }
 
-/// What the pane shows. Values are ratios of thickness, 1 for unchanged.
+/// What the pane shows.
 #[derive(Clone, Debug)]
 pub struct BullsEyeView<'a> {
     /// The selected subject.
@@ -35,9 +37,9 @@ pub struct BullsEyeView<'a> {
     pub state: &'a WallState,
     /// Why there is no map, where the wall is known and the long axis is not.
     pub without_axis: Option<&'a str>,
-    /// What is shown.
-    pub quantity: BullsEyeQuantity,
-    /// The pose of [`BullsEyeQuantity::Ratio`]: "ES", "frame 3".
+    /// What is shown, in which colours and words.
+    pub scale: &'a BullsEyeScale,
+    /// The pose on screen: "ES", "frame 3".
     pub moment: &'a str,
     /// One colour for each segment.
     pub by_segment: bool,
@@ -45,9 +47,9 @@ pub struct BullsEyeView<'a> {
     pub points: &'a [[f64; 2]],
     /// Faces over atoms.
     pub faces: &'a [[u32; 3]],
-    /// Ratio of each atom; not a number where it does not take part.
+    /// Value of each atom; not a number where it does not take part.
     pub values: &'a [f32],
-    /// Mean ratio of each segment.
+    /// Mean of each segment.
     pub segments: [Option<f64>; Segment::COUNT],
     /// Borders of the patches.
     pub patches: &'a [BullsEyePatch],
@@ -55,8 +57,6 @@ pub struct BullsEyeView<'a> {
     pub selected: Option<Segment>,
     /// Whether septum and anterior wall are known, and so segments have names.
     pub oriented: bool,
-    /// Ratios at the ends of the colours.
-    pub limits: [f64; 2],
 }
 
 /// Draws the pane.
@@ -97,20 +97,12 @@ fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>)
     }
 }
 
-/// What a quantity is called on the chooser.
-fn quantity_name(quantity: BullsEyeQuantity) -> &'static str {
-    match quantity {
-        BullsEyeQuantity::Ratio => "PT, this pose",
-        BullsEyeQuantity::Thickening => "Thickening",
-    }
-}
-
 fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
-        chooser_ui(ui, "Bull's-eye", quantity_name(view.quantity), |ui| {
+        chooser_ui(ui, "Bull's-eye", view.scale.quantity.name(), |ui| {
             for quantity in BullsEyeQuantity::ALL {
-                if choice_ui(ui, quantity_name(quantity), quantity == view.quantity) {
+                if choice_ui(ui, quantity.name(), quantity == view.scale.quantity) {
                     commands.push(Command::SetBullsEye(quantity));
                 }
             }
@@ -196,14 +188,8 @@ fn distance_to(at: egui::Pos2, a: egui::Pos2, b: egui::Pos2) -> f32 {
 fn hover_text(view: &BullsEyeView, segment: Segment) -> String {
     let name = format!("{} {}", segment.number(), segment.name());
     let value = view.segments[segment.index()];
-    match (value, view.quantity) {
-        (None, _) => format!("{name} · no value"),
-        (Some(ratio), BullsEyeQuantity::Ratio) => {
-            format!("{name} · PT {ratio:.2} × at {}", view.moment)
-        }
-        (Some(ratio), BullsEyeQuantity::Thickening) => {
-            let percent = draw::value_text(view.quantity, ratio);
-            format!("{name} · thickening {percent} %, ED to ES")
-        }
+    match value {
+        None => format!("{name} · no value"),
+        Some(value) => format!("{name} · {}", view.scale.words(value, view.moment)),
     }
 }

@@ -24,6 +24,11 @@ impl Default for Shown {
     }
 }
 
+fn ratio_scale() -> BullsEyeScale {
+    let quantity = BullsEyeQuantity::Ratio;
+    BullsEyeScale::of(quantity, &Default::default(), None, Default::default())
+}
+
 fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
     let points = [[0.0, 0.0], [0.9, 0.0], [0.0, 0.9], [-0.9, 0.0], [0.0, -0.9]];
     let faces = [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1]];
@@ -36,7 +41,7 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
                     subject: Some("P07"),
                     state: &shown.state,
                     without_axis: None,
-                    quantity: BullsEyeQuantity::Ratio,
+                    scale: &ratio_scale(),
                     moment: "ES",
                     by_segment: true,
                     points: if shown.map { &points } else { &[] },
@@ -46,7 +51,6 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
                     patches: &shown.patches,
                     selected: shown.selected,
                     oriented: shown.oriented,
-                    limits: [0.5, 2.0],
                 };
                 bulls_eye_ui(ui, &view, commands);
             },
@@ -94,6 +98,7 @@ fn a_click_on_a_border_selects_its_patch() {
         borders: vec![vec![[0.3, 0.3], [0.8, 0.3], [0.3, 0.8]]],
         name: "Patch 1".to_owned(),
         selected,
+        faint: false,
     };
     for (selected, part) in [(false, Some(WallPart::Patch(0))), (true, None)] {
         let mut shown = harness(Shown {
@@ -143,13 +148,4 @@ fn the_quantity_is_chosen_from_a_menu_and_segments_by_a_switch() {
         Command::ToggleBullsEyeSegments,
     ];
     assert_eq!(*shown.state(), wanted);
-}
-
-#[test]
-fn numbers_have_units_that_fit() {
-    use super::draw::value_text;
-    assert_eq!(value_text(BullsEyeQuantity::Ratio, 1.518), "1.52");
-    assert_eq!(value_text(BullsEyeQuantity::Thickening, 1.518), "52");
-    assert_eq!(value_text(BullsEyeQuantity::Thickening, 0.9), "−10");
-    assert_eq!(value_text(BullsEyeQuantity::Thickening, 0.9999), "0");
 }

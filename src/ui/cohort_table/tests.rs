@@ -9,6 +9,12 @@ fn rows(count: usize) -> Vec<CohortRow> {
             id: format!("S{index}"),
             ejection_fraction: Some(0.5),
             correspondence: usize::from(index == 4),
+            verdict: (index == 3).then(|| CohortVerdict {
+                mark: crate::ui::VerdictMark::Patch,
+                share: Some(0.31),
+                probability: Some(0.97),
+                words: "Abnormal patch".to_owned(),
+            }),
             ..CohortRow::default()
         })
         .collect()
@@ -30,6 +36,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                     selected,
                     compared: None,
                     measuring: false,
+                    judging: false,
                 };
                 cohort_table_ui(ui, &view, commands);
             },
@@ -45,10 +52,47 @@ fn a_click_selects_a_row_and_a_heading_sorts() {
     harness.run();
     harness.get_by_label("Sort by EF %").click();
     harness.run();
+    harness.get_by_label("Sort by Verdict").click();
+    harness.run();
     assert_eq!(
         harness.into_state(),
-        [Command::SelectSubject(3), Command::SortCohort(3)]
+        [
+            Command::SelectSubject(3),
+            Command::SortCohort(3),
+            Command::SortCohort(4)
+        ]
     );
+}
+
+#[test]
+fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
+    for width in [150.0, 180.0, 220.0, 250.0, 280.0, 300.0, 340.0, 500.0] {
+        for labelled in [true, false] {
+            let columns = Columns::within(egui::Rangef::new(10.0, 10.0 + width), labelled);
+            let order = [
+                CohortColumn::Role,
+                CohortColumn::Subject,
+                CohortColumn::Label,
+                CohortColumn::EjectionFraction,
+                CohortColumn::Verdict,
+            ];
+            let spans = order.map(|column| columns.span(column));
+            for pair in spans.windows(2) {
+                // An empty column of labels may lie anywhere.
+                let empty = pair.iter().any(|[left, right]| right <= left);
+                assert!(empty || pair[0][1] <= pair[1][0], "{width}: {pair:?}");
+            }
+            assert!(spans[4][1] <= 10.0 + width - space::LARGE + 0.01);
+            let [left, right] = columns.span(CohortColumn::Subject);
+            assert!(
+                width < 200.0 || right - left > 40.0,
+                "{width}: {left} {right}"
+            );
+        }
+    }
+    let told = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).told;
+    assert!(told(300.0) == Told::Words && told(240.0) == Told::Short);
+    assert!(told(200.0) == Told::Mark);
 }
 
 #[test]

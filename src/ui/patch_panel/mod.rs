@@ -8,6 +8,7 @@ mod tests;
 use egui::{Margin, RichText, ScrollArea, Ui};
 
 use crate::engine::{ThickeningSettings, WorkKind};
+use crate::picture::PatchStanding;
 use crate::render::Camera;
 use crate::ui::command::Command;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
@@ -59,6 +60,8 @@ pub struct PatchPanelView<'a> {
     pub subject: Option<&'a str>,
     /// How its wall stands.
     pub state: &'a WallState,
+    /// What the parts may be called.
+    pub standing: PatchStanding,
     /// "1 patch · 31 % of the LV"; empty while nothing is known.
     pub heading: &'a str,
     /// What the whole wall does.
@@ -108,7 +111,8 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
         return;
     }
     if !view.heading.is_empty() {
-        let colour = if view.rows.is_empty() {
+        let little = view.standing == PatchStanding::ThickensLittle;
+        let colour = if view.rows.is_empty() || little {
             colours(ui).strong
         } else {
             colours(ui).selection
@@ -137,7 +141,7 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
     }
     if !view.rows.is_empty() {
         ui.add_space(space::SMALL);
-        table::table_ui(ui, view.rows, commands);
+        table::table_ui(ui, view.rows, view.standing, commands);
     }
     ui.add_space(space::MEDIUM);
 }

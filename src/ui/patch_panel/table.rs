@@ -2,7 +2,7 @@
 
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use crate::picture::WallPart;
+use crate::picture::{PatchStanding, WallPart};
 use crate::ui::command::Command;
 use crate::ui::controls::focus_ring;
 use crate::ui::patch_panel::PatchRow;
@@ -40,10 +40,15 @@ const NARROW: f32 = 160.0;
 const WIDE: f32 = 330.0;
 
 /// Draws the table over the whole width.
-pub(super) fn table_ui(ui: &mut Ui, rows: &[PatchRow], commands: &mut Vec<Command>) {
+pub(super) fn table_ui(
+    ui: &mut Ui,
+    rows: &[PatchRow],
+    standing: PatchStanding,
+    commands: &mut Vec<Command>,
+) {
     headings_ui(ui);
     for (index, row) in rows.iter().enumerate() {
-        row_ui(ui, index, row, commands);
+        row_ui(ui, index, row, standing, commands);
     }
 }
 
@@ -97,7 +102,13 @@ fn numbers(row: &PatchRow) -> [String; COLUMNS.len()] {
     [area, whole(row.share), thickening, whole(row.confidence)]
 }
 
-fn row_ui(ui: &mut Ui, index: usize, row: &PatchRow, commands: &mut Vec<Command>) {
+fn row_ui(
+    ui: &mut Ui,
+    index: usize,
+    row: &PatchRow,
+    standing: PatchStanding,
+    commands: &mut Vec<Command>,
+) {
     let colours = colours(ui);
     let width = ui.available_width();
     let words = ui.painter().layout(
@@ -112,8 +123,9 @@ fn row_ui(ui: &mut Ui, index: usize, row: &PatchRow, commands: &mut Vec<Command>
     response.widget_info(|| {
         let [area, share, thickening, confidence] = &numbers;
         let name = format!(
-            "Patch {}: {area} cm², {share} % of the LV, thickening {thickening} %, confidence \
+            "{} {}: {area} cm², {share} % of the LV, thickening {thickening} %, confidence \
              {confidence} %, {}",
+            standing.part(),
             index + 1,
             row.segments
         );
@@ -131,7 +143,10 @@ fn row_ui(ui: &mut Ui, index: usize, row: &PatchRow, commands: &mut Vec<Command>
         Align2::LEFT_CENTER,
         (index + 1).to_string(),
         note_font(),
-        colours.selection,
+        match standing {
+            PatchStanding::ThickensLittle => colours.muted,
+            _ => colours.selection,
+        },
     );
     for (text, right) in numbers.iter().zip(ends(area)) {
         let at = pos2(right, middle);
@@ -149,7 +164,10 @@ fn row_ui(ui: &mut Ui, index: usize, row: &PatchRow, commands: &mut Vec<Command>
             None => Command::SelectPart(Some(WallPart::Patch(index))),
         });
     }
-    response.on_hover_text("Select this patch and look at it");
+    response.on_hover_text(match standing {
+        PatchStanding::ThickensLittle => "Select this place and look at it",
+        _ => "Select this patch and look at it",
+    });
 }
 
 #[cfg(test)]

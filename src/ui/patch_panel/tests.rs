@@ -10,6 +10,7 @@ struct Shown {
     rows: Vec<PatchRow>,
     settings: ThickeningSettings,
     heading: &'static str,
+    standing: PatchStanding,
 }
 
 impl Shown {
@@ -19,6 +20,7 @@ impl Shown {
             rows,
             settings: ThickeningSettings::default(),
             heading,
+            standing: PatchStanding::Abnormal,
         }
     }
 }
@@ -43,6 +45,7 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
                 let view = PatchPanelView {
                     subject: Some("P07"),
                     state: &shown.state,
+                    standing: shown.standing,
                     heading: shown.heading,
                     note: "The rest of the wall thickens by 52 %",
                     rows: &shown.rows,
@@ -75,6 +78,16 @@ fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
     shown.get_by_label_contains("anteroseptal").click();
     shown.run();
     assert_eq!(*shown.state(), [Command::ShowPatch { patch: 0, camera }]);
+}
+
+#[test]
+fn a_place_that_only_thickens_little_is_not_called_a_patch() {
+    let heading = "1 place thickens little";
+    let mut shown = Shown::with(WallState::Ready, heading, vec![patch()]);
+    shown.standing = PatchStanding::ThickensLittle;
+    let shown = harness(shown);
+    shown.get_by_label_contains("Place 1: 21 cm²");
+    assert!(shown.query_by_label_contains("Patch 1").is_none());
 }
 
 #[test]

@@ -6,6 +6,7 @@ use super::*;
 fn unusable_input_is_one_and_wrong_usage_is_two() {
     let folder = tempfile::tempdir().unwrap();
     let out = text(folder.path()).to_owned() + "/out.csv";
+    let picture = text(folder.path()).to_owned() + "/out.png";
     let broken = folder.path().join("broken_0.ply");
     fs::write(&broken, "ply\nformat ascii 1.0\nelement vertex 3\n").unwrap();
     let crooked = folder.path().join("crooked.csv");
@@ -37,17 +38,22 @@ fn unusable_input_is_one_and_wrong_usage_is_two() {
             "/nowhere.ply",
         ),
         (
-            &["figure", &demo, "--subject", "X", "--out", &out],
+            &["figure", &demo, "--subject", "X", "--out", &picture],
             2,
             "no such subject",
         ),
         (
-            &["figure", &demo, "--frame", "8", "--out", &out],
+            &["figure", &demo, "--out", &out],
+            2,
+            "must end in .png, .svg or .pdf",
+        ),
+        (
+            &["figure", &demo, "--frame", "8", "--out", &picture],
             2,
             "frames 0 to 7",
         ),
         (
-            &["figure", &demo, "--size", "9x9", "--out", &out],
+            &["figure", &demo, "--size", "9x9", "--out", &picture],
             2,
             "320x240",
         ),

@@ -181,6 +181,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 selected: None,
                 compared: None,
                 measuring: true,
+                judging: true,
             };
             cohort_table_ui(ui, &view, commands);
         }

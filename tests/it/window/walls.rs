@@ -4,8 +4,8 @@ use super::*;
 
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::FoundWall;
+use cardiomorph::picture::BullsEyeQuantity;
 use cardiomorph::picture::{Quantity, WallPart};
-use cardiomorph::ui::BullsEyeQuantity;
 use egui::Key;
 
 /// P05 has a large patch.

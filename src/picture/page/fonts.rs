@@ -1,11 +1,9 @@
-//! Text in figures: Inter, drawn with smooth edges at any size.
+//! The typeface of figures: Inter, its widths and its outlines.
 
-use ab_glyph::{Font, FontRef, Glyph, PxScale, ScaleFont, point};
-
-use crate::picture::figure::canvas::Canvas;
+use ab_glyph::{Font, FontRef, OutlineCurve, PxScale, ScaleFont};
 
 /// Thickness of letters.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Weight {
     /// Running text.
     #[default]
@@ -26,6 +24,34 @@ pub struct FigureFonts {
     semi_bold: FontRef<'static>,
 }
 
+/// One letter of a line: its outline in the typeface's units, y up.
+pub(super) struct Letter {
+    /// From the start of the line in pixels.
+    pub(super) x: f32,
+    /// Pixels for each unit of the typeface.
+    pub(super) scale: f32,
+    /// One closed curve after the other.
+    pub(super) curves: Vec<OutlineCurve>,
+}
+
+impl Weight {
+    /// The typeface as a file.
+    pub(super) fn file(self) -> &'static [u8] {
+        match self {
+            Self::Regular => REGULAR,
+            Self::SemiBold => SEMI_BOLD,
+        }
+    }
+
+    /// The number that style sheets give it.
+    pub(super) fn number(self) -> u16 {
+        match self {
+            Self::Regular => 400,
+            Self::SemiBold => 600,
+        }
+    }
+}
+
 const REGULAR: &[u8] = include_bytes!(concat!(
     env!("CARGO_MANIFEST_DIR"),
     "/assets/fonts/Inter-Regular.otf"
@@ -41,10 +67,10 @@ impl FigureFonts {
     /// # Errors
     /// If one is damaged.
     pub fn load() -> Result<Self, FontError> {
-        let read = |bytes| FontRef::try_from_slice(bytes).map_err(|_| FontError);
+        let read = |weight: Weight| FontRef::try_from_slice(weight.file()).map_err(|_| FontError);
         Ok(Self {
-            regular: read(REGULAR)?,
-            semi_bold: read(SEMI_BOLD)?,
+            regular: read(Weight::Regular)?,
+            semi_bold: read(Weight::SemiBold)?,
         })
     }
 
@@ -92,39 +118,26 @@ impl FigureFonts {
         "…".to_owned()
     }
 
-    /// Draws a line of text whose base line starts at `at`, and returns its width in pixels.
-    pub fn draw(
-        &self,
-        canvas: &mut Canvas,
-        text: &str,
-        weight: Weight,
-        size: f32,
-        at: [f32; 2],
-        colour: [f32; 3],
-    ) -> f32 {
+    /// Outlines of a line of text, letter by letter; `size` is the em in pixels.
+    pub(super) fn outlines(&self, text: &str, weight: Weight, size: f32) -> Vec<Letter> {
         let font = self.font(weight);
-        let scale = scale(font, size);
-        let scaled = font.as_scaled(scale);
-        let mut x = at[0];
+        let scaled = font.as_scaled(scale(font, size));
+        let mut x = 0.0;
         let mut before = None;
-        for letter in text.chars() {
-            let id = font.glyph_id(letter);
+        let mut letters = Vec::with_capacity(text.len());
+        for id in text.chars().map(|letter| font.glyph_id(letter)) {
             x += before.map_or(0.0, |before| scaled.kern(before, id));
-            let glyph: Glyph = id.with_scale_and_position(scale, point(x, at[1]));
-            if let Some(outline) = font.outline_glyph(glyph) {
-                let corner = outline.px_bounds().min;
-                outline.draw(|dx, dy, covered| {
-                    let place = (
-                        corner.x as i64 + i64::from(dx),
-                        corner.y as i64 + i64::from(dy),
-                    );
-                    canvas.cover(place.0, place.1, colour, covered);
+            if let Some(outline) = font.outline(id) {
+                letters.push(Letter {
+                    x,
+                    scale: size / font.units_per_em().unwrap_or(1000.0),
+                    curves: outline.curves,
                 });
             }
             x += scaled.h_advance(id);
             before = Some(id);
         }
-        x - at[0]
+        letters
     }
 
     fn font(&self, weight: Weight) -> &FontRef<'static> {
@@ -181,26 +194,5 @@ mod tests {
         assert_eq!(lines.join(" "), "one range for the whole cohort");
         let short = fonts.shortened("one range for the cohort", Weight::Regular, 16.0, 100.0);
         assert!(short.ends_with('…') && fonts.width(&short, Weight::Regular, 16.0) <= 100.0);
-    }
-
-    #[test]
-    fn text_is_as_dark_as_its_area() {
-        let fonts = FigureFonts::load().unwrap();
-        let mut canvas = Canvas::filled(60, 40, [1.0; 3], 1.0);
-        fonts.draw(
-            &mut canvas,
-            "I",
-            Weight::Regular,
-            30.0,
-            [20.0, 32.0],
-            [0.0; 3],
-        );
-        let dark: f32 = canvas
-            .pixels()
-            .chunks(4)
-            .map(|p| 1.0 - f32::from(p[0]) / 255.0)
-            .sum();
-        // An I is a bar of cap height (0.73 em) by its stem (0.09 em).
-        assert!((dark - 30.0 * 0.73 * 30.0 * 0.09).abs() < 15.0, "{dark}");
     }
 }

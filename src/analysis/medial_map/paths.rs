@@ -1,0 +1,66 @@
+//! The paths of one heart: one per patch, or that of all that stands still.
+
+use crate::analysis::medial::MedialBeat;
+use crate::analysis::segments::LongAxis;
+use crate::analysis::thickening::Thickening;
+use crate::mesh::Point3;
+
+use super::placement::{Frame, Placement};
+use super::result::{HeartPaths, NotMapped, PathStep, StillPart, StillPath};
+
+/// Paths of the poses of one heart: one for each patch, from all of its atoms at every step (4.6.2); where there is
+/// no patch, that of M̂, as the method has it (4.5). M̂ is another set in every step: all of the wall where even a well
+/// one hardly changes, as in diastasis, and little or nothing in contraction. So its path goes far, unless
+/// all of the wall is still in every step, as in a heart that hardly thickens at all.
+///
+/// # Errors
+/// If nothing is still in any step, or the heart has no extent.
+pub fn heart_paths(
+    beat: &MedialBeat,
+    found: &Thickening,
+    axis: Option<&LongAxis>,
+) -> Result<HeartPaths, NotMapped> {
+    let paths: Vec<StillPath> = if found.patches.is_empty() {
+        let steps = found.steps.iter().filter_map(|step| {
+            Some(PathStep {
+                from: step.from,
+                to: step.to,
+                descriptor: step.descriptor?,
+            })
+        });
+        vec![StillPath {
+            part: StillPart::Whole,
+            steps: steps.collect(),
+        }]
+    } else {
+        let patches = found.patches.iter().enumerate();
+        let path_of = |(index, patch): (usize, &crate::analysis::thickening::Patch)| {
+            let steps = found.steps.iter().zip(&patch.path);
+            let steps = steps.filter_map(|(step, descriptor)| {
+                Some(PathStep {
+                    from: step.from,
+                    to: step.to,
+                    descriptor: (*descriptor)?,
+                })
+            });
+            StillPath {
+                part: StillPart::Patch(index),
+                steps: steps.collect(),
+            }
+        };
+        patches.map(path_of).collect()
+    };
+    if paths.iter().all(|path| path.steps.is_empty()) {
+        return Err(NotMapped::NothingStill {
+            steps: found.steps.len(),
+        });
+    }
+    let centres: Vec<Point3> = (beat.frames.get(found.end_diastole))
+        .map(|rest| rest.atoms.iter().map(|atom| atom.position).collect())
+        .unwrap_or_default();
+    let placements = Frame::ALL.map(|frame| Placement::new(frame, axis, &centres));
+    if placements.iter().all(Option::is_none) {
+        return Err(NotMapped::NoSize);
+    }
+    Ok(HeartPaths { paths, placements })
+}

@@ -1,0 +1,185 @@
+//! The numbers that speak for a verdict, each beside those of the normal hearts.
+
+use crate::analysis::verdicts::{Feature, Features, Verdicts};
+use crate::study::{LabelRole, Study};
+use crate::ui::EvidenceRow;
+
+/// How a number is written.
+#[derive(Clone, Copy)]
+enum Written {
+    /// A share, as percent.
+    Share,
+    /// A logarithm of a ratio, as percent of growth.
+    Growth,
+    /// A ratio, with two places.
+    Ratio,
+    /// A distance without a unit, with three places.
+    Distance,
+    /// Radians, as degrees.
+    Degrees,
+    /// A share of the heart's size, as percent with one place.
+    OfSize,
+}
+
+/// What is shown, in this order: name, what it is, how it is written. The first three are those of
+/// [`Feature::OF_RULE`], the rest are those of the method (4.4–4.7) and what the patch table knows.
+const SHOWN: [(Feature, &str, &str, Written); 10] = [
+    (
+        Feature::StillShare,
+        "Wall that stands still",
+        "Share of the wall whose thickness grows by less than a tenth from end-diastole to end-systole",
+        Written::Share,
+    ),
+    (
+        Feature::Median,
+        "Median thickening",
+        "Half of the wall thickens by more than this from end-diastole to end-systole",
+        Written::Growth,
+    ),
+    (
+        Feature::RelativeSpread,
+        "Unevenness",
+        "Spread of thickening over the wall, over the thickening of the part that works well: 0 where all of it \
+         thickens alike",
+        Written::Ratio,
+    ),
+    (
+        Feature::Well,
+        "Well part thickens",
+        "Thickening of the part that works well",
+        Written::Growth,
+    ),
+    (
+        Feature::PatchThickening,
+        "Patch over well part",
+        "Thickening of the largest patch over that of the part that works well: 0 where it stands still, 1 without \
+         a patch",
+        Written::Ratio,
+    ),
+    (
+        Feature::Confidence,
+        "Found again in noise",
+        "Share of redraws of the noise in which the largest patch is found again; 0 without a patch",
+        Written::Share,
+    ),
+    (
+        Feature::Compactness,
+        "Compactness",
+        "4π times the area of the largest patch over its border squared: 1 for a disc, small for what is ragged, 0 \
+         without a patch",
+        Written::Ratio,
+    ),
+    (
+        Feature::Closeness,
+        "Distance of poses",
+        "Mean distance from a pose point to the others, of the largest patch or, without one, of the still wall: \
+         small where it stays as it is over the beat",
+        Written::Distance,
+    ),
+    (
+        Feature::NormalSpread,
+        "Unsteadiness of ANV",
+        "Spread of the average normal vector over the beat, of the largest patch or of the still wall",
+        Written::Degrees,
+    ),
+    (
+        Feature::Gap,
+        "MP off the surface",
+        "Mean distance of the mean position from the medial surface, of the largest patch or of the still wall, in \
+         percent of the heart's size: small for one patch in one place",
+        Written::OfSize,
+    ),
+];
+
+/// The rows of one heart, beside the hearts of the study that are assessed.
+pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<EvidenceRow> {
+    let assessed: Vec<(LabelRole, &Features)> = (study.subjects.iter().zip(&verdicts.subjects))
+        .filter_map(|(subject, told)| Some((study.role(subject), &told.as_ref().ok()?.features)))
+        .collect();
+    SHOWN
+        .into_iter()
+        .map(|(feature, name, what, written)| {
+            let all = assessed.iter().map(|(_, features)| features.get(feature));
+            let whole = range(all);
+            let normal = (assessed.iter())
+                .filter(|(role, _)| *role == LabelRole::Normal)
+                .map(|(_, features)| features.get(feature));
+            let normal = range(normal);
+            let value = own.get(feature);
+            let place = |value: f64| {
+                let [least, most] = whole?;
+                (most > least).then(|| ((value - least) / (most - least)) as f32)
+            };
+            EvidenceRow {
+                name,
+                what,
+                value: value.map_or_else(|| "not told".to_owned(), |value| text(written, value)),
+                normal: normal.map_or_else(String::new, |range| range_text(written, range)),
+                place: value.and_then(place),
+                band: normal.and_then(|[least, most]| Some([place(least)?, place(most)?])),
+                read: Feature::OF_RULE.contains(&feature),
+            }
+        })
+        .collect()
+}
+
+/// The least and the greatest of what is told.
+fn range(values: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2]> {
+    values.flatten().fold(None, |range, value| match range {
+        None => Some([value; 2]),
+        Some([least, most]) => Some([least.min(value), most.max(value)]),
+    })
+}
+
+fn text(written: Written, value: f64) -> String {
+    let (number, unit) = parts(written, value);
+    format!("{number}{unit}")
+}
+
+/// "0–5 %": the unit once; "to" where a sign could be taken for the dash.
+fn range_text(written: Written, range: [f64; 2]) -> String {
+    let [(least, unit), (most, _)] = range.map(|value| parts(written, value));
+    let dash = if range[0] < 0.0 { " to " } else { "–" };
+    format!("{least}{dash}{most}{unit}")
+}
+
+fn parts(written: Written, value: f64) -> (String, &'static str) {
+    let (value, places, unit) = match written {
+        Written::Share => (100.0 * value, 0, " %"),
+        Written::Growth => (100.0 * value.exp_m1(), 0, " %"),
+        Written::Ratio => (value, 2, ""),
+        Written::Distance => (value, 3, ""),
+        Written::Degrees => (value.to_degrees(), 1, "°"),
+        Written::OfSize => (100.0 * value, 1, " %"),
+    };
+    let number = format!("{value:.places$}");
+    // A true minus, and no minus zero.
+    let zero = number.trim_start_matches('-').parse() == Ok(0.0);
+    let number = if zero {
+        number.replace('-', "")
+    } else {
+        number.replace('-', "−")
+    };
+    (number, unit)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_units_and_a_true_minus() {
+        assert_eq!(text(Written::Share, 0.312), "31 %");
+        assert_eq!(text(Written::Growth, -0.05), "−5 %");
+        assert_eq!(text(Written::Growth, -0.001), "0 %");
+        assert_eq!(text(Written::Degrees, 0.1), "5.7°");
+        assert_eq!(range_text(Written::Share, [0.0, 0.05]), "0–5 %");
+        assert_eq!(range_text(Written::Growth, [-0.05, 0.5]), "−5 to 65 %");
+    }
+
+    #[test]
+    fn what_the_rule_reads_comes_first() {
+        let read = SHOWN.map(|(feature, ..)| feature);
+        assert_eq!(read[..3], Feature::OF_RULE);
+    }
+}

@@ -1,0 +1,195 @@
+//! Thickness of the selected heart in every way of measuring: strips by pose, differences at the pose on screen.
+
+use std::sync::Arc;
+
+use crate::analysis::thickness_methods::{ThicknessMethod, ThicknessSpread};
+use crate::app::background_thickness::{poses, settings};
+use crate::app::state::State;
+use crate::engine::{Engine, FrameThickness, Showing, ThicknessWay, WayAnswer, WorkKind};
+use crate::picture::nice_ceiling;
+use crate::ui::{Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip};
+
+use super::overlay_view::phase_name;
+
+/// What the pane shows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ThicknessData {
+    state: ThicknessState,
+    moment: String,
+    rows: Vec<ThicknessRow>,
+    most: f64,
+}
+
+impl ThicknessData {
+    /// Of the selected heart; `asked` is the frame that is being measured.
+    pub fn of(state: &State, engine: &Engine, asked: Option<usize>) -> Self {
+        let Some(subject) = state.document.selected() else {
+            return Self::default();
+        };
+        let settings = settings(state);
+        let store = &state.results.thickness;
+        let known: Vec<(usize, &Arc<FrameThickness>)> = poses(state)
+            .into_iter()
+            .filter_map(|frame| Some((frame, store.get(subject, &settings, frame)?.as_ref().ok()?)))
+            .collect();
+        let failed = (poses(state).into_iter())
+            .find_map(|frame| store.get(subject, &settings, frame)?.as_ref().err());
+        let on_screen = state.document.frame();
+        // While the beat plays, what differs is told of end-systole, or of what there is.
+        let told = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
+        let rows = ways().map(|way| row(state, way, &known, told.map(|(_, found)| &***found)));
+        let rows: Vec<ThicknessRow> = if known.is_empty() {
+            Vec::new()
+        } else {
+            rows.collect()
+        };
+        let strips = rows.iter().flat_map(|row| &row.strips);
+        let most = strips.map(|strip| strip.quantiles[4]).fold(0.0, f64::max);
+        Self {
+            state: standing(state, engine, asked, failed),
+            moment: told.map_or_else(String::new, |(frame, _)| moment(state, *frame)),
+            rows,
+            most: 0.5 * nice_ceiling(2.0 * most),
+        }
+    }
+
+    /// What the pane shows.
+    pub fn view<'a>(&'a self, state: &'a State) -> ThicknessPanelView<'a> {
+        let subject = state.document.selected();
+        ThicknessPanelView {
+            subject: subject.map(|subject| &*subject.id),
+            state: &self.state,
+            moment: &self.moment,
+            unit: subject.map_or("", |subject| subject.unit.length_symbol()),
+            rows: &self.rows,
+            most: self.most,
+        }
+    }
+}
+
+fn ways() -> impl Iterator<Item = ThicknessWay> {
+    let others = ThicknessMethod::ALL.into_iter().map(ThicknessWay::Other);
+    std::iter::once(ThicknessWay::Medial).chain(others)
+}
+
+/// "ED", "ES", "frame 3".
+fn moment(state: &State, frame: usize) -> String {
+    let phase = phase_name(state.phases_of(state.document.subject), frame);
+    phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
+}
+
+fn standing(
+    state: &State,
+    engine: &Engine,
+    asked: Option<usize>,
+    failed: Option<&String>,
+) -> ThicknessState {
+    let subject = state.document.selected();
+    let (Some(subject), Some(frame)) = (subject, asked) else {
+        return ThicknessState::Computing {
+            fraction: 0.0,
+            moment: "waiting".to_owned(),
+        };
+    };
+    let settings = settings(state);
+    let store = &state.results.thickness;
+    let missing = poses(state)
+        .into_iter()
+        .any(|frame| store.get(subject, &settings, frame).is_none());
+    match engine.showing(WorkKind::Thickness) {
+        _ if !missing => match failed {
+            Some(reason) => ThicknessState::Failed(reason.clone()),
+            None => ThicknessState::Ready,
+        },
+        Showing::Stopped { .. } => ThicknessState::Stopped,
+        Showing::Computing { watch, .. } => ThicknessState::Computing {
+            fraction: watch.fraction(),
+            moment: moment(state, frame),
+        },
+        _ => ThicknessState::Computing {
+            fraction: 0.0,
+            moment: moment(state, frame),
+        },
+    }
+}
+
+fn row(
+    state: &State,
+    way: ThicknessWay,
+    known: &[(usize, &Arc<FrameThickness>)],
+    told: Option<&FrameThickness>,
+) -> ThicknessRow {
+    let on_screen = state.document.frame();
+    let strips = known.iter().filter_map(|(frame, found)| {
+        let spread = answer(found, way)?.found.as_ref().ok()?;
+        Some(ThicknessStrip {
+            moment: moment(state, *frame),
+            on_screen: *frame == on_screen,
+            quantiles: quantiles(spread),
+        })
+    });
+    let told = told.and_then(|found| answer(found, way));
+    let agreement = told.and_then(|answer| answer.agreement);
+    let reasons = known.iter().filter_map(|(_, found)| {
+        let reason = answer(found, way)?.found.as_ref().err()?;
+        Some(reason.clone())
+    });
+    ThicknessRow {
+        name: sentence_case(way.name()),
+        hint: hint(way),
+        strips: strips.collect(),
+        difference: agreement.map(|agreement| Difference {
+            bias: agreement.bias,
+            deviation: agreement.deviation,
+            pairs: agreement.pairs,
+        }),
+        reference: way == ThicknessWay::Medial,
+        seconds: told
+            .filter(|told| told.found.is_ok())
+            .map(|told| told.seconds),
+        reason: reasons.last(),
+    }
+}
+
+fn answer(found: &FrameThickness, way: ThicknessWay) -> Option<&WayAnswer> {
+    found.answers.iter().find(|answer| answer.way == way)
+}
+
+fn quantiles(spread: &ThicknessSpread) -> [f64; 5] {
+    [
+        spread.low,
+        spread.quarter,
+        spread.median,
+        spread.three_quarters,
+        spread.high,
+    ]
+}
+
+fn sentence_case(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+fn hint(way: ThicknessWay) -> &'static str {
+    match way {
+        ThicknessWay::Medial => {
+            "Twice the radius of the largest ball in the wall at each vertex of its inner side; where the \
+             sheet ends, at the base, balls take no part"
+        }
+        ThicknessWay::Other(ThicknessMethod::Nearest) => {
+            "From a vertex of the inner side to the nearest point of the outer one: never more than any other way"
+        }
+        ThicknessWay::Other(ThicknessMethod::Centreline) => {
+            "Chords across the centre line of short-axis slices: too long where the wall is cut at a slant, as \
+             near the apex"
+        }
+        ThicknessWay::Other(ThicknessMethod::Laplace) => {
+            "Length of the field line of Laplace's equation from side to side"
+        }
+        ThicknessWay::Other(ThicknessMethod::VolumeOverArea) => {
+            "Volume of a piece of the wall over the mean of its inner and outer area: one number for each piece"
+        }
+    }
+}

@@ -1,0 +1,132 @@
+//! What is said of a heart, by finding and by rule.
+
+use super::*;
+use crate::analysis::classification::Accuracy;
+use crate::analysis::verdicts::{Features, NotAssessed};
+use crate::app::testing::{state_of, subject_with_frames};
+use std::sync::Arc;
+
+fn verdict(finding: Finding, probability: f64) -> Verdict {
+    Verdict {
+        finding,
+        abnormal: finding != Finding::Nothing,
+        probability,
+        features: Features::default(),
+        patched: 0.312,
+        alike_normal: vec![1],
+        alike_abnormal: vec![0],
+        familiarity: Some(Familiarity {
+            distance: 0.6,
+            usual: 0.5,
+            as_far: 0.4,
+        }),
+    }
+}
+
+fn judged(rule: RuleSource) -> State {
+    let ids = ["a", "b", "c"];
+    let mut state = state_of(ids.map(|id| subject_with_frames(id, 3)).to_vec());
+    let reason = NotAssessed::WallNotResolved { share: 0.61 };
+    let verdicts = Verdicts {
+        subjects: vec![
+            Ok(verdict(Finding::Patch, 0.97)),
+            Ok(verdict(Finding::Nothing, 0.04)),
+            Err(reason),
+        ],
+        rule,
+        quality: None,
+    };
+    let key = VerdictKey::wanted(&state);
+    state.results.verdicts.found = Some((key, Arc::new(verdicts)));
+    state
+}
+
+const LEARNT: RuleSource = RuleSource::Cohort {
+    normal: 9,
+    abnormal: 14,
+};
+
+#[test]
+fn only_the_finding_of_a_patch_is_called_one() {
+    let mut state = judged(LEARNT);
+    let shown = told(&state).unwrap();
+    assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
+    assert_eq!(shown.mark, VerdictMark::Patch);
+    assert_eq!(shown.alike[0][0].id, "b");
+    assert_eq!(shown.alike[0][0].verdict, "none");
+    state.document.subject = 1;
+    let shown = told(&state).unwrap();
+    assert_eq!(shown.heading, "No abnormal patch");
+    assert!(shown.sentence.ends_with("31 % of it thickens little"));
+    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "none");
+    assert_eq!(cohort_verdict(&state, 0).unwrap().text(), "patch 31 %");
+}
+
+#[test]
+fn what_is_not_assessed_says_why_in_pane_and_table() {
+    let mut state = judged(LEARNT);
+    state.document.subject = 2;
+    let shown = told(&state).unwrap();
+    assert_eq!(shown.heading, "Not assessed");
+    assert!(shown.sentence.starts_with("the wall is not resolved"));
+    assert_eq!(shown.probability, None);
+    let row = cohort_verdict(&state, 2).unwrap();
+    assert_eq!(row.text(), "not assessed");
+    assert!(row.words.contains("61 %"), "{}", row.words);
+}
+
+#[test]
+fn an_uncalibrated_rule_says_so_everywhere() {
+    let state = judged(RuleSource::Uncalibrated {
+        normal: 2,
+        abnormal: 0,
+    });
+    let shown = told(&state).unwrap();
+    assert!(!shown.calibrated);
+    let (verdicts, _) = state.verdicts().unwrap();
+    let rule = rule_told(verdicts);
+    assert!(rule.source.contains("uncalibrated"), "{}", rule.source);
+    assert!(rule.source.contains("2 normal and 0 abnormal"));
+    assert!(rule.results.is_empty());
+    let words = cohort_verdict(&state, 0).unwrap().words;
+    assert!(words.ends_with("score 0.97, no probability"), "{words}");
+}
+
+#[test]
+fn a_heart_far_from_all_that_was_seen_is_to_be_taken_with_care() {
+    let at = |distance: f64, as_far: f64| {
+        familiar(&Familiarity {
+            distance,
+            usual: 0.5,
+            as_far,
+        })
+    };
+    let near = at(0.6, 0.4);
+    assert!(!near.unlike && near.words.contains("1.2 ×") && near.words.contains("40 %"));
+    let far = at(12.0, 0.0);
+    assert!(far.unlike && far.words.contains("24 ×") && far.words.contains("100 %"));
+}
+
+#[test]
+fn every_result_stands_beside_chance() {
+    let quality = RuleQuality {
+        accuracy: Accuracy {
+            correct: 22,
+            of: 23,
+            baseline: 0.5,
+            p_value: 0.004_975,
+        },
+        false_alarms: 0,
+        missed: 1,
+        auc: 0.984,
+        auc_baseline: 0.46,
+        auc_p_value: 0.004_975,
+    };
+    let rows = results(&quality, 9, 14);
+    assert_eq!(rows[0].value, "22 of 23 · 96 %");
+    assert_eq!(rows[0].chance, "by chance 11.5 · p 0.005");
+    assert_eq!(rows[1].value, "0.98");
+    assert_eq!(rows[1].chance, "by chance 0.46 · p 0.005");
+    assert_eq!(rows[2].value, "0 of 9 normal");
+    assert_eq!(rows[3].value, "1 of 14 abnormal");
+}

@@ -1,0 +1,220 @@
+//! One heart's wall on the bull's-eye: laid flat once, with values of any pose.
+
+use crate::analysis::segments::{
+    Polar, Segment, flat_map, plot_point, polar, segment_means, vertex_areas,
+};
+use crate::engine::SubjectThickening;
+use crate::mesh::Point3;
+use crate::picture::bulls_eye::BullsEyeQuantity;
+use crate::picture::medial::rounded;
+use crate::study::Subject;
+
+/// The medial surface at end-diastole in the unit disc, x to the right (lateral) and y up (anterior).
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FlatWall {
+    /// Where atoms lie.
+    pub points: Vec<[f64; 2]>,
+    /// Faces over atoms.
+    pub faces: Vec<[u32; 3]>,
+    /// Closed borders of each patch.
+    pub borders: Vec<Vec<Vec<[f64; 2]>>>,
+    /// Whether septum and anterior wall are known, and so segments have names.
+    pub oriented: bool,
+    /// Area of each atom that takes part, 0 of others.
+    weights: Vec<f64>,
+}
+
+/// Numbers on the bull's-eye: ratios, 1 for unchanged, or lengths.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct FlatValues {
+    /// Of each atom; not a number where it does not take part.
+    pub values: Vec<f32>,
+    /// Mean of each segment; `None` where the orientation is not known.
+    pub segments: [Option<f64>; Segment::COUNT],
+}
+
+impl FlatWall {
+    /// Lays the wall of a heart flat; `None` where it has no long axis.
+    pub fn of(found: &SubjectThickening) -> Option<Self> {
+        let beat = &found.beat;
+        let rest = beat.frames.get(found.thickening.end_diastole)?;
+        let axis = found.axis?;
+        let centres: Vec<Point3> = rest.atoms.iter().map(|atom| atom.position).collect();
+        let places: Vec<Polar> = centres.iter().map(|&centre| polar(&axis, centre)).collect();
+        let triangles = beat.faces.triangles();
+        let map = flat_map(&places, &centres, triangles);
+        let mut weights = vertex_areas(&centres, triangles);
+        for (weight, &regular) in weights.iter_mut().zip(&beat.regular) {
+            if !regular {
+                *weight = 0.0;
+            }
+        }
+        let on_plot = |border: &Vec<u32>| {
+            let places = border.iter().filter_map(|&atom| places.get(atom as usize));
+            let corners: Vec<[f64; 2]> = places.map(|&place| plot_point(place)).collect();
+            rounded(&corners)
+        };
+        let patches = found.thickening.patches.iter();
+        Some(Self {
+            borders: patches
+                .map(|patch| patch.border.iter().map(on_plot).collect())
+                .collect(),
+            points: map.points,
+            faces: map.faces,
+            oriented: axis.is_oriented(),
+            weights,
+        })
+    }
+
+    /// What a quantity is at a frame, or over the whole beat.
+    pub fn values(
+        &self,
+        found: &SubjectThickening,
+        subject: &Subject,
+        quantity: BullsEyeQuantity,
+        frame: usize,
+    ) -> FlatValues {
+        let (beat, told) = (&found.beat, &found.thickening);
+        let taking_part = |numbers: Vec<f64>| -> Vec<f32> {
+            let every = numbers.iter().zip(&beat.regular);
+            every
+                .map(|(&number, &on)| if on { number as f32 } else { f32::NAN })
+                .collect()
+        };
+        let means = |numbers: &[f64]| segment_means(&found.segments, &self.weights, numbers);
+        match quantity {
+            BullsEyeQuantity::Ratio => {
+                let radii = |frame: usize| -> Vec<f64> {
+                    let atoms = beat.frames.get(frame).map_or(&[][..], |pose| &pose.atoms);
+                    atoms.iter().map(|atom| atom.radius).collect()
+                };
+                let (now, rest) = (radii(frame), radii(told.end_diastole));
+                if now.len() != self.weights.len() {
+                    return FlatValues::default();
+                }
+                let ratios = now.iter().zip(&rest).map(|(now, rest)| now / rest);
+                // The ratio of means, in which thin places do not weigh more.
+                let [now, rest] = [means(&now), means(&rest)];
+                FlatValues {
+                    values: taking_part(ratios.collect()),
+                    segments: std::array::from_fn(|index| Some(now[index]? / rest[index]?)),
+                }
+            }
+            BullsEyeQuantity::Thickening => FlatValues {
+                values: taking_part(told.thickening.iter().map(|ln| ln.exp()).collect()),
+                segments: means(&told.thickening).map(|mean| mean.map(f64::exp)),
+            },
+            BullsEyeQuantity::Displacement => {
+                let places = |frame| self.template_places(found, subject, frame);
+                let (now, rest) = (places(frame), places(told.end_diastole));
+                if now.len() != self.weights.len() || rest.len() != now.len() {
+                    return FlatValues::default();
+                }
+                let ways: Vec<f64> = (now.iter().zip(&rest))
+                    .map(|(now, rest)| (now - rest).norm())
+                    .collect();
+                FlatValues {
+                    segments: means(&ways),
+                    values: taking_part(ways),
+                }
+            }
+            BullsEyeQuantity::AreaRatio => {
+                let triangles = beat.faces.triangles();
+                let areas = |frame| {
+                    let places = self.template_places(found, subject, frame);
+                    (places.len() == self.weights.len()).then(|| vertex_areas(&places, triangles))
+                };
+                let (Some(now), Some(rest)) = (areas(frame), areas(told.end_diastole)) else {
+                    return FlatValues::default();
+                };
+                let even: Vec<f64> = (self.weights.iter())
+                    .map(|&weight| f64::from(weight > 0.0))
+                    .collect();
+                let ratios = now.iter().zip(&rest).map(|(now, rest)| now / rest);
+                let [sum, before] =
+                    [&now, &rest].map(|areas| segment_means(&found.segments, &even, areas));
+                FlatValues {
+                    values: taking_part(ratios.collect()),
+                    segments: std::array::from_fn(|index| Some(sum[index]? / before[index]?)),
+                }
+            }
+        }
+    }
+
+    /// Where the vertices of the template surface are at a frame, in the order of atoms; empty where the subject is
+    /// not the one that was assessed.
+    fn template_places(
+        &self,
+        found: &SubjectThickening,
+        subject: &Subject,
+        frame: usize,
+    ) -> Vec<Point3> {
+        let surface = subject.sequence.surface(found.beat.surface);
+        let mesh = surface.and_then(|surface| surface.frames().get(frame));
+        let points = mesh.map_or(&[][..], |mesh| mesh.vertices());
+        let places = found.beat.vertices.iter();
+        places
+            .map_while(|&vertex| points.get(vertex as usize).copied())
+            .collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::{AnalysisRequest, Cache, ThickeningSettings, run};
+    use crate::mesh::phantom;
+    use crate::progress::Progress;
+    use crate::study::built_in::{BuiltInParams, cohort};
+    use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
+    use std::sync::Arc;
+
+    #[test]
+    fn every_quantity_has_its_mean_in_every_segment_and_rest_at_end_diastole() {
+        let params = BuiltInParams {
+            vertices: 400,
+            ..BuiltInParams::default()
+        };
+        let study = cohort(&params).unwrap().study;
+        let request = AnalysisRequest::Thickening {
+            subject: 0,
+            params: ThickeningSettings::default(),
+        };
+        let outcome = run(&study, &request, &Cache::default(), &Progress::default()).unwrap();
+        let found: Arc<SubjectThickening> = Arc::clone(outcome.thickening().unwrap());
+        let subject = &study.subjects[0];
+        let flat = FlatWall::of(&found).unwrap();
+        assert!(flat.oriented);
+        let [diastole, systole] = [found.thickening.end_diastole, found.thickening.end_systole];
+        let at = |quantity, frame| flat.values(&found, subject, quantity, frame);
+        for (quantity, rest, [least, most]) in [
+            (BullsEyeQuantity::Ratio, 1.0, [1.1, 2.5]),
+            (BullsEyeQuantity::Displacement, 0.0, [0.5, 25.0]),
+            (BullsEyeQuantity::AreaRatio, 1.0, [0.3, 0.95]),
+        ] {
+            let (still, moved) = (at(quantity, diastole), at(quantity, systole));
+            for segment in Segment::all() {
+                let [still, moved] = [&still, &moved].map(|v| v.segments[segment.index()].unwrap());
+                assert!((still - rest).abs() < 1e-9, "{quantity:?}: {still}");
+                assert!((least..most).contains(&moved), "{quantity:?}: {moved}");
+            }
+            let told = moved
+                .values
+                .iter()
+                .filter(|value| value.is_finite())
+                .count();
+            let regular = found.beat.regular.iter().filter(|&&on| on).count();
+            assert_eq!(told, regular, "{quantity:?}");
+        }
+        // Another heart's surfaces are not taken for these.
+        let ball = vec![phantom::sphere(1, 20.0)];
+        let ball = SurfaceSequence::new(SurfaceKind::Cavity, ball).unwrap();
+        let other = Subject::new(
+            "other",
+            MeshSequence::new(vec![ball]).unwrap(),
+            subject.unit,
+        );
+        let none = flat.values(&found, &other, BullsEyeQuantity::Displacement, systole);
+        assert_eq!(none, FlatValues::default());
+    }
+}

@@ -1,0 +1,75 @@
+//! From a heart and its patches to a finished patch figure.
+
+use std::sync::Arc;
+
+use crate::analysis::verdicts::Verdicts;
+use crate::engine::SubjectThickening;
+use crate::picture::figure::make::{Figure, FigureOrder, FigureView};
+use crate::picture::figure::patch::content::{PatchContent, patch_settings};
+use crate::picture::figure::patch::draw::drawn_patch_figure;
+use crate::picture::figure::patch::frame::PatchFrame;
+use crate::picture::medial::facing_patch;
+use crate::picture::page::FigureFonts;
+use crate::picture::patch_words::PatchStanding;
+use crate::picture::scene::heart_scene;
+use crate::render::{Headless, RenderError};
+
+/// A patch figure: a figure, and what is said beside the heart.
+#[derive(Clone, Copy, Debug)]
+pub struct PatchOrder<'a> {
+    /// The heart and how it looks; the middle of its wall is among its extras where it is drawn.
+    pub figure: FigureOrder<'a>,
+    /// What was found in its wall.
+    pub found: &'a SubjectThickening,
+    /// What is said of all hearts; `None` where that is not known.
+    pub verdicts: Option<&'a Verdicts>,
+    /// Which of them this one is.
+    pub subject: usize,
+}
+
+impl PatchOrder<'_> {
+    /// What the patches may be called.
+    pub(super) fn standing(&self) -> PatchStanding {
+        PatchStanding::of((self.verdicts).and_then(|told| told.subjects.get(self.subject)))
+    }
+}
+
+/// Renders a patch figure, by default from where the largest patch is seen best.
+///
+/// # Errors
+/// If the graphics driver fails.
+pub fn rendered_patch_figure(
+    order: &PatchOrder<'_>,
+    headless: &mut Headless,
+    fonts: &FigureFonts,
+) -> Result<Figure, RenderError> {
+    let mut figure = order.figure;
+    figure.scene.medial.patch_look = order.standing().look();
+    // What is found in a wall that is not resolved may be blur or noise.
+    figure.scene.medial.patches &= order.found.not_assessed.is_none();
+    let heart = heart_scene(figure.prepared, figure.extras, &figure.scene, figure.pose);
+    let content = PatchContent::of(figure.content(&heart), order);
+    let frame = PatchFrame::of(figure.size, &content, fonts);
+    let camera = match (figure.view, order.found.thickening.patches.first()) {
+        (FigureView::Home, Some(largest)) => {
+            let axes = &figure.prepared.axes;
+            let turned = facing_patch(order.found, largest, axes).unwrap_or(axes.home());
+            figure.prepared.camera_from(turned, frame.heart_aspect())
+        }
+        _ => figure.camera(frame.heart_aspect()),
+    };
+    let [width, height] = frame.heart_size;
+    let picture = headless.picture(&heart.scene, &camera, width, height, frame.scale)?;
+    let page = drawn_patch_figure(
+        &frame,
+        &content,
+        Arc::new(picture),
+        &camera,
+        &figure.scene.theme,
+        figure.scene.transparent,
+        fonts,
+    );
+    let mut settings = figure.settings(&content.heart, &camera);
+    settings.extend(patch_settings(&content));
+    Ok(Figure { page, settings })
+}

@@ -1,0 +1,53 @@
+//! The report of a whole analysis as pages: what was found in whom, the maps, and the patch figures behind them.
+
+mod content;
+mod cover;
+mod map_page;
+mod sheet;
+
+use crate::analysis::deformations::DeformationMap;
+use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::verdicts::Verdicts;
+use crate::engine::PoseMap;
+use crate::picture::page::{FigureFonts, FigureSettings, Page};
+use crate::study::Study;
+
+/// Width of the report's paper, A4.
+pub const REPORT_WIDTH_MM: f32 = 210.0;
+
+/// What a report is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct ReportOrder<'a> {
+    /// The hearts.
+    pub study: &'a Study,
+    /// Their measures.
+    pub measures: &'a [SubjectMeasures],
+    /// What is said of them.
+    pub verdicts: &'a Verdicts,
+    /// The map of poses.
+    pub poses: Option<&'a PoseMap>,
+    /// The map of whole deformations.
+    pub deformations: Option<&'a DeformationMap>,
+    /// How all of it was made, in words.
+    pub parameters: &'a [String],
+}
+
+/// The pages of a report before its patch figures.
+pub fn report_pages(order: &ReportOrder<'_>, fonts: &FigureFonts) -> Vec<Page> {
+    let mut pages = cover::cover_pages(order, fonts);
+    pages.extend(map_page::map_page(order, fonts));
+    sheet::number(&mut pages, fonts);
+    pages
+}
+
+/// What the file of a report says of itself.
+pub fn report_settings(study: &Study) -> FigureSettings {
+    vec![
+        ("Title", format!("{}: analysis", study.name)),
+        (
+            "Software",
+            concat!("Cardiomorph ", env!("CARGO_PKG_VERSION")).to_owned(),
+        ),
+        ("Comment", "research use, not for diagnosis".to_owned()),
+    ]
+}

@@ -1,0 +1,138 @@
+//! Where the columns of the cohort table lie, and what stands in their cells.
+
+use egui::{Align2, Ui, pos2};
+
+use crate::ui::cohort_rows::{CohortColumn, CohortVerdict};
+use crate::ui::style::{note_font, text_font};
+use crate::ui::theme::{colours, space};
+use crate::ui::verdict_marks::verdict_mark;
+
+/// Horizontal places of the columns.
+pub(super) struct Columns {
+    pub(super) mark: f32,
+    pub(super) subject: f32,
+    pub(super) label: f32,
+    /// Right edge: numbers end here.
+    pub(super) ejection_fraction: f32,
+    /// Where marks and words of verdicts begin and end.
+    pub(super) verdict: [f32; 2],
+    /// How much of a verdict has room.
+    pub(super) told: Told,
+}
+
+/// How much of a verdict is told beside its mark.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Told {
+    /// "patch 31 %".
+    Words,
+    /// "31 %".
+    Short,
+    /// The mark alone.
+    Mark,
+}
+
+/// Width of the mark of a verdict with the gap after it.
+const VERDICT_MARK: f32 = 14.0;
+/// Widths of a pane's inside from which verdicts have words, and a number or a short word.
+const VERDICT_WIDTHS: [f32; 2] = [272.0, 196.0];
+/// Room of "100" and of its heading.
+const EF_WIDTH: f32 = 38.0;
+
+impl Columns {
+    /// Without labels their column is empty, and names take its room.
+    pub(super) fn within(across: egui::Rangef, labelled: bool) -> Self {
+        let inner = across.shrink(space::LARGE);
+        let from = inner.min + 22.0;
+        let told = match inner.span() {
+            width if width >= VERDICT_WIDTHS[0] => Told::Words,
+            width if width >= VERDICT_WIDTHS[1] => Told::Short,
+            _ => Told::Mark,
+        };
+        let width = match told {
+            Told::Words => VERDICT_MARK + 70.0,
+            Told::Short => VERDICT_MARK + 36.0,
+            Told::Mark => VERDICT_MARK,
+        };
+        let verdict = [inner.max - width, inner.max];
+        let to = verdict[0] - space::MEDIUM - 2.0;
+        Self {
+            mark: inner.min + 6.0,
+            subject: from,
+            label: if labelled {
+                from + ((to - EF_WIDTH - from) * 0.56).max(62.0)
+            } else {
+                to - EF_WIDTH
+            },
+            ejection_fraction: to,
+            verdict,
+            told,
+        }
+    }
+
+    /// Room of a column, for its heading and its text.
+    pub(super) fn span(&self, column: CohortColumn) -> [f32; 2] {
+        let gap = space::MEDIUM;
+        match column {
+            CohortColumn::Role => [self.mark - 10.0, self.subject - 2.0],
+            CohortColumn::Subject => [self.subject, self.label - gap],
+            CohortColumn::Label => [self.label, self.ejection_fraction - EF_WIDTH],
+            CohortColumn::EjectionFraction => {
+                [self.ejection_fraction - EF_WIDTH, self.ejection_fraction]
+            }
+            CohortColumn::Verdict => self.verdict,
+        }
+    }
+}
+
+/// The mark of a verdict and as many words as there is room for.
+pub(super) fn verdict_cell(
+    ui: &Ui,
+    columns: &Columns,
+    y: f32,
+    verdict: Option<&CohortVerdict>,
+    judging: bool,
+) {
+    let colours = colours(ui);
+    let left = columns.verdict[0];
+    let write = |x: f32, text: String, colour| {
+        let at = pos2(x, y);
+        ui.painter()
+            .text(at, Align2::LEFT_CENTER, text, note_font(), colour);
+    };
+    let Some(verdict) = verdict else {
+        write(
+            left,
+            if judging { "…" } else { "–" }.to_owned(),
+            colours.muted,
+        );
+        return;
+    };
+    let colour = verdict.mark.colour(colours);
+    let centre = pos2(left + 4.0, y);
+    verdict_mark(ui.painter(), centre, 4.5, verdict.mark, colour);
+    let text = match columns.told {
+        Told::Words => verdict.text(),
+        Told::Short => verdict.short(),
+        Told::Mark => return,
+    };
+    let found = verdict.share.is_some();
+    let colour = if found { colours.text } else { colours.muted };
+    write(left + VERDICT_MARK, text, colour);
+}
+
+/// Text of one cell, cut off with an ellipsis where the column ends.
+pub(super) fn cell(
+    ui: &Ui,
+    columns: &Columns,
+    column: CohortColumn,
+    y: f32,
+    text: &str,
+    colour: egui::Color32,
+) {
+    let [left, right] = columns.span(column);
+    let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), text_font(), colour);
+    job.wrap = egui::text::TextWrapping::truncate_at_width((right - left).max(8.0));
+    let galley = ui.painter().layout_job(job);
+    let at = pos2(left, y - 0.5 * galley.size().y);
+    ui.painter().galley(at, galley, colour);
+}

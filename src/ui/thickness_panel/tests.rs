@@ -1,0 +1,106 @@
+//! What the pane says, and what its buttons ask for.
+
+use egui_kittest::{Harness, kittest::Queryable as _};
+
+use super::*;
+
+fn strip(moment: &str, median: f64) -> ThicknessStrip {
+    ThicknessStrip {
+        moment: moment.to_owned(),
+        on_screen: moment == "ES",
+        quantiles: [-3.0, -1.0, 0.0, 1.0, 3.5].map(|offset| median + offset),
+    }
+}
+
+fn rows() -> Vec<ThicknessRow> {
+    vec![
+        ThicknessRow {
+            name: "Medial balls".to_owned(),
+            strips: vec![strip("ED", 9.0), strip("ES", 12.0)],
+            reference: true,
+            seconds: Some(0.02),
+            ..ThicknessRow::default()
+        },
+        ThicknessRow {
+            name: "Laplace field lines".to_owned(),
+            strips: vec![strip("ED", 9.2), strip("ES", 12.3)],
+            difference: Some(Difference {
+                bias: 0.31,
+                deviation: 0.2,
+                pairs: 800,
+            }),
+            seconds: Some(0.5),
+            ..ThicknessRow::default()
+        },
+        ThicknessRow {
+            name: "Centreline in slices".to_owned(),
+            reason: Some("no landmarks".to_owned()),
+            ..ThicknessRow::default()
+        },
+    ]
+}
+
+fn harness(state: ThicknessState, subject: Option<&'static str>) -> Harness<'static, Vec<Command>> {
+    let rows = rows();
+    Harness::builder()
+        .with_size([280.0, 360.0])
+        .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+        .build_ui_state(
+            move |ui, commands: &mut Vec<Command>| {
+                let view = ThicknessPanelView {
+                    subject,
+                    state: &state,
+                    moment: "ES",
+                    unit: "mm",
+                    rows: &rows,
+                    most: 16.0,
+                };
+                thickness_panel_ui(ui, &view, commands);
+            },
+            Vec::new(),
+        )
+}
+
+#[test]
+fn each_way_says_its_numbers_with_their_unit_and_how_it_differs() {
+    let mut shown = harness(ThicknessState::Ready, Some("P05"));
+    shown.run();
+    shown.get_by_label(
+        "Medial balls, ED 9.0 (6.0–12.5) mm, ES 12.0 (9.0–15.5) mm, 0.02 s for a pose",
+    );
+    shown.get_by_label_contains("+0.31 ± 0.20 mm against medial balls at ES over 800 vertices");
+    shown.get_by_label_contains("Median (5–95 % of vertices) in mm");
+}
+
+#[test]
+fn a_way_that_does_not_apply_says_why() {
+    let mut shown = harness(ThicknessState::Ready, Some("P05"));
+    shown.run();
+    shown.get_by_label("Does not apply: no landmarks");
+}
+
+#[test]
+fn measuring_can_be_cancelled_and_begun_again() {
+    let computing = ThicknessState::Computing {
+        fraction: 0.4,
+        moment: "ES".to_owned(),
+    };
+    let mut shown = harness(computing, Some("P05"));
+    shown.run();
+    shown.get_by_label("ES, 40 %");
+    shown.get_by_label("Cancel").click();
+    shown.run();
+    assert_eq!(*shown.state(), [Command::Cancel(WorkKind::Thickness)]);
+    let mut shown = harness(ThicknessState::Stopped, Some("P05"));
+    shown.run();
+    shown.get_by_label("Measure").click();
+    shown.run();
+    assert_eq!(*shown.state(), [Command::Retry(WorkKind::Thickness)]);
+}
+
+#[test]
+fn without_a_heart_the_pane_says_what_would_fill_it() {
+    let mut shown = harness(ThicknessState::Empty, None);
+    shown.run();
+    shown.get_by_label("No heart selected");
+}

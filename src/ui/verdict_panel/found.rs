@@ -1,0 +1,104 @@
+//! The finding in words, its probability, and how far the heart lies from what the rule has seen.
+
+use egui::{Label, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+
+use crate::ui::style::{medium, note};
+use crate::ui::theme::{colours, line, space};
+use crate::ui::verdict_marks::{VerdictMark, verdict_mark};
+use crate::ui::verdict_panel::{ToldVerdict, pair_ui};
+
+/// What every verdict carries.
+const RESEARCH: &str = "Research use, no diagnosis";
+
+/// Draws what was found.
+pub(super) fn found_ui(ui: &mut Ui, told: &ToldVerdict) {
+    let colours = colours(ui);
+    ui.horizontal_top(|ui| {
+        ui.spacing_mut().item_spacing.x = space::SMALL;
+        let (area, _) = ui.allocate_exact_size(vec2(14.0, 18.0), Sense::hover());
+        let colour = told.mark.colour(colours);
+        verdict_mark(ui.painter(), area.center(), 5.5, told.mark, colour);
+        let colour = match told.mark {
+            VerdictMark::Nothing | VerdictMark::NotAssessed => colours.strong,
+            mark => mark.colour(colours),
+        };
+        ui.add(Label::new(medium(told.heading.as_str()).color(colour)).wrap());
+    });
+    ui.add(Label::new(note(told.sentence.as_str())).wrap());
+    if let Some(probability) = told.probability {
+        probability_ui(ui, told, probability);
+    }
+    if let Some(familiar) = &told.familiar {
+        ui.add_space(space::SMALL);
+        let text = note(familiar.words.as_str());
+        let text = if familiar.unlike {
+            text.color(colours.warning)
+        } else {
+            text
+        };
+        ui.add(Label::new(text).wrap()).on_hover_text(
+            "Distance to the nearest heart that the rule was made of, in the numbers that it reads, \
+             beside the usual distance among those",
+        );
+    }
+    ui.add_space(space::SMALL);
+    ui.add(Label::new(note(RESEARCH)).wrap());
+    ui.add_space(space::MEDIUM);
+}
+
+/// "> 99 %": no more certainty than a few hearts can give.
+pub(super) fn percent(probability: f64) -> String {
+    if probability > 0.99 {
+        "> 99 %".to_owned()
+    } else if probability < 0.01 {
+        "< 1 %".to_owned()
+    } else {
+        format!("{:.0} %", 100.0 * probability)
+    }
+}
+
+fn probability_ui(ui: &mut Ui, told: &ToldVerdict, probability: f64) {
+    let colours = colours(ui);
+    ui.add_space(space::SMALL);
+    let (name, value, what) = if told.calibrated {
+        let what = "That the heart counts as abnormal, if normal and abnormal were equally likely \
+                    beforehand; above 50 % it is called abnormal";
+        ("Probability, abnormal", percent(probability), what)
+    } else {
+        let what = "An order and no probability: too few hearts with a label for a rule of their \
+                    own; above 0.5 a heart is called abnormal";
+        ("Score, no probability", format!("{probability:.2}"), what)
+    };
+    let words = format!("{name}: {value}");
+    let response = pair_ui(ui, name, &value);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.as_str()));
+    response.on_hover_text(what);
+    let height = 5.0;
+    let (area, _) = ui.allocate_exact_size(vec2(ui.available_width(), 9.0), Sense::hover());
+    let bar = Rect::from_center_size(area.center(), vec2(area.width(), height));
+    let painter = ui.painter();
+    painter.rect_filled(bar, 0.5 * height, colours.line);
+    let mut filled = bar;
+    filled.set_width(bar.width() * probability.clamp(0.0, 1.0) as f32);
+    let colour = match told.mark {
+        VerdictMark::Nothing => colours.normal,
+        mark => mark.colour(colours),
+    };
+    painter.rect_filled(filled, 0.5 * height, colour);
+    // From here on a heart is called abnormal.
+    let stroke = Stroke::new(line::THIN, colours.text);
+    painter.vline(bar.center().x, area.y_range(), stroke);
+    ui.add(Label::new(note(told.source)).wrap());
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn certainty_ends_where_a_few_hearts_can_give_no_more() {
+        assert_eq!(percent(0.9999), "> 99 %");
+        assert_eq!(percent(0.004), "< 1 %");
+        assert_eq!(percent(0.312), "31 %");
+    }
+}

@@ -1,0 +1,188 @@
+//! The map of the medial shape space and the ways of measuring thickness: from a click to what every view shows.
+
+use super::*;
+
+use cardiomorph::analysis::medial_map::MedialMap;
+use cardiomorph::ui::{Command, Pane};
+
+fn medial_map(app: &App) -> Option<&Arc<MedialMap>> {
+    app.state().medial_map()
+}
+
+/// A window with the map in front.
+fn medial_window() -> Harness<'static, App> {
+    let mut harness = cohort_window();
+    give(&mut harness, Command::ShowPane(Pane::MedialMap));
+    wait(&mut harness, "the medial map", |app| {
+        medial_map(app).is_some() && !app.busy()
+    });
+    harness.run();
+    harness
+}
+
+/// The screen position of a row of the map, by the lens that the map begins with.
+fn place_of(harness: &Harness<'_, App>, row: usize) -> egui::Pos2 {
+    let map = medial_map(harness.state()).unwrap();
+    let rect = harness.get_by_label("Medial map").rect();
+    let points: Vec<[f64; 2]> = (0..map.embedding.len())
+        .map(|row| [map.embedding.point(row)[0], map.embedding.point(row)[1]])
+        .collect();
+    let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
+        points.iter().map(|point| point[axis]).fold(start, pick)
+    };
+    let low = [0, 1].map(|axis| bound(axis, f64::min, f64::INFINITY));
+    let high = [0, 1].map(|axis| bound(axis, f64::max, f64::NEG_INFINITY));
+    let plot = rect.shrink2(egui::vec2(34.0, 26.0));
+    let scale = (f64::from(plot.width()) / (high[0] - low[0]))
+        .min(f64::from(plot.height()) / (high[1] - low[1]));
+    let offset = [0, 1].map(|axis| points[row][axis] - 0.5 * (low[axis] + high[axis]));
+    rect.center() + egui::vec2((offset[0] * scale) as f32, (-offset[1] * scale) as f32)
+}
+
+#[test]
+fn the_medial_map_is_made_when_it_is_seen_and_says_how_far_it_can_be_trusted() {
+    let mut harness = mapped_window();
+    wait(&mut harness, "rest", |app| !app.busy());
+    assert!(medial_map(harness.state()).is_none(), "nobody looks at it");
+    give(&mut harness, Command::ShowPane(Pane::MedialMap));
+    wait(&mut harness, "the medial map", |app| {
+        medial_map(app).is_some() && !app.busy()
+    });
+    let map = medial_map(harness.state()).unwrap().clone();
+    assert!(map.poses.len() > 100, "{} poses", map.poses.len());
+    let state = harness.state().state();
+    let patch_of = |subject: usize| {
+        (map.spreads.iter())
+            .any(|spread| spread.subject == subject && spread.part.patch().is_some())
+    };
+    let subjects = &state.document.study().subjects;
+    let two = subjects.iter().position(|s| s.id == "P05").unwrap();
+    assert!(patch_of(two) && !patch_of(0));
+    harness.get_by_label_contains(&format!("stress {:.2}", map.embedding.stress.unwrap()));
+    harness.get_by_label("Medial map");
+}
+
+#[test]
+fn a_click_on_a_step_selects_its_heart_and_the_frame_at_which_it_begins() {
+    let mut harness = medial_window();
+    let map = medial_map(harness.state()).unwrap().clone();
+    // The loneliest step has no neighbour within reach of the click.
+    let place: Vec<egui::Pos2> = (0..map.poses.len())
+        .map(|row| place_of(&harness, row))
+        .collect();
+    let apart = |row: usize| {
+        let others = (0..place.len()).filter(|other| *other != row);
+        let nearest = others.map(|other| (place[other] - place[row]).length());
+        nearest.fold(f32::INFINITY, f32::min)
+    };
+    let begins_later = |row: &usize| map.poses[*row].step_from > 0;
+    let row = (0..place.len())
+        .filter(begins_later)
+        .max_by(|a, b| apart(*a).total_cmp(&apart(*b)))
+        .unwrap();
+    click_at(&mut harness, place[row]);
+    harness.step();
+    let (subject, frame) = (map.poses[row].subject, map.poses[row].step_from);
+    let document = &harness.state().state().document;
+    assert_eq!(document.subject, subject);
+    let began = document.position;
+    assert!((began - frame as f64).abs() < 0.5, "began at {began}");
+    assert!(harness.state().state().play.playing, "as on the other maps");
+    wait(&mut harness, "that heart", |app| {
+        app.hearts_on_screen().first().map(|heart| heart.0) == Some(subject)
+    });
+    give(&mut harness, Command::TogglePlay);
+}
+
+#[test]
+fn a_stopped_medial_map_stays_stopped_until_it_is_asked_for_again() {
+    let mut harness = cohort_window();
+    give(&mut harness, Command::ShowPane(Pane::MedialMap));
+    give(&mut harness, Command::Cancel(WorkKind::MedialMap));
+    wait(&mut harness, "rest", |app| !app.busy());
+    assert!(medial_map(harness.state()).is_none());
+    harness.get_by_label("The map was stopped");
+    harness.get_by_label("Compute the map").click();
+    harness.step();
+    wait(&mut harness, "the medial map", |app| {
+        medial_map(app).is_some() && !app.busy()
+    });
+}
+
+#[test]
+fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_screen() {
+    let mut harness = cohort_window();
+    give(
+        &mut harness,
+        Command::SelectPose {
+            subject: 2,
+            frame: 1,
+            play: false,
+        },
+    );
+    wait(&mut harness, "rest", |app| !app.busy());
+    assert!(
+        harness.query_by_label_contains("Medial balls, ").is_none(),
+        "nobody looks at it"
+    );
+    give(&mut harness, Command::ShowPane(Pane::Thickness));
+    wait(&mut harness, "three poses", |app| !app.busy());
+    for way in [
+        "Medial balls, ED ",
+        "Nearest distance, ED ",
+        "Laplace field lines, ED ",
+        "Volume over area, ED ",
+    ] {
+        let row = harness.get_by_label_contains(way);
+        let said = row.accesskit_node().label().unwrap_or_default();
+        assert!(
+            said.contains(" mm, ES ") && said.contains(", frame 1 "),
+            "{said}"
+        );
+        let compared = said.contains(" against medial balls at frame 1 over ");
+        assert_eq!(compared, !way.starts_with("Medial"), "{said}");
+    }
+    // The next frame is measured, too; what was known stays.
+    give(&mut harness, Command::StepFrame(1));
+    wait(&mut harness, "another pose", |app| !app.busy());
+    let row = harness.get_by_label_contains("Laplace field lines, ED ");
+    let said = row.accesskit_node().label().unwrap_or_default();
+    assert!(said.contains(", frame 2 "), "{said}");
+}
+
+#[test]
+fn a_blood_pool_alone_has_neither_medial_map_nor_thickness_and_is_told_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let program = env!("CARGO_BIN_EXE_cardiomorph");
+    let status = std::process::Command::new(program)
+        .args(["demo", "--vertices", "400", "--out"])
+        .arg(folder.path())
+        .status()
+        .unwrap();
+    assert!(status.success());
+    let manifest = folder.path().join("study.toml");
+    let text = std::fs::read_to_string(&manifest).unwrap();
+    let hollow: Vec<String> = (text.lines())
+        .filter(|line| !line.starts_with("epi"))
+        .map(|line| {
+            let line = line.replace("surface = \"endo+epi\"", "surface = \"cavity\"");
+            match line.strip_prefix("endo") {
+                Some(rest) => format!("cavity{rest}"),
+                None => line,
+            }
+        })
+        .collect();
+    std::fs::write(&manifest, hollow.join("\n")).unwrap();
+    let mut harness = window(AppOptions::opening(vec![manifest]));
+    wait_for_heart(&mut harness);
+    give(&mut harness, Command::ShowPane(Pane::MedialMap));
+    give(&mut harness, Command::ShowPane(Pane::Thickness));
+    wait(&mut harness, "rest", |app| !app.busy());
+    harness.get_by_label_contains("0 poses of 0 hearts whose wall can be assessed");
+    assert!(
+        harness
+            .get_all_by_label_contains("Does not apply: no wall")
+            .count()
+            >= 4
+    );
+}
