@@ -1,7 +1,6 @@
 //! `experiment`: the studies of noise, of transfer and interpolation, of metrics on a labelled cohort, and of
 //! partners.
 
-use std::path::Path;
 use std::sync::Arc;
 
 use serde_json::{Value, json};
@@ -57,15 +56,15 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
         object.insert("followed".to_owned(), json!(followed(&transfers)));
     }
     let files = vec![
-        file(&args.out, "noise.csv", noise_csv(&result)),
-        file(&args.out, "noise.svg", noise_svg(&result)),
-        file(&args.out, "transfer.csv", transfer_study_csv(&transfers)),
-        file(
+        ExportFile::text(&args.out, "noise.csv", noise_csv(&result)),
+        ExportFile::text(&args.out, "noise.svg", noise_svg(&result)),
+        ExportFile::text(&args.out, "transfer.csv", transfer_study_csv(&transfers)),
+        ExportFile::text(
             &args.out,
             "interpolation.csv",
             interpolation_csv(&interpolations),
         ),
-        file(&args.out, "summary.json", pretty(&summary)?),
+        ExportFile::text(&args.out, "summary.json", pretty(&summary)?),
     ];
     write_files(files).map_err(CliError::Unusable)?;
     if args.json {
@@ -135,8 +134,8 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
     })?;
     let summary = comparison_json(&comparison);
     let files = vec![
-        file(&args.out, "metrics.csv", comparison_csv(&comparison)),
-        file(&args.out, "summary.json", pretty(&summary)?),
+        ExportFile::text(&args.out, "metrics.csv", comparison_csv(&comparison)),
+        ExportFile::text(&args.out, "summary.json", pretty(&summary)?),
     ];
     write_files(files).map_err(CliError::Unusable)?;
     if args.json {
@@ -191,8 +190,8 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     })?;
     let summary = partners_json(&found);
     let files = vec![
-        file(&args.out, "partners.csv", partners_csv(&found)),
-        file(&args.out, "summary.json", pretty(&summary)?),
+        ExportFile::text(&args.out, "partners.csv", partners_csv(&found)),
+        ExportFile::text(&args.out, "summary.json", pretty(&summary)?),
     ];
     write_files(files).map_err(CliError::Unusable)?;
     if args.json {
@@ -226,11 +225,4 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
 pub(super) fn pretty(value: &Value) -> Result<String, CliError> {
     let text = serde_json::to_string_pretty(value).map_err(CliError::unusable)?;
     Ok(text + "\n")
-}
-
-pub(super) fn file(folder: &Path, name: &str, text: String) -> ExportFile {
-    ExportFile {
-        path: folder.join(name),
-        bytes: text.into_bytes().into(),
-    }
 }

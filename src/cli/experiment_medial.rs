@@ -4,12 +4,12 @@ use crate::analysis::experiments::{
     LocalisationParams, LocalisationRow, MeanAndError, MedialNoiseParams, MedialNoiseResult,
     localisation, noise_medial as told_apart,
 };
-use crate::cli::experiment::{file, pretty};
+use crate::cli::experiment::pretty;
 use crate::cli::experiment_args::NoiseMedialArgs;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::work::run_work;
-use crate::engine::write_files;
+use crate::engine::{ExportFile, write_files};
 use crate::io::{localisation_csv, noise_medial_csv, noise_medial_json, noise_medial_svg};
 
 /// Section 4.6.
@@ -36,14 +36,14 @@ pub(super) fn noise_medial(args: &NoiseMedialArgs) -> Result<(), CliError> {
     })?;
     let summary = noise_medial_json(&result, &rows);
     let files = vec![
-        file(&args.out, "noise_medial.csv", noise_medial_csv(&result)),
-        file(&args.out, "localisation.csv", localisation_csv(&rows)),
-        file(
+        ExportFile::text(&args.out, "noise_medial.csv", noise_medial_csv(&result)),
+        ExportFile::text(&args.out, "localisation.csv", localisation_csv(&rows)),
+        ExportFile::text(
             &args.out,
             "noise_medial.svg",
             noise_medial_svg(&result, &rows),
         ),
-        file(&args.out, "summary.json", pretty(&summary)?),
+        ExportFile::text(&args.out, "summary.json", pretty(&summary)?),
     ];
     write_files(files).map_err(CliError::Unusable)?;
     if args.json {

@@ -14,8 +14,8 @@ pub(super) fn measure_files(
     folder: &Path,
 ) -> Vec<ExportFile> {
     vec![
-        file(folder, "frames.csv", frames_csv(study, measures)),
-        file(folder, "subjects.csv", subjects_csv(study, measures)),
+        ExportFile::text(folder, "frames.csv", frames_csv(study, measures)),
+        ExportFile::text(folder, "subjects.csv", subjects_csv(study, measures)),
     ]
 }
 
@@ -47,11 +47,4 @@ pub(super) fn overview(study: &Study, measures: &[SubjectMeasures]) -> String {
         .map(|line| line.trim_end())
         .collect::<Vec<_>>()
         .join("\n")
-}
-
-fn file(folder: &Path, name: &str, text: String) -> ExportFile {
-    ExportFile {
-        path: folder.join(name),
-        bytes: text.into_bytes().into(),
-    }
 }

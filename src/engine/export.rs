@@ -13,6 +13,16 @@ pub struct ExportFile {
     pub bytes: FileBytes,
 }
 
+impl ExportFile {
+    /// A text under a name in a folder.
+    pub fn text(folder: &Path, name: &str, text: String) -> Self {
+        Self {
+            path: folder.join(name),
+            bytes: text.into_bytes().into(),
+        }
+    }
+}
+
 /// What a file holds.
 #[derive(Debug)]
 pub enum FileBytes {

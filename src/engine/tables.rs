@@ -164,10 +164,7 @@ impl AnalysisTables {
     pub fn files(mut self, more: Vec<ExportFile>) -> Result<(Vec<ExportFile>, Value), String> {
         let folder = &self.folder;
         let mut files: Vec<ExportFile> = (self.tables.into_iter())
-            .map(|(name, text)| ExportFile {
-                path: folder.join(name),
-                bytes: text.into_bytes().into(),
-            })
+            .map(|(name, text)| ExportFile::text(folder, &name, text))
             .collect();
         files.extend(self.walls.files(folder));
         files.extend(more);
@@ -180,10 +177,7 @@ impl AnalysisTables {
         }
         let text =
             serde_json::to_string_pretty(&self.summary).map_err(|error| error.to_string())?;
-        files.push(ExportFile {
-            path: folder.join("summary.json"),
-            bytes: (text + "\n").into_bytes().into(),
-        });
+        files.push(ExportFile::text(folder, "summary.json", text + "\n"));
         Ok((files, self.summary))
     }
 }

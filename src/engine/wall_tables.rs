@@ -141,14 +141,13 @@ impl WallTables {
 
     /// The files.
     pub fn files(self, folder: &Path) -> [ExportFile; 3] {
-        let file = |name: &str, bytes: FileBytes| ExportFile {
-            path: folder.join(name),
-            bytes,
-        };
         [
-            file("atoms.csv", FileBytes::Passing(self.atoms)),
-            file("patches.csv", self.patches.into_bytes().into()),
-            file("segments.csv", self.segments.into_bytes().into()),
+            ExportFile {
+                path: folder.join("atoms.csv"),
+                bytes: FileBytes::Passing(self.atoms),
+            },
+            ExportFile::text(folder, "patches.csv", self.patches),
+            ExportFile::text(folder, "segments.csv", self.segments),
         ]
     }
 }

@@ -82,8 +82,16 @@ fn told(study: &Study, verdict: &Verdict, rule: RuleSource) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::verdicts::{Familiarity, Features, Finding, NotAssessed};
+    use crate::analysis::measures::measure_subject;
+    use crate::analysis::medial::{MedialParams, medial_beat};
+    use crate::analysis::thickening::{ThickeningParams, thickening};
+    use crate::analysis::verdicts::{
+        Familiarity, Features, Finding, HeartThickening, NotAssessed, VerdictParams, examine,
+        verdicts,
+    };
     use crate::mesh::phantom;
+    use crate::progress::Progress;
+    use crate::study::built_in::{BuiltInParams, cohort};
     use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
     use crate::units::LengthUnit;
     use std::sync::Arc;
@@ -99,6 +107,68 @@ mod tests {
         Study {
             subjects: [("P, 1", "MINF"), ("N1", "NOR")].map(subject).to_vec(),
             ..Study::default()
+        }
+    }
+
+    /// A real heart's features, all different: each stands in the column of its own name.
+    #[test]
+    fn features_stand_in_the_columns_that_scripts_rely_on() {
+        let progress = Progress::default();
+        let params = BuiltInParams {
+            vertices: 600,
+            ..BuiltInParams::default()
+        };
+        let whole = cohort(&params).unwrap().study;
+        let ill = whole
+            .subjects
+            .iter()
+            .find(|s| s.id.starts_with('P'))
+            .unwrap();
+        let medial = MedialParams::default().check().unwrap();
+        let beat = medial_beat(ill, &medial, &progress).unwrap();
+        let params = ThickeningParams::default().check().unwrap();
+        let found = thickening(&beat, &measure_subject(ill), None, &params, &progress).unwrap();
+        let heart = HeartThickening {
+            beat: &beat,
+            thickening: &found,
+        };
+        let params = VerdictParams::default().check().unwrap();
+        let examined = examine(&heart, &params).unwrap();
+        let alone = Study {
+            subjects: vec![Arc::clone(ill)],
+            ..whole
+        };
+        let features = examined.features.clone();
+        let judged = verdicts(&alone, &[Ok(examined)], &params, &progress).unwrap();
+        let table = verdicts_csv(&alone, &judged);
+        let mut reader = csv::Reader::from_reader(table.as_bytes());
+        let columns = reader.headers().unwrap().clone();
+        let row = reader.records().next().unwrap().unwrap();
+        let names = [
+            (Feature::StillShare, "still_share"),
+            (Feature::Median, "median_ln_pt"),
+            (Feature::Spread, "spread_ln_pt"),
+            (Feature::RelativeSpread, "relative_spread"),
+            (Feature::WeakestTenth, "weakest_tenth_ln_pt"),
+            (Feature::Well, "well_ln_pt"),
+            (Feature::Reach, "reach_ln_pt"),
+            (Feature::PatchShare, "patch_share"),
+            (Feature::Confidence, "patch_confidence"),
+            (Feature::PatchThickening, "patch_relative_thickening"),
+            (Feature::Compactness, "patch_compactness"),
+            (Feature::Closeness, "pose_distance"),
+            (Feature::NormalSpread, "normal_spread_rad"),
+            (Feature::Gap, "gap_sizes"),
+        ];
+        assert_eq!(columns.len(), 12 + names.len());
+        for (place, (feature, name)) in (12..).zip(names) {
+            assert_eq!(&columns[place], name);
+            let told = features.get(feature).unwrap();
+            assert_eq!(row[place].parse::<f64>().unwrap(), told, "{name}");
+        }
+        let told: Vec<&str> = row.iter().skip(12).collect();
+        for (place, cell) in told.iter().enumerate() {
+            assert!(!told[..place].contains(cell), "{}", &columns[12 + place]);
         }
     }
 
@@ -160,6 +230,8 @@ mod tests {
             (cell(0, "alike_abnormal"), cell(0, "distance_from_seen")),
             ("P, 1 N1".to_owned(), "0.5".to_owned())
         );
+        let further = ["calibrated", "alike_normal", "usual_distance"];
+        assert_eq!(further.map(|name| cell(0, name)), ["yes", "N1", "0.25"]);
         assert_eq!(
             (cell(1, "verdict"), cell(1, "assessed")),
             (String::new(), "no".to_owned())

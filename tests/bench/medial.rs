@@ -1,14 +1,15 @@
 //! Cost of the wall: atoms, thickening and verdict, a moved slider, and Laplace thickness beside its peer.
 
+use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
 use cardiomorph::analysis::experiments::{Noise, NoiseFamily, NoiseReference, noisy_study};
 use cardiomorph::analysis::measures::measure_subject;
-use cardiomorph::analysis::medial::{MedialBeat, MedialParams, medial_beat, medial_surface};
+use cardiomorph::analysis::medial::{MedialParams, medial_beat, medial_surface};
 use cardiomorph::analysis::segments::long_axis;
-use cardiomorph::analysis::thickening::{Thickening, ThickeningParams, thickening};
+use cardiomorph::analysis::thickening::{ThickeningParams, thickening};
 use cardiomorph::analysis::thickness_methods::{
     LabelGrid, ThicknessMethod, ThicknessParams, VoxelLabel, laplace_field, thickness,
 };
@@ -30,8 +31,11 @@ const NOISE_PERCENT: f64 = 5.0;
 const SHELL_VOXELS: usize = 64;
 const SHELL_RADII: [f64; 2] = [14.0, 25.0];
 
+/// What benches on [`cohorts`] are called.
+const NOISE_NAMES: [&str; 2] = ["clean", "noisy"];
+
 /// The built-in cohort with about this many vertices per heart, as it is and noisy.
-fn cohorts(vertices: usize, hearts: usize) -> Option<[(&'static str, Study); 2]> {
+fn cohorts(vertices: usize, hearts: usize) -> Option<[Study; 2]> {
     let params = BuiltInParams {
         vertices,
         ..BuiltInParams::default()
@@ -45,7 +49,7 @@ fn cohorts(vertices: usize, hearts: usize) -> Option<[(&'static str, Study); 2]>
         seed: 1,
     };
     let noisy = noisy_study(&clean, &noise).ok()?;
-    Some([("clean", clean), ("noisy", noisy)])
+    Some([clean, noisy])
 }
 
 /// Both sheets of a heart and the band between their rims: one closed wall.
@@ -69,42 +73,46 @@ fn closed_wall(inner: &TriMesh, outer: &TriMesh) -> Option<TriMesh> {
 /// One pose: 20,000 atoms between two sheets of 20,000 vertices; 40,000 atoms of the same wall as one closed surface; and
 /// 40,962 atoms between two spheres.
 fn atoms(criterion: &mut Criterion) {
-    let (Some(cohorts), Ok(params)) = (cohorts(40_000, 1), MedialParams::default().check()) else {
+    let Ok(params) = MedialParams::default().check() else {
         return;
     };
     let progress = Progress::default();
-    for (noise, study) in &cohorts {
-        let surfaces = study.subjects[0].sequence.surfaces();
-        let [endo, epi] = [0, 1].map(|surface| &surfaces[surface].frames()[0]);
-        let Some(closed) = closed_wall(endo, epi) else {
-            return;
-        };
-        for (name, template, others) in [
-            ("endo_and_epi", endo, &[epi][..]),
-            ("closed_wall", &closed, &[]),
-        ] {
-            match medial_surface(template, others, &params, &progress) {
-                Ok(found) => eprintln!(
-                    "{name}, {noise}: {} atoms, {} of them ends",
-                    found.atoms.len(),
-                    found.end.iter().flatten().count()
-                ),
-                Err(error) => eprintln!("{name}, {noise}: {error}"),
-            }
-            criterion.bench_function(
-                &format!("atoms_{name}_{}_{noise}", template.vertices().len()),
-                |bencher| bencher.iter(|| medial_surface(template, others, &params, &progress)),
-            );
+    // Made when a bench asks for it.
+    let made = LazyCell::new(|| cohorts(40_000, 1));
+    for noise in 0..2 {
+        for (name, is_closed) in [("endo_and_epi_40000", false), ("closed_wall_40000", true)] {
+            let name = format!("atoms_{name}_{}", NOISE_NAMES[noise]);
+            criterion.bench_function(&name, |bencher| {
+                let Some(studies) = &*made else { return };
+                let surfaces = studies[noise].subjects[0].sequence.surfaces();
+                let [endo, epi] = [0, 1].map(|surface| &surfaces[surface].frames()[0]);
+                let Some(closed) = closed_wall(endo, epi) else {
+                    return;
+                };
+                let (template, others) = match is_closed {
+                    true => (&closed, &[][..]),
+                    false => (endo, &[epi][..]),
+                };
+                match medial_surface(template, others, &params, &progress) {
+                    Ok(found) => eprintln!(
+                        "{name}: {} atoms, {} of them ends",
+                        found.atoms.len(),
+                        found.end.iter().flatten().count()
+                    ),
+                    Err(error) => eprintln!("{name}: {error}"),
+                }
+                bencher.iter(|| medial_surface(template, others, &params, &progress));
+            });
         }
     }
-    let [inner, outer] = [20.0, 28.0].map(|radius| phantom::sphere(6, radius));
     criterion.bench_function("atoms_spheres_40962", |bencher| {
+        let [inner, outer] = [20.0, 28.0].map(|radius| phantom::sphere(6, radius));
         bencher.iter(|| medial_surface(&inner, &[&outer], &params, &progress));
     });
 }
 
 /// From surfaces to what a verdict reads.
-fn assessed(subject: &Subject) -> Option<(MedialBeat, Thickening, Examined)> {
+fn assessed(subject: &Subject) -> Option<Examined> {
     let (progress, measures) = (Progress::default(), measure_subject(subject));
     let medial = MedialParams::default().check().ok()?;
     let params = ThickeningParams::default().check().ok()?;
@@ -115,50 +123,46 @@ fn assessed(subject: &Subject) -> Option<(MedialBeat, Thickening, Examined)> {
         beat: &beat,
         thickening: &found,
     };
-    let examined = examine(&heart, &VerdictParams::default().check().ok()?).ok()?;
-    Some((beat, found, examined))
+    examine(&heart, &VerdictParams::default().check().ok()?).ok()
 }
 
 /// One heart of 8 poses from its surfaces to its verdict: by the rule that stands without a cohort, and by that of 23 hearts
 /// that were assessed before. 2,500 vertices on both sides together, and on each.
 fn hearts(criterion: &mut Criterion) {
+    // The tenth heart has a patch.
+    const ILL: usize = 9;
+    let Ok(params) = VerdictParams::default().check() else {
+        return;
+    };
     for vertices in [2_500, 5_000] {
-        let Some(cohorts) = cohorts(vertices, 23) else {
-            return;
-        };
-        for (noise, study) in &cohorts {
-            // The tenth heart has a patch.
-            let ill = 9;
-            let subject = &study.subjects[ill];
-            let alone = Study {
-                subjects: vec![Arc::clone(subject)],
-                ..study.clone()
-            };
-            let Ok(params) = VerdictParams::default().check() else {
-                return;
-            };
-            let count = subject.sequence.vertex_count();
-            criterion.bench_function(&format!("surfaces_to_verdict_{count}_{noise}"), |bencher| {
+        let made = LazyCell::new(|| cohorts(vertices, 23));
+        for noise in 0..2 {
+            let name = format!("{vertices}_{}", NOISE_NAMES[noise]);
+            criterion.bench_function(&format!("surfaces_to_verdict_{name}"), |bencher| {
+                let Some(studies) = &*made else { return };
+                let subject = &studies[noise].subjects[ILL];
+                let alone = Study {
+                    subjects: vec![Arc::clone(subject)],
+                    ..studies[noise].clone()
+                };
                 bencher.iter(|| {
-                    let examined = assessed(subject)?.2;
+                    let examined = assessed(subject)?;
                     verdicts(&alone, &[Ok(examined)], &params, &Progress::default()).ok()
                 });
             });
-            if vertices != 2_500 {
-                continue;
-            }
-            let others: Vec<Result<Examined, NotAssessed>> = (study.subjects.iter())
-                .map(|subject| match assessed(subject) {
-                    Some((_, _, examined)) => Ok(examined),
-                    None => Err(NotAssessed::NoThickening(String::new())),
-                })
-                .collect();
             criterion.bench_function(
-                &format!("surfaces_to_verdict_in_cohort_{count}_{noise}"),
+                &format!("surfaces_to_verdict_in_cohort_{name}"),
                 |bencher| {
+                    let Some(studies) = &*made else { return };
+                    let study = &studies[noise];
+                    let mut hearts: Vec<Result<Examined, NotAssessed>> = (study.subjects.iter())
+                        .map(|subject| {
+                            let nothing = || NotAssessed::NoThickening(String::new());
+                            assessed(subject).ok_or_else(nothing)
+                        })
+                        .collect();
                     bencher.iter(|| {
-                        let mut hearts = others.clone();
-                        hearts[ill] = Ok(assessed(subject)?.2);
+                        hearts[ILL] = Ok(assessed(&study.subjects[ILL])?);
                         verdicts(study, &hearts, &params, &Progress::default()).ok()
                     });
                 },
@@ -167,8 +171,8 @@ fn hearts(criterion: &mut Criterion) {
     }
 }
 
-/// The first heart under a place of the shared data, if it is there.
-fn shared_heart(place: &str, id: &str) -> Option<Study> {
+/// A place of the shared data, if it is there.
+fn shared(place: &str) -> Option<PathBuf> {
     let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
         || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared"),
         PathBuf::from,
@@ -178,7 +182,12 @@ fn shared_heart(place: &str, id: &str) -> Option<Study> {
         eprintln!("skipped: {} is absent", path.display());
         return None;
     }
-    let opened = open_paths(&[path], &Limits::default(), &Progress::default()).ok()?;
+    Some(path)
+}
+
+/// One heart of the shared data alone.
+fn shared_heart(place: &str, id: &str) -> Option<Study> {
+    let opened = open_paths(&[shared(place)?], &Limits::default(), &Progress::default()).ok()?;
     let index = opened.study.index_of(id)?;
     Some(Study {
         subjects: vec![Arc::clone(&opened.study.subjects[index])],
@@ -186,34 +195,41 @@ fn shared_heart(place: &str, id: &str) -> Option<Study> {
     })
 }
 
+/// The last of the first ten built-in hearts alone; it has a patch.
+fn built_in_heart(vertices: usize) -> Option<Study> {
+    let [clean, _] = cohorts(vertices, 10)?;
+    Some(Study {
+        subjects: vec![Arc::clone(clean.subjects.last()?)],
+        ..clean
+    })
+}
+
 /// What the engine does when the slider of the tolerance moves: atoms and measures are known, thickening is not.
 fn slider(criterion: &mut Criterion) {
-    let built_in = |vertices: usize| {
-        let [(_, study), _] = cohorts(vertices, 10)?;
-        Some(Study {
-            subjects: vec![Arc::clone(study.subjects.last()?)],
-            ..study
-        })
-    };
-    for (name, study) in [
-        ("built_in_2500", built_in(2_500)),
-        ("built_in_40000", built_in(40_000)),
-        ("acdc", shared_heart("acdc_walls/study.toml", "patient042")),
-        ("cine_25_frames", shared_heart("cine_mri", "bivme_patient1")),
-    ] {
-        let Some(study) = study else { continue };
-        let (cache, progress) = (Cache::default(), Progress::default());
-        let known = AnalysisRequest::MedialBeat {
-            subject: 0,
-            params: MedialParams::default(),
-        };
-        for request in [AnalysisRequest::Measures, known] {
-            if let Err(error) = run(&study, &request, &cache, &progress) {
-                eprintln!("{name}: {error}");
-            }
-        }
-        let mut moved = 0_u32;
+    const ACDC: &str = "acdc_walls/study.toml";
+    const CINE: &str = "cine_mri";
+    let mut hearts: Vec<(&str, fn() -> Option<Study>)> = vec![
+        ("built_in_2500", || built_in_heart(2_500)),
+        ("built_in_40000", || built_in_heart(40_000)),
+    ];
+    if shared(ACDC).is_some() && shared(CINE).is_some() {
+        hearts.push(("acdc", || shared_heart(ACDC, "patient042")));
+        hearts.push(("cine_25_frames", || shared_heart(CINE, "bivme_patient1")));
+    }
+    for (name, heart) in hearts {
         criterion.bench_function(&format!("slider_{name}"), |bencher| {
+            let Some(study) = heart() else { return };
+            let (cache, progress) = (Cache::default(), Progress::default());
+            let known = AnalysisRequest::MedialBeat {
+                subject: 0,
+                params: MedialParams::default(),
+            };
+            for request in [AnalysisRequest::Measures, known] {
+                if let Err(error) = run(&study, &request, &cache, &progress) {
+                    eprintln!("{name}: {error}");
+                }
+            }
+            let mut moved = 0_u32;
             bencher.iter(|| {
                 moved += 1;
                 let mut params = ThickeningSettings::default();
@@ -245,10 +261,11 @@ fn shell() -> Option<LabelGrid> {
     LabelGrid::new([SHELL_VOXELS; 3], [1.0; 3], labels).ok()
 }
 
-/// Laplace's equation on voxels, and the whole measurement on a heart.
+/// Laplace's equation on voxels, and every method on a heart.
 fn laplace(criterion: &mut Criterion) {
     let progress = Progress::default();
-    if let Some(grid) = shell() {
+    criterion.bench_function("laplace_shell_64", |bencher| {
+        let Some(grid) = shell() else { return };
         if let Ok(field) = laplace_field(&grid, &progress) {
             let told = field.thickness.iter().filter(|value| value.is_finite());
             let mean = told.clone().sum::<f64>() / told.count() as f64;
@@ -258,13 +275,9 @@ fn laplace(criterion: &mut Criterion) {
                 field.voxels.len()
             );
         }
-        criterion.bench_function("laplace_shell_64", |bencher| {
-            bencher.iter(|| laplace_field(&grid, &progress));
-        });
-    }
-    let (Some([(_, study), _]), Ok(params)) =
-        (cohorts(2_500, 1), ThicknessParams::default().check())
-    else {
+        bencher.iter(|| laplace_field(&grid, &progress));
+    });
+    let Ok(params) = ThicknessParams::default().check() else {
         return;
     };
     for (name, method) in [
@@ -274,6 +287,9 @@ fn laplace(criterion: &mut Criterion) {
         ("nearest", ThicknessMethod::Nearest),
     ] {
         criterion.bench_function(&format!("thickness_{name}_2500"), |bencher| {
+            let Some(study) = built_in_heart(2_500) else {
+                return;
+            };
             bencher.iter(|| thickness(&study.subjects[0], 0, method, &params, &progress));
         });
     }

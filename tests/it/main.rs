@@ -25,12 +25,18 @@ mod real_mesh_files;
 #[cfg(test)]
 mod real_partners;
 #[cfg(test)]
+mod real_patches;
+#[cfg(test)]
 mod real_paths;
+#[cfg(test)]
+mod real_thickness;
 #[cfg(test)]
 mod real_verdicts;
 #[cfg(test)]
 mod robustness;
 #[cfg(test)]
 mod screenshots;
+#[cfg(test)]
+mod shared;
 #[cfg(test)]
 mod window;

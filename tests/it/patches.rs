@@ -4,16 +4,15 @@
 use std::sync::Arc;
 
 use cardiomorph::analysis::experiments::{NoiseFamily, NoiseReference, noise_sigma};
-use cardiomorph::analysis::measures::measure_subject;
-use cardiomorph::analysis::medial::{MedialBeat, MedialParams, medial_beat};
-use cardiomorph::analysis::segments::{Segment, long_axis};
-use cardiomorph::analysis::thickening::{Extent, Thickening, ThickeningParams, thickening};
+use cardiomorph::analysis::segments::Segment;
+use cardiomorph::analysis::thickening::Extent;
 use cardiomorph::mesh::{Point3, TriMesh};
-use cardiomorph::progress::Progress;
 use cardiomorph::study::built_in::{Abnormality, BuiltInParams, GroundTruth, cohort};
 use cardiomorph::study::{MeshSequence, Subject, SurfaceSequence};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
+
+use crate::shared::thickened;
 
 /// What was found in one heart, beside what is there.
 struct Scored {
@@ -80,19 +79,8 @@ fn noisy(subject: &Subject, percent: f64, seed: u64) -> Subject {
     noisy
 }
 
-fn analysed(subject: &Subject) -> (MedialBeat, Thickening) {
-    let progress = Progress::default();
-    let medial = MedialParams::default().check().unwrap();
-    let params = ThickeningParams::default().check().unwrap();
-    let measures = measure_subject(subject);
-    let beat = medial_beat(subject, &medial, &progress).unwrap();
-    let axis = long_axis(subject, measures.end_diastole.unwrap()).unwrap();
-    let found = thickening(&beat, &measures, Some(&axis), &params, &progress).unwrap();
-    (beat, found)
-}
-
 fn scored(subject: &Subject, truth: &GroundTruth) -> Scored {
-    let (beat, found) = analysed(subject);
+    let (beat, found) = thickened(subject).unwrap();
     let surface = truth
         .surfaces
         .iter()

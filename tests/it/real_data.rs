@@ -2,28 +2,14 @@
 //!
 //! The data are no part of the project: where the folder is absent a test says that it is skipped.
 
-use std::path::{Path, PathBuf};
-
 use cardiomorph::io::{Limits, Opened, open_paths};
 use cardiomorph::progress::Progress;
 use cardiomorph::study::{Notice, Severity, Subject, SurfaceKind};
 use cardiomorph::units::LengthUnit;
 
-const SHEETS: [SurfaceKind; 2] = [SurfaceKind::Endocardium, SurfaceKind::Epicardium];
+use crate::shared::shared_data;
 
-/// A path under `data`, or `None` with a message where the shared folder is absent.
-fn shared_data(place: &str) -> Option<PathBuf> {
-    let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
-        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared"),
-        PathBuf::from,
-    );
-    let path = shared.join("data").join(place);
-    if !path.exists() {
-        println!("skipped: {} is absent", path.display());
-        return None;
-    }
-    Some(path)
-}
+const SHEETS: [SurfaceKind; 2] = [SurfaceKind::Endocardium, SurfaceKind::Epicardium];
 
 /// The study under `data` with its load report printed, which must have no error.
 fn opened(place: &str) -> Option<Opened> {

@@ -9,31 +9,15 @@ use std::collections::HashMap;
 use std::path::PathBuf;
 
 use cardiomorph::analysis::measures::{SubjectMeasures, measure_study, untold_volumes};
-use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::progress::Progress;
 use cardiomorph::study::Study;
 
-/// The folder of real data, or a message that the test is skipped.
-fn data(folder: &str) -> Option<PathBuf> {
-    let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
-        || PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../shared")),
-        PathBuf::from,
-    );
-    let path = shared.join("data").join(folder);
-    if path.exists() {
-        Some(path)
-    } else {
-        println!("skipped: {} is absent", path.display());
-        None
-    }
-}
+use crate::shared::{opened, shared_data};
 
 fn measured(path: PathBuf) -> (Study, Vec<SubjectMeasures>) {
-    let progress = Progress::default();
-    let opened = open_paths(&[path], &Limits::default(), &progress).unwrap();
-    assert!(opened.errors.is_empty(), "{:?}", opened.errors);
-    let measures = measure_study(&opened.study, &progress).unwrap();
-    (opened.study, measures)
+    let study = opened(path);
+    let measures = measure_study(&study, &Progress::default()).unwrap();
+    (study, measures)
 }
 
 /// Rows of a table by the names of its columns.
@@ -48,7 +32,7 @@ fn number(row: &HashMap<String, String>, column: &str) -> f64 {
 
 #[test]
 fn gated_spect_ejection_fractions_are_those_of_the_table() {
-    let Some(folder) = data("gated_spect") else {
+    let Some(folder) = shared_data("gated_spect") else {
         return;
     };
     let (study, measures) = measured(folder.join("meshes"));
@@ -68,7 +52,7 @@ fn gated_spect_ejection_fractions_are_those_of_the_table() {
 
 #[test]
 fn cine_mri_volumes_are_those_of_the_table_and_phases_its_extremes() {
-    let Some(folder) = data("cine_mri") else {
+    let Some(folder) = shared_data("cine_mri") else {
         return;
     };
     let rows = table(folder.join("measures.csv"));
@@ -100,7 +84,7 @@ fn cine_mri_volumes_are_those_of_the_table_and_phases_its_extremes() {
 
 #[test]
 fn acdc_ejection_fractions_are_those_of_the_table() {
-    let Some(folder) = data("acdc_walls") else {
+    let Some(folder) = shared_data("acdc_walls") else {
         return;
     };
     let (study, measures) = measured(folder.join("study.toml"));
@@ -124,7 +108,7 @@ fn acdc_ejection_fractions_are_those_of_the_table() {
 
 #[test]
 fn the_mean_wall_of_a_population_has_a_cavity_and_a_mass() {
-    let Some(folder) = data("population_mean") else {
+    let Some(folder) = shared_data("population_mean") else {
         return;
     };
     let (study, measures) = measured(folder.join("LV_ED_mean.vtk"));

@@ -8,13 +8,7 @@ use cardiomorph::io::{Limits, mesh_file_endings, read_mesh};
 use cardiomorph::mesh::Point3;
 use cardiomorph::study::Severity;
 
-fn shared_data() -> Option<PathBuf> {
-    let beside = concat!(env!("CARGO_MANIFEST_DIR"), "/../shared");
-    let shared =
-        std::env::var_os("CARDIOMORPH_SHARED").map_or_else(|| beside.into(), PathBuf::from);
-    let data = shared.join("data");
-    data.is_dir().then_some(data)
-}
+use crate::shared::shared_data;
 
 fn mesh_files(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in fs::read_dir(folder).unwrap() {
@@ -33,8 +27,7 @@ fn mesh_files(folder: &Path, found: &mut Vec<PathBuf>) {
 
 #[test]
 fn every_real_mesh_file_is_read() {
-    let Some(data) = shared_data() else {
-        println!("skipped: no folder ../shared/data");
+    let Some(data) = shared_data("") else {
         return;
     };
     let mut files = Vec::new();
@@ -55,8 +48,7 @@ fn every_real_mesh_file_is_read() {
 
 #[test]
 fn a_real_beat_keeps_the_vertex_numbers_and_faces_of_its_files() {
-    let Some(data) = shared_data() else {
-        println!("skipped: no folder ../shared/data");
+    let Some(data) = shared_data("") else {
         return;
     };
     let beat = data.join("cine_mri/bivme_patient1");

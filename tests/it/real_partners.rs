@@ -1,25 +1,10 @@
 //! Two sequences of one patient, at rest and under stress, are near each other.
 
-use std::path::{Path, PathBuf};
-
 use cardiomorph::analysis::experiments::{PartnerParams, partner_study};
 use cardiomorph::analysis::transport::CohortTransferParams;
-use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::progress::Progress;
 
-/// A path under `data`, or `None` with a message where the shared folder is absent.
-fn shared_data(place: &str) -> Option<PathBuf> {
-    let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
-        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared"),
-        PathBuf::from,
-    );
-    let path = shared.join("data").join(place);
-    if !path.exists() {
-        println!("skipped: {} is absent", path.display());
-        return None;
-    }
-    Some(path)
-}
+use crate::shared::{opened, shared_data};
 
 #[test]
 fn rest_and_stress_of_one_patient_are_nearer_than_most_others_by_the_defaults() {
@@ -27,14 +12,14 @@ fn rest_and_stress_of_one_patient_are_nearer_than_most_others_by_the_defaults() 
         return;
     };
     let progress = Progress::default();
-    let opened = open_paths(&[folder], &Limits::default(), &progress).unwrap();
+    let study = opened(folder);
     let all = PartnerParams::all_metrics(CohortTransferParams::default());
     let params = PartnerParams {
         methods: all.methods[..1].to_vec(),
         carryings: all.carryings[..2].to_vec(),
         uncarried: Vec::new(),
     };
-    let found = partner_study(&opened.study, &params, &progress).unwrap();
+    let found = partner_study(&study, &params, &progress).unwrap();
     for row in &found.rows {
         println!("{}, transfer {}: {:?}", row.method, row.carrying, row.ranks);
         assert_eq!(row.ranks.pairs, 20);

@@ -1,30 +1,17 @@
 //! Cheapest paths between real poses: a horse at a gallop, a heart from end-diastole to end-systole.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use cardiomorph::analysis::geodesics::{GeodesicParams, GeodesicPath, geodesic};
-use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::mesh::{CappedSheet, Faces, Point3, sheets};
 use cardiomorph::progress::Progress;
 use cardiomorph::study::{SurfaceKind, SurfaceSequence};
 
-/// A path under `data`, or `None` with a message where the shared folder is absent.
-fn shared_data(place: &str) -> Option<PathBuf> {
-    let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
-        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared"),
-        PathBuf::from,
-    );
-    let path = shared.join("data").join(place);
-    if !path.exists() {
-        println!("skipped: {} is absent", path.display());
-        return None;
-    }
-    Some(path)
-}
+use crate::shared::{opened, shared_data};
 
 fn surface(folder: PathBuf, kind: SurfaceKind) -> SurfaceSequence {
-    let opened = open_paths(&[folder], &Limits::default(), &Progress::default()).unwrap();
-    let sequence = &opened.study.subjects[0].sequence;
+    let study = opened(folder);
+    let sequence = &study.subjects[0].sequence;
     sequence.surface(kind).unwrap().clone()
 }
 

@@ -2,52 +2,17 @@
 //! for the tables.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
-use cardiomorph::analysis::measures::measure_subject;
-use cardiomorph::analysis::medial::{MedialBeat, MedialParams, medial_beat};
-use cardiomorph::analysis::segments::long_axis;
-use cardiomorph::analysis::thickening::{Thickening, ThickeningParams, thickening};
 use cardiomorph::analysis::verdicts::{
     Feature, Finding, HeartThickening, NotAssessed, Verdict, VerdictParams, Verdicts, examine,
     verdicts,
 };
-use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::progress::Progress;
+use cardiomorph::study::Study;
 use cardiomorph::study::built_in::{Abnormality, BuiltInParams, cohort};
-use cardiomorph::study::{Study, Subject};
 use rayon::prelude::*;
 
-/// A path under `data`, or `None` with a message where the shared folder is absent.
-fn shared_data(place: &str) -> Option<PathBuf> {
-    let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
-        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared"),
-        PathBuf::from,
-    );
-    let path = shared.join("data").join(place);
-    if !path.exists() {
-        println!("skipped: {} is absent", path.display());
-        return None;
-    }
-    Some(path)
-}
-
-fn opened(path: PathBuf) -> Study {
-    let opened = open_paths(&[path], &Limits::default(), &Progress::default()).unwrap();
-    assert!(opened.errors.is_empty(), "{:?}", opened.errors);
-    opened.study
-}
-
-fn thickened(subject: &Subject) -> Result<(MedialBeat, Thickening), String> {
-    let (progress, measures) = (Progress::default(), measure_subject(subject));
-    let medial = MedialParams::default().check().unwrap();
-    let beat = medial_beat(subject, &medial, &progress).map_err(|error| error.to_string())?;
-    let axis = long_axis(subject, measures.end_diastole.unwrap_or(0)).ok();
-    let params = ThickeningParams::default().check().unwrap();
-    let found = thickening(&beat, &measures, axis.as_ref(), &params, &progress)
-        .map_err(|error| error.to_string())?;
-    Ok((beat, found))
-}
+use crate::shared::{opened, shared_data, thickened};
 
 fn judged(study: &Study) -> Verdicts {
     let hearts: Vec<_> = study.subjects.par_iter().map(|s| thickened(s)).collect();

@@ -217,7 +217,8 @@ fn one_draw(
         .collect()
 }
 
-fn told_apart(
+/// τ of a study by one method, of all of its deformations.
+pub(super) fn told_apart(
     params: &NoiseDeformationParams,
     study: &Study,
     labels: &[Option<usize>],

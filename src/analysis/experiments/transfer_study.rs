@@ -140,11 +140,45 @@ fn carried(
         other => step("carrying a motion", &other),
     })?;
     let last = result.last().cloned().unwrap_or_default();
-    let onto = rigid_motion(&last, &truth).map_err(|e| step("aligning objects", &e))?;
-    let laid: Vec<Point3> = last.iter().map(|p| onto.apply(p)).collect();
+    let Difference {
+        relative_error,
+        cosine,
+        norm_ratio,
+        flipped_faces,
+    } = difference(&last, &truth, &rest, template.triangles())?;
+    Ok(TransferCase {
+        object,
+        target,
+        motion,
+        relative_error,
+        cosine,
+        norm_ratio,
+        flipped_faces,
+        followed: cosine >= LEAST_COSINE && NORM_RANGE.contains(&norm_ratio) && flipped_faces == 0,
+    })
+}
+
+/// How a carried pose differs from the truth; see [`TransferCase`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Difference {
+    pub relative_error: f64,
+    pub cosine: f64,
+    pub norm_ratio: f64,
+    pub flipped_faces: usize,
+}
+
+/// Compares a carried pose, laid onto the true one, with that, both as displacements from rest.
+pub(super) fn difference(
+    carried: &[Point3],
+    truth: &[Point3],
+    rest: &[Point3],
+    triangles: &[[u32; 3]],
+) -> Result<Difference, ExperimentError> {
+    let onto = rigid_motion(carried, truth).map_err(|e| step("aligning objects", &e))?;
+    let laid: Vec<Point3> = carried.iter().map(|p| onto.apply(p)).collect();
     let field =
-        |pose: &[Point3]| -> Vec<Vector3> { pose.iter().zip(&rest).map(|(p, q)| p - q).collect() };
-    let (found, true_field) = (field(&laid), field(&truth));
+        |pose: &[Point3]| -> Vec<Vector3> { pose.iter().zip(rest).map(|(p, q)| p - q).collect() };
+    let (found, true_field) = (field(&laid), field(truth));
     let product =
         |a: &[Vector3], b: &[Vector3]| -> f64 { a.iter().zip(b).map(|(a, b)| a.dot(b)).sum() };
     let (own, whole) = (
@@ -152,21 +186,14 @@ fn carried(
         product(&true_field, &true_field).sqrt(),
     );
     let off: Vec<Vector3> = found.iter().zip(&true_field).map(|(a, b)| a - b).collect();
-    let cosine = product(&found, &true_field) / (own * whole);
-    let normals = |points: &[Point3]| face_normals(points, template.triangles());
-    let flipped_faces = (normals(&laid).iter().zip(&normals(&truth)))
-        .filter(|(a, b)| a.dot(b) < 0.0)
-        .count();
-    let norm_ratio = own / whole;
-    Ok(TransferCase {
-        object,
-        target,
-        motion,
+    let normals = |points: &[Point3]| face_normals(points, triangles);
+    Ok(Difference {
         relative_error: product(&off, &off).sqrt() / whole,
-        cosine,
-        norm_ratio,
-        flipped_faces,
-        followed: cosine >= LEAST_COSINE && NORM_RANGE.contains(&norm_ratio) && flipped_faces == 0,
+        cosine: product(&found, &true_field) / (own * whole),
+        norm_ratio: own / whole,
+        flipped_faces: (normals(&laid).iter().zip(&normals(truth)))
+            .filter(|(a, b)| a.dot(b) < 0.0)
+            .count(),
     })
 }
 

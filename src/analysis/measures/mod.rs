@@ -14,5 +14,4 @@ pub use inner_side::InnerSideError;
 pub use measure::{measure_study, measure_subject, untold_volumes};
 pub use result::{FrameMeasures, PhaseSource, SubjectMeasures};
 pub use volumes::UntoldVolume;
-pub(in crate::analysis) use volumes::wall_inner_side;
-pub use wall_sides::{Side, WallSides, wall_sides};
+pub use wall_sides::{Side, WallSides, split_wall, wall_sides};

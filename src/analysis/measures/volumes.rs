@@ -236,9 +236,7 @@ impl<'a> Wall<'a> {
 ///
 /// # Errors
 /// If the wall is open, of more than two sheets, or its inner side cannot be told.
-pub(in crate::analysis) fn wall_inner_side(
-    surface: &SurfaceSequence,
-) -> Result<CappedSheet, UntoldVolume> {
+pub(super) fn wall_inner_side(surface: &SurfaceSequence) -> Result<CappedSheet, UntoldVolume> {
     let mut untold = Vec::new();
     match Wall::new(surface, &mut untold)?.form {
         WallForm::Joined {
@@ -248,21 +246,6 @@ pub(in crate::analysis) fn wall_inner_side(
         WallForm::Joined { inner: None, .. } => {
             Err(untold.pop().unwrap_or(InnerSideError::NoCavity.into()))
         }
-    }
-}
-
-/// Triangles of the inner side of a wall given as one surface: of the inner of two sheets, or the part
-/// of a closed one that looks to the cavity.
-pub(super) fn sides_of_wall(surface: &SurfaceSequence) -> Result<Vec<[u32; 3]>, UntoldVolume> {
-    let mut untold = Vec::new();
-    let inner = match Wall::new(surface, &mut untold)?.form {
-        WallForm::Joined { inner, .. } => inner,
-        WallForm::Nested { inner, .. } => Some(inner),
-    };
-    match (inner, untold.pop()) {
-        (Some(inner), _) => Ok(inner.triangles().to_vec()),
-        (None, Some(reason)) => Err(reason),
-        (None, None) => Err(UntoldVolume::NotNested),
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::mesh::{Faces, MeshError, Point3, TriMesh};
 use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
 
-use super::volumes::{UntoldVolume, sides_of_wall};
+use super::volumes::{UntoldVolume, wall_inner_side};
 
 /// One side of a wall: some or all faces of a surface.
 #[derive(Clone, Debug)]
@@ -79,7 +79,7 @@ pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
         unsplit: None,
     };
     if let Some(wall) = sequence.surface(SurfaceKind::Wall) {
-        match split(wall) {
+        match split_wall(wall) {
             Ok([inner, outer]) => {
                 sides.inner = sides.inner.or(Some(inner));
                 sides.outer = sides.outer.or(Some(outer));
@@ -93,8 +93,12 @@ pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
     sides
 }
 
-fn split(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UntoldVolume> {
-    let inner = sides_of_wall(wall)?;
+/// The inner and the outer side of a wall given as one surface, told at its first frame.
+///
+/// # Errors
+/// If the wall is open, of more than two sheets, or its inner side cannot be told.
+pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UntoldVolume> {
+    let inner = wall_inner_side(wall)?.triangles().to_vec();
     let sorted = |mut triangle: [u32; 3]| {
         triangle.sort_unstable();
         triangle

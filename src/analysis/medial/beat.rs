@@ -8,7 +8,7 @@ use super::error::MedialError;
 use super::params::CheckedMedialParams;
 use super::result::{MedialBeat, MedialSurface};
 use super::surface::{MOST_NOISE, WallAtlas, joined_points};
-use crate::analysis::measures::wall_inner_side;
+use crate::analysis::measures::split_wall;
 use crate::mesh::{Faces, Point3, TriMesh};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Subject, SurfaceKind};
@@ -105,10 +105,14 @@ impl Template {
                 found: found.join(" and "),
             });
         };
-        let inner = wall_inner_side(wall)?;
-        let vertices = inner.vertices();
+        let [inner, _] = split_wall(wall)?;
+        let members = inner.members().into_iter().zip(0..);
+        let vertices: Vec<u32> = members
+            .filter_map(|(member, v)| member.then_some(v))
+            .collect();
         let place = |v: &u32| vertices.partition_point(|other| other < v) as u32;
-        let triangles = inner.triangles().iter().map(|t| t.each_ref().map(place));
+        let triangles = inner.faces().triangles().iter();
+        let triangles = triangles.map(|t| t.each_ref().map(place));
         Ok(Self {
             kinds: vec![SurfaceKind::Wall],
             faces: Arc::new(Faces::new(vertices.len(), triangles.collect())?),

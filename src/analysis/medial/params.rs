@@ -31,7 +31,7 @@ impl Default for MedialParams {
     /// | 2,562, 5 % | 6.2 %, 7.4°, 1,363 lost | 4.7 %, 4.4°, 143 | 2.9 %, 2.5° | 2.5 %, 2.1° | 2.0 %, 1.6° | 1.6 %, 1.3° |
     /// | 10,242, 5 % | 49 %, 46°, 10,093 lost | 3.8 %, 5.3°, 3,429 | 1.8 %, 2.2°, 6 | 1.4 %, 1.8° | 1.1 %, 1.4° | 0.9 %, 1.1° |
     ///
-    /// `cargo test --test it medial_noise -- --ignored --nocapture` prints it. More smoothing would be better against noise,
+    /// `cargo test --test it medial_noise -- --nocapture` prints it. More smoothing would be better against noise,
     /// but an ellipsoidal ventricle has an apex of a radius near its thickness: the centres there move by 2.0 % of the
     /// thickness at 0.3, by 2.8 % at 0.375 and by 4.9 % at 0.5.
     ///

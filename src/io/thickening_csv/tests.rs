@@ -35,7 +35,8 @@ fn beat() -> MedialBeat {
     }
 }
 
-fn found() -> Thickening {
+/// No two columns of a table may hold the same, so that exchanged ones are seen.
+fn found(unit: LengthUnit) -> Thickening {
     let segment = |number: u8, of_patch: f64| PatchSegment {
         segment: Segment::new(number).unwrap(),
         of_segment: 0.5,
@@ -62,12 +63,12 @@ fn found() -> Thickening {
         patches: vec![Patch {
             atoms: vec![0, 3],
             area: 50.0,
-            area_cm2: Some(0.5),
-            share: 0.5,
+            area_cm2: (unit == LengthUnit::Millimetre).then_some(0.5),
+            share: 0.45,
             segments: vec![segment(8, 0.75), segment(7, 0.25)],
-            centroid: Point3::new(0.0, 5.0, 0.5),
+            centroid: Point3::new(-1.0, 5.0, 0.25),
             border: Vec::new(),
-            thickening: 0.0,
+            thickening: 0.25,
             confidence: 0.98,
             path: Vec::new(),
             steadiness: Steadiness::default(),
@@ -80,7 +81,7 @@ fn with_wall<T>(
     axis: Option<LongAxis>,
     ask: impl Fn(&AssessedWall<'_>) -> T,
 ) -> T {
-    let (beat, thickening) = (beat(), found());
+    let (beat, thickening) = (beat(), found(unit));
     let segments = [8, 7, 7, 8].map(Segment::new);
     ask(&AssessedWall {
         subject: "P, \"1\"",
@@ -118,9 +119,16 @@ fn patches_have_the_columns_that_scripts_rely_on() {
     );
     assert_eq!(
         lines[1],
-        "\"P, \"\"1\"\"\",0,0.5,0.5,8 7,0,5,0.5,0.98,0.75 0.25,0.5,cm²,2,1"
+        format!(
+            "\"P, \"\"1\"\"\",0,0.5,0.45,8 7,-1,5,0.25,0.98,0.75 0.25,0.5,cm²,2,{}",
+            0.25_f64.exp()
+        )
     );
-    assert!(table(LengthUnit::FileUnit).contains(",50,units²,2,1"));
+    let of_unknown_size = table(LengthUnit::FileUnit);
+    assert!(
+        of_unknown_size.contains("\",0,,0.45,8 7,-1,5,0.25,0.98,0.75 0.25,50,units²,2,"),
+        "{of_unknown_size}"
+    );
 }
 
 #[test]

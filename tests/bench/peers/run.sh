@@ -1,7 +1,7 @@
 #!/bin/sh
-# Times our metric, paths and maps and their peers in the same minutes, and prints the ratios.
+# Times our metric, paths, maps and Laplace thickness and their peers in the same minutes, and prints the ratios.
 # Usage: tests/bench/peers/run.sh [FOLDER THAT SHALL HOLD THE PYTHON ENVIRONMENT]
-# Needs cargo, python3 (3.11 or later, with venv) and, the first time, the network (NumPy, SciPy, scikit-learn, JAX).
+# Needs cargo, python3 (3.11 or later, with venv) and, the first time, the network (NumPy, SciPy, scikit-learn, JAX, PyEzzi).
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../../.." && pwd)
@@ -11,9 +11,9 @@ target=$(cd "$target" && pwd)
 mkdir -p "${1:-$target}"
 environment=$(cd "${1:-$target}" && pwd)/peers
 python=$environment/bin/python
-packages='numpy==2.4.6 scipy==1.17.1 scikit-learn==1.9.1 jax==0.10.2'
+packages='numpy==2.4.6 scipy==1.17.1 scikit-learn==1.9.1 jax==0.10.2 pyezzi==1.0.1.post1'
 
-if ! "$python" -c 'import jax, numpy, scipy, sklearn' 2>/dev/null; then
+if ! "$python" -c 'import jax, numpy, pyezzi, scipy, sklearn' 2>/dev/null; then
     python3 -c 'import sys; sys.exit(sys.version_info < (3, 11))' || {
         echo "run.sh: python3 3.11 or later is needed, not $(python3 --version 2>&1)" >&2
         exit 1
@@ -26,6 +26,7 @@ fi
 
 cd "$root"
 begun=$(date +%s)
-CARGO_TARGET_DIR=$target cargo bench --bench metric --bench path --bench map -- --quiet --noplot
+CARGO_TARGET_DIR=$target cargo bench --bench metric --bench path --bench map --bench medial -- --quiet --noplot
 "$python" -B "$here/peers.py" "$target/criterion" "$begun"
+"$python" -B "$here/thickness.py" "$target/criterion" "$begun"
 exec "$python" -B "$here/paths.py" "$target/criterion"

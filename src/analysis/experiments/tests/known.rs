@@ -2,7 +2,9 @@
 
 use super::*;
 use crate::analysis::experiments::noise_result::mean_and_error;
-use crate::mesh::Point3;
+use crate::analysis::experiments::noise_study::told_apart;
+use crate::analysis::experiments::transfer_study::difference;
+use crate::mesh::{Point3, phantom};
 
 #[test]
 fn the_error_of_a_mean_is_that_of_the_text_book() {
@@ -103,4 +105,99 @@ fn steps_of_a_path_have_a_longest_and_a_shortest_and_its_middle_is_near_the_moti
         .map(|case| case.midpoint_error)
         .fold(1.0, f64::min);
     assert!(least < 0.05, "{least}");
+}
+
+/// Copies with the same noise would have no scatter.
+#[test]
+fn every_copy_of_a_level_has_noise_of_its_own() {
+    let built_in = crate::study::built_in::BuiltInParams {
+        vertices: 200,
+        ..Default::default()
+    };
+    let study = crate::study::built_in::cohort(&built_in).unwrap().study;
+    let mut params = MetricComparisonParams::all_metrics(None);
+    // EF alone, which no map is needed for.
+    params.methods.clear();
+    params.percents = vec![0.0, 20.0];
+    params.classes.permutations = 5;
+    let rows = metric_comparison(&study, &params, &Progress::default())
+        .unwrap()
+        .rows;
+    let scatter = |row: &ComparisonRow| {
+        let rules = [row.nearest_neighbour, row.linear_rule, row.tau];
+        rules.map(|rule| rule.standard_error).iter().sum::<f64>()
+    };
+    assert_eq!((rows[0].copies, rows[1].copies), (1, 3));
+    assert_eq!(scatter(&rows[0]), 0.0);
+    assert!(scatter(&rows[1]) > 0.0, "{rows:?}");
+}
+
+#[test]
+fn what_was_carried_is_held_against_the_truth_and_not_against_itself() {
+    let rest = phantom::sphere(2, 1.0);
+    let solid = ObjectKind::ALL[0].solid;
+    let moved = |amplitude: f64| -> Vec<Point3> {
+        let moved = |p: &Point3| Motion::Bump.moved(solid, p, amplitude);
+        rest.vertices().iter().map(moved).collect()
+    };
+    let truth = moved(0.8);
+    let against = |carried: &[Point3]| {
+        difference(carried, &truth, rest.vertices(), rest.triangles()).unwrap()
+    };
+    // Elsewhere in space, but right.
+    let shifted: Vec<Point3> = truth
+        .iter()
+        .map(|p| Point3::new(p.z + 3.0, p.x, p.y))
+        .collect();
+    let right = against(&shifted);
+    assert!(right.relative_error < 1e-12 && (right.cosine - 1.0).abs() < 1e-12);
+    assert!((right.norm_ratio - 1.0).abs() < 1e-12 && right.flipped_faces == 0);
+    let half = against(&moved(0.4));
+    assert!(
+        half.norm_ratio < 0.8 && half.relative_error > 0.2,
+        "{half:?}"
+    );
+    // A vertex pulled across its neighbours turns some of its faces over, and no other.
+    let mut folded = truth.clone();
+    let face = rest.triangles()[0].map(|v| v as usize);
+    let [a, b, c] = face.map(|v| truth[v]);
+    folded[face[0]] = a + 2.0 * (nalgebra::center(&b, &c) - a);
+    let around = rest
+        .triangles()
+        .iter()
+        .filter(|t| t.contains(&(face[0] as u32)));
+    let found = against(&folded);
+    assert!(found.flipped_faces > 0, "{found:?}");
+    assert!(found.flipped_faces <= around.count(), "{found:?}");
+    // Seen in a mirror nearly all are, whatever the rigid motion.
+    let mirrored: Vec<Point3> = truth.iter().map(|p| Point3::new(-p.x, p.y, p.z)).collect();
+    assert!(2 * against(&mirrored).flipped_faces > rest.triangles().len());
+}
+
+#[test]
+fn a_deformation_that_cannot_be_compared_counts_as_wrong() {
+    let params = small();
+    let cohort = |object| {
+        synthetic_cohort(&SyntheticParams {
+            object,
+            ..params.cohort
+        })
+        .unwrap()
+    };
+    let (own, other) = (cohort(params.objects[0]), cohort(ObjectKind::ALL[4]));
+    let mut study = own.study().unwrap();
+    let labels: Vec<Option<usize>> = own.labels().into_iter().map(Some).collect();
+    let method = &params.methods[0];
+    let tau = |study: &crate::study::Study| {
+        let told = told_apart(&params, study, &labels, method, 1, &Progress::default());
+        told.unwrap().tau
+    };
+    assert_eq!(tau(&study), 1.0);
+    study.subjects[0] = other.study().unwrap().subjects[0].clone();
+    let all = study.subjects.len() as f64;
+    assert!(
+        (tau(&study) - (all - 1.0) / all).abs() < 1e-12,
+        "{}",
+        tau(&study)
+    );
 }
