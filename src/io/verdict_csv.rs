@@ -161,7 +161,7 @@ mod tests {
             (Feature::Gap, "gap_sizes"),
         ];
         assert_eq!(columns.len(), 12 + names.len());
-        for (place, (feature, name)) in (12..).zip(names) {
+        for (place, (feature, name)) in (12_usize..).zip(names) {
             assert_eq!(&columns[place], name);
             let told = features.get(feature).unwrap();
             assert_eq!(row[place].parse::<f64>().unwrap(), told, "{name}");

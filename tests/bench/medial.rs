@@ -79,9 +79,9 @@ fn atoms(criterion: &mut Criterion) {
     let progress = Progress::default();
     // Made when a bench asks for it.
     let made = LazyCell::new(|| cohorts(40_000, 1));
-    for noise in 0..2 {
+    for (noise, noise_name) in NOISE_NAMES.into_iter().enumerate() {
         for (name, is_closed) in [("endo_and_epi_40000", false), ("closed_wall_40000", true)] {
-            let name = format!("atoms_{name}_{}", NOISE_NAMES[noise]);
+            let name = format!("atoms_{name}_{noise_name}");
             criterion.bench_function(&name, |bencher| {
                 let Some(studies) = &*made else { return };
                 let surfaces = studies[noise].subjects[0].sequence.surfaces();
@@ -89,9 +89,11 @@ fn atoms(criterion: &mut Criterion) {
                 let Some(closed) = closed_wall(endo, epi) else {
                     return;
                 };
-                let (template, others) = match is_closed {
-                    true => (&closed, &[][..]),
-                    false => (endo, &[epi][..]),
+                let outer = [epi];
+                let (template, others) = if is_closed {
+                    (&closed, &outer[..0])
+                } else {
+                    (endo, &outer[..])
                 };
                 match medial_surface(template, others, &params, &progress) {
                     Ok(found) => eprintln!(
@@ -136,8 +138,8 @@ fn hearts(criterion: &mut Criterion) {
     };
     for vertices in [2_500, 5_000] {
         let made = LazyCell::new(|| cohorts(vertices, 23));
-        for noise in 0..2 {
-            let name = format!("{vertices}_{}", NOISE_NAMES[noise]);
+        for (noise, noise_name) in NOISE_NAMES.into_iter().enumerate() {
+            let name = format!("{vertices}_{noise_name}");
             criterion.bench_function(&format!("surfaces_to_verdict_{name}"), |bencher| {
                 let Some(studies) = &*made else { return };
                 let subject = &studies[noise].subjects[ILL];
