@@ -173,17 +173,6 @@ fn the_thickness_ratio_and_a_segment_look_as_they_did_in_the_light_window() {
 }
 
 #[test]
-fn the_medial_map_looks_as_it_did_in_the_dark_window() {
-    let commands = vec![
-        Command::ShowPane(Pane::MedialMap),
-        Command::ShowPane(Pane::Patch),
-    ];
-    compare_after("medial_map_dark", ThemeChoice::Dark, commands, |app| {
-        app.state().medial_map().is_some() && wall_is_known(app)
-    });
-}
-
-#[test]
 fn a_carried_beat_looks_as_it_did() {
     let commands = vec![
         Command::CarryBeat { from: 11, onto: 2 },

@@ -3,7 +3,6 @@
 use super::*;
 
 use cardiomorph::analysis::medial_map::MedialMap;
-use cardiomorph::ui::{Command, Pane};
 
 fn medial_map(app: &App) -> Option<&Arc<MedialMap>> {
     app.state().medial_map()
