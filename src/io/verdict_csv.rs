@@ -110,7 +110,7 @@ mod tests {
         }
     }
 
-    /// A real heart's features, all different: each stands in the column of its own name.
+    /// A real heart's features, different but for shares that are whole: each stands in the column of its own name.
     #[test]
     fn features_stand_in_the_columns_that_scripts_rely_on() {
         let progress = Progress::default();
@@ -168,7 +168,8 @@ mod tests {
         }
         let told: Vec<&str> = row.iter().skip(12).collect();
         for (place, cell) in told.iter().enumerate() {
-            assert!(!told[..place].contains(cell), "{}", &columns[12 + place]);
+            let twin = *cell != "1" && told[..place].contains(cell);
+            assert!(!twin, "{}", &columns[12 + place]);
         }
     }
 
