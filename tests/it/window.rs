@@ -7,6 +7,8 @@ mod beats;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
+mod verdicts;
+#[cfg(test)]
 mod walls;
 
 use std::path::{Path, PathBuf};
