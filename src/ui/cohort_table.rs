@@ -205,7 +205,7 @@ fn row_ui(
     let response = ui.interact(rect, id, Sense::click_and_drag());
     response.widget_info(|| {
         let mut info = WidgetInfo::selected(Role::ListBoxOption, true, selected, &row.id);
-        info.hint_text = row.verdict.as_ref().map(CohortVerdict::text);
+        info.current_text_value = row.verdict.as_ref().map(CohortVerdict::text);
         info
     });
     if selected {

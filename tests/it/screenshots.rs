@@ -118,7 +118,11 @@ fn screenshots_are_taken_when_asked_for() {
         Shot {
             name: "poses_through_time.png",
             pixels_per_point: 2.0,
-            commands: vec![dark, pose(15, 3), Command::ShowPane(Pane::SpaceTime)],
+            commands: vec![
+                dark.clone(),
+                pose(15, 3),
+                Command::ShowPane(Pane::SpaceTime),
+            ],
         },
         Shot {
             name: "patch.png",
@@ -139,6 +143,11 @@ fn screenshots_are_taken_when_asked_for() {
                 Command::ShowPane(Pane::MedialMap),
                 Command::ShowPane(Pane::Thickness),
             ],
+        },
+        Shot {
+            name: "verdict.png",
+            pixels_per_point: 1.0,
+            commands: vec![dark.clone(), pose(13, 3), Command::ShowPane(Pane::Verdict)],
         },
         Shot {
             name: "difference.png",

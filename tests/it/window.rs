@@ -11,6 +11,8 @@ mod maps;
 #[cfg(test)]
 mod medial;
 #[cfg(test)]
+mod verdicts;
+#[cfg(test)]
 mod walls;
 
 use std::path::{Path, PathBuf};

@@ -34,7 +34,7 @@ pub(super) enum Told {
 /// Width of the mark of a verdict with the gap after it.
 const VERDICT_MARK: f32 = 14.0;
 /// Widths of a pane's inside from which verdicts have words, and a number or a short word.
-const VERDICT_WIDTHS: [f32; 2] = [272.0, 196.0];
+const VERDICT_WIDTHS: [f32; 2] = [272.0, 236.0];
 /// Room of "100" and of its heading.
 const EF_WIDTH: f32 = 38.0;
 
@@ -55,13 +55,14 @@ impl Columns {
         };
         let verdict = [inner.max - width, inner.max];
         let to = verdict[0] - space::MEDIUM - 2.0;
+        let free = (to - EF_WIDTH - from).max(0.0);
         Self {
             mark: inner.min + 6.0,
             subject: from,
             label: if labelled {
-                from + ((to - EF_WIDTH - from) * 0.56).max(62.0)
+                from + (free * 0.56).max(62.0).min(free)
             } else {
-                to - EF_WIDTH
+                from + free
             },
             ejection_fraction: to,
             verdict,
