@@ -110,7 +110,7 @@ mod tests {
         }
     }
 
-    /// A real heart's features, different but for shares that are whole: each stands in the column of its own name.
+    /// A heart's features, nearly all different: each stands in the column of its own name.
     #[test]
     fn features_stand_in_the_columns_that_scripts_rely_on() {
         let progress = Progress::default();
@@ -166,11 +166,9 @@ mod tests {
             let told = features.get(feature).unwrap();
             assert_eq!(row[place].parse::<f64>().unwrap(), told, "{name}");
         }
-        let told: Vec<&str> = row.iter().skip(12).collect();
-        for (place, cell) in told.iter().enumerate() {
-            let twin = *cell != "1" && told[..place].contains(cell);
-            assert!(!twin, "{}", &columns[12 + place]);
-        }
+        // Confidence and compactness of a round patch are both 1; all others differ.
+        let told: std::collections::HashSet<&str> = row.iter().skip(12).collect();
+        assert!(told.len() + 1 >= names.len(), "{row:?}");
     }
 
     #[test]

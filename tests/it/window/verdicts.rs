@@ -5,10 +5,11 @@ use super::*;
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
 use cardiomorph::io::{MeshFormat, write_study};
 use cardiomorph::mesh::TriMesh;
+use cardiomorph::picture::PatchStanding;
 use cardiomorph::progress::Progress;
 use cardiomorph::study::built_in::cohort;
 use cardiomorph::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
-use cardiomorph::ui::{CohortColumn, PatchStanding};
+use cardiomorph::ui::CohortColumn;
 
 /// P05 has a large patch.
 const PATCHED: usize = 13;
@@ -244,7 +245,7 @@ fn blurred(heart: &Subject) -> Subject {
         .map(|(frame, (endo, epi))| {
             let turn = (1.0 - (std::f64::consts::TAU * frame as f64 / count).cos()) / 2.0;
             let keeps = 1.0 - 0.45 * turn;
-            let vertices = (endo.vertices().iter().zip(epi.vertices()))
+            let vertices: Vec<_> = (endo.vertices().iter().zip(epi.vertices()))
                 .map(|(inner, outer)| inner + keeps * (outer - inner))
                 .collect();
             TriMesh::new(vertices, Arc::clone(epi.faces())).unwrap()
