@@ -42,7 +42,10 @@ pub fn medial_beat(
     let mut thicknesses: Vec<f64> = measured.iter().map(|&(_, thickness)| thickness).collect();
     let middle = thicknesses.len() / 2;
     let typical = *thicknesses.select_nth_unstable_by(middle, f64::total_cmp).1;
-    let poses: Vec<&[Point3]> = measured.iter().map(|(points, _)| points.as_slice()).collect();
+    let poses: Vec<&[Point3]> = measured
+        .iter()
+        .map(|(points, _)| points.as_slice())
+        .collect();
     let (thickness, plan) = atlas.plan(&poses, typical, params, progress)?;
     let frames: Vec<MedialSurface> = (poses.par_iter().enumerate())
         .map(|(frame, points)| atlas.surface(frame, points, (thickness, plan), params, progress))

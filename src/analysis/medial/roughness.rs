@@ -137,7 +137,8 @@ impl Roughness {
             let tried: Vec<[f64; 2]> = (poses.iter())
                 .map(|points| self.risk(connectivity, points, noise, length))
                 .collect();
-            let mean = |what: usize| tried.iter().map(|t| t[what]).sum::<f64>() / tried.len() as f64;
+            let mean =
+                |what: usize| tried.iter().map(|t| t[what]).sum::<f64>() / tried.len() as f64;
             if mean(0) >= risk {
                 break;
             }

@@ -75,7 +75,9 @@ pub(super) fn tidied(
     let mut on_face = vec![false; mesh.areas.len()];
     for triangle in &mesh.triangles {
         if triangle.iter().all(|&atom| inside[atom as usize]) {
-            triangle.iter().for_each(|&atom| on_face[atom as usize] = true);
+            triangle
+                .iter()
+                .for_each(|&atom| on_face[atom as usize] = true);
         }
     }
     let tidy: Vec<u32> = (0..on_face.len() as u32)

@@ -175,7 +175,9 @@ impl Surface {
     fn steady(&mut self, beat: &MedialBeat, diffusion: &Diffusion) {
         let raw = positions(beat, self.phases[0]);
         let columns = |points: &[Vector3]| -> Vec<f64> {
-            (0..3).flat_map(|axis| points.iter().map(move |point| point[axis])).collect()
+            (0..3)
+                .flat_map(|axis| points.iter().map(move |point| point[axis]))
+                .collect()
         };
         let points = |columns: &[f64]| -> Vec<Vector3> {
             (0..raw.len())
