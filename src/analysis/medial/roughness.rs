@@ -21,14 +21,20 @@ const NORMAL_STEPS: usize = 2;
 /// Noise, in sides of the square that a vertex has to itself, from which areas and angles are those of noise …
 const ROUGH: f64 = 0.15;
 
-/// … and how often they are then taken from the surfaces smoothed before.
-const PASSES: usize = 2;
+/// … and how often at most they are then taken from the surfaces smoothed before.
+const PASSES: usize = 8;
 
 /// Noise over the typical thickness up to which the least smoothing is enough: of smooth surfaces the estimate is less.
 const HARDLY_ROUGH: f64 = 0.005;
 
 /// Longest ℓ in typical thicknesses that noise can ask for.
 const MOST_LENGTH: f64 = 1.5;
+
+/// Noise makes walls look thin. Where they are thicker than this without it, lengths are looked for again …
+const THICKER: f64 = 1.25;
+
+/// … so many times in all.
+const ROUNDS: usize = 3;
 
 /// 1 / Φ⁻¹(¾): standard deviation of a normal distribution over its median absolute value.
 const NORMAL_FROM_MEDIAN: f64 = 1.482_602_218_505_602;
@@ -158,7 +164,7 @@ impl Roughness {
         noise: f64,
         length: f64,
     ) -> [f64; 2] {
-        let smoothed = smooth_rough(connectivity, points, length, 1);
+        let smoothed = smooth_rough(connectivity, points, length, PASSES);
         let normals = vertex_normals(&smoothed.once, &connectivity.triangles);
         let mut areas = vec![0.0; points.len()];
         for triangle in &connectivity.triangles {
@@ -217,17 +223,28 @@ impl WallAtlas {
         let sample = [0, (poses.len() / 3).max(1)];
         let sample = &sample[..poses.len().min(2)];
         let tried: Vec<&[Point3]> = sample.iter().map(|&pose| poses[pose]).collect();
-        let lengths = [least.length, least.length.max(MOST_LENGTH * thickness)];
-        let plan = (self.roughness).plan(&self.connectivity, &tried, noise, lengths);
-        progress.check()?;
-        if plan.length <= least.length {
-            return Ok((thickness, plan));
+        let mut thickness = thickness;
+        let mut plan = least;
+        for _ in 0..ROUNDS {
+            let length = params.smoothing * thickness;
+            let lengths = [length, length.max(MOST_LENGTH * thickness)];
+            plan = (self.roughness).plan(&self.connectivity, &tried, noise, lengths);
+            progress.check()?;
+            if plan.length <= length {
+                break;
+            }
+            let smoothed = tried.iter().map(|points| {
+                let smoothed = smooth_rough(&self.connectivity, points, plan.length, plan.passes);
+                self.thickness(&smoothed.points)
+            });
+            let thicker = smoothed.fold(thickness, f64::max);
+            if thicker <= THICKER * thickness {
+                thickness = thicker;
+                break;
+            }
+            thickness = thicker;
         }
-        let smoothed = tried.iter().map(|points| {
-            let smoothed = smooth_rough(&self.connectivity, points, plan.length, plan.passes);
-            self.thickness(&smoothed.points)
-        });
-        Ok((smoothed.fold(thickness, f64::max), plan))
+        Ok((thickness, plan))
     }
 }
 

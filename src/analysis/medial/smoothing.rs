@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::connectivity::Connectivity;
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::{Point3, Vector3, area};
 
 /// Vertices whose products one thread takes at least, so that small surfaces are not handed around.
 const CHUNK: usize = 4096;
@@ -45,16 +45,29 @@ pub(super) fn smooth(connectivity: &Connectivity, points: &[Point3], length: f64
     smooth_by(connectivity, points, points, length)
 }
 
+/// Change of the area, of what it was, below which another pass changes nothing.
+const SETTLED: f64 = 0.01;
+
 /// The same where noise is so large that areas and angles of the surfaces are those of noise: M and L come from
-/// the surfaces smoothed before, `passes` times over.
+/// the surfaces smoothed before, until their area settles, `passes` times over at most.
 pub(super) fn smooth_rough(
     connectivity: &Connectivity,
     points: &[Point3],
     length: f64,
     passes: usize,
 ) -> Smoothed {
+    let size = |points: &[Point3]| area(points, &connectivity.triangles);
     let mut smoothed = smooth(connectivity, points, length);
+    if passes == 0 || length <= 0.0 {
+        return smoothed;
+    }
+    let mut before = size(points);
     for _ in 0..passes {
+        let now = size(&smoothed.once);
+        if (now - before).abs() <= SETTLED * before {
+            break;
+        }
+        before = now;
         smoothed = smooth_by(connectivity, &smoothed.once, points, length);
     }
     smoothed

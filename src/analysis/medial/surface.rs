@@ -182,20 +182,22 @@ impl WallAtlas {
         let without = balls.iter().filter(|ball| !ball.touches()).count();
         if without as f64 > (1.0 - LEAST_FITTING) * balls.len() as f64 {
             let atoms = balls.len();
-            return Err(if plan.noise > MOST_NOISE * thickness {
-                MedialError::Noise {
-                    noise: plan.noise,
-                    thickness,
-                    lost: without,
-                    atoms,
-                }
-            } else {
-                MedialError::NoRoom {
-                    frame,
-                    without,
-                    atoms,
-                }
-            });
+            return Err(
+                if plan.noise > MOST_NOISE * thickness && plan.noise < 10.0 * thickness {
+                    MedialError::Noise {
+                        noise: plan.noise,
+                        thickness,
+                        lost: without,
+                        atoms,
+                    }
+                } else {
+                    MedialError::NoRoom {
+                        frame,
+                        without,
+                        atoms,
+                    }
+                },
+            );
         }
         self.lend_radii(&mut balls);
         let (atoms, normals) = self.atoms(&wall, &balls);
