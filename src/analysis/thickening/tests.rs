@@ -16,6 +16,7 @@ use crate::units::LengthUnit;
 use super::*;
 
 mod damage;
+mod small;
 
 /// ln of how much thicker the wall is at each of eight poses, as a share of what it is at end-systole (pose 3).
 const CURVE: [f64; 8] = [0.0, 0.35, 0.8, 1.0, 0.7, 0.3, 0.1, 0.05];

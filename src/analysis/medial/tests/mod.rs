@@ -5,6 +5,7 @@ mod damage;
 mod known;
 mod laws;
 mod parts;
+mod roughness;
 
 use super::*;
 use crate::mesh::{Faces, Point3, TriMesh, Vector3, phantom};
