@@ -210,7 +210,8 @@ fn built_in_heart(vertices: usize) -> Option<Study> {
 fn slider(criterion: &mut Criterion) {
     const ACDC: &str = "acdc_walls/study.toml";
     const CINE: &str = "cine_mri";
-    let mut hearts: Vec<(&str, fn() -> Option<Study>)> = vec![
+    type Heart = fn() -> Option<Study>;
+    let mut hearts: Vec<(&str, Heart)> = vec![
         ("built_in_2500", || built_in_heart(2_500)),
         ("built_in_40000", || built_in_heart(40_000)),
     ];

@@ -147,7 +147,7 @@ fn screenshots_are_taken_when_asked_for() {
         Shot {
             name: "verdict.png",
             pixels_per_point: 1.0,
-            commands: vec![dark.clone(), pose(13, 3), Command::ShowPane(Pane::Verdict)],
+            commands: vec![dark, pose(13, 3), Command::ShowPane(Pane::Verdict)],
         },
         Shot {
             name: "difference.png",
@@ -174,19 +174,18 @@ fn screenshots_are_taken_when_asked_for() {
     for shot in shots {
         take(shot, &folder);
     }
-    let figure = Program::new(env!("CARGO_BIN_EXE_cardiomorph"))
-        .args([
-            "figure",
-            "--subject",
-            "P07",
-            "--frame",
-            "3",
-            "--colour",
-            "area-ratio",
-        ])
-        .args(["--theme", "light", "--size", "1600x1200", "--out"])
-        .arg(folder.join("figure.png"))
-        .status()
-        .unwrap();
-    assert!(figure.success());
+    let area = ["--frame", "3", "--colour", "area-ratio"];
+    for (name, options) in [
+        ("figure.png", &area[..]),
+        ("patch_figure.png", &["--patch"]),
+    ] {
+        let figure = Program::new(env!("CARGO_BIN_EXE_cardiomorph"))
+            .args(["figure", "--subject", "P07"])
+            .args(options)
+            .args(["--theme", "light", "--size", "1600x1200", "--out"])
+            .arg(folder.join(name))
+            .status()
+            .unwrap();
+        assert!(figure.success(), "{name}");
+    }
 }

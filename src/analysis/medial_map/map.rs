@@ -33,7 +33,8 @@ pub fn medial_map(
         let hearts = hearts.iter().enumerate();
         hearts.filter_map(|(subject, heart)| Some((subject, heart.as_ref().ok()?)))
     };
-    let frame = shared_frame(mapped().map(|(_, heart)| heart));
+    let known: Vec<&HeartPaths> = mapped().map(|(_, heart)| heart).collect();
+    let frame = shared_frame(&known);
     let poses: Vec<MedialPose> = mapped()
         .flat_map(|(subject, heart)| placed(subject, heart, frame))
         .collect();
@@ -62,9 +63,9 @@ pub fn medial_map(
 }
 
 /// The frame that all hearts have.
-fn shared_frame<'a>(hearts: impl Iterator<Item = &'a HeartPaths> + Clone) -> Frame {
+fn shared_frame(hearts: &[&HeartPaths]) -> Frame {
     let known =
-        |frame: &Frame| (hearts.clone()).all(|heart| heart.placements[*frame as usize].is_some());
+        |frame: &Frame| (hearts.iter()).all(|heart| heart.placements[*frame as usize].is_some());
     (Frame::ALL.into_iter()).find(known).unwrap_or(Frame::Files)
 }
 

@@ -78,7 +78,7 @@ impl Profile {
             })
             .collect();
         for _ in 0..2 {
-            values = diffused(&values, &volume, time);
+            values = diffused(&values, volume, time);
         }
         Self { ring, values }
     }

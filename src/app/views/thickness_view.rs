@@ -130,7 +130,7 @@ fn row(
     });
     let told = told.and_then(|found| answer(found, way));
     let agreement = told.and_then(|answer| answer.agreement);
-    let reasons = known.iter().filter_map(|(_, found)| {
+    let mut reasons = known.iter().filter_map(|(_, found)| {
         let reason = answer(found, way)?.found.as_ref().err()?;
         Some(reason.clone())
     });
@@ -147,7 +147,7 @@ fn row(
         seconds: told
             .filter(|told| told.found.is_ok())
             .map(|told| told.seconds),
-        reason: reasons.last(),
+        reason: reasons.next_back(),
     }
 }
 
