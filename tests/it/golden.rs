@@ -158,19 +158,23 @@ fn atoms_and_a_patch_look_as_they_did_in_the_dark_window() {
 }
 
 #[test]
-fn a_verdict_looks_as_it_did_in_both_themes() {
-    for (name, theme) in [
-        ("verdict_dark", ThemeChoice::Dark),
-        ("verdict_light", ThemeChoice::Light),
-    ] {
-        let commands = vec![
-            Command::ShowPane(Pane::Verdict),
-            Command::ShowPane(Pane::BullsEye),
-        ];
-        compare_after(name, theme, commands, |app| {
-            wall_is_known(app) && matches!(app.state().verdicts(), Some((_, true)))
-        });
-    }
+fn a_verdict_looks_as_it_did_in_the_dark_window() {
+    compare_verdict("verdict_dark", ThemeChoice::Dark);
+}
+
+#[test]
+fn a_verdict_looks_as_it_did_in_the_light_window() {
+    compare_verdict("verdict_light", ThemeChoice::Light);
+}
+
+fn compare_verdict(name: &str, theme: ThemeChoice) {
+    let commands = vec![
+        Command::ShowPane(Pane::Verdict),
+        Command::ShowPane(Pane::BullsEye),
+    ];
+    compare_after(name, theme, commands, |app| {
+        wall_is_known(app) && matches!(app.state().verdicts(), Some((_, true)))
+    });
 }
 
 #[test]

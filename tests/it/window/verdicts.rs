@@ -137,6 +137,9 @@ fn a_heart_alike_is_selected_from_the_pane() {
     );
     let alike = found.alike_normal[0];
     let name = format!("Select {}, most alike", state_id(&harness, alike));
+    // Further down than the pane reaches.
+    harness.get_by_label(&name).scroll_to_me();
+    harness.run_steps(4);
     harness.get_by_label(&name).click();
     harness.run_steps(3);
     assert_eq!(harness.state().state().document.subject, alike);

@@ -53,9 +53,10 @@ fn noise_raises_the_limit_and_global_failure_has_none() {
 #[test]
 fn a_hole_smaller_than_a_patch_is_filled_and_a_larger_one_stays() {
     for (hole, loops) in [(0.12, 1), (0.5, 2)] {
-        let (outer, inner) = (patch_at(SIDE, 0.75), hole);
+        let centre = Vector3::new(0.3, 0.0, -0.95).normalize();
+        let (outer, inner) = (patch_at(centre, 0.75), hole);
         let beat = beat(&CURVE, |d| {
-            if d.dot(&SIDE) > f64::cos(inner) {
+            if d.dot(&centre) > f64::cos(inner) {
                 WELL
             } else {
                 outer(d)
@@ -76,12 +77,12 @@ fn rough_positions_hardly_move_the_centroid_of_a_large_patch() {
     for (frame, surface) in rough.frames.iter_mut().enumerate() {
         for (place, atom) in surface.atoms.iter_mut().enumerate() {
             let draw = |axis: usize| noise(50_000 * axis + 1_500 * frame + place);
-            atom.position += 4.0 * Vector3::new(draw(0), draw(1), draw(2));
+            atom.position += 2.0 * Vector3::new(draw(0), draw(1), draw(2));
         }
     }
     let [before, after] = [&clean, &rough].map(|beat| found(beat).patches[0].clone());
     let moved = (before.centroid - after.centroid).norm();
-    assert!(moved < 1.5, "{moved}");
+    assert!(moved < 1.0, "{moved}");
     assert!(
         (after.area / before.area - 1.0).abs() < 0.1,
         "{} {}",
