@@ -69,6 +69,7 @@ impl Cone {
     }
 
     /// Whether every normal in the cone is nearer to `direction` than the angle of this cosine.
+    #[inline]
     fn within(&self, direction: &Vector3, cos_most: f64) -> bool {
         let cos = self.axis.dot(direction);
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
@@ -218,16 +219,11 @@ impl FaceTree {
                     }
                 }
                 Inside::Nodes(children) => {
-                    let mut pair = children.map(|child| {
-                        let node = &self.nodes[child as usize];
-                        let same_side = node.cone.within(&facing.direction, facing.cos_least);
-                        let far = if same_side {
-                            f64::INFINITY
-                        } else {
-                            node.squared_distance(point)
-                        };
-                        (child, far)
-                    });
+                    let [left, right] = children;
+                    let mut pair = [
+                        (left, self.far(left, point, facing, least)),
+                        (right, self.far(right, point, facing, least)),
+                    ];
                     if pair[0].1 < pair[1].1 {
                         pair.swap(0, 1);
                     }
@@ -242,9 +238,23 @@ impl FaceTree {
         }
         best
     }
+
+    /// Squared distance from a point to the box of a node; infinite where nothing in it can be found.
+    #[inline]
+    fn far(&self, node: u32, point: Point3, facing: &Facing, least: f64) -> f64 {
+        let node = &self.nodes[node as usize];
+        let squared = node.squared_distance(point);
+        // The box is told before the cone, whose angles cost a root.
+        if squared >= least || node.cone.within(&facing.direction, facing.cos_least) {
+            f64::INFINITY
+        } else {
+            squared
+        }
+    }
 }
 
 impl Node {
+    #[inline]
     fn squared_distance(&self, point: Point3) -> f64 {
         let outside = |axis: usize| {
             (self.low[axis] - point[axis])
