@@ -107,15 +107,13 @@ fn title_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow) {
         colours.strong,
     );
     if let Some(seconds) = row.seconds {
-        let text = seconds_text(seconds);
+        let text = painter.layout_no_wrap(seconds_text(seconds), note_font(), colours.muted);
         let beside = at(name.right() + space::MEDIUM);
-        painter.text(
-            beside,
-            Align2::LEFT_CENTER,
-            text,
-            note_font(),
-            colours.muted,
-        );
+        let place = Align2::LEFT_CENTER.anchor_size(beside, text.size());
+        // Where there is no room it is told on hover only.
+        if place.right() + space::MEDIUM <= left {
+            painter.galley(place.min, text, colours.muted);
+        }
     }
     response.on_hover_text(format!("{spoken}. {}", row.hint));
 }
