@@ -25,6 +25,13 @@ pub fn apply(state: &mut State, command: Command) -> Vec<Effect> {
             Effect::Open(OpenSource::Paths(paths))
         }
         Command::OpenBuiltIn => Effect::Open(OpenSource::BuiltIn(state.built_in)),
+        Command::ExportFigure(None)
+        | Command::ExportPatchFigure(None)
+        | Command::ExportTables(None)
+            if state.document.selected().is_none() =>
+        {
+            return Vec::new();
+        }
         Command::ExportFigure(None) => Effect::ChooseFigure(FigureKind::View),
         Command::ExportFigure(Some(path)) => Effect::WriteFigure(FigureKind::View, path),
         Command::ExportPatchFigure(None) => Effect::ChooseFigure(FigureKind::Patch),

@@ -38,7 +38,7 @@ pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPar
 pub use numbers::{HeartNumbers, relative_density};
 pub use patch_words::{
     PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,
-    smallest_words,
+    sentence, smallest_words,
 };
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;

@@ -81,7 +81,7 @@ fn told(state: &State) -> Option<ToldVerdict> {
     let not_assessed = |why: String| ToldVerdict {
         mark: VerdictMark::NotAssessed,
         heading: "Not assessed".to_owned(),
-        sentence: why,
+        sentence: crate::picture::sentence(&why),
         ..ToldVerdict::default()
     };
     match (state.verdict_of(subject), state.wall_of(subject)) {

@@ -131,9 +131,52 @@ pub(super) fn cell(
     colour: egui::Color32,
 ) {
     let [left, right] = columns.span(column);
-    let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), text_font(), colour);
-    job.wrap = egui::text::TextWrapping::truncate_at_width((right - left).max(8.0));
+    let most = (right - left).max(8.0);
+    // Names of one study often begin alike: what tells them apart is their end.
+    let text = match column {
+        CohortColumn::Subject => without_middle(text, |shown| {
+            let shown = shown.to_owned();
+            ui.painter()
+                .layout_no_wrap(shown, text_font(), colour)
+                .size()
+                .x
+                <= most
+        }),
+        _ => text.to_owned(),
+    };
+    let mut job = egui::text::LayoutJob::simple_singleline(text, text_font(), colour);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(most);
     let galley = ui.painter().layout_job(job);
     let at = pos2(left, y - 0.5 * galley.size().y);
     ui.painter().galley(at, galley, colour);
+}
+
+/// First letters of a name that stay when its middle is left out.
+const HEAD: usize = 3;
+
+/// A name with as little left out of its middle as makes it fit.
+fn without_middle(name: &str, fits: impl Fn(&str) -> bool) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= HEAD + 2 || fits(name) {
+        return name.to_owned();
+    }
+    let head: String = letters[..HEAD].iter().collect();
+    let shown = |from: usize| format!("{head}…{}", letters[from..].iter().collect::<String>());
+    let from = (HEAD + 1..letters.len() - 1).find(|&from| fits(&shown(from)));
+    shown(from.unwrap_or(letters.len() - 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_keeps_its_beginning_and_what_tells_it_apart() {
+        let fits = |most: usize| move |shown: &str| shown.chars().count() <= most;
+        assert_eq!(without_middle("patient015", fits(10)), "patient015");
+        assert_eq!(without_middle("patient015", fits(8)), "pat…t015");
+        assert_eq!(without_middle("patient015", fits(2)), "pat…5");
+        assert_eq!(without_middle("P03", fits(1)), "P03");
+        assert_eq!(without_middle("", fits(0)), "");
+    }
 }

@@ -288,7 +288,7 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
     assert!(harness.get_all_by_label("Not assessed").count() >= 1);
     assert!(
         harness
-            .get_all_by_label_contains("the wall is not resolved")
+            .get_all_by_label_contains("The wall is not resolved")
             .count()
             >= 1
     );
