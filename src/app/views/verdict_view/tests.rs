@@ -68,7 +68,7 @@ fn what_is_not_assessed_says_why_in_pane_and_table() {
     state.document.subject = 2;
     let shown = told(&state).unwrap();
     assert_eq!(shown.heading, "Not assessed");
-    assert!(shown.sentence.starts_with("the wall is not resolved"));
+    assert!(shown.sentence.starts_with("The wall is not resolved"));
     assert_eq!(shown.probability, None);
     let row = cohort_verdict(&state, 2).unwrap();
     assert_eq!(row.text(), "not assessed");
