@@ -19,6 +19,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use cardiomorph::analysis::embedding::Embedding;
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::engine::WorkKind;
 use cardiomorph::study::built_in::BuiltInParams;
@@ -100,9 +101,18 @@ fn give(harness: &mut Harness<'_, App>, command: Command) {
 /// The screen position of a pose on the map, by the lens that the map begins with.
 fn place_on_map(harness: &Harness<'_, App>, subject: usize, frame: usize) -> egui::Pos2 {
     let map = harness.state().state().map().unwrap().clone();
-    let rect = harness.get_by_label("Pose map").rect();
-    let points: Vec<[f64; 2]> = (0..map.embedding.len())
-        .map(|row| [map.embedding.point(row)[0], map.embedding.point(row)[1]])
+    let poses = map.distances.poses.iter();
+    let row = poses
+        .map(|pose| (pose.subject, pose.frame))
+        .position(|pose| pose == (subject, frame));
+    place_of_row(harness, "Pose map", &map.embedding, row.unwrap())
+}
+
+/// The screen position of a row of a map, by the lens that maps begin with: all points fit.
+fn place_of_row(harness: &Harness<'_, App>, name: &str, map: &Embedding, row: usize) -> egui::Pos2 {
+    let rect = harness.get_by_label(name).rect();
+    let points: Vec<[f64; 2]> = (0..map.len())
+        .map(|row| [map.point(row)[0], map.point(row)[1]])
         .collect();
     let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
         points.iter().map(|point| point[axis]).fold(start, pick)
@@ -112,14 +122,21 @@ fn place_on_map(harness: &Harness<'_, App>, subject: usize, frame: usize) -> egu
     let plot = rect.shrink2(egui::vec2(34.0, 26.0));
     let scale = (f64::from(plot.width()) / (high[0] - low[0]))
         .min(f64::from(plot.height()) / (high[1] - low[1]));
-    let row = map
-        .distances
-        .poses
-        .iter()
-        .position(|pose| (pose.subject, pose.frame) == (subject, frame))
-        .unwrap();
     let offset = [0, 1].map(|axis| points[row][axis] - 0.5 * (low[axis] + high[axis]));
     rect.center() + egui::vec2((offset[0] * scale) as f32, (-offset[1] * scale) as f32)
+}
+
+/// The built-in cohort in a folder, and its manifest.
+fn cohort_on_disk() -> (tempfile::TempDir, PathBuf) {
+    let folder = tempfile::tempdir().unwrap();
+    let status = std::process::Command::new(env!("CARGO_BIN_EXE_cardiomorph"))
+        .args(["demo", "--vertices", "400", "--out"])
+        .arg(folder.path())
+        .status()
+        .unwrap();
+    assert!(status.success());
+    let manifest = folder.path().join("study.toml");
+    (folder, manifest)
 }
 
 fn click_at(harness: &mut Harness<'_, App>, at: egui::Pos2) {

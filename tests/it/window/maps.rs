@@ -216,15 +216,7 @@ fn the_panel_changes_the_metric_and_the_way_back_is_one_undo() {
 
 #[test]
 fn three_hearts_have_no_deformation_map_and_are_told_so() {
-    let folder = tempfile::tempdir().unwrap();
-    let program = env!("CARGO_BIN_EXE_cardiomorph");
-    let status = std::process::Command::new(program)
-        .args(["demo", "--vertices", "400", "--out"])
-        .arg(folder.path())
-        .status()
-        .unwrap();
-    assert!(status.success());
-    let manifest = folder.path().join("study.toml");
+    let (_folder, manifest) = cohort_on_disk();
     let text = std::fs::read_to_string(&manifest).unwrap();
     let parts: Vec<&str> = text.split("[[subject]]").collect();
     std::fs::write(&manifest, parts[..4].join("[[subject]]")).unwrap();

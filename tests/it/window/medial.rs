@@ -22,20 +22,7 @@ fn medial_window() -> Harness<'static, App> {
 /// The screen position of a row of the map, by the lens that the map begins with.
 fn place_of(harness: &Harness<'_, App>, row: usize) -> egui::Pos2 {
     let map = medial_map(harness.state()).unwrap();
-    let rect = harness.get_by_label("Medial map").rect();
-    let points: Vec<[f64; 2]> = (0..map.embedding.len())
-        .map(|row| [map.embedding.point(row)[0], map.embedding.point(row)[1]])
-        .collect();
-    let bound = |axis: usize, pick: fn(f64, f64) -> f64, start: f64| {
-        points.iter().map(|point| point[axis]).fold(start, pick)
-    };
-    let low = [0, 1].map(|axis| bound(axis, f64::min, f64::INFINITY));
-    let high = [0, 1].map(|axis| bound(axis, f64::max, f64::NEG_INFINITY));
-    let plot = rect.shrink2(egui::vec2(34.0, 26.0));
-    let scale = (f64::from(plot.width()) / (high[0] - low[0]))
-        .min(f64::from(plot.height()) / (high[1] - low[1]));
-    let offset = [0, 1].map(|axis| points[row][axis] - 0.5 * (low[axis] + high[axis]));
-    rect.center() + egui::vec2((offset[0] * scale) as f32, (-offset[1] * scale) as f32)
+    place_of_row(harness, "Medial map", &map.embedding, row)
 }
 
 #[test]
@@ -151,15 +138,7 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
 
 #[test]
 fn a_blood_pool_alone_has_neither_medial_map_nor_thickness_and_is_told_why() {
-    let folder = tempfile::tempdir().unwrap();
-    let program = env!("CARGO_BIN_EXE_cardiomorph");
-    let status = std::process::Command::new(program)
-        .args(["demo", "--vertices", "400", "--out"])
-        .arg(folder.path())
-        .status()
-        .unwrap();
-    assert!(status.success());
-    let manifest = folder.path().join("study.toml");
+    let (_folder, manifest) = cohort_on_disk();
     let text = std::fs::read_to_string(&manifest).unwrap();
     let hollow: Vec<String> = (text.lines())
         .filter(|line| !line.starts_with("epi"))
