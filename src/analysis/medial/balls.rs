@@ -20,7 +20,7 @@ const COS_MOST_TURN: f64 = 0.906;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WallOfPose<'a> {
     pub faces: FacesOfPose<'a>,
-    pub tree: &'a FaceTree,
+    pub tree: &'a FaceTree<'a>,
     /// Unit normals of vertices, into the muscle; zero where a vertex has no face.
     pub normals: &'a [Vector3],
     /// Whether vertices lie on an open boundary.
@@ -126,7 +126,7 @@ impl WallOfPose<'_> {
 
     /// Nearest point that may hold a ball.
     fn nearest(&self, centre: Point3, facing: &Facing, hint: Option<u32>) -> Option<Nearest> {
-        (self.tree).nearest(self.faces, centre, facing, f64::INFINITY, hint)
+        (self.tree).nearest(centre, facing, f64::INFINITY, hint)
     }
 
     /// Radius of the ball that touches the vertex and the plane of a face: m·(p + r n − a) = r.
@@ -207,7 +207,7 @@ impl WallOfPose<'_> {
     /// Whether the nearest point of the side across is seen from its outer side: the sides cross.
     fn behind(&self, point: Point3, normal: Vector3, facing: &Facing) -> bool {
         let most = self.most_radius * self.most_radius;
-        let Some(found) = self.tree.nearest(self.faces, point, facing, most, None) else {
+        let Some(found) = self.tree.nearest(point, facing, most, None) else {
             return normal == Vector3::zeros();
         };
         let corners = self.faces.triangles[found.face as usize];

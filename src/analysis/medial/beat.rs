@@ -46,17 +46,18 @@ pub fn medial_beat(
         .iter()
         .map(|(points, _)| points.as_slice())
         .collect();
-    let (thickness, plan) = atlas.plan(&poses, typical, params, progress)?;
+    let prepared = atlas.plan(&poses, typical, params, progress)?;
     let frames: Vec<MedialSurface> = (poses.par_iter().enumerate())
-        .map(|(frame, points)| atlas.surface(frame, points, (thickness, plan), params, progress))
+        .map(|(frame, points)| atlas.surface(frame, points, &prepared, params, progress))
         .collect::<Result<_, MedialError>>()?;
     let regular: Vec<bool> = (0..template.vertices.len())
         .map(|atom| frames.iter().all(|frame| frame.end[atom].is_none()))
         .collect();
     let lost = regular.iter().filter(|&&regular| !regular).count();
-    if plan.noise > MOST_NOISE * thickness && 2 * lost > regular.len() {
+    let (noise, thickness) = (prepared.plan.noise, prepared.thickness);
+    if noise > MOST_NOISE * thickness && 2 * lost > regular.len() {
         return Err(MedialError::Noise {
-            noise: plan.noise,
+            noise,
             thickness,
             lost,
             atoms: regular.len(),

@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
+
 use crate::mesh::{Faces, MeshError, Point3, TriMesh, sheets};
 
 /// All surfaces one after the other, the template first: seams closed, sheets wound alike.
@@ -117,10 +119,14 @@ impl Connectivity {
             rows: Rows::default(),
             boundary: Vec::new(),
         };
-        for (surface, mesh) in first.iter().enumerate() {
-            let poses: Vec<&[Point3]> = frames.iter().map(|f| f[surface].vertices()).collect();
-            let stands_for = closed_seams(mesh.faces(), &poses);
-            joined.append(surface, mesh.faces(), &stands_for)?;
+        let surfaces: Vec<Surface> = (first.par_iter().enumerate())
+            .map(|(surface, mesh)| {
+                let poses: Vec<&[Point3]> = frames.iter().map(|f| f[surface].vertices()).collect();
+                Surface::new(mesh.faces(), &poses)
+            })
+            .collect::<Result<_, MeshError>>()?;
+        for (surface, part) in surfaces.into_iter().enumerate() {
+            joined.append(surface, &part);
         }
         joined.rows = Rows::new(vertex_count, &joined.triangles);
         joined.boundary = (0..vertex_count)
@@ -154,33 +160,41 @@ impl Connectivity {
         }
     }
 
-    /// Adds a surface. One that branches or has one side only is taken as one sheet, wound as it is.
-    fn append(
-        &mut self,
-        surface: usize,
-        faces: &Faces,
-        stands_for: &[u32],
-    ) -> Result<(), MeshError> {
+    fn append(&mut self, surface: usize, part: &Surface) {
         let offset = self.offsets[surface];
-        for (vertex, &other) in stands_for.iter().enumerate() {
+        for (vertex, &other) in part.stands_for.iter().enumerate() {
             self.representative[offset as usize + vertex] = offset + other;
         }
+        for triangles in &part.sheets {
+            self.triangles
+                .extend(triangles.iter().map(|t| t.map(|v| v + offset)));
+            self.sheet_starts.push(self.triangles.len());
+            self.sheet_surfaces.push(surface);
+        }
+    }
+}
+
+/// One surface by itself.
+struct Surface {
+    /// The vertex that stands for each vertex.
+    stands_for: Vec<u32>,
+    sheets: Vec<Vec<[u32; 3]>>,
+}
+
+impl Surface {
+    /// Closes seams and winds sheets alike. A surface that branches or has one side only is taken as one sheet, wound as it is.
+    fn new(faces: &Faces, poses: &[&[Point3]]) -> Result<Self, MeshError> {
+        let stands_for = closed_seams(faces, poses);
         let whole: Vec<[u32; 3]> = (faces.triangles().iter())
             .map(|t| t.map(|v| stands_for[v as usize]))
             .filter(|&[a, b, c]| a != b && b != c && c != a)
             .collect();
         let whole = Faces::new(faces.vertex_count(), whole)?;
-        let mut add = |triangles: &[[u32; 3]]| {
-            self.triangles
-                .extend(triangles.iter().map(|t| t.map(|v| v + offset)));
-            self.sheet_starts.push(self.triangles.len());
-            self.sheet_surfaces.push(surface);
+        let sheets = match sheets(&whole) {
+            Ok(found) => found.into_iter().map(|sheet| sheet.triangles).collect(),
+            Err(_) => vec![whole.triangles().to_vec()],
         };
-        match sheets(&whole) {
-            Ok(found) => found.iter().for_each(|sheet| add(&sheet.triangles)),
-            Err(_) => add(whole.triangles()),
-        }
-        Ok(())
+        Ok(Self { stands_for, sheets })
     }
 }
 

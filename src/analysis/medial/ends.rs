@@ -1,5 +1,7 @@
 //! Where the medial surface ends, and the third spoke of its atoms there.
 
+use rayon::prelude::*;
+
 use super::balls::{Ball, Fit, WallOfPose};
 use super::connectivity::Connectivity;
 use super::face_tree::Facing;
@@ -55,10 +57,15 @@ pub(super) fn end_spokes(
     for (probe, atom) in atoms.iter().enumerate() {
         position_of[atlas.vertex(probe) as usize] = Some(atom.position);
     }
-    for probe in ends {
-        let atom = &atoms[probe];
-        let away = away_from_neighbours(atlas, &position_of, probe, atom.position);
-        spokes[probe] = Some(end_spoke(wall, atom, normals[probe], away));
+    let found: Vec<EndSpoke> = (ends.par_iter())
+        .map(|&probe| {
+            let atom = &atoms[probe];
+            let away = away_from_neighbours(atlas, &position_of, probe, atom.position);
+            end_spoke(wall, atom, normals[probe], away)
+        })
+        .collect();
+    for (probe, spoke) in ends.into_iter().zip(found) {
+        spokes[probe] = Some(spoke);
     }
     spokes
 }
@@ -135,9 +142,7 @@ fn marched(wall: &WallOfPose<'_>, atom: &Atom, direction: Vector3, most: f64) ->
     let mut along = 0.0;
     for _ in 0..MOST_MARCHES {
         let point = atom.position + along * atom.radius * direction;
-        let found = wall
-            .tree
-            .nearest(wall.faces, point, &facing, f64::INFINITY, None)?;
+        let found = wall.tree.nearest(point, &facing, f64::INFINITY, None)?;
         let step = found.squared.sqrt() / atom.radius;
         along += step;
         if step <= AT_SURFACE {

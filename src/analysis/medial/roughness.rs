@@ -1,5 +1,6 @@
 //! How rough surfaces are, told from themselves, and over what length they are smoothed for that.
 
+use std::borrow::Cow;
 use std::f64::consts::PI;
 
 use rayon::prelude::*;
@@ -7,7 +8,7 @@ use rayon::prelude::*;
 use super::connectivity::Connectivity;
 use super::error::MedialError;
 use super::params::CheckedMedialParams;
-use super::smoothing::smooth_rough;
+use super::smoothing::{Smoothed, smooth, smooth_from};
 use super::surface::WallAtlas;
 use crate::mesh::{Point3, Vector3, vertex_normals};
 use crate::progress::Progress;
@@ -48,6 +49,45 @@ pub(super) struct Plan {
     pub length: f64,
     /// How often areas and angles are taken from smoothed surfaces.
     pub passes: usize,
+}
+
+impl Plan {
+    pub fn smooth(&self, connectivity: &Connectivity, points: &[Point3]) -> Smoothed {
+        smooth(connectivity, points, self.length, self.passes)
+    }
+}
+
+/// What is known of a wall's poses before balls are laid into it.
+#[derive(Clone, Debug)]
+pub(super) struct Prepared {
+    /// About how thick the wall is, in coordinates.
+    pub thickness: f64,
+    pub plan: Plan,
+    /// Poses that are smoothed by the plan already, with their numbers.
+    smoothed: Vec<(usize, Smoothed)>,
+}
+
+impl Prepared {
+    fn new(thickness: f64, plan: Plan) -> Self {
+        Self {
+            thickness,
+            plan,
+            smoothed: Vec::new(),
+        }
+    }
+
+    /// A pose smoothed by the plan.
+    pub fn smoothed(
+        &self,
+        connectivity: &Connectivity,
+        pose: usize,
+        points: &[Point3],
+    ) -> Cow<'_, Smoothed> {
+        match self.smoothed.iter().find(|(number, _)| *number == pose) {
+            Some((_, smoothed)) => Cow::Borrowed(smoothed),
+            None => Cow::Owned(self.plan.smooth(connectivity, points)),
+        }
+    }
 }
 
 /// Tells the noise of surfaces on the same faces.
@@ -118,7 +158,7 @@ impl Roughness {
     }
 
     /// ℓ and how to smooth over it: at least `least`, and where noise asks for more, so long as what is left of noise and what is
-    /// lost of the shape become less together, up to `most`.
+    /// lost of the shape become less together, up to `most`. Where areas are taken from smoothed surfaces, the poses come back smoothed.
     ///
     /// Both are told without knowing the shape: with K = 2 S − S² the mean of (n·(x − K x))² + 2 σ² tr K / V is, but for a
     /// constant, the expected square of the error. The trace is that of a plane whose vertices have an area a each: waves of up to k² = 4π/a
@@ -131,17 +171,25 @@ impl Roughness {
         poses: &[&[Point3]],
         noise: f64,
         [least, most]: [f64; 2],
-    ) -> Plan {
+    ) -> (Plan, Vec<Smoothed>) {
         let mut plan = Plan {
             noise,
             length: least,
             passes: 0,
         };
+        let mut chosen = Vec::new();
         let mut risk = f64::INFINITY;
         let mut length = least;
         while length <= most && length > 0.0 {
-            let tried: Vec<[f64; 2]> = (poses.iter())
-                .map(|points| self.risk(connectivity, points, noise, length))
+            // What came out over one length is nearer to what comes out over the next than the poses are.
+            let smoothed: Vec<Smoothed> = (poses.par_iter().enumerate())
+                .map(|(pose, &points)| {
+                    let shape = chosen.get(pose).map_or(points, |s: &Smoothed| &s.once);
+                    smooth_from(connectivity, shape, points, length, PASSES)
+                })
+                .collect();
+            let tried: Vec<[f64; 2]> = (poses.iter().zip(&smoothed))
+                .map(|(points, smoothed)| self.risk(connectivity, points, smoothed, noise, length))
                 .collect();
             let mean =
                 |what: usize| tried.iter().map(|t| t[what]).sum::<f64>() / tried.len() as f64;
@@ -149,11 +197,15 @@ impl Roughness {
                 break;
             }
             risk = mean(0);
+            chosen = smoothed;
             plan.length = length;
             plan.passes = if noise > ROUGH * mean(1) { PASSES } else { 0 };
             length *= RATIO;
         }
-        plan
+        if plan.passes == 0 {
+            chosen.clear();
+        }
+        (plan, chosen)
     }
 
     /// Expected square of the error at a length, and the side of the square that a vertex has to itself.
@@ -161,10 +213,10 @@ impl Roughness {
         &self,
         connectivity: &Connectivity,
         points: &[Point3],
+        smoothed: &Smoothed,
         noise: f64,
         length: f64,
     ) -> [f64; 2] {
-        let smoothed = smooth_rough(connectivity, points, length, PASSES);
         let normals = vertex_normals(&smoothed.once, &connectivity.triangles);
         let mut areas = vec![0.0; points.len()];
         for triangle in &connectivity.triangles {
@@ -197,7 +249,7 @@ impl WallAtlas {
         thickness: f64,
         params: &CheckedMedialParams,
         progress: &Progress,
-    ) -> Result<(f64, Plan), MedialError> {
+    ) -> Result<Prepared, MedialError> {
         let least = Plan {
             noise: 0.0,
             length: params.smoothing * thickness,
@@ -205,7 +257,7 @@ impl WallAtlas {
         };
         // Asked for surfaces as they are.
         if params.smoothing <= 0.0 || poses.is_empty() {
-            return Ok((thickness, least));
+            return Ok(Prepared::new(thickness, least));
         }
         let mut noises: Vec<f64> = (poses.par_iter())
             .map(|points| {
@@ -217,34 +269,36 @@ impl WallAtlas {
         let noise = *noises.select_nth_unstable_by(middle, f64::total_cmp).1;
         let least = Plan { noise, ..least };
         if noise <= HARDLY_ROUGH * thickness {
-            return Ok((thickness, least));
+            return Ok(Prepared::new(thickness, least));
         }
         // The first pose and one well on: usually end-diastole and near end-systole.
         let sample = [0, (poses.len() / 3).max(1)];
         let sample = &sample[..poses.len().min(2)];
         let tried: Vec<&[Point3]> = sample.iter().map(|&pose| poses[pose]).collect();
-        let mut thickness = thickness;
-        let mut plan = least;
+        let mut prepared = Prepared::new(thickness, least);
         for _ in 0..ROUNDS {
+            let thickness = prepared.thickness;
             let length = params.smoothing * thickness;
             let lengths = [length, length.max(MOST_LENGTH * thickness)];
-            plan = (self.roughness).plan(&self.connectivity, &tried, noise, lengths);
+            let (plan, mut smoothed) =
+                (self.roughness).plan(&self.connectivity, &tried, noise, lengths);
             progress.check()?;
-            if plan.length <= length {
+            if smoothed.is_empty() && plan.length > length {
+                let by_plan = |points: &&[Point3]| plan.smooth(&self.connectivity, points);
+                smoothed = tried.iter().map(by_plan).collect();
+            }
+            if plan.length > length {
+                prepared.thickness = (smoothed.iter())
+                    .map(|smoothed| self.thickness(&smoothed.points))
+                    .fold(thickness, f64::max);
+            }
+            prepared.plan = plan;
+            prepared.smoothed = sample.iter().copied().zip(smoothed).collect();
+            if prepared.thickness <= THICKER * thickness {
                 break;
             }
-            let smoothed = tried.iter().map(|points| {
-                let smoothed = smooth_rough(&self.connectivity, points, plan.length, plan.passes);
-                self.thickness(&smoothed.points)
-            });
-            let thicker = smoothed.fold(thickness, f64::max);
-            if thicker <= THICKER * thickness {
-                thickness = thicker;
-                break;
-            }
-            thickness = thicker;
         }
-        Ok((thickness, plan))
+        Ok(prepared)
     }
 }
 

@@ -6,12 +6,11 @@ use super::balls::{Ball, Fit, WallOfPose};
 use super::connectivity::Connectivity;
 use super::ends::end_spokes;
 use super::error::MedialError;
-use super::face_tree::{FaceTree, FacesOfPose};
+use super::face_tree::{FacesOfPose, TreePlan};
 use super::orientation::{Opposite, turn_into_muscle, typical_thickness};
 use super::params::CheckedMedialParams;
 use super::result::{Atom, MedialSurface};
-use super::roughness::{Plan, Roughness};
-use super::smoothing::smooth_rough;
+use super::roughness::{Prepared, Roughness};
 use crate::analysis::measures::UntoldVolume;
 use crate::mesh::{Point3, TriMesh, Vector3, face_normals, vertex_normals};
 use crate::progress::Progress;
@@ -56,8 +55,8 @@ pub fn medial_surface(
     let atlas = WallAtlas::new(&frames, probes, others.is_empty())?;
     progress.expect_steps(atlas.steps_per_frame());
     let pose = joined_points(&frames[0]);
-    let (thickness, plan) = atlas.plan(&[&pose], atlas.thickness(&pose), params, progress)?;
-    atlas.surface(0, &pose, (thickness, plan), params, progress)
+    let prepared = atlas.plan(&[&pose], atlas.thickness(&pose), params, progress)?;
+    atlas.surface(0, &pose, &prepared, params, progress)
 }
 
 /// Vertices of all surfaces, one after the other.
@@ -74,7 +73,7 @@ pub(super) fn joined_points(meshes: &[&TriMesh]) -> Vec<Point3> {
 pub(super) struct WallAtlas {
     pub connectivity: Connectivity,
     opposite: Opposite,
-    tree: FaceTree,
+    tree: TreePlan,
     pub roughness: Roughness,
     /// Vertices of which there are atoms.
     pub probes: Vec<u32>,
@@ -111,14 +110,16 @@ impl WallAtlas {
             let loops = first.iter().map(|m| m.faces().boundary_loops().len()).sum();
             return Err(UntoldVolume::OpenWall { loops }.into());
         }
-        let tree = FaceTree::new(FacesOfPose {
-            points: &points,
-            triangles: &connectivity.triangles,
-            normals: &[],
-        });
-        let order = probe_order(&connectivity, &tree, &probes);
+        let ((tree, order), roughness) = rayon::join(
+            || {
+                let tree = TreePlan::new(&points, &connectivity.triangles);
+                let order = probe_order(&connectivity, &tree, &probes);
+                (tree, order)
+            },
+            || Roughness::new(&connectivity),
+        );
         Ok(Self {
-            roughness: Roughness::new(&connectivity),
+            roughness,
             connectivity,
             opposite,
             tree,
@@ -141,12 +142,11 @@ impl WallAtlas {
             triangles: &self.connectivity.triangles,
             normals: &normals,
         };
-        let mut tree = self.tree.clone();
-        tree.fit(faces);
+        let tree = self.tree.around(faces);
         typical_thickness(&self.connectivity, self.opposite, &tree, faces)
     }
 
-    /// Atoms at a pose of a wall about as thick as this, smoothed by this plan.
+    /// Atoms at a pose of a wall that was prepared with its other poses.
     ///
     /// # Errors
     /// If half of the vertices have no ball, or it was stopped.
@@ -154,12 +154,15 @@ impl WallAtlas {
         &self,
         frame: usize,
         points: &[Point3],
-        (thickness, plan): (f64, Plan),
+        prepared: &Prepared,
         params: &CheckedMedialParams,
         progress: &Progress,
     ) -> Result<MedialSurface, MedialError> {
         let triangles = &self.connectivity.triangles;
-        let smoothed = smooth_rough(&self.connectivity, points, plan.length, plan.passes);
+        let Prepared {
+            thickness, plan, ..
+        } = *prepared;
+        let smoothed = prepared.smoothed(&self.connectivity, frame, points);
         progress.check()?;
         let normals = vertex_normals(&smoothed.once, triangles);
         let face_normals = mean_normals(&normals, triangles);
@@ -168,8 +171,7 @@ impl WallAtlas {
             triangles,
             normals: &face_normals,
         };
-        let mut tree = self.tree.clone();
-        tree.fit(faces);
+        let tree = self.tree.around(faces);
         let wall = WallOfPose {
             faces,
             tree: &tree,
@@ -345,7 +347,7 @@ fn middle_of(faces: FacesOfPose<'_>) -> Point3 {
 }
 
 /// Places of probes in the order in which the tree holds their faces; those without a face last.
-fn probe_order(connectivity: &Connectivity, tree: &FaceTree, probes: &[u32]) -> Vec<u32> {
+fn probe_order(connectivity: &Connectivity, tree: &TreePlan, probes: &[u32]) -> Vec<u32> {
     let mut rank = vec![u32::MAX; connectivity.vertex_count()];
     let mut next = 0;
     for &face in tree.order() {

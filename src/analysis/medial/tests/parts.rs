@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::analysis::medial::connectivity::Connectivity;
-use crate::analysis::medial::face_tree::{FaceTree, FacesOfPose, Facing};
+use crate::analysis::medial::face_tree::{FacesOfPose, Facing, TreePlan};
 use crate::analysis::medial::smoothing::smooth;
 use crate::mesh::face_normals;
 
@@ -15,8 +15,8 @@ fn the_tree_finds_the_nearest_face_that_looking_at_each_finds() {
         triangles: mesh.triangles(),
         normals: &normals,
     };
-    let mut tree = FaceTree::new(faces);
-    tree.fit(faces);
+    let plan = TreePlan::new(faces.points, faces.triangles);
+    let tree = plan.around(faces);
     let count = mesh.triangles().len() as u32;
     for trial in 0..200 {
         let point = Point3::from(3.0 * roughness(trial, 3.0));
@@ -25,13 +25,13 @@ fn the_tree_finds_the_nearest_face_that_looking_at_each_finds() {
             cos_least: 0.5,
             faces: [trial as u32, count - 5],
         };
-        let found = tree.nearest(faces, point, &facing, f64::INFINITY, Some(trial as u32 + 9));
+        let found = tree.nearest(point, &facing, f64::INFINITY, Some(trial as u32 + 9));
         let allowed = (facing.faces[0]..facing.faces[1])
             .filter(|&face| normals[face as usize].dot(&facing.direction) <= facing.cos_least);
         // Of one face alone the tree has nothing to leave out.
         let least = allowed.map(|face| {
             let alone = Facing::any([face, face + 1]);
-            tree.nearest(faces, point, &alone, f64::INFINITY, None)
+            tree.nearest(point, &alone, f64::INFINITY, None)
                 .unwrap()
                 .squared
         });
@@ -54,8 +54,8 @@ fn the_nearest_point_of_a_triangle_is_right_in_every_region() {
         triangles: &triangles,
         normals: &normals,
     };
-    let mut tree = FaceTree::new(faces);
-    tree.fit(faces);
+    let plan = TreePlan::new(faces.points, faces.triangles);
+    let tree = plan.around(faces);
     for (from, to) in [
         ([0.2, 0.3, 2.0], [0.2, 0.3, 0.0]),
         ([-1.0, -1.0, 1.0], [0.0, 0.0, 0.0]),
@@ -67,7 +67,6 @@ fn the_nearest_point_of_a_triangle_is_right_in_every_region() {
     ] {
         let found = tree
             .nearest(
-                faces,
                 Point3::from(from),
                 &Facing::any([0, 1]),
                 f64::INFINITY,
@@ -87,7 +86,7 @@ fn smoothing_leaves_a_plane_plane_and_takes_roughness_off_it() {
     });
     let frames = [vec![&disc]];
     let connectivity = Connectivity::new(&frames).unwrap();
-    let flat = smooth(&connectivity, disc.vertices(), 0.2);
+    let flat = smooth(&connectivity, disc.vertices(), 0.2, 0);
     assert!(flat.points.iter().all(|p| p.z == 0.0));
     let height = |points: &[Point3]| {
         let inner = points.iter().filter(|p| p.x.hypot(p.y) < 0.7);
@@ -96,7 +95,7 @@ fn smoothing_leaves_a_plane_plane_and_takes_roughness_off_it() {
     let rough = moved(&disc, |v, p| {
         Point3::new(p.x, p.y, 0.02 * roughness(v, 0.1).z)
     });
-    let smoothed = smooth(&connectivity, rough.vertices(), 0.2);
+    let smoothed = smooth(&connectivity, rough.vertices(), 0.2, 0);
     assert!(height(&smoothed.points) < 0.4 * height(rough.vertices()));
     assert!(height(&smoothed.once) < height(&smoothed.points));
 }
