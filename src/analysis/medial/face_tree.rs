@@ -1,117 +1,84 @@
-//! The nearest face that faces a direction: boxes and cones of normals around faces.
+//! The nearest face that faces a direction: cylinders and cones of normals around faces, four at a time.
 
+use glam::{BVec4A, Vec4};
 use rayon::prelude::*;
 
 use crate::mesh::{Point3, Vector3};
 
-/// Most faces of a leaf; more cost more tests of faces, fewer more boxes.
-const LEAF: usize = 4;
+/// Most faces of a leaf; more cost more tests of faces, fewer more cylinders.
+const LEAF: usize = 3;
 
-/// A search keeps one node open per level, and the faces of a tree of this many are more than there are numbers.
-const MOST_LEVELS: usize = 32;
+/// A tree of so many levels, four times as many nodes on each, holds more faces than there are numbers.
+const MOST_LEVELS: usize = 16;
 
-/// Faces, or nodes, from which a part is handed to another thread.
+/// Faces from which a part is handed to another thread.
 const WORTH_HANDING: usize = 2048;
 
-/// More than cosines of angles between directions in 32 bits are off by …
-const ROUNDING: f32 = 1e-5;
+/// More than coordinates of 32 bits and cosines of angles between directions are off by, in extents of all faces …
+const ROUNDING: f32 = 1e-6;
 
-/// … and more than distances are, as a share of them.
-const SHORTER: f64 = 1.0 - 1e-6;
+/// … and more than squares of distances are, as a share of them.
+const SHORTER: f32 = 1.0 - 1e-5;
 
 /// In which order a tree holds faces, made once for all poses.
 #[derive(Clone, Debug)]
 pub(super) struct TreePlan {
-    /// Faces in the order of the leaves. Leaf k of n begins at place ⌊k · faces / n⌋.
+    /// Faces in the order of the leaves.
     order: Vec<u32>,
-    /// Leaves are two to the power of this.
+    /// Leaves are four to the power of this.
     levels: usize,
 }
 
-/// Boxes and cones of normals around the faces of a pose.
+/// Cylinders and cones of normals around the faces of a pose.
+///
+/// Patches of a surface are flat, and mostly lie across the axes: a cylinder about the mean normal is far closer to one than a
+/// box. All is in 32 bits, about the middle of all faces and in units of their extent, so that any coordinates fit.
 #[derive(Clone, Debug)]
 pub(super) struct FaceTree<'a> {
     plan: &'a TreePlan,
     faces: FacesOfPose<'a>,
-    /// The root, and so on level by level: node i lies around nodes 2i + 1 and 2i + 2. No nodes lie around no faces.
+    unit: Unit,
+    /// The nodes that are not leaves: the root, and so on level by level. Node i lies around nodes 4i + 1 to 4i + 4.
     nodes: Vec<Node>,
 }
 
-/// What lies around some faces, in 32 bits, rounded so that nothing sticks out: one line of the cache.
+/// What lies around each of the four nodes below a node.
 #[derive(Clone, Copy, Debug)]
-#[repr(align(64))]
 struct Node {
-    /// The fourth is nothing: four are compared at once.
-    low: [f32; 4],
-    high: [f32; 4],
-    cone: Cone,
+    centre: [Vec4; 3],
+    axis: [Vec4; 3],
+    begin: Vec4,
+    end: Vec4,
+    radius: Vec4,
+    cos: Vec4,
+    sin: Vec4,
+    ranges: [[u32; 2]; 4],
+}
+
+/// What lies around some faces.
+#[derive(Clone, Copy, Debug)]
+struct Bounds {
+    /// A point on the axis of the cylinder.
+    centre: [f32; 3],
+    /// That of the cylinder, and of the cone.
+    axis: [f32; 3],
+    /// Where the cylinder begins and ends, from the centre along the axis.
+    along: [f32; 2],
+    radius: f32,
+    /// Cosine and sine of the angle between the axis and the farthest normal.
+    spread: [f32; 2],
     /// Least number of a face, and greatest.
     range: [u32; 2],
 }
 
-/// Directions of the normals of faces: all within an angle of an axis.
+/// What of some faces is known from their parts.
 #[derive(Clone, Copy, Debug)]
-struct Cone {
-    axis: [f32; 3],
-    cos: f32,
-    sin: f32,
-}
-
-impl Cone {
-    const ANY: Self = Self {
-        axis: [0.0, 0.0, 1.0],
-        cos: -1.0,
-        sin: 0.0,
-    };
-
-    fn axis(&self) -> Vector3 {
-        Vector3::from(self.axis.map(f64::from))
-    }
-
-    /// Cosine and sine of the angle between a unit vector and the farthest normal; cosine −1 from 180° on.
-    fn farthest(&self, direction: &Vector3) -> [f64; 2] {
-        let axis = self.axis();
-        let [cos, sin] = [f64::from(self.cos), f64::from(self.sin)];
-        let cos_axis = axis.dot(direction);
-        let sin_axis = axis.cross(direction).norm();
-        if cos_axis <= -cos {
-            return [-1.0, 0.0];
-        }
-        [
-            cos_axis * cos - sin_axis * sin,
-            sin_axis * cos + cos_axis * sin,
-        ]
-    }
-
-    /// The narrowest cone around the middle of two.
-    fn around(self, other: Self) -> Self {
-        let sum = self.axis() + other.axis();
-        let length = sum.norm();
-        if length < 1e-3 {
-            return Self::ANY;
-        }
-        let axis = sum / length;
-        let (one, two) = (self.farthest(&axis), other.farthest(&axis));
-        let [cos, sin] = if one[0] < two[0] { one } else { two };
-        Self::new(axis, cos, sin)
-    }
-
-    fn new(axis: Vector3, cos: f64, sin: f64) -> Self {
-        Self {
-            axis: [axis.x as f32, axis.y as f32, axis.z as f32],
-            cos: cos as f32,
-            sin: sin as f32,
-        }
-    }
-
-    /// Whether a search passes over every normal in the cone: θ + spread < angle, as θ < angle − spread.
-    #[inline]
-    fn within(&self, search: &Search) -> bool {
-        let [x, y, z] = search.direction;
-        let cos = self.axis[0] * x + self.axis[1] * y + self.axis[2] * z;
-        self.cos > search.cos_least
-            && cos > search.cos_least * self.cos + search.sin_least * self.sin + ROUNDING
-    }
+struct Summary {
+    low: Point3,
+    high: Point3,
+    normals: Vector3,
+    /// Least number of a face, and greatest.
+    range: [u32; 2],
 }
 
 /// Faces of a pose, as a tree is laid around them.
@@ -163,7 +130,7 @@ impl TreePlan {
     /// Plans a tree for faces about where they are at one pose.
     pub fn new(points: &[Point3], triangles: &[[u32; 3]]) -> Self {
         let mut levels = 0;
-        while triangles.len().div_ceil(1 << levels) > LEAF {
+        while triangles.len().div_ceil(1 << (2 * levels)) > LEAF {
             levels += 1;
         }
         let mut centres: Vec<(u32, Point3)> = (0..)
@@ -173,7 +140,7 @@ impl TreePlan {
                 (face, Point3::from((a + b + c) / 3.0))
             })
             .collect();
-        halve(&mut centres, levels);
+        halve(&mut centres, 2 * levels);
         Self {
             order: centres.into_iter().map(|(face, _)| face).collect(),
             levels,
@@ -185,30 +152,79 @@ impl TreePlan {
         &self.order
     }
 
-    /// The faces of a leaf.
-    fn leaf(&self, leaf: usize) -> &[u32] {
-        let [from, to] = [leaf, leaf + 1].map(|end| (end * self.order.len()) >> self.levels);
+    /// The faces of a node, by its level and its place there.
+    fn members(&self, level: usize, place: usize) -> &[u32] {
+        let [from, to] = [place, place + 1].map(|k| (k * self.order.len()) >> (2 * level));
         &self.order[from..to]
     }
 
-    /// Lays boxes and cones around the faces of a pose.
+    /// Lays cylinders and cones around the faces of a pose.
     pub fn around<'a>(&'a self, faces: FacesOfPose<'a>) -> FaceTree<'a> {
-        let mut nodes = Vec::new();
-        if !self.order.is_empty() {
-            let leaves = 1 << self.levels;
-            nodes = vec![Node::AROUND_ALL; 2 * leaves - 1];
-            (nodes[leaves - 1..].par_iter_mut().enumerate())
-                .with_min_len(WORTH_HANDING / LEAF)
-                .for_each(|(leaf, node)| *node = Node::around_faces(faces, self.leaf(leaf)));
-            for node in (0..leaves - 1).rev() {
-                nodes[node] = Node::around(&nodes[2 * node + 1], &nodes[2 * node + 2]);
-            }
+        let unit = Unit::new(faces.points);
+        let points: Vec<Point3> = faces.points.iter().map(|&point| unit.of(point)).collect();
+        let scaled = FacesOfPose {
+            points: &points,
+            ..faces
+        };
+        let mut levels = Vec::with_capacity(self.levels);
+        let mut summaries: Vec<Summary> = Vec::new();
+        for level in (1..=self.levels).rev() {
+            let nodes = 1 << (2 * level);
+            let least = WORTH_HANDING * nodes / (self.order.len() + 1);
+            let made: Vec<(Summary, Bounds)> = (0..nodes)
+                .into_par_iter()
+                .with_min_len(least.max(1))
+                .map(|place| {
+                    let members = self.members(level, place);
+                    let summary = match summaries.as_chunks::<4>().0.get(place) {
+                        Some(parts) => Summary::joined(parts),
+                        None => Summary::new(scaled, members),
+                    };
+                    (summary, Bounds::new(scaled, members, &summary))
+                })
+                .collect();
+            let (fours, _) = made.as_chunks::<4>();
+            levels.push(
+                fours
+                    .iter()
+                    .map(|four| Node::new(&four.map(|(_, bounds)| bounds)))
+                    .collect(),
+            );
+            summaries = made.into_iter().map(|(summary, _)| summary).collect();
         }
+        let levels: Vec<Vec<Node>> = levels;
         FaceTree {
             plan: self,
             faces,
-            nodes,
+            unit,
+            nodes: levels.into_iter().rev().flatten().collect(),
         }
+    }
+}
+
+/// Coordinates about the middle of all points, in units of their extent.
+#[derive(Clone, Copy, Debug)]
+struct Unit {
+    middle: Point3,
+    /// One over the extent.
+    scale: f64,
+}
+
+impl Unit {
+    fn new(points: &[Point3]) -> Self {
+        let first = points.first().copied().unwrap_or_default();
+        let (low, high) = (points.iter()).fold((first, first), |(low, high), point| {
+            (low.inf(point), high.sup(point))
+        });
+        let extent = (high - low).amax();
+        Self {
+            middle: low + 0.5 * (high - low),
+            scale: if extent > 0.0 { extent.recip() } else { 1.0 },
+        }
+    }
+
+    fn of(&self, point: Point3) -> Point3 {
+        Point3::from(self.scale * (point - self.middle))
     }
 }
 
@@ -273,30 +289,36 @@ impl FaceTree<'_> {
         if let Some(hint) = hint {
             try_face(hint, &mut least);
         }
-        let search = Search::new(point, facing);
-        let first_leaf = self.nodes.len() / 2;
-        let mut open = [(0, 0.0); MOST_LEVELS + 1];
-        let mut count = self.nodes.len().min(1);
+        let search = Search::new(self.unit.of(point), facing);
+        let in_units = |squared: f64| above(squared * self.unit.scale * self.unit.scale);
+        let mut least_in_units = in_units(least);
+        let mut open = [(0, 0.0); 3 * MOST_LEVELS + 1];
+        let mut count = 1;
         while count > 0 {
             count -= 1;
-            let (node, distance) = open[count];
-            if distance >= least {
+            let (place, distance) = open[count];
+            if distance >= least_in_units {
                 continue;
             }
-            if node >= first_leaf {
-                for &face in self.plan.leaf(node - first_leaf) {
+            let Some(node) = self.nodes.get(place) else {
+                for &face in self
+                    .plan
+                    .members(self.plan.levels, place - self.nodes.len())
+                {
                     try_face(face, &mut least);
                 }
+                least_in_units = in_units(least);
                 continue;
-            }
-            let mut pair = [2 * node + 1, 2 * node + 2]
-                .map(|child| (child, self.nodes[child].far(&search, least)));
-            if pair[0].1 < pair[1].1 {
-                pair.swap(0, 1);
-            }
-            for entry in pair {
-                if entry.1 < least {
+            };
+            let distances = node.distances(&search);
+            let first = count;
+            for entry in (4 * place + 1..).zip(distances) {
+                if entry.1 < least_in_units {
                     open[count] = entry;
+                    // The nearest of the four stays last, to be looked at first.
+                    if count > first && entry.1 > open[count - 1].1 {
+                        open.swap(count - 1, count);
+                    }
                     count += 1;
                 }
             }
@@ -305,11 +327,96 @@ impl FaceTree<'_> {
     }
 }
 
+impl Summary {
+    const NOTHING: Self = Self {
+        low: Point3::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
+        high: Point3::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
+        normals: Vector3::new(0.0, 0.0, 0.0),
+        range: [u32::MAX, 0],
+    };
+
+    fn new(faces: FacesOfPose<'_>, members: &[u32]) -> Self {
+        members.iter().fold(Self::NOTHING, |all, &face| {
+            let [a, b, c] = faces.corners(face);
+            all.with(&Self {
+                low: a.inf(&b).inf(&c),
+                high: a.sup(&b).sup(&c),
+                normals: faces.normals[face as usize],
+                range: [face, face],
+            })
+        })
+    }
+
+    fn joined(parts: &[Self]) -> Self {
+        parts.iter().fold(Self::NOTHING, |all, part| all.with(part))
+    }
+
+    fn with(&self, other: &Self) -> Self {
+        Self {
+            low: self.low.inf(&other.low),
+            high: self.high.sup(&other.high),
+            normals: self.normals + other.normals,
+            range: [
+                self.range[0].min(other.range[0]),
+                self.range[1].max(other.range[1]),
+            ],
+        }
+    }
+}
+
+impl Bounds {
+    /// What is around nothing is infinitely far.
+    const NOWHERE: Self = Self {
+        centre: [0.0; 3],
+        axis: [0.0; 3],
+        along: [f32::INFINITY, f32::NEG_INFINITY],
+        radius: 0.0,
+        spread: [-1.0, 0.0],
+        range: [u32::MAX, 0],
+    };
+
+    fn new(faces: FacesOfPose<'_>, members: &[u32], summary: &Summary) -> Self {
+        if members.is_empty() {
+            return Self::NOWHERE;
+        }
+        let middle = summary.low + 0.5 * (summary.high - summary.low);
+        let axis = summary
+            .normals
+            .try_normalize(1e-3)
+            .unwrap_or_else(Vector3::z);
+        let [centre, axis] = [middle.coords, axis].map(|v| <[f64; 3]>::from(v).map(|x| x as f32));
+        let middle = Point3::from(centre.map(f64::from));
+        let along = Vector3::from(axis.map(f64::from));
+        let (mut begin, mut end) = (f64::INFINITY, f64::NEG_INFINITY);
+        let (mut beside, mut cos) = (0.0_f64, 1.0_f64);
+        for &face in members {
+            for corner in faces.corners(face) {
+                let away = corner - middle;
+                let height = along.dot(&away);
+                begin = begin.min(height);
+                end = end.max(height);
+                beside = beside.max(away.norm_squared() - height * height);
+            }
+            let normal = faces.normals[face as usize];
+            if normal != Vector3::zeros() {
+                cos = cos.min(along.dot(&normal));
+            }
+        }
+        let sin = (1.0 - cos * cos).max(0.0).sqrt();
+        Self {
+            centre,
+            axis,
+            along: [begin as f32 - ROUNDING, end as f32 + ROUNDING],
+            radius: beside.max(0.0).sqrt() as f32 + ROUNDING,
+            spread: [cos as f32, sin as f32],
+            range: summary.range,
+        }
+    }
+}
+
 /// What is looked for, in 32 bits.
 struct Search {
-    /// The point, and the numbers next to it where it is none of 32 bits.
-    low: [f32; 4],
-    high: [f32; 4],
+    point: [f32; 3],
     direction: [f32; 3],
     cos_least: f32,
     sin_least: f32,
@@ -318,112 +425,66 @@ struct Search {
 
 impl Search {
     fn new(point: Point3, facing: &Facing) -> Self {
-        let [x, y, z] = point.coords.into();
+        let [point, direction] =
+            [point.coords, facing.direction].map(|v| <[f64; 3]>::from(v).map(|x| x as f32));
+        let cos = facing.cos_least;
         Self {
-            low: [x, y, z, 0.0].map(below),
-            high: [x, y, z, 0.0].map(above),
-            direction: <[f64; 3]>::from(facing.direction).map(|part| part as f32),
-            cos_least: facing.cos_least as f32,
-            sin_least: (1.0 - facing.cos_least * facing.cos_least).max(0.0).sqrt() as f32,
+            point,
+            direction,
+            cos_least: cos as f32,
+            sin_least: (1.0 - cos * cos).max(0.0).sqrt() as f32,
             faces: facing.faces,
         }
     }
 }
 
 impl Node {
-    const AROUND_ALL: Self = Self {
-        low: [f32::NEG_INFINITY; 4],
-        high: [f32::INFINITY; 4],
-        cone: Cone::ANY,
-        range: [0, u32::MAX],
-    };
-
-    fn around_faces(faces: FacesOfPose<'_>, members: &[u32]) -> Self {
-        let (mut low, mut high) = ([f64::INFINITY; 4], [f64::NEG_INFINITY; 4]);
-        let mut range = [u32::MAX, 0];
-        let mut sum = Vector3::zeros();
-        for &face in members {
-            for corner in faces.corners(face) {
-                for axis in 0..3 {
-                    low[axis] = low[axis].min(corner[axis]);
-                    high[axis] = high[axis].max(corner[axis]);
-                }
-            }
-            range = [range[0].min(face), range[1].max(face)];
-            sum += faces.normals[face as usize];
-        }
-        let length = sum.norm();
-        let mut cone = Cone::ANY;
-        if length > 1e-3 {
-            let axis = sum / length;
-            let normals = members.iter().map(|&face| faces.normals[face as usize]);
-            let real = normals.filter(|normal| *normal != Vector3::zeros());
-            let cos = real.map(|normal| normal.dot(&axis)).fold(1.0, f64::min);
-            cone = Cone::new(axis, cos, (1.0 - cos * cos).max(0.0).sqrt());
-        }
+    fn new(four: &[Bounds; 4]) -> Self {
+        let each = |what: &dyn Fn(&Bounds) -> f32| Vec4::from(four.each_ref().map(what));
+        let axes = [0, 1, 2];
         Self {
-            low: low.map(below),
-            high: high.map(above),
-            cone,
-            range,
+            centre: axes.map(|axis| each(&|bounds| bounds.centre[axis])),
+            axis: axes.map(|axis| each(&|bounds| bounds.axis[axis])),
+            begin: each(&|bounds| bounds.along[0]),
+            end: each(&|bounds| bounds.along[1]),
+            radius: each(&|bounds| bounds.radius),
+            cos: each(&|bounds| bounds.spread[0]),
+            sin: each(&|bounds| bounds.spread[1]),
+            ranges: four.map(|bounds| bounds.range),
         }
     }
 
-    fn around(&self, other: &Self) -> Self {
-        let axes = [0, 1, 2, 3];
-        Self {
-            low: axes.map(|axis| self.low[axis].min(other.low[axis])),
-            high: axes.map(|axis| self.high[axis].max(other.high[axis])),
-            cone: self.cone.around(other.cone),
-            range: [
-                self.range[0].min(other.range[0]),
-                self.range[1].max(other.range[1]),
-            ],
-        }
-    }
-
-    /// Squared distance to the box, at most; infinite where nothing in it can be found.
+    /// Squared distances to the cylinders, at most; infinite where nothing in one can be found.
     #[inline]
-    fn far(&self, search: &Search, least: f64) -> f64 {
+    fn distances(&self, search: &Search) -> [f32; 4] {
+        let dot = |a: [Vec4; 3], b: [Vec4; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        let [x, y, z] = search.point.map(Vec4::splat);
+        let away = [x - self.centre[0], y - self.centre[1], z - self.centre[2]];
+        let height = dot(away, self.axis);
+        let above = (self.begin - height).max(height - self.end).max(Vec4::ZERO);
+        let across = (SHORTER * dot(away, away) - height * height).max(Vec4::ZERO);
+        let beside = (Vec4::sqrt(across) - self.radius).max(Vec4::ZERO);
+        let squared = SHORTER * (above * above + beside * beside);
+        // Every normal in a cone is nearer than the angle where θ + spread < angle, which is θ < angle − spread.
+        let cos = dot(self.axis, search.direction.map(Vec4::splat));
+        let limit = search.cos_least * self.cos + search.sin_least * self.sin;
+        let within = self.cos.cmpgt(Vec4::splat(search.cos_least))
+            & cos.cmpgt(limit + Vec4::splat(ROUNDING));
         let [from, to] = search.faces;
-        if self.range[1] < from || self.range[0] >= to {
-            return f64::INFINITY;
-        }
-        let [x, y, z, _] = std::array::from_fn(|axis| {
-            let outside = greater(
-                self.low[axis] - search.high[axis],
-                search.low[axis] - self.high[axis],
-            );
-            f64::from(greater(outside, 0.0))
-        });
-        let squared = SHORTER * (x * x + y * y + z * z);
-        if squared >= least || self.cone.within(search) {
-            f64::INFINITY
-        } else {
-            squared
-        }
-    }
-}
-
-/// Of two numbers neither of which is NaN: one instruction, which `f32::max` is not.
-#[inline]
-fn greater(a: f32, b: f32) -> f32 {
-    if a > b { a } else { b }
-}
-
-/// The greatest number of 32 bits that is not above.
-fn below(value: f64) -> f32 {
-    let near = value as f32;
-    if f64::from(near) > value {
-        near.next_down()
-    } else {
-        near
+        let others =
+            BVec4A::from_array(self.ranges.map(|[least, most]| most < from || least >= to));
+        Vec4::select(within | others, Vec4::INFINITY, squared).to_array()
     }
 }
 
 /// The least number of 32 bits that is not below.
 fn above(value: f64) -> f32 {
-    -below(-value)
+    let near = value as f32;
+    if f64::from(near) < value {
+        near.next_up()
+    } else {
+        near
+    }
 }
 
 /// The nearest point of a triangle with the weights of its corners.

@@ -63,13 +63,17 @@ pub(super) fn typical_thickness(
         return 2.0 * volume(faces.points, faces.triangles).abs() / area.max(f64::MIN_POSITIVE);
     };
     let own = &connectivity.triangles[from as usize..to as usize];
-    let mut vertices: Vec<u32> = own.iter().flatten().copied().collect();
-    vertices.sort_unstable();
-    vertices.dedup();
+    let mut used = vec![false; faces.points.len()];
+    own.iter().flatten().for_each(|&v| used[v as usize] = true);
+    let mut vertices: Vec<u32> = (0..)
+        .zip(used)
+        .filter_map(|(v, used)| used.then_some(v))
+        .collect();
     if vertices.len() > SAMPLE {
         vertices = (0..SAMPLE)
             .map(|k| vertices[((k as f64 * GOLDEN).fract() * vertices.len() as f64) as usize])
             .collect();
+        vertices.sort_unstable();
     }
     let facing = Facing::any(across);
     let mut distances: Vec<f64> = vertices
