@@ -10,6 +10,7 @@ mod error;
 mod face_tree;
 mod orientation;
 mod params;
+mod preparation;
 mod result;
 mod roughness;
 mod smoothing;

@@ -41,6 +41,57 @@ fn the_tree_finds_the_nearest_face_that_looking_at_each_finds() {
 }
 
 #[test]
+fn the_tree_finds_every_face_of_few_whatever_the_place_and_size_of_the_mesh() {
+    let whole = rough(&phantom::torus(2.0, 0.7, 24, 12), 0.05, 0.2);
+    for (count, size, away) in [
+        (1, 1.0, 0.0),
+        (2, 1e-9, 0.0),
+        (3, 1e9, 0.0),
+        (5, 1.0, 1e6),
+        (13, 1e-3, 50.0),
+        (49, 1e3, -1e7),
+        (200, 1.0, 300.0),
+    ] {
+        let place = |p: &Point3| Point3::from(size * p.coords + Vector3::repeat(away));
+        let points: Vec<Point3> = whole.vertices().iter().map(place).collect();
+        let triangles = &whole.triangles()[..count];
+        let normals = face_normals(&points, triangles);
+        let faces = FacesOfPose {
+            points: &points,
+            triangles,
+            normals: &normals,
+        };
+        let plan = TreePlan::new(&points, triangles);
+        let tree = plan.around(faces);
+        for trial in 0..40 {
+            let point = place(&Point3::from(3.0 * roughness(trial, 3.0)));
+            let all = Facing::any([0, count as u32]);
+            let found = tree.nearest(point, &all, f64::INFINITY, None).unwrap();
+            let least = (0..count as u32).map(|face| {
+                let alone = Facing::any([face, face + 1]);
+                let found = tree.nearest(point, &alone, f64::INFINITY, None);
+                found.unwrap().squared
+            });
+            assert_eq!(
+                found.squared,
+                least.fold(f64::INFINITY, f64::min),
+                "{count} {trial}"
+            );
+        }
+    }
+    let none = FacesOfPose {
+        points: &[],
+        triangles: &[],
+        normals: &[],
+    };
+    let plan = TreePlan::new(&[], &[]);
+    let found = plan
+        .around(none)
+        .nearest(Point3::origin(), &Facing::any([0, 0]), 1.0, None);
+    assert!(found.is_none());
+}
+
+#[test]
 fn the_nearest_point_of_a_triangle_is_right_in_every_region() {
     let points = [
         Point3::origin(),

@@ -1,14 +1,14 @@
-//! Takes roughness off surfaces before balls are laid between them.
+//! One step of heat flow as a system of equations, and its solution.
 
 use glam::Vec3A;
 use rayon::prelude::*;
 
-use super::connectivity::Connectivity;
-use crate::mesh::{Point3, Vector3, area};
+use crate::analysis::medial::connectivity::Connectivity;
+use crate::mesh::{Point3, Vector3};
 
 /// Vertices that one thread takes at a time, so that small surfaces are not handed around and sums are the same on any number
 /// of threads.
-const CHUNK: usize = 4096;
+pub(super) const CHUNK: usize = 4096;
 
 /// Residual, of what it was, at which a solution is good: a five-hundredth of the roughness, which leaves less than the
 /// smoothing itself does.
@@ -22,105 +22,8 @@ const MOST_STEPS: usize = 64;
 /// together without bound.
 const MOST_COTANGENT: f64 = 20.0;
 
-/// A surface smoothed once, which is smoother but drawn in where it is curved, and with that mended.
-#[derive(Clone, Debug)]
-pub(super) struct Smoothed {
-    pub once: Vec<Point3>,
-    pub points: Vec<Point3>,
-}
-
-/// Change of the area, of what it was, below which another pass changes nothing.
-const SETTLED: f64 = 0.01;
-
-/// Smooths all surfaces over the length ℓ.
-///
-/// With S = (M + ℓ² L)⁻¹ M, an implicit step of heat flow (L: cotangents, negative ones left out; M: thirds of areas),
-/// the answer is (2 S − S²) x. A wave of number k keeps 1 − (ℓ²k² / (1 + ℓ²k²))² of its height:
-/// curvature of radius R is lost with the fourth power of ℓ/R only, so that walls do not shrink, while S
-/// alone would draw them in by ℓ² times their curvature. Open boundaries are smoothed along themselves, in one dimension, and hold the rest.
-///
-/// Sources: implicit flow, Desbrun, Meyer, Schröder and Barr (1999), SIGGRAPH, 317–324; 2 S − S² is Tukey's twicing (*Exploratory Data Analysis*, 1977).
-///
-/// Where noise is so large that areas and angles of the surfaces are those of noise, M and L come from
-/// the surfaces smoothed before, until their area settles, `passes` times over at most.
-pub(super) fn smooth(
-    connectivity: &Connectivity,
-    points: &[Point3],
-    length: f64,
-    passes: usize,
-) -> Smoothed {
-    smooth_from(connectivity, points, points, length, passes)
-}
-
-/// The same with areas and angles from a shape that is nearer to the answer than the points are.
-pub(super) fn smooth_from(
-    connectivity: &Connectivity,
-    shape: &[Point3],
-    points: &[Point3],
-    length: f64,
-    passes: usize,
-) -> Smoothed {
-    if length <= 0.0 {
-        return Smoothed {
-            once: points.to_vec(),
-            points: points.to_vec(),
-        };
-    }
-    let start: Vec<Vector3> = points.iter().map(|p| p.coords).collect();
-    let mut flow = Flow::new(connectivity, shape, length);
-    let size_of = |points: &[Point3]| {
-        let chunks = connectivity.triangles.par_chunks(CHUNK);
-        sum_of(chunks.map(|triangles| area(points, triangles)))
-    };
-    let mut size = size_of(shape);
-    let guess = shape.iter().map(|p| p.coords).collect();
-    let mut once = as_points(flow.step(&start, guess));
-    for _ in 0..passes {
-        let now = size_of(&once);
-        if (now - size).abs() <= SETTLED * size {
-            break;
-        }
-        size = now;
-        flow = Flow::new(connectivity, &once, length);
-        once = as_points(flow.step(&start, once.iter().map(|p| p.coords).collect()));
-    }
-    let lost: Vec<Vector3> = points.iter().zip(&once).map(|(x, s)| x - s).collect();
-    let back = flow.step(&lost, lost.clone());
-    Smoothed {
-        points: once.iter().zip(back).map(|(s, back)| s + back).collect(),
-        once,
-    }
-}
-
-fn as_points(vectors: Vec<Vector3>) -> Vec<Point3> {
-    vectors.into_iter().map(Point3::from).collect()
-}
-
-/// S, by the areas and angles of a shape.
-struct Flow {
-    rim: System,
-    inside: System,
-}
-
-impl Flow {
-    fn new(connectivity: &Connectivity, shape: &[Point3], length: f64) -> Self {
-        Self {
-            rim: System::of_boundary(connectivity, shape, length),
-            inside: System::of_surface(connectivity, shape, length),
-        }
-    }
-
-    /// S applied to a field, found from a guess.
-    fn step(&self, field: &[Vector3], guess: Vec<Vector3>) -> Vec<Vector3> {
-        let mut found = guess;
-        self.rim.solve(field, &mut found);
-        self.inside.solve(field, &mut found);
-        found
-    }
-}
-
 /// (M + ℓ² L) y = M x for the vertices that are free; the others keep what they have.
-struct System {
+pub(super) struct System {
     free: Vec<u32>,
     /// Where the row of each free vertex begins, and the number of all entries at the end.
     starts: Vec<u32>,
@@ -136,7 +39,7 @@ struct System {
 }
 
 impl System {
-    fn of_surface(connectivity: &Connectivity, points: &[Point3], length: f64) -> Self {
+    pub fn of_surface(connectivity: &Connectivity, points: &[Point3], length: f64) -> Self {
         let rows = &connectivity.rows;
         let mut weights = vec![0.0; rows.neighbours.len()];
         let mut mass = vec![0.0; points.len()];
@@ -162,7 +65,7 @@ impl System {
     }
 
     /// Edges of single faces as a chain: masses are half the lengths, weights their inverses.
-    fn of_boundary(connectivity: &Connectivity, points: &[Point3], length: f64) -> Self {
+    pub fn of_boundary(connectivity: &Connectivity, points: &[Point3], length: f64) -> Self {
         let rows = &connectivity.rows;
         let mut weights = vec![0.0; rows.neighbours.len()];
         let mut mass = vec![0.0; points.len()];
@@ -229,7 +132,7 @@ impl System {
     /// the heart turns every step. Starts from, and holds, what is in `found`; ends where the residual is small against that of `field`.
     ///
     /// What is missing to the answer is found in 32 bits, as the residual of the start is in 64.
-    fn solve(&self, field: &[Vector3], found: &mut [Vector3]) {
+    pub fn solve(&self, field: &[Vector3], found: &mut [Vector3]) {
         let goal = TOLERANCE * TOLERANCE * total(&self.residual(field, field));
         let residual = self.residual(field, found);
         let whole = total(&residual);
@@ -338,6 +241,6 @@ fn in_32_bits(vector: Vector3) -> Vec3A {
 }
 
 /// The sum in order, the same on any number of threads.
-fn sum_of(parts: impl IndexedParallelIterator<Item = f64>) -> f64 {
+pub(super) fn sum_of(parts: impl IndexedParallelIterator<Item = f64>) -> f64 {
     parts.collect::<Vec<f64>>().iter().sum()
 }

@@ -1,0 +1,13 @@
+//! The nearest face that faces a direction: cylinders and cones of normals around faces, four at a time.
+
+mod bounds;
+mod faces;
+mod node;
+mod plan;
+mod search;
+mod triangle;
+mod unit;
+
+pub(super) use faces::{FacesOfPose, Facing, Nearest};
+pub(super) use plan::TreePlan;
+pub(super) use search::FaceTree;

@@ -1,0 +1,147 @@
+//! In which order a tree holds faces, and what it lays around them.
+
+use rayon::prelude::*;
+
+use super::bounds::{Bounds, Summary};
+use super::faces::FacesOfPose;
+use super::node::Node;
+use super::search::FaceTree;
+use super::unit::Unit;
+use crate::mesh::Point3;
+
+/// Most faces of a leaf; more cost more tests of faces, fewer more cylinders.
+const LEAF: usize = 3;
+
+/// Faces from which a part is handed to another thread.
+const WORTH_HANDING: usize = 2048;
+
+/// In which order a tree holds faces, made once for all poses.
+#[derive(Clone, Debug)]
+pub(in super::super) struct TreePlan {
+    /// Faces in the order of the leaves.
+    order: Vec<u32>,
+    /// Leaves are four to the power of this.
+    levels: usize,
+}
+
+impl TreePlan {
+    /// Plans a tree for faces about where they are at one pose.
+    pub fn new(points: &[Point3], triangles: &[[u32; 3]]) -> Self {
+        let mut levels = 0;
+        while triangles.len().div_ceil(1 << (2 * levels)) > LEAF {
+            levels += 1;
+        }
+        let mut centres: Vec<(u32, Point3)> = (0..)
+            .zip(triangles)
+            .map(|(face, triangle)| {
+                let [a, b, c] = triangle.map(|vertex| points[vertex as usize].coords);
+                (face, Point3::from((a + b + c) / 3.0))
+            })
+            .collect();
+        let halving = Halving {
+            faces: centres.len(),
+            levels: 2 * levels,
+        };
+        halving.order(&mut centres, 0, 0);
+        Self {
+            order: centres.into_iter().map(|(face, _)| face).collect(),
+            levels,
+        }
+    }
+
+    /// Faces in an order in which neighbours mostly follow each other.
+    pub fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// The faces of a node, by its level and its place there.
+    fn members(&self, level: usize, place: usize) -> &[u32] {
+        let [from, to] = [place, place + 1].map(|place| start(self.order.len(), 2 * level, place));
+        &self.order[from..to]
+    }
+
+    /// The faces of a leaf.
+    pub(super) fn leaf(&self, leaf: usize) -> &[u32] {
+        self.members(self.levels, leaf)
+    }
+
+    /// Lays cylinders and cones around the faces of a pose.
+    pub fn around<'a>(&'a self, faces: FacesOfPose<'a>) -> FaceTree<'a> {
+        let unit = Unit::new(faces.points);
+        let points: Vec<Point3> = faces.points.iter().map(|&point| unit.of(point)).collect();
+        let scaled = FacesOfPose {
+            points: &points,
+            ..faces
+        };
+        let mut levels: Vec<Vec<Node>> = Vec::with_capacity(self.levels);
+        let mut summaries: Vec<Summary> = Vec::new();
+        for level in (1..=self.levels).rev() {
+            let nodes = 1 << (2 * level);
+            let least = WORTH_HANDING * nodes / (self.order.len() + 1);
+            let made: Vec<(Summary, Bounds)> = (0..nodes)
+                .into_par_iter()
+                .with_min_len(least.max(1))
+                .map(|place| {
+                    let members = self.members(level, place);
+                    let summary = match summaries.as_chunks::<4>().0.get(place) {
+                        Some(parts) => Summary::joined(parts),
+                        None => Summary::new(scaled, members),
+                    };
+                    (summary, Bounds::new(scaled, members, &summary))
+                })
+                .collect();
+            let (fours, _) = made.as_chunks::<4>();
+            let node = |four: &[(Summary, Bounds); 4]| Node::new(&four.map(|(_, bounds)| bounds));
+            levels.push(fours.iter().map(node).collect());
+            summaries = made.into_iter().map(|(summary, _)| summary).collect();
+        }
+        FaceTree {
+            plan: self,
+            faces,
+            unit,
+            nodes: levels.into_iter().rev().flatten().collect(),
+        }
+    }
+}
+
+/// Where a part begins that is at this place among the parts of faces halved so many times.
+fn start(faces: usize, halvings: usize, place: usize) -> usize {
+    (place * faces) >> halvings
+}
+
+/// Puts faces in order: the nearer half along the longest side of their box, then the other, and so on down.
+struct Halving {
+    faces: usize,
+    levels: usize,
+}
+
+impl Halving {
+    fn order(&self, part: &mut [(u32, Point3)], level: usize, place: usize) {
+        let Some(&(_, first)) = part.first() else {
+            return;
+        };
+        if level == self.levels {
+            return;
+        }
+        let (low, high) = (part.iter()).fold((first, first), |(low, high), (_, centre)| {
+            (low.inf(centre), high.sup(centre))
+        });
+        let axis = (high - low).imax();
+        let half = start(self.faces, level + 1, 2 * place + 1) - start(self.faces, level, place);
+        part.select_nth_unstable_by(half, |a, b| {
+            a.1[axis].total_cmp(&b.1[axis]).then(a.0.cmp(&b.0))
+        });
+        let is_large = part.len() > WORTH_HANDING;
+        let (left, right) = part.split_at_mut(half);
+        let (level, places) = (level + 1, [2 * place, 2 * place + 1]);
+        if is_large {
+            rayon::join(
+                || self.order(left, level, places[0]),
+                || self.order(right, level, places[1]),
+            );
+        } else {
+            self.order(left, level, places[0]);
+            self.order(right, level, places[1]);
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! How all poses of a wall are smoothed, and how thick the wall is then.
+
+use std::borrow::Cow;
+
+use rayon::prelude::*;
+
+use super::connectivity::Connectivity;
+use super::error::MedialError;
+use super::params::CheckedMedialParams;
+use super::roughness::Plan;
+use super::smoothing::Smoothed;
+use super::surface::WallAtlas;
+use crate::mesh::Point3;
+use crate::progress::Progress;
+
+/// Noise over the typical thickness up to which the least smoothing is enough: of smooth surfaces the estimate is less.
+const HARDLY_ROUGH: f64 = 0.005;
+
+/// Longest ℓ in typical thicknesses that noise can ask for.
+const MOST_LENGTH: f64 = 1.5;
+
+/// Noise makes walls look thin. Where they are thicker than this without it, lengths are looked for again …
+const THICKER: f64 = 1.25;
+
+/// … so many times in all.
+const ROUNDS: usize = 3;
+
+/// What is known of a wall's poses before balls are laid into it.
+#[derive(Clone, Debug)]
+pub(super) struct Prepared {
+    /// About how thick the wall is, in coordinates.
+    pub thickness: f64,
+    pub plan: Plan,
+    /// Poses that are smoothed by the plan already, with their numbers.
+    smoothed: Vec<(usize, Smoothed)>,
+}
+
+impl Prepared {
+    fn new(thickness: f64, plan: Plan) -> Self {
+        Self {
+            thickness,
+            plan,
+            smoothed: Vec::new(),
+        }
+    }
+
+    /// A pose smoothed by the plan.
+    pub fn smoothed(
+        &self,
+        connectivity: &Connectivity,
+        pose: usize,
+        points: &[Point3],
+    ) -> Cow<'_, Smoothed> {
+        match self.smoothed.iter().find(|(number, _)| *number == pose) {
+            Some((_, smoothed)) => Cow::Borrowed(smoothed),
+            None => Cow::Owned(self.plan.smooth(connectivity, points)),
+        }
+    }
+}
+
+impl WallAtlas {
+    /// How poses of a wall about as thick as this are smoothed, and how thick they are when noise that makes walls look thin
+    /// is off them.
+    ///
+    /// # Errors
+    /// If it was stopped.
+    pub fn plan(
+        &self,
+        poses: &[&[Point3]],
+        thickness: f64,
+        params: &CheckedMedialParams,
+        progress: &Progress,
+    ) -> Result<Prepared, MedialError> {
+        let least = Plan {
+            noise: 0.0,
+            length: params.smoothing * thickness,
+            passes: 0,
+        };
+        // Asked for surfaces as they are.
+        if params.smoothing <= 0.0 || poses.is_empty() {
+            return Ok(Prepared::new(thickness, least));
+        }
+        let mut noises: Vec<f64> = (poses.par_iter())
+            .map(|points| {
+                progress.check()?;
+                Ok(self.roughness.of(&self.connectivity, points))
+            })
+            .collect::<Result<_, MedialError>>()?;
+        let middle = noises.len() / 2;
+        let noise = *noises.select_nth_unstable_by(middle, f64::total_cmp).1;
+        let least = Plan { noise, ..least };
+        if noise <= HARDLY_ROUGH * thickness {
+            return Ok(Prepared::new(thickness, least));
+        }
+        // The first pose and one well on: usually end-diastole and near end-systole.
+        let sample = [0, (poses.len() / 3).max(1)];
+        let sample = &sample[..poses.len().min(2)];
+        let tried: Vec<&[Point3]> = sample.iter().map(|&pose| poses[pose]).collect();
+        let mut prepared = Prepared::new(thickness, least);
+        for _ in 0..ROUNDS {
+            let thickness = prepared.thickness;
+            let length = params.smoothing * thickness;
+            let lengths = [length, length.max(MOST_LENGTH * thickness)];
+            let (plan, mut smoothed) =
+                (self.roughness).plan(&self.connectivity, &tried, noise, lengths);
+            progress.check()?;
+            if smoothed.is_empty() && plan.length > length {
+                let by_plan = |points: &&[Point3]| plan.smooth(&self.connectivity, points);
+                smoothed = tried.iter().map(by_plan).collect();
+            }
+            if plan.length > length {
+                prepared.thickness = (smoothed.iter())
+                    .map(|smoothed| self.thickness(&smoothed.points))
+                    .fold(thickness, f64::max);
+            }
+            prepared.plan = plan;
+            prepared.smoothed = sample.iter().copied().zip(smoothed).collect();
+            if prepared.thickness <= THICKER * thickness {
+                break;
+            }
+        }
+        Ok(prepared)
+    }
+}

@@ -1,0 +1,6 @@
+//! Takes roughness off surfaces before balls are laid between them.
+
+mod flow;
+mod system;
+
+pub(super) use flow::{Smoothed, smooth, smooth_from};
