@@ -141,7 +141,7 @@ impl WallOfPose<'_> {
         Facing {
             direction: normal,
             cos_least: self.cos_separation,
-            faces: [0, self.faces.triangles.len() as u32],
+            faces: None,
         }
     }
 

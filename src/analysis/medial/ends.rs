@@ -138,7 +138,7 @@ fn marched(wall: &WallOfPose<'_>, atom: &Atom, direction: Vector3, most: f64) ->
     if atom.radius <= 0.0 {
         return None;
     }
-    let facing = Facing::any([0, wall.faces.triangles.len() as u32]);
+    let facing = Facing::any(None);
     let mut along = 0.0;
     for _ in 0..MOST_MARCHES {
         let point = atom.position + along * atom.radius * direction;

@@ -75,7 +75,7 @@ pub(super) fn typical_thickness(
             .collect();
         vertices.sort_unstable();
     }
-    let facing = Facing::any(across);
+    let facing = Facing::any(Some(across));
     let mut distances: Vec<f64> = vertices
         .par_chunks(256)
         .flat_map_iter(|chunk| {

@@ -20,17 +20,15 @@ pub(super) struct Case<'a> {
 
 /// 1 / (1 + e^(−s)).
 pub(super) fn sigmoid(score: f64) -> f64 {
-    if score >= 0.0 {
-        1.0 / (1.0 + (-score).exp())
-    } else {
-        let e = score.exp();
-        e / (1.0 + e)
-    }
+    sigmoid_and_softplus(score).0
 }
 
-/// ln(1 + e^s), without overflow.
-fn softplus(score: f64) -> f64 {
-    score.max(0.0) + (-score.abs()).exp().ln_1p()
+/// 1 / (1 + e^(−s)) and ln(1 + e^s), without overflow.
+fn sigmoid_and_softplus(score: f64) -> (f64, f64) {
+    let e = (-score.abs()).exp();
+    let upper = 1.0 / (1.0 + e);
+    let sigmoid = if score >= 0.0 { upper } else { e * upper };
+    (sigmoid, score.max(0.0) + e.ln_1p())
 }
 
 /// β₀ + β · x for coefficients [β₀, β₁ …].
@@ -53,9 +51,10 @@ pub(super) fn fit(cases: &[Case<'_>], ridge: f64, start: &[f64]) -> Vec<f64> {
     let mut tried = beta.clone();
     let mut step = vec![0.0; size];
     let mut hessian = vec![0.0; size * size];
-    let mut value = objective(cases, ridge, &beta);
+    let mut probabilities = vec![0.0; cases.len()];
+    let mut value = objective(cases, ridge, &beta, &mut probabilities);
     for _ in 0..MOST_STEPS {
-        slopes(cases, ridge, &beta, &mut step, &mut hessian);
+        slopes(cases, ridge, &beta, &probabilities, &mut step, &mut hessian);
         factorise_positive(&mut hessian, size);
         solve_positive(&hessian, &mut step);
         let mut share = 1.0;
@@ -63,7 +62,7 @@ pub(super) fn fit(cases: &[Case<'_>], ridge: f64, start: &[f64]) -> Vec<f64> {
             for ((tried, beta), step) in tried.iter_mut().zip(&beta).zip(&step) {
                 *tried = beta - share * step;
             }
-            let now = objective(cases, ridge, &tried);
+            let now = objective(cases, ridge, &tried, &mut probabilities);
             if now <= value {
                 return Some(now);
             }
@@ -80,23 +79,32 @@ pub(super) fn fit(cases: &[Case<'_>], ridge: f64, start: &[f64]) -> Vec<f64> {
     beta
 }
 
-fn objective(cases: &[Case<'_>], ridge: f64, beta: &[f64]) -> f64 {
-    let loss: f64 = (cases.iter())
-        .map(|case| {
+/// The objective; the probability of each case is laid into `probabilities`.
+fn objective(cases: &[Case<'_>], ridge: f64, beta: &[f64], probabilities: &mut [f64]) -> f64 {
+    let loss: f64 = (cases.iter().zip(probabilities))
+        .map(|(case, probability)| {
             let s = score(beta, case.features);
-            case.weight * (softplus(s) - case.target * s)
+            let (sigmoid, softplus) = sigmoid_and_softplus(s);
+            *probability = sigmoid;
+            case.weight * (softplus - case.target * s)
         })
         .sum();
     loss + 0.5 * ridge * beta[1..].iter().map(|b| b * b).sum::<f64>()
 }
 
 /// Gradient of the objective, and the lower triangle of its Hessian.
-fn slopes(cases: &[Case<'_>], ridge: f64, beta: &[f64], gradient: &mut [f64], hessian: &mut [f64]) {
+fn slopes(
+    cases: &[Case<'_>],
+    ridge: f64,
+    beta: &[f64],
+    probabilities: &[f64],
+    gradient: &mut [f64],
+    hessian: &mut [f64],
+) {
     let size = beta.len();
     gradient.fill(0.0);
     hessian.fill(0.0);
-    for case in cases {
-        let p = sigmoid(score(beta, case.features));
+    for (case, &p) in cases.iter().zip(probabilities) {
         let slope = case.weight * (p - case.target);
         let bend = case.weight * p * (1.0 - p);
         let entry = |i: usize| if i == 0 { 1.0 } else { case.features[i - 1] };
@@ -171,12 +179,13 @@ mod tests {
             let cases: Vec<Case<'_>> = (all.iter())
                 .map(|(features, target)| Case { features, target: *target, weight: 1.0 })
                 .collect();
-            let best = objective(&cases, ridge, &found);
+            let mut room = [0.0; 12];
+            let best = objective(&cases, ridge, &found, &mut room);
             for j in 0..3 {
                 for way in [-1e-3, 1e-3] {
                     let mut moved = found.clone();
                     moved[j] += way;
-                    prop_assert!(objective(&cases, ridge, &moved) >= best);
+                    prop_assert!(objective(&cases, ridge, &moved, &mut room) >= best);
                 }
             }
         }

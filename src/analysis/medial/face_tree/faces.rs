@@ -17,18 +17,18 @@ impl FacesOfPose<'_> {
     }
 }
 
-/// Which faces a search may find: those with numbers in a range whose normals are at least an angle away from a direction.
+/// Which faces a search may find: those, of all or with numbers in a range, whose normals are at least an angle away from a direction.
 #[derive(Clone, Copy, Debug)]
 pub(in super::super) struct Facing {
     pub direction: Vector3,
     /// Cosine of that angle; above 1 all faces are found.
     pub cos_least: f64,
-    pub faces: [u32; 2],
+    pub faces: Option<[u32; 2]>,
 }
 
 impl Facing {
-    /// All faces with numbers in a range.
-    pub fn any(faces: [u32; 2]) -> Self {
+    /// All faces, or all with numbers in a range.
+    pub fn any(faces: Option<[u32; 2]>) -> Self {
         Self {
             direction: Vector3::zeros(),
             cos_least: 2.0,

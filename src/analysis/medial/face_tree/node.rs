@@ -45,22 +45,25 @@ impl Node {
     #[inline]
     pub fn distances(&self, search: &Search) -> [f32; 4] {
         let dot = |a: [Vec4; 3], b: [Vec4; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-        let [x, y, z] = search.point.map(Vec4::splat);
-        let away = [x - self.centre[0], y - self.centre[1], z - self.centre[2]];
+        let away = |k: usize| Vec4::splat(search.point[k]) - self.centre[k];
+        let away = [away(0), away(1), away(2)];
         let height = dot(away, self.axis);
         let above = (self.begin - height).max(height - self.end).max(Vec4::ZERO);
         let across = (SHORTER * dot(away, away) - height * height).max(Vec4::ZERO);
         let beside = (Vec4::sqrt(across) - self.radius).max(Vec4::ZERO);
         let squared = SHORTER * (above * above + beside * beside);
         // Every normal in a cone is nearer than the angle where θ + spread < angle, which is θ < angle − spread.
-        let cos = dot(self.axis, search.direction.map(Vec4::splat));
+        let direction = |k: usize| Vec4::splat(search.direction[k]);
+        let cos = dot(self.axis, [direction(0), direction(1), direction(2)]);
         let limit = search.cos_least * self.cos + search.sin_least * self.sin;
         let within = self.cos.cmpgt(Vec4::splat(search.cos_least))
             & cos.cmpgt(limit + Vec4::splat(ROUNDING));
-        let [from, to] = search.faces;
-        let others =
-            BVec4A::from_array(self.ranges.map(|[least, most]| most < from || least >= to));
-        Vec4::select(within | others, Vec4::INFINITY, squared).to_array()
+        let squared = Vec4::select(within, Vec4::INFINITY, squared);
+        let Some([from, to]) = search.faces else {
+            return squared.to_array();
+        };
+        let others = self.ranges.map(|[least, most]| most < from || least >= to);
+        Vec4::select(BVec4A::from_array(others), Vec4::INFINITY, squared).to_array()
     }
 }
 
@@ -70,17 +73,19 @@ pub(super) struct Search {
     direction: [f32; 3],
     cos_least: f32,
     sin_least: f32,
-    faces: [u32; 2],
+    faces: Option<[u32; 2]>,
 }
 
 impl Search {
     pub fn new(point: Point3, facing: &Facing) -> Self {
-        let [point, direction] =
-            [point.coords, facing.direction].map(|v| <[f64; 3]>::from(v).map(|x| x as f32));
         let cos = facing.cos_least;
         Self {
-            point,
-            direction,
+            point: [point.x as f32, point.y as f32, point.z as f32],
+            direction: [
+                facing.direction.x as f32,
+                facing.direction.y as f32,
+                facing.direction.z as f32,
+            ],
             cos_least: cos as f32,
             sin_least: (1.0 - cos * cos).max(0.0).sqrt() as f32,
             faces: facing.faces,

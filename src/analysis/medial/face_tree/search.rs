@@ -37,7 +37,7 @@ impl FaceTree<'_> {
         let mut best = None;
         let mut least = squared;
         let faces = self.faces;
-        let [from_face, to_face] = facing.faces;
+        let [from_face, to_face] = facing.faces.unwrap_or([0, u32::MAX]);
         let mut try_face = |face: u32, least: &mut f64| {
             let normal = faces.normals[face as usize];
             let allowed = (from_face..to_face).contains(&face)
