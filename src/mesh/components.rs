@@ -2,6 +2,8 @@
 
 use std::collections::VecDeque;
 
+use rayon::prelude::*;
+
 use super::{Edge, Faces};
 
 /// Why a surface has no inside.
@@ -96,7 +98,7 @@ fn neighbours(triangles: &[[u32; 3]]) -> Result<Vec<[Option<Neighbour>; 3]>, She
             sides.push(([from.min(to), from.max(to)], from < to, face, side));
         }
     }
-    sides.sort_unstable();
+    sides.par_sort_unstable();
     let mut neighbours = vec![[None; 3]; triangles.len()];
     let mut branching = Vec::new();
     for run in sides.chunk_by(|a, b| a.0 == b.0) {

@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
+
 /// An undirected edge, lower vertex first.
 pub type Edge = [u32; 2];
 
@@ -108,7 +110,7 @@ impl Faces {
             .directed_edges()
             .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
             .collect();
-        sides.sort_unstable();
+        sides.par_sort_unstable();
         sides
             .chunk_by(|a, b| a == b)
             .map(|run| (run[0], run.len()))

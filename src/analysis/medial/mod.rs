@@ -8,6 +8,7 @@ mod connectivity;
 mod ends;
 mod error;
 mod face_tree;
+mod length_search;
 mod orientation;
 mod params;
 mod preparation;

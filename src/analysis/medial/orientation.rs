@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::connectivity::Connectivity;
-use super::face_tree::{FaceTree, FacesOfPose, Facing};
+use super::face_tree::{FaceTree, Facing};
 use crate::mesh::{Point3, Vector3, area, signed_volume};
 
 /// Faces of a sheet that say where the other side is; a majority of these settles it.
@@ -13,8 +13,8 @@ const VOTES: usize = 24;
 const LEAST_SHARE: f64 = 0.2;
 
 /// Vertices that tell about how thick a wall is. The wall's thickness differs by a fifth from place to place, so that the
-/// median is some half of a percent off.
-const SAMPLE: usize = 2048;
+/// median is some percent off.
+const SAMPLE: usize = 600;
 
 /// The golden ratio's fraction: its multiples fall evenly between 0 and 1, in step with no row of a grid.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
@@ -50,20 +50,35 @@ pub(super) fn turn_into_muscle(connectivity: &mut Connectivity, points: &[Point3
     opposite
 }
 
-/// Median distance from vertices of one side to the other, or of one closed sheet 2 V / A, in coordinates.
-/// Of many vertices it is the median of a sample.
-pub(super) fn typical_thickness(
+/// Of one closed sheet, about how far its sides are apart: 2 V / A, in coordinates.
+///
+/// Areas count as they are seen along unit normals of the vertices that noise has turned little, for those of the faces
+/// themselves grow with it.
+pub(super) fn thickness_of_closed(
     connectivity: &Connectivity,
-    opposite: Opposite,
-    tree: &FaceTree<'_>,
-    faces: FacesOfPose<'_>,
+    points: &[Point3],
+    normals: &[Vector3],
 ) -> f64 {
-    let Some([[from, to], across]) = opposite else {
-        let area = area(faces.points, faces.triangles);
-        return 2.0 * volume(faces.points, faces.triangles).abs() / area.max(f64::MIN_POSITIVE);
+    let triangles = &connectivity.triangles;
+    let seen = |triangle: &[u32; 3]| {
+        let [a, b, c] = triangle.map(|v| points[v as usize]);
+        let steady: Vector3 = triangle.iter().map(|&v| normals[v as usize]).sum();
+        let steady = steady.try_normalize(0.0).unwrap_or_default();
+        0.5 * (b - a).cross(&(c - a)).dot(&steady).abs()
     };
+    let area: f64 = triangles.iter().map(seen).sum();
+    2.0 * volume(points, triangles).abs() / area.max(f64::MIN_POSITIVE)
+}
+
+/// Median distance from vertices of one side to the other, in coordinates. Of many vertices it is the median of a sample.
+pub(super) fn distance_across(
+    connectivity: &Connectivity,
+    [[from, to], across]: [[u32; 2]; 2],
+    tree: &FaceTree<'_>,
+    points: &[Point3],
+) -> f64 {
     let own = &connectivity.triangles[from as usize..to as usize];
-    let mut used = vec![false; faces.points.len()];
+    let mut used = vec![false; points.len()];
     own.iter().flatten().for_each(|&v| used[v as usize] = true);
     let mut vertices: Vec<u32> = (0..)
         .zip(used)
@@ -83,7 +98,7 @@ pub(super) fn typical_thickness(
             chunk
                 .iter()
                 .filter_map(|&vertex| {
-                    let point = faces.points[vertex as usize];
+                    let point = points[vertex as usize];
                     let found = tree.nearest(point, &facing, f64::INFINITY, hint)?;
                     hint = Some(found.face);
                     Some(found.squared.sqrt())

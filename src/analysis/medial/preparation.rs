@@ -6,8 +6,8 @@ use rayon::prelude::*;
 
 use super::connectivity::Connectivity;
 use super::error::MedialError;
+use super::length_search::{BestLength, LengthSearch, Plan};
 use super::params::CheckedMedialParams;
-use super::roughness::Plan;
 use super::smoothing::Smoothed;
 use super::surface::WallAtlas;
 use crate::mesh::Point3;
@@ -19,7 +19,7 @@ const HARDLY_ROUGH: f64 = 0.005;
 /// Longest ℓ in typical thicknesses that noise can ask for.
 const MOST_LENGTH: f64 = 1.5;
 
-/// Noise makes walls look thin. Where they are thicker than this without it, lengths are looked for again …
+/// Noise makes walls look thin. Where they are so many times as thick without it, longer lengths are tried as well …
 const THICKER: f64 = 1.25;
 
 /// … so many times in all.
@@ -96,28 +96,37 @@ impl WallAtlas {
         let sample = [0, (poses.len() / 3).max(1)];
         let sample = &sample[..poses.len().min(2)];
         let tried: Vec<&[Point3]> = sample.iter().map(|&pose| poses[pose]).collect();
+        let search = LengthSearch {
+            roughness: &self.roughness,
+            connectivity: &self.connectivity,
+            poses: &tried,
+            noise,
+        };
+        let mut best = BestLength::default();
         let mut prepared = Prepared::new(thickness, least);
         for _ in 0..ROUNDS {
-            let thickness = prepared.thickness;
-            let length = params.smoothing * thickness;
-            let lengths = [length, length.max(MOST_LENGTH * thickness)];
-            let (plan, mut smoothed) =
-                (self.roughness).plan(&self.connectivity, &tried, noise, lengths);
+            let looked = prepared.thickness;
+            let most = params.smoothing.max(MOST_LENGTH) * looked;
+            search.lengthen(&mut best, [least.length, most]);
             progress.check()?;
-            if smoothed.is_empty() && plan.length > length {
-                let by_plan = |points: &&[Point3]| plan.smooth(&self.connectivity, points);
-                smoothed = tried.iter().map(by_plan).collect();
-            }
-            if plan.length > length {
+            let Some((plan, smoothed)) = search.plan(&best) else {
+                break;
+            };
+            if plan.length > least.length {
                 prepared.thickness = (smoothed.iter())
                     .map(|smoothed| self.thickness(&smoothed.points))
-                    .fold(thickness, f64::max);
+                    .fold(looked, f64::max);
             }
             prepared.plan = plan;
             prepared.smoothed = sample.iter().copied().zip(smoothed).collect();
-            if prepared.thickness <= THICKER * thickness {
+            if best.is_settled || prepared.thickness <= THICKER * looked {
                 break;
             }
+        }
+        let length = params.smoothing * prepared.thickness;
+        if THICKER * prepared.plan.length < length {
+            prepared.plan.length = length;
+            prepared.smoothed.clear();
         }
         Ok(prepared)
     }

@@ -1,50 +1,19 @@
-//! How rough surfaces are, told from themselves, and over what length they are smoothed for that.
-
-use std::f64::consts::PI;
-
-use rayon::prelude::*;
+//! How rough surfaces are, told from themselves.
 
 use super::connectivity::Connectivity;
-use super::smoothing::{Smoothed, smooth, smooth_from};
 use crate::mesh::{Point3, Vector3, vertex_normals};
-
-/// Each length that is tried over the one before.
-const RATIO: f64 = std::f64::consts::SQRT_2;
 
 /// Times that normals are averaged with those of their neighbours.
 const NORMAL_STEPS: usize = 2;
 
-/// Noise, in sides of the square that a vertex has to itself, from which areas and angles are those of noise …
-const ROUGH: f64 = 0.15;
-
-/// … and how often at most they are then taken from the surfaces smoothed before.
-const PASSES: usize = 8;
-
 /// 1 / Φ⁻¹(¾): standard deviation of a normal distribution over its median absolute value.
 const NORMAL_FROM_MEDIAN: f64 = 1.482_602_218_505_602;
-
-/// How the surfaces of all poses are smoothed.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Plan {
-    /// Standard deviation of the noise of each coordinate, in coordinates.
-    pub noise: f64,
-    /// ℓ, in coordinates.
-    pub length: f64,
-    /// How often areas and angles are taken from smoothed surfaces.
-    pub passes: usize,
-}
-
-impl Plan {
-    pub fn smooth(&self, connectivity: &Connectivity, points: &[Point3]) -> Smoothed {
-        smooth(connectivity, points, self.length, self.passes)
-    }
-}
 
 /// Tells the noise of surfaces on the same faces.
 #[derive(Clone, Debug)]
 pub(super) struct Roughness {
     /// Vertices that have no boundary within two edges.
-    inside: Vec<u32>,
+    pub inside: Vec<u32>,
     /// Standard deviation, for each of them, of the second difference of noise of standard deviation 1.
     of_noise: Vec<f64>,
 }
@@ -106,85 +75,6 @@ impl Roughness {
             .collect();
         NORMAL_FROM_MEDIAN * median(sizes)
     }
-
-    /// ℓ and how to smooth over it: at least `least`, and where noise asks for more, so long as what is left of noise and what is
-    /// lost of the shape become less together, up to `most`. Where areas are taken from smoothed surfaces, the poses come back smoothed.
-    ///
-    /// Both are told without knowing the shape: with K = 2 S − S² the mean of (n·(x − K x))² + 2 σ² tr K / V is, but for a
-    /// constant, the expected square of the error. The trace is that of a plane whose vertices have an area a each: waves of up to k² = 4π/a
-    /// keep (1 + 2u) / (1 + u)², u = ℓ²k², which over all of them is (2 ln(1 + U) − U / (1 + U)) / U with U = 4πℓ²/a.
-    ///
-    /// Source: unbiased estimate of risk, Stein (1981), Annals of Statistics 9(6), 1135–1151.
-    pub fn plan(
-        &self,
-        connectivity: &Connectivity,
-        poses: &[&[Point3]],
-        noise: f64,
-        [least, most]: [f64; 2],
-    ) -> (Plan, Vec<Smoothed>) {
-        let mut plan = Plan {
-            noise,
-            length: least,
-            passes: 0,
-        };
-        let mut chosen = Vec::new();
-        let mut risk = f64::INFINITY;
-        let mut length = least;
-        while length <= most && length > 0.0 {
-            // What came out over one length is nearer to what comes out over the next than the poses are.
-            let smoothed: Vec<Smoothed> = (poses.par_iter().enumerate())
-                .map(|(pose, &points)| {
-                    let shape = chosen.get(pose).map_or(points, |s: &Smoothed| &s.once);
-                    smooth_from(connectivity, shape, points, length, PASSES)
-                })
-                .collect();
-            let tried: Vec<[f64; 2]> = (poses.iter().zip(&smoothed))
-                .map(|(points, smoothed)| self.risk(connectivity, points, smoothed, noise, length))
-                .collect();
-            let mean =
-                |what: usize| tried.iter().map(|t| t[what]).sum::<f64>() / tried.len() as f64;
-            if mean(0) >= risk {
-                break;
-            }
-            risk = mean(0);
-            chosen = smoothed;
-            plan.length = length;
-            plan.passes = if noise > ROUGH * mean(1) { PASSES } else { 0 };
-            length *= RATIO;
-        }
-        if plan.passes == 0 {
-            chosen.clear();
-        }
-        (plan, chosen)
-    }
-
-    /// Expected square of the error at a length, and the side of the square that a vertex has to itself.
-    fn risk(
-        &self,
-        connectivity: &Connectivity,
-        points: &[Point3],
-        smoothed: &Smoothed,
-        noise: f64,
-        length: f64,
-    ) -> [f64; 2] {
-        let normals = vertex_normals(&smoothed.once, &connectivity.triangles);
-        let mut areas = vec![0.0; points.len()];
-        for triangle in &connectivity.triangles {
-            let [a, b, c] = triangle.map(|v| smoothed.once[v as usize]);
-            let third = (b - a).cross(&(c - a)).norm() / 6.0;
-            triangle.iter().for_each(|&v| areas[v as usize] += third);
-        }
-        let (mut sum, mut area) = (0.0, 0.0);
-        for vertex in self.inside.iter().map(|&v| v as usize) {
-            let lost = (points[vertex] - smoothed.points[vertex]).dot(&normals[vertex]);
-            let waves = 4.0 * PI * length * length / areas[vertex].max(f64::MIN_POSITIVE);
-            let kept = (2.0 * waves.ln_1p() - waves / (1.0 + waves)) / waves;
-            sum += lost * lost + 2.0 * noise * noise * kept;
-            area += areas[vertex];
-        }
-        let count = self.inside.len().max(1) as f64;
-        [sum / count, (area / count).sqrt()]
-    }
 }
 
 /// (I − A)² x: what is apart from the mean of neighbours, twice over.
@@ -204,7 +94,7 @@ fn mean_around(connectivity: &Connectivity, field: &[Vector3], vertex: usize) ->
 }
 
 /// Normals that noise turns less: averaged with their neighbours'.
-fn steady_normals(connectivity: &Connectivity, points: &[Point3]) -> Vec<Vector3> {
+pub(super) fn steady_normals(connectivity: &Connectivity, points: &[Point3]) -> Vec<Vector3> {
     let mut normals = vertex_normals(points, &connectivity.triangles);
     for _ in 0..NORMAL_STEPS {
         normals = (0..normals.len())

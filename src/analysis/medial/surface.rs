@@ -7,11 +7,11 @@ use super::connectivity::Connectivity;
 use super::ends::end_spokes;
 use super::error::MedialError;
 use super::face_tree::{FacesOfPose, TreePlan};
-use super::orientation::{Opposite, turn_into_muscle, typical_thickness};
+use super::orientation::{Opposite, distance_across, thickness_of_closed, turn_into_muscle};
 use super::params::CheckedMedialParams;
 use super::preparation::Prepared;
 use super::result::{Atom, MedialSurface};
-use super::roughness::Roughness;
+use super::roughness::{Roughness, steady_normals};
 use crate::analysis::measures::UntoldVolume;
 use crate::mesh::{Point3, TriMesh, Vector3, face_normals, vertex_normals};
 use crate::progress::Progress;
@@ -137,6 +137,10 @@ impl WallAtlas {
 
     /// About how thick the wall is at a pose, in coordinates.
     pub fn thickness(&self, points: &[Point3]) -> f64 {
+        let Some(sides) = self.opposite else {
+            let normals = steady_normals(&self.connectivity, points);
+            return thickness_of_closed(&self.connectivity, points, &normals);
+        };
         let normals = face_normals(points, &self.connectivity.triangles);
         let faces = FacesOfPose {
             points,
@@ -144,7 +148,7 @@ impl WallAtlas {
             normals: &normals,
         };
         let tree = self.tree.around(faces);
-        typical_thickness(&self.connectivity, self.opposite, &tree, faces)
+        distance_across(&self.connectivity, sides, &tree, points)
     }
 
     /// Atoms at a pose of a wall that was prepared with its other poses.
