@@ -4,7 +4,7 @@ use crate::mesh::{Point3, Vector3};
 
 /// Faces of a pose, as a tree is laid around them.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct FacesOfPose<'a> {
+pub(in crate::analysis::medial) struct FacesOfPose<'a> {
     pub points: &'a [Point3],
     pub triangles: &'a [[u32; 3]],
     /// Unit normals; zero for faces without area, which are never found.
@@ -19,7 +19,7 @@ impl FacesOfPose<'_> {
 
 /// Which faces a search may find: those, of all or with numbers in a range, whose normals are at least an angle away from a direction.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Facing {
+pub(in crate::analysis::medial) struct Facing {
     pub direction: Vector3,
     /// Cosine of that angle; above 1 all faces are found.
     pub cos_least: f64,
@@ -39,7 +39,7 @@ impl Facing {
 
 /// Nearest point of the faces.
 #[derive(Clone, Copy, Debug)]
-pub(in super::super) struct Nearest {
+pub(in crate::analysis::medial) struct Nearest {
     pub point: Point3,
     pub face: u32,
     pub squared: f64,

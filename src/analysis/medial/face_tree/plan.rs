@@ -17,7 +17,7 @@ const WORTH_HANDING: usize = 2048;
 
 /// In which order a tree holds faces, made once for all poses.
 #[derive(Clone, Debug)]
-pub(in super::super) struct TreePlan {
+pub(in crate::analysis::medial) struct TreePlan {
     /// Faces in the order of the leaves.
     order: Vec<u32>,
     /// Leaves are four to the power of this.
@@ -128,9 +128,11 @@ impl Halving {
         });
         let axis = (high - low).imax();
         let half = start(self.faces, level + 1, 2 * place + 1) - start(self.faces, level, place);
-        part.select_nth_unstable_by(half, |a, b| {
-            a.1[axis].total_cmp(&b.1[axis]).then(a.0.cmp(&b.0))
-        });
+        if half < part.len() {
+            part.select_nth_unstable_by(half, |a, b| {
+                a.1[axis].total_cmp(&b.1[axis]).then(a.0.cmp(&b.0))
+            });
+        }
         let is_large = part.len() > WORTH_HANDING;
         let (left, right) = part.split_at_mut(half);
         let (level, places) = (level + 1, [2 * place, 2 * place + 1]);

@@ -15,7 +15,7 @@ const MOST_LEVELS: usize = 16;
 /// Patches of a surface are flat, and mostly lie across the axes: a cylinder about the mean normal is far closer to one than a
 /// box. All is in 32 bits, about the middle of all faces and in units of their extent, so that any coordinates fit.
 #[derive(Clone, Debug)]
-pub(in super::super) struct FaceTree<'a> {
+pub(in crate::analysis::medial) struct FaceTree<'a> {
     pub(super) plan: &'a TreePlan,
     pub(super) faces: FacesOfPose<'a>,
     pub(super) unit: Unit,

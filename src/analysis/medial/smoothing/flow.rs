@@ -8,7 +8,7 @@ use crate::mesh::{Point3, Vector3, area};
 
 /// A surface smoothed once, which is smoother but drawn in where it is curved, and with that mended.
 #[derive(Clone, Debug)]
-pub(in super::super) struct Smoothed {
+pub(in crate::analysis::medial) struct Smoothed {
     pub once: Vec<Point3>,
     pub points: Vec<Point3>,
 }
@@ -27,7 +27,7 @@ const SETTLED: f64 = 0.01;
 ///
 /// Where noise is so large that areas and angles of the surfaces are those of noise, M and L come from
 /// the surfaces smoothed before, until their area settles, `passes` times over at most.
-pub(in super::super) fn smooth(
+pub(in crate::analysis::medial) fn smooth(
     connectivity: &Connectivity,
     points: &[Point3],
     length: f64,
@@ -37,7 +37,7 @@ pub(in super::super) fn smooth(
 }
 
 /// The same with areas and angles from a shape that is nearer to the answer than the points are.
-pub(in super::super) fn smooth_from(
+pub(in crate::analysis::medial) fn smooth_from(
     connectivity: &Connectivity,
     shape: &[Point3],
     points: &[Point3],
