@@ -13,7 +13,7 @@ const VOTES: usize = 24;
 const LEAST_SHARE: f64 = 0.2;
 
 /// Vertices that tell about how thick a wall is. The wall's thickness differs by a fifth from place to place, so that the
-/// median is some percent off.
+/// median is about one percent off.
 const SAMPLE: usize = 600;
 
 /// The golden ratio's fraction: its multiples fall evenly between 0 and 1, in step with no row of a grid.
