@@ -92,7 +92,7 @@ pub(super) fn distance_across(
     }
     let facing = Facing::any(Some(across));
     let mut distances: Vec<f64> = vertices
-        .par_chunks(256)
+        .par_chunks(64)
         .flat_map_iter(|chunk| {
             let mut hint = None;
             chunk
