@@ -41,6 +41,28 @@ fn thickening_of_a_shell_is_the_ratio_of_its_radii() {
 }
 
 #[test]
+fn of_rough_surfaces_every_pose_has_its_own_thickness() {
+    let outer = [28.0, 30.0, 26.0, 29.0, 27.0];
+    let frames = |radii: [f64; 5], seed: f64| -> Vec<TriMesh> {
+        let poses = (0..).zip(radii);
+        poses
+            .map(|(pose, radius)| rough(&phantom::sphere(3, radius), 0.6, seed + f64::from(pose)))
+            .collect()
+    };
+    let heart = subject(vec![
+        (SurfaceKind::Endocardium, frames([20.0; 5], 0.3)),
+        (SurfaceKind::Epicardium, frames(outer, 40.7)),
+    ]);
+    let beat = beat(&heart).unwrap();
+    for (frame, outer) in beat.frames.iter().zip(outer) {
+        let sum: f64 = frame.atoms.iter().map(|atom| atom.radius).sum();
+        let mean = sum / frame.atoms.len() as f64;
+        let expected = 0.5 * (outer - 20.0);
+        assert!((mean / expected - 1.0).abs() < 0.04, "{mean} {expected}");
+    }
+}
+
+#[test]
 fn the_template_of_a_closed_wall_is_its_inner_side() {
     let cup = closed_cup(20.0, 28.0, 20, 40);
     let beat = beat(&subject(vec![(SurfaceKind::Wall, vec![cup.clone(); 2])])).unwrap();
