@@ -113,7 +113,10 @@ pub(super) fn draw_bulls_eye(
         pen.page.line(&points, true, 2.6 * width, colour);
     }
     if flat.oriented {
-        numbers(pen, &content.scale, shown, &disc);
+        let borders: Vec<[f32; 2]> = (flat.borders.iter().flatten().flatten())
+            .map(|&point| disc.at(point))
+            .collect();
+        numbers(pen, &content.scale, shown, &disc, &borders);
         names_of_walls(pen, &disc);
     } else {
         let set = pen.regular(pen.theme.muted);
@@ -156,8 +159,14 @@ fn legend(scale: &BullsEyeScale, shown: &FlatValues) -> ColourLegend {
     }
 }
 
-/// Number of each segment, and its mean below.
-fn numbers(pen: &mut Pen<'_>, scale: &BullsEyeScale, shown: &FlatValues, disc: &Disc) {
+/// Number of each segment, and its mean below. Where a border runs through, it is broken there, as contours are at their heights.
+fn numbers(
+    pen: &mut Pen<'_>,
+    scale: &BullsEyeScale,
+    shown: &FlatValues,
+    disc: &Disc,
+    borders: &[[f32; 2]],
+) {
     let size = (0.082 * disc.radius).min(1.2 * pen.text);
     for segment in Segment::all() {
         let [inner, outer] = ring(segment.level());
@@ -171,12 +180,25 @@ fn numbers(pen: &mut Pen<'_>, scale: &BullsEyeScale, shown: &FlatValues, disc: &
             .and_then(|value| scale.colour(value))
             .unwrap_or(NO_VALUE);
         let colour = ink_on(behind).map(|channel| f32::from(channel) / 255.0);
+        let text = value.map_or_else(|| "–".to_owned(), |value| scale.text(value));
+        let set = pen.strong(colour, size);
+        let half = [
+            0.5 * pen.fonts.width(&text, set.weight, size) + 0.5 * size,
+            1.25 * size,
+        ];
+        let is_under = |point: &[f32; 2]| (0..2).all(|k| (point[k] - middle[k]).abs() < half[k]);
+        if borders.iter().any(is_under) {
+            let around = (0_u8..32).map(|step| {
+                let (sin, cos) = (f32::from(step) * std::f32::consts::TAU / 32.0).sin_cos();
+                [middle[0] + half[0] * cos, middle[1] + half[1] * sin]
+            });
+            let ground = behind.map(|channel| f32::from(channel) / 255.0);
+            pen.page.fill(&around.collect::<Vec<_>>(), ground);
+        }
         let mut small = pen.regular(colour);
         small.size = 0.72 * size;
         let at = [middle[0], middle[1] - 0.25 * size];
         pen.write(&segment.number().to_string(), small, Anchor::Middle, at);
-        let text = value.map_or_else(|| "–".to_owned(), |value| scale.text(value));
-        let set = pen.strong(colour, size);
         pen.write(
             &text,
             set,
