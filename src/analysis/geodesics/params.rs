@@ -1,8 +1,6 @@
 //! Which metric, how many poses between, and when to be content.
 
-use crate::analysis::metrics::{
-    CheckedMetricParams, Corners, Form, MetricKind, MetricParams, ParamError,
-};
+use crate::analysis::metrics::{CheckedMetricParams, MetricParams, ParamError};
 
 /// Settings of a geodesic; [`GeodesicParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -98,7 +96,10 @@ impl GeodesicParams {
                 fewest: FEWEST_VERTICES,
             });
         }
-        if self.in_betweens >= 2 && self.metric.lambda == 0.0 && has_no_least_path(&self.metric) {
+        if self.in_betweens >= 2
+            && self.metric.lambda == 0.0
+            && self.metric.path_energy_can_vanish()
+        {
             return Err(GeodesicParamError::NoLeastPath {
                 in_betweens: self.in_betweens,
             });
@@ -107,18 +108,6 @@ impl GeodesicParams {
             params: self,
             metric,
         })
-    }
-}
-
-fn has_no_least_path(metric: &MetricParams) -> bool {
-    match metric.kind {
-        MetricKind::Isometric | MetricKind::Rigid => false,
-        MetricKind::AnglePreserving => {
-            metric.corners == Corners::Raw || metric.form == Form::Printed
-        }
-        MetricKind::QuasiConformal => {
-            metric.corners == Corners::Raw || matches!(metric.form, Form::Printed | Form::Bilinear)
-        }
     }
 }
 

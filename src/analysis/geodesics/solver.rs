@@ -1,6 +1,6 @@
 //! Many paths on one connectivity, each the cheapest between its ends.
 
-use crate::analysis::metrics::{Form, Metric, MetricError, MetricKind, PathEnergy};
+use crate::analysis::metrics::{CurvatureRole, Metric, MetricError, PathEnergy};
 use crate::mesh::{Decimation, Faces, Point3, crossing_faces};
 use crate::progress::Progress;
 
@@ -32,7 +32,7 @@ impl GeodesicSolver {
         params: &CheckedGeodesicParams,
     ) -> Result<Self, GeodesicError> {
         check_ends(faces, reference, reference)?;
-        let stiffness = if curvature_is_a_factor(params) {
+        let stiffness = if params.metric.curvature_role().is_factor() {
             None // It depends on both ends: made for each path.
         } else {
             Stiffness::new(faces, reference, &params.metric, None)
@@ -217,14 +217,13 @@ impl GeodesicSolver {
         start: &[Point3],
         end: &[Point3],
     ) -> Result<Option<Stiffness>, GeodesicError> {
-        if !curvature_is_a_factor(&self.params) {
-            return Ok(None);
-        }
-        let (a, b) = (self.metric.prepare(start)?, self.metric.prepare(end)?);
-        let steps = match self.params.metric.form {
-            Form::Frozen => 1.0,
-            _ => f64::from(self.params.in_betweens) + 1.0,
+        let steps = match self.params.metric.curvature_role() {
+            CurvatureRole::Unused | CurvatureRole::Term => return Ok(None),
+            CurvatureRole::FrozenFactor => 1.0,
+            // Each of the steps makes an equal part of the change of the ends.
+            CurvatureRole::StepFactor => f64::from(self.params.in_betweens) + 1.0,
         };
+        let (a, b) = (self.metric.prepare(start)?, self.metric.prepare(end)?);
         let weights: Vec<f64> = (self.metric.frozen_weights(&a, &b).iter())
             .map(|weight| weight / (steps * steps))
             .collect();
@@ -237,12 +236,8 @@ impl GeodesicSolver {
     }
 }
 
-fn curvature_is_a_factor(params: &CheckedGeodesicParams) -> bool {
-    params.metric.kind == MetricKind::QuasiConformal && params.metric.form != Form::Additive
-}
-
 /// Where curvature change multiplies angle change, a step costs nothing if either is nothing: paths
 /// alternate between both in many ways, and where a search ends depends on where it began.
 fn has_many_minima(params: &CheckedGeodesicParams) -> bool {
-    curvature_is_a_factor(params) && params.metric.form != Form::Frozen
+    params.metric.curvature_role() == CurvatureRole::StepFactor
 }

@@ -4,7 +4,7 @@ use nalgebra::Rotation3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams, bent};
+use crate::analysis::metrics::{Corners, Form, METRICS, MetricKind, MetricParams, bent};
 use crate::mesh::{Faces, Point3, TriMesh, Vector3, phantom};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
@@ -158,12 +158,7 @@ fn without_in_betweens_the_path_is_its_ends() {
 fn every_metric_finds_a_path_that_is_no_dearer() {
     let mesh = bowl();
     let end = bent(mesh.vertices(), 0.2, 2.0);
-    for kind in [
-        MetricKind::Isometric,
-        MetricKind::Rigid,
-        MetricKind::AnglePreserving,
-        MetricKind::QuasiConformal,
-    ] {
+    for kind in METRICS {
         for form in [Form::Printed, Form::Bilinear, Form::Frozen, Form::Additive] {
             for corners in [Corners::Raw, Corners::ScaleFree] {
                 let metric = MetricParams {

@@ -26,20 +26,26 @@ mod connectivity;
 mod contributions;
 mod corner;
 mod curvature;
-mod face_charge;
+mod face_energy;
+mod face_shares;
+mod field_terms;
 mod fields;
+mod kind;
+mod kinds;
 mod metric;
 mod pair;
+mod pair_sums;
 mod params;
 mod path_energy;
 mod pose;
-mod products;
 mod rigid;
 mod smoothing;
 
+pub use kind::{METRICS, MetricKind};
+pub use kinds::MetricWords;
 pub use metric::{Metric, MetricError, PairNorms, PairScratch};
 pub use params::{
-    CheckedMetricParams, Corners, Form, MetricKind, MetricParams, ParamError, Regulariser,
+    CheckedMetricParams, Corners, CurvatureRole, Form, MetricParams, ParamError, Regulariser,
 };
 pub use path_energy::PathEnergy;
 pub use pose::PreparedPose;

@@ -1,18 +1,6 @@
 //! Which metric, in which form, with which weights.
 
-/// What a metric charges.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum MetricKind {
-    /// Change of edge lengths (2.3.6).
-    Isometric,
-    /// Displacement that no rigid motion explains (2.3.7).
-    Rigid,
-    /// Change of angles (eq. 3.3, 3.4).
-    AnglePreserving,
-    /// Change of angles and of Gaussian curvature (eq. 3.5).
-    #[default]
-    QuasiConformal,
-}
+use super::kind::MetricKind;
 
 /// How the terms of a metric are put together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -28,6 +16,29 @@ pub enum Form {
     /// Angle term plus μ times the curvature-change term: an inner product everywhere.
     #[default]
     Additive,
+}
+
+/// What a metric uses curvature for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurvatureRole {
+    /// Nothing.
+    Unused,
+    /// Its change is a term of its own, with weight μ.
+    Term,
+    /// Its change in a step multiplies the corner terms of that step.
+    StepFactor,
+    /// Its change between the two ends of a path multiplies the corner terms of all steps.
+    FrozenFactor,
+}
+
+impl CurvatureRole {
+    /// Whether curvature change multiplies corner terms.
+    pub fn is_factor(self) -> bool {
+        match self {
+            Self::Unused | Self::Term => false,
+            Self::StepFactor | Self::FrozenFactor => true,
+        }
+    }
 }
 
 /// Units of the corner terms of eq. 3.3.
@@ -53,7 +64,7 @@ pub enum Regulariser {
 /// Settings of a metric; [`MetricParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MetricParams {
-    /// What is charged.
+    /// What is penalised.
     pub kind: MetricKind,
     /// How terms combine; only angle-preserving and quasi-conformal metrics have forms.
     pub form: Form,

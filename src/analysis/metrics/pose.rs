@@ -4,7 +4,7 @@ use crate::mesh::{Point3, Vector3, angle_deficits_rad};
 
 use super::connectivity::Connectivity;
 use super::curvature::{Areas, curvature_density};
-use super::params::{CheckedMetricParams, Corners, MetricKind, Regulariser};
+use super::params::{CheckedMetricParams, Corners, Regulariser};
 
 /// A pose with everything that does not depend on what it is compared with.
 ///
@@ -33,6 +33,7 @@ impl PreparedPose {
     pub(super) fn new(
         mesh: &Connectivity,
         params: &CheckedMetricParams,
+        with_curvature: bool,
         points: &[Point3],
     ) -> Self {
         let areas = Areas::new(mesh, points);
@@ -46,7 +47,7 @@ impl PreparedPose {
                 0.0
             }
         };
-        let curvature = if params.kind != MetricKind::QuasiConformal {
+        let curvature = if !with_curvature {
             Vec::new()
         } else if params.area_weights {
             curvature_density(mesh, points, &areas, params.curvature_rings)
@@ -107,7 +108,7 @@ impl PreparedPose {
 }
 
 /// λ, over the squared radius of the sphere of equal area where sizes must not matter: then the
-/// regulariser charges displacement relative to size, as the corners charge relative change.
+/// regulariser penalises displacement relative to size, as the corners penalise relative change.
 pub(super) fn regulariser_factor(params: &CheckedMetricParams, total_area: f64) -> f64 {
     match (params.regulariser, params.corners) {
         (Regulariser::Area, Corners::ScaleFree) if total_area > 0.0 => {

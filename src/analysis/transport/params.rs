@@ -1,7 +1,7 @@
 //! Along which path a motion is carried, and what is kept on the way.
 
 use crate::analysis::geodesics::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
-use crate::analysis::metrics::{CheckedMetricParams, Form, MetricKind, MetricParams, ParamError};
+use crate::analysis::metrics::{CheckedMetricParams, Form, MetricParams, ParamError};
 
 /// For which displacements of a beat a geodesic between the hearts is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -133,7 +133,7 @@ impl TransportParams {
     /// # Errors
     /// If those of the metric or of the geodesic are not.
     pub fn check(mut self) -> Result<CheckedTransportParams, TransportParamError> {
-        if !is_inner_product(&self.metric) {
+        if !self.metric.is_inner_product() {
             self.metric.form = Form::Additive;
         }
         let geodesic = GeodesicParams {
@@ -150,15 +150,6 @@ impl TransportParams {
             metric: self.metric.check()?,
             geodesic: (self.in_betweens > 0).then_some(geodesic),
         })
-    }
-}
-
-/// Whether products of this metric are linear in each field.
-pub(super) fn is_inner_product(metric: &MetricParams) -> bool {
-    match metric.kind {
-        MetricKind::Isometric | MetricKind::Rigid => true,
-        MetricKind::AnglePreserving => metric.form != Form::Printed,
-        MetricKind::QuasiConformal => metric.form == Form::Additive,
     }
 }
 

@@ -3,7 +3,6 @@
 use crate::analysis::metrics::{Metric, PreparedPose};
 use crate::mesh::{Point3, Vector3};
 
-use super::params::is_inner_product;
 use super::{Nearness, Products, SampledPath, TransportError, parallel_transport};
 
 /// Poses nearer than this, relative to their largest coordinate, differ by round-off of an alignment:
@@ -25,7 +24,7 @@ impl<'a> PosePath<'a> {
     /// # Errors
     /// If counts of vertices differ, squares overflow, or the metric's form is no inner product.
     pub fn new(metric: &'a Metric, path: &[Vec<Point3>]) -> Result<Self, TransportError> {
-        if !is_inner_product(metric.params()) {
+        if !metric.params().is_inner_product() {
             return Err(TransportError::NotAnInnerProduct);
         }
         let mut kept: Vec<&[Point3]> = Vec::with_capacity(path.len());

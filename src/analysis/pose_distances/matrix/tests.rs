@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Rotation3;
 
 use super::*;
-use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
+use crate::analysis::metrics::{Corners, Form, METRICS, MetricParams};
 use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::mesh::{Point3, TriMesh, Vector3, phantom};
 use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
@@ -167,12 +167,7 @@ fn folded_faces_and_coinciding_vertices_give_finite_distances() {
         subject("damaged", [frames, vec![collapsed.unwrap()]].concat()),
         subject("a", beat(40.0, 0.2, 2)),
     ]);
-    for kind in [
-        MetricKind::Isometric,
-        MetricKind::Rigid,
-        MetricKind::AnglePreserving,
-        MetricKind::QuasiConformal,
-    ] {
+    for kind in METRICS {
         for form in [Form::Printed, Form::Bilinear, Form::Frozen, Form::Additive] {
             for (corners, area_weights) in [(Corners::Raw, false), (Corners::ScaleFree, true)] {
                 let metric = MetricParams {

@@ -1,21 +1,15 @@
 //! Laws of the scheme along given samples.
 
 use super::*;
-
-const KINDS: [MetricKind; 4] = [
-    MetricKind::Isometric,
-    MetricKind::Rigid,
-    MetricKind::AnglePreserving,
-    MetricKind::QuasiConformal,
-];
+use crate::analysis::metrics::METRICS;
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn norm_and_product_with_the_direction_are_kept(seed in 0.0..50.0, kind in 0..4_usize) {
+    fn norm_and_product_with_the_direction_are_kept(seed in 0.0..50.0, kind in 0..METRICS.len()) {
         let mesh = phantom::sphere(1, 1.0);
-        let metric = metric(mesh.faces(), KINDS[kind]);
+        let metric = metric(mesh.faces(), METRICS[kind]);
         let path = bent_path(mesh.vertices(), seed, 6);
         let field = wave(mesh.vertices(), seed + 7.0, 0.1);
         let there = transport_along(&metric, &path, &field, true).unwrap();
@@ -188,7 +182,7 @@ fn three_products_at_once_are_those_one_by_one() {
         wave(mesh.vertices(), 1.0, 0.1),
         wave(mesh.vertices(), 2.0, 0.1),
     );
-    for kind in KINDS {
+    for kind in METRICS {
         for (form, area_weights) in [
             (Form::Additive, true),
             (Form::Additive, false),
