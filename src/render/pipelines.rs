@@ -1,26 +1,7 @@
 //! Pipelines of everything that is drawn into the scene's depth, made when first needed.
 
+use super::shaders::{CORNERS, DISCS, Kind, RIM, SEGMENTS, shader_text};
 use super::targets::{COLOUR, DEPTH, SAMPLES};
-use super::{line_pass, point_pass, surface_pass};
-
-/// What every scene shader begins with.
-pub(super) const COMMON: &str = include_str!("shaders/common.wgsl");
-const PEEL: &str = include_str!("shaders/peel.wgsl");
-
-/// What is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// A surface by its indices.
-    Surface,
-    /// A surface corner by corner, with edges.
-    EdgedSurface,
-    /// Where a surface ends.
-    Rim,
-    /// Line segments.
-    Lines,
-    /// Discs.
-    Points,
-}
 
 /// What it is drawn for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,16 +20,6 @@ pub(super) enum Stage {
 
 const KINDS: usize = 5;
 const STAGES: usize = 5;
-
-/// The whole shader text of a kind.
-pub(super) fn shader_text(kind: Kind) -> String {
-    let own = match kind {
-        Kind::Surface | Kind::EdgedSurface | Kind::Rim => surface_pass::SHADER,
-        Kind::Lines => line_pass::SHADER,
-        Kind::Points => point_pass::SHADER,
-    };
-    [COMMON, PEEL, own].join("\n")
-}
 
 /// Bind group layouts shared by the passes.
 pub(super) struct Layouts {
@@ -186,10 +157,10 @@ fn scene_pipeline(
     };
     let (entry, buffers) = match kind {
         Kind::Surface => ("vs_indexed", vec![]),
-        Kind::EdgedSurface => ("vs_corners", vec![Some(surface_pass::CORNERS)]),
-        Kind::Rim => ("vs_rim", vec![Some(surface_pass::RIM)]),
-        Kind::Lines => ("vs_segment", vec![Some(line_pass::SEGMENTS)]),
-        Kind::Points => ("vs_disc", point_pass::DISCS.map(Some).to_vec()),
+        Kind::EdgedSurface => ("vs_corners", vec![Some(CORNERS)]),
+        Kind::Rim => ("vs_rim", vec![Some(RIM)]),
+        Kind::Lines => ("vs_segment", vec![Some(SEGMENTS)]),
+        Kind::Points => ("vs_disc", DISCS.map(Some).to_vec()),
     };
     let groups: &[Option<&wgpu::BindGroupLayout>] = match stage {
         Stage::OpaqueDepth => &[Some(&layouts.view), Some(own)],

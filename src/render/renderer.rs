@@ -13,7 +13,7 @@ use super::targets::{Means, Resolved, Scratch};
 use super::uniforms::{Shot, Tile, UNIFORM_STRIDE, ViewUniform};
 use super::uploads::{Gpu, Uploads};
 use super::watch::Watch;
-use super::{Camera, Scene, line_pass, point_pass, surface_pass, trial};
+use super::{Camera, Scene, driver_probe, line_pass, point_pass, surface_pass};
 
 /// Names one of several pictures that are kept at the same time, such as two views side by side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -202,7 +202,12 @@ impl Renderer {
         let format = self.target_format;
         let means = self
             .means
-            .get_or_insert_with(|| trial::means(gpu, format))
+            .get_or_insert_with(|| {
+                driver_probe::means(gpu, &|means, encoder, view, shot| {
+                    let mut probe = Self::new(gpu.device, format).with_means(means);
+                    probe.draw(gpu, encoder, ViewId(0), view, shot)
+                })
+            })
             .clone()?;
         let watch = Watch::begin(gpu.device);
         let (tile, pixels_per_point) = (shot.tile, shot.pixels_per_point);

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::numeric::{factorise_positive, solve_positive};
 use crate::progress::{Progress, Stopped};
 
-use super::lle::CheckedLleParams;
+use super::lle_params::CheckedLleParams;
 use super::{Embedding, EmbeddingError, Neighbours};
 
 /// For every item the weights, summing to 1, with which its neighbours come nearest to it.

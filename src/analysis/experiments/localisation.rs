@@ -8,8 +8,9 @@ use crate::mesh::{Point3, Vector3};
 use crate::progress::Progress;
 
 use super::medial_methods::judged;
-use super::noise_medial::{
-    Condition, at_least_one, check_levels, conditions, disturbed, without_confidence,
+use super::noise_medial::disturbed;
+use super::noise_medial_params::{
+    Condition, at_least_one, check_levels, conditions, without_confidence,
 };
 use super::noise_result::mean_and_error;
 use super::sheet_patches::regular_areas;

@@ -10,7 +10,9 @@ mod medial_tests;
 mod motions;
 mod noise;
 mod noise_medial;
+mod noise_medial_params;
 mod noise_medial_result;
+mod noise_params;
 mod noise_result;
 mod noise_study;
 mod noisy;
@@ -37,10 +39,12 @@ pub use localisation::{LocalisationParams, LocalisationRow, MeanAndError, locali
 pub use medial_methods::MedialMethod;
 pub use motions::Motion;
 pub use noise::{NoiseFamily, NoiseReference, coordinate_variance, noise_sigma};
-pub use noise_medial::{MedialNoiseParams, noise_medial};
+pub use noise_medial::noise_medial;
+pub use noise_medial_params::MedialNoiseParams;
 pub use noise_medial_result::{MedialNoiseCell, MedialNoiseResult, published_medial_tau};
+pub use noise_params::NoiseDeformationParams;
 pub use noise_result::{NoiseCell, NoiseDeformationResult, published_tau};
-pub use noise_study::{NoiseDeformationParams, noise_deformation};
+pub use noise_study::noise_deformation;
 pub use noisy::{Noise, noisy_study};
 pub use objects::{Fineness, ObjectKind, Solid, object};
 pub use partners::{

@@ -1,6 +1,6 @@
 //! The table of noise on medial surfaces, with its protocol in words.
 
-use super::noise_medial::{Condition, MedialDraw};
+use super::noise_medial_params::{Condition, MedialDraw};
 use super::noise_result::mean_and_error;
 use super::{MedialMethod, MedialNoiseParams, NoiseFamily};
 

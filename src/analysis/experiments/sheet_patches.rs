@@ -1,10 +1,11 @@
 //! Where on a synthetic medial surface its patches of constant thickness lie.
 
+use std::f64::consts::TAU;
+
+use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
 use crate::mesh::{Point3, Vector3};
-
-use super::sheets::direction;
 
 /// Half the width of the border of a patch in radians of the hemisphere, some 3 mm, and its most as a share of the radius.
 const HALF_BORDER_RAD: f64 = 0.08;
@@ -98,4 +99,12 @@ pub(super) fn regular_areas(
         }
     }
     areas
+}
+
+/// A direction of the lower hemisphere, away from the base, evenly over its area.
+fn direction(random: &mut ChaCha8Rng) -> Vector3 {
+    let z: f64 = random.random_range(-1.0..-0.15);
+    let around = random.random_range(0.0..TAU);
+    let across = (1.0 - z * z).sqrt();
+    Vector3::new(across * around.cos(), across * around.sin(), z)
 }

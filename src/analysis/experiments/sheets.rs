@@ -1,6 +1,5 @@
 //! Synthetic medial surfaces of left ventricles over a beat, with thickness as a function on them (section 4.6).
 
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use nalgebra::Rotation3;
@@ -356,12 +355,4 @@ fn gradients(points: &[Point3], values: &[f64], triangles: &[[u32; 3]]) -> Vec<V
     sums.iter()
         .map(|(sum, weight)| sum / weight.max(f64::MIN_POSITIVE))
         .collect()
-}
-
-/// A direction of the lower hemisphere, away from the base, evenly over its area.
-pub(super) fn direction(random: &mut ChaCha8Rng) -> Vector3 {
-    let z: f64 = random.random_range(-1.0..-0.15);
-    let around = random.random_range(0.0..TAU);
-    let across = (1.0 - z * z).sqrt();
-    Vector3::new(across * around.cos(), across * around.sin(), z)
 }

@@ -4,18 +4,25 @@ use crate::analysis::metrics::{CurvatureRole, Metric, MetricError, PathEnergy};
 use crate::mesh::{Decimation, Faces, Point3, crossing_faces};
 use crate::progress::Progress;
 
-use super::coarse::Coarse;
+use super::coarse::prolonged;
 use super::ends::{check_ends, flat};
 use super::minimise::{Content, Inner, cheapest, resampled, time_levels};
 use super::stiffness::Stiffness;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath};
+
+/// The same question on fewer of the vertices.
+#[derive(Clone, Debug)]
+struct Coarse {
+    decimation: Decimation,
+    solver: GeodesicSolver,
+}
 
 /// Finds many paths on one connectivity: what does not depend on the ends is computed once.
 #[derive(Clone, Debug)]
 pub struct GeodesicSolver {
     faces: Faces,
     metric: Metric,
-    pub(super) params: CheckedGeodesicParams,
+    params: CheckedGeodesicParams,
     stiffness: Option<Stiffness>,
     coarse: Option<Box<Coarse>>,
 }
@@ -161,7 +168,7 @@ impl GeodesicSolver {
         })
     }
 
-    pub(super) fn search(
+    fn search(
         &self,
         start: &[Point3],
         end: &[Point3],
@@ -169,7 +176,14 @@ impl GeodesicSolver {
         go_on: &dyn Fn() -> bool,
     ) -> Result<Inner, GeodesicError> {
         if let Some(coarse) = &self.coarse {
-            return coarse.search(start, end, &ends, go_on);
+            let Coarse { decimation, solver } = &**coarse;
+            let [start, end] = [start, end].map(|pose| decimation.restricted(pose));
+            let few = [flat(&start), flat(&end)];
+            let few = [few[0].as_slice(), few[1].as_slice()];
+            let mut inner = solver.search(&start, &end, few, go_on)?;
+            let count = usize::from(self.params.in_betweens);
+            inner.coordinates = prolonged(decimation, &inner.coordinates, few, ends, count);
+            return Ok(inner);
         }
         let own = self.own_stiffness(start, end)?;
         let content = Content {

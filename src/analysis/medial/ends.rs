@@ -7,7 +7,7 @@ use super::connectivity::Connectivity;
 use super::face_tree::Facing;
 use super::params::CheckedMedialParams;
 use super::result::{Atom, EndSpoke};
-use super::surface::WallAtlas;
+use super::wall_atlas::WallAtlas;
 use crate::mesh::{Point3, Vector3, face_normals};
 
 /// Half length of S₀ + S₁ below which it gives no direction: spokes within 6° of opposite.

@@ -18,6 +18,7 @@ mod smoothing;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod wall_atlas;
 
 pub use beat::medial_beat;
 pub use error::MedialError;

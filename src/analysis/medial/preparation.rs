@@ -9,7 +9,7 @@ use super::error::MedialError;
 use super::length_search::{BestLength, LengthSearch, Plan};
 use super::params::CheckedMedialParams;
 use super::smoothing::Smoothed;
-use super::surface::WallAtlas;
+use super::wall_atlas::WallAtlas;
 use crate::mesh::Point3;
 use crate::progress::Progress;
 

@@ -6,7 +6,7 @@ use super::error::ThickeningError;
 use super::noise::{LEAST_POSES, noise_of};
 use super::params::CheckedThickeningParams;
 use super::regions::{WELL_QUANTILE, area_quantile};
-use super::thickening::Surface;
+use super::surface::Surface;
 
 /// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above …
 const MOST_AVERAGING: f64 = 4.0;

@@ -9,7 +9,7 @@ use super::averaged::Averaged;
 use super::diffusion::RegularMesh;
 use super::params::CheckedThickeningParams;
 use super::regions::{WELL_QUANTILE, area_quantile, still_parts};
-use super::thickening::Surface;
+use super::surface::Surface;
 
 /// Share of redraws in which at least half of each part's area lies in a part again.
 ///

@@ -17,6 +17,7 @@ mod regions;
 mod result;
 mod steadiness;
 mod steps;
+mod surface;
 #[cfg(test)]
 mod tests;
 #[expect(
@@ -32,4 +33,5 @@ pub use result::{
     Extent, Patch, PatchSegment, Phase, SmallestPatch, Steadiness, Thickening, ThickeningStep,
 };
 pub use steps::{phase_of, thickness_ratios};
-pub use thickening::{phases, thickening};
+pub use surface::phases;
+pub use thickening::thickening;

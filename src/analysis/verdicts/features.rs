@@ -6,10 +6,17 @@ use crate::analysis::medial::MedialBeat;
 use crate::analysis::thickening::{Patch, Thickening};
 use crate::mesh::{Point3, area};
 
-use super::result::HeartThickening;
-
 /// PT from end-diastole to end-systole below which wall counts as still: "roughly equal to one" (4.4).
 const STILL_PT: f64 = 1.1;
+
+/// What a verdict is made of: one heart's medial surfaces and its thickening.
+#[derive(Clone, Copy, Debug)]
+pub struct HeartThickening<'a> {
+    /// Medial surfaces over the beat.
+    pub beat: &'a MedialBeat,
+    /// What of them does not thicken.
+    pub thickening: &'a Thickening,
+}
 
 /// One feature of a heart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,19 +1,9 @@
 //! Verdicts as plain values.
 
 use crate::analysis::classification::Accuracy;
-use crate::analysis::medial::MedialBeat;
-use crate::analysis::thickening::{Extent, Thickening};
+use crate::analysis::thickening::Extent;
 
 use super::features::Features;
-
-/// What a verdict is made of: one heart's medial surfaces and its thickening.
-#[derive(Clone, Copy, Debug)]
-pub struct HeartThickening<'a> {
-    /// Medial surfaces over the beat.
-    pub beat: &'a MedialBeat,
-    /// What of them does not thicken.
-    pub thickening: &'a Thickening,
-}
 
 /// What verdicts read of one heart.
 #[derive(Clone, Debug, PartialEq)]

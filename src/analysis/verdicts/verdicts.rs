@@ -6,13 +6,11 @@ use crate::study::Study;
 
 use super::cohort::{Cohort, Learnt};
 use super::error::VerdictError;
-use super::features::{Feature, Features, wall_volume_ratio};
+use super::features::{Feature, Features, HeartThickening, wall_volume_ratio};
 use super::likeness::{alike, familiarity, usual_distances};
 use super::logistic::sigmoid;
 use super::params::CheckedVerdictParams;
-use super::result::{
-    Examined, Finding, HeartThickening, NotAssessed, RuleSource, Verdict, Verdicts,
-};
+use super::result::{Examined, Finding, NotAssessed, RuleSource, Verdict, Verdicts};
 use super::rule::Standard;
 
 /// Thickening of the well wall, in standard deviations of averaged noise, or of the least that counts as

@@ -1,4 +1,4 @@
-//! Finds by a trial what an OpenGL driver can do, since its version alone does not tell.
+//! Tests what an OpenGL driver can do by drawing a small picture, since its version alone does not say.
 
 use std::sync::Arc;
 
@@ -7,17 +7,19 @@ use super::uniforms::{Shot, Tile};
 use super::uploads::Gpu;
 use super::watch::Watch;
 use super::{
-    Camera, Geometry, GeometryPose, Lines, Points, Renderer, Scene, Shading, Surface,
-    SurfaceColour, ViewId,
+    Camera, Geometry, GeometryPose, Lines, Points, Scene, Shading, Surface, SurfaceColour,
 };
 
-/// The best means that draw a small picture without complaint, or what the driver said against the last.
-pub(super) fn means(gpu: Gpu<'_>, format: wgpu::TextureFormat) -> Result<Means, String> {
-    works(gpu, format, Means::Peeled).or_else(|_| works(gpu, format, Means::Plain))
+/// Records a picture with these means.
+type Draw<'a> =
+    &'a dyn Fn(Means, &mut wgpu::CommandEncoder, (&Scene, &Camera), Shot) -> Result<(), String>;
+
+/// The best means by which `draw` makes a small picture without an error, or the driver's message about the last.
+pub(super) fn means(gpu: Gpu<'_>, draw: Draw<'_>) -> Result<Means, String> {
+    works(gpu, draw, Means::Peeled).or_else(|_| works(gpu, draw, Means::Plain))
 }
 
-fn works(gpu: Gpu<'_>, format: wgpu::TextureFormat, means: Means) -> Result<Means, String> {
-    let mut renderer = Renderer::new(gpu.device, format).with_means(means);
+fn works(gpu: Gpu<'_>, draw: Draw<'_>, means: Means) -> Result<Means, String> {
     let watch = Watch::begin(gpu.device);
     let descriptor = wgpu::CommandEncoderDescriptor::default();
     let mut encoder = gpu.device.create_command_encoder(&descriptor);
@@ -27,8 +29,7 @@ fn works(gpu: Gpu<'_>, format: wgpu::TextureFormat, means: Means) -> Result<Mean
         folds: true,
         occlusion_of: None,
     };
-    let view = (&scene(), &Camera::default());
-    renderer.draw(gpu, &mut encoder, ViewId(0), view, shot)?;
+    draw(means, &mut encoder, (&scene(), &Camera::default()), shot)?;
     gpu.queue.submit([encoder.finish()]);
     watch.end().map(|()| means)
 }
