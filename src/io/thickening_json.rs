@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::analysis::medial::MedialParams;
 use crate::analysis::medial_space::RatioForm;
-use crate::analysis::thickening::{Extent, Patch, Phase, ThickeningParams};
+use crate::analysis::thickening::{Extent, HalfBeat, Patch, ThickeningParams};
 
 use super::thickening_csv::AssessedWall;
 
@@ -35,9 +35,9 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
 pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
     let found = wall.thickening;
     let regular = wall.beat.regular.iter().filter(|&&regular| regular).count();
-    let well_share = |phase: Phase| {
+    let well_share = |half: HalfBeat| {
         let steps: Vec<f64> = (found.steps.iter())
-            .filter(|step| step.phase == phase)
+            .filter(|step| step.half == half)
             .map(|step| step.well_share)
             .collect();
         (!steps.is_empty()).then(|| steps.iter().sum::<f64>() / steps.len() as f64)
@@ -61,8 +61,8 @@ pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
         "noise": found.noise,
         "well_pt": found.well.exp(),
         "averaged_share": found.averaged_share,
-        "well_share_contraction": well_share(Phase::Contraction),
-        "well_share_expansion": well_share(Phase::Expansion),
+        "well_share_contraction": well_share(HalfBeat::Contraction),
+        "well_share_expansion": well_share(HalfBeat::Expansion),
         "oriented": wall.axis.is_some_and(|axis| axis.is_oriented()),
         "smallest_patch": found.smallest.map(|least| {
             json!({ "share": least.share, "area_cm2": least.area_cm2 })

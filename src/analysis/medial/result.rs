@@ -24,6 +24,14 @@ impl Atom {
     pub fn boundary_points(&self) -> [Point3; 2] {
         self.spokes.map(|spoke| self.position + self.radius * spoke)
     }
+
+    /// PT = r / r₀: thickness relative to that of the same atom at a reference pose (4.4).
+    ///
+    /// The plain quotient: where a sphere is missing, which no atom that takes part has, it is 0, infinite or not a number,
+    /// and so cannot be taken for a wall that keeps its thickness.
+    pub fn thickness_ratio(&self, reference: &Self) -> f64 {
+        self.radius / reference.radius
+    }
 }
 
 /// Third spoke of an atom at which the medial surface ends.

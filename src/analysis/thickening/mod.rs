@@ -30,8 +30,8 @@ pub use by_place::{PlaceThickening, thickening_of_levels, thickening_of_segments
 pub use error::ThickeningError;
 pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
 pub use result::{
-    Extent, Patch, PatchSegment, Phase, SmallestPatch, Steadiness, Thickening, ThickeningStep,
+    Extent, HalfBeat, Patch, PatchSegment, SmallestPatch, Steadiness, Thickening, ThickeningStep,
 };
-pub use steps::{phase_of, thickness_ratios};
+pub use steps::{half_beat_of, thickness_ratios};
 pub use surface::phases;
 pub use thickening::thickening;

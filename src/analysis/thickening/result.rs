@@ -6,7 +6,7 @@ use crate::mesh::Point3;
 
 /// Half of the beat that a step belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Phase {
+pub enum HalfBeat {
     /// From end-diastole to end-systole: a well wall thickens.
     Contraction,
     /// From end-systole to end-diastole: it thins.
@@ -21,7 +21,7 @@ pub struct ThickeningStep {
     /// Pose t₂.
     pub to: usize,
     /// Half of the beat.
-    pub phase: Phase,
+    pub half: HalfBeat,
     /// PT = r(t₂) / r(t₁) of every atom, whether it takes part or not.
     pub pt: Vec<f64>,
     /// M̂: regular atoms with |ln PT| within the tolerance, ascending.

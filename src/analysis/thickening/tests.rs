@@ -110,7 +110,7 @@ fn a_wall_that_thickens_evenly_has_no_patch_and_the_curve_is_its_own() {
     let contracting = found
         .steps
         .iter()
-        .filter(|step| step.phase == Phase::Contraction);
+        .filter(|step| step.half == HalfBeat::Contraction);
     assert_eq!(contracting.count(), 3);
     // From pose 6 on the wall thins by less than the tolerance: all stands still there, and MP lies off it.
     let wells: Vec<f64> = found
