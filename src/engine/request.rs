@@ -324,8 +324,8 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         core,
         still,
         border,
-        least_share,
-        least_thickening,
+        min_share,
+        min_thickening,
         smoothing,
         redraws,
         seed,
@@ -337,7 +337,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
     };
     format!(
         "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core {core}, still {still:.3}, border {border}, \
-         least share {least_share}, least thickening {least_thickening:.3}, averaged over {smoothing}, \
+         least share {min_share}, least thickening {min_thickening:.3}, averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)
     )

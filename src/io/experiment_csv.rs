@@ -2,7 +2,7 @@
 
 use crate::analysis::experiments::{
     InterpolationStudy, MetricComparison, NoiseDeformationResult, NoiseReference, PartnerStudy,
-    RuleShare, TransferStudy,
+    RuleShare, TransportStudy,
 };
 
 use super::report_csv::Table;
@@ -111,7 +111,7 @@ pub fn partners_csv(study: &PartnerStudy) -> String {
 }
 
 /// The study of transfer: a row per deformation.
-pub fn transfer_study_csv(study: &TransferStudy) -> String {
+pub fn transfer_study_csv(study: &TransportStudy) -> String {
     let mut table = Table::new(&[
         "source",
         "target",

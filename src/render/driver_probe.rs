@@ -2,25 +2,29 @@
 
 use std::sync::Arc;
 
-use super::targets::Means;
+use super::error_scope::ErrorScope;
+use super::targets::Capabilities;
 use super::uniforms::{Shot, Tile};
 use super::uploads::Gpu;
-use super::watch::Watch;
 use super::{
     Camera, Geometry, GeometryPose, Lines, Points, Scene, Shading, Surface, SurfaceColour,
 };
 
-/// Records a picture with these means.
-type Draw<'a> =
-    &'a dyn Fn(Means, &mut wgpu::CommandEncoder, (&Scene, &Camera), Shot) -> Result<(), String>;
+/// Records a picture with these capabilities.
+type Draw<'a> = &'a dyn Fn(
+    Capabilities,
+    &mut wgpu::CommandEncoder,
+    (&Scene, &Camera),
+    Shot,
+) -> Result<(), String>;
 
-/// The best means by which `draw` makes a small picture without an error, or the driver's message about the last.
-pub(super) fn means(gpu: Gpu<'_>, draw: Draw<'_>) -> Result<Means, String> {
-    works(gpu, draw, Means::Peeled).or_else(|_| works(gpu, draw, Means::Plain))
+/// The best capabilities by which `draw` makes a small picture without an error, or the driver's message about the last.
+pub(super) fn capabilities(gpu: Gpu<'_>, draw: Draw<'_>) -> Result<Capabilities, String> {
+    works(gpu, draw, Capabilities::Peeled).or_else(|_| works(gpu, draw, Capabilities::Plain))
 }
 
-fn works(gpu: Gpu<'_>, draw: Draw<'_>, means: Means) -> Result<Means, String> {
-    let watch = Watch::begin(gpu.device);
+fn works(gpu: Gpu<'_>, draw: Draw<'_>, capabilities: Capabilities) -> Result<Capabilities, String> {
+    let error_scope = ErrorScope::begin(gpu.device);
     let descriptor = wgpu::CommandEncoderDescriptor::default();
     let mut encoder = gpu.device.create_command_encoder(&descriptor);
     let shot = Shot {
@@ -29,9 +33,14 @@ fn works(gpu: Gpu<'_>, draw: Draw<'_>, means: Means) -> Result<Means, String> {
         folds: true,
         occlusion_of: None,
     };
-    draw(means, &mut encoder, (&scene(), &Camera::default()), shot)?;
+    draw(
+        capabilities,
+        &mut encoder,
+        (&scene(), &Camera::default()),
+        shot,
+    )?;
     gpu.queue.submit([encoder.finish()]);
-    watch.end().map(|()| means)
+    error_scope.end().map(|()| capabilities)
 }
 
 /// One of everything, opaque and translucent.

@@ -7,6 +7,7 @@ mod camera;
 mod camera_moves;
 mod drawn;
 mod driver_probe;
+mod error_scope;
 mod frame;
 mod identity;
 mod line_pass;
@@ -25,7 +26,6 @@ mod targets;
 mod tests;
 mod uniforms;
 mod uploads;
-mod watch;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Projected, Ray};

@@ -8,14 +8,14 @@ use super::targets::{COLOUR, DEPTH, SAMPLES};
 pub(super) enum Stage {
     /// The nearest opaque depth.
     OpaqueDepth,
-    /// The nearest depth of films before what is opaque.
+    /// The nearest depth of translucent_surfaces before what is opaque.
     FirstDepth,
     /// The nearest depth behind the layer taken before.
     PeelDepth,
     /// Light where the depth is the one found before, under what is already there.
     Colour,
     /// Light of a whole film before what is opaque, under what is already there; needs no depths but those.
-    Film,
+    Translucent,
 }
 
 const KINDS: usize = 5;
@@ -167,7 +167,9 @@ fn scene_pipeline(
         Stage::FirstDepth | Stage::PeelDepth => {
             &[Some(&layouts.view), Some(own), Some(&layouts.peel)]
         }
-        Stage::Colour | Stage::Film => &[Some(&layouts.view), Some(own), Some(&layouts.occlusion)],
+        Stage::Colour | Stage::Translucent => {
+            &[Some(&layouts.view), Some(own), Some(&layouts.occlusion)]
+        }
     };
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: None,
@@ -200,7 +202,7 @@ fn scene_pipeline(
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH,
-            depth_write_enabled: Some(!matches!(stage, Stage::Colour | Stage::Film)),
+            depth_write_enabled: Some(!matches!(stage, Stage::Colour | Stage::Translucent)),
             depth_compare: Some(match stage {
                 Stage::Colour => wgpu::CompareFunction::Equal,
                 _ => wgpu::CompareFunction::Greater,
@@ -216,8 +218,10 @@ fn scene_pipeline(
             Stage::OpaqueDepth => None,
             Stage::FirstDepth => Some(fragment("fs_first", &[])),
             Stage::PeelDepth => Some(fragment("fs_peel", &[])),
-            Stage::Colour | Stage::Film if kind == Kind::Rim => Some(fragment("fs_rim", &under)),
-            Stage::Colour | Stage::Film => Some(fragment("fs_colour", &under)),
+            Stage::Colour | Stage::Translucent if kind == Kind::Rim => {
+                Some(fragment("fs_rim", &under))
+            }
+            Stage::Colour | Stage::Translucent => Some(fragment("fs_colour", &under)),
         },
         multiview_mask: None,
         cache: None,

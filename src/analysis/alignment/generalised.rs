@@ -6,7 +6,7 @@ use crate::progress::{Progress, Stopped};
 use super::{RigidMotion, rigid_motion};
 
 /// Sweeps after which the mean is taken as it is; poses of a beat settle within five.
-const MOST_SWEEPS: usize = 50;
+const MAX_SWEEPS: usize = 50;
 /// Squared movement of the mean over its squared size at which it has settled: round-off.
 const SETTLED: f64 = 1e-24;
 
@@ -27,8 +27,8 @@ pub fn align_poses(poses: &[&[Point3]], progress: &Progress) -> Result<Vec<Rigid
         return Ok(motions);
     };
     let mut mean = first.to_vec();
-    progress.expect_steps(MOST_SWEEPS * poses.len());
-    for _ in 0..MOST_SWEEPS {
+    progress.expect_steps(MAX_SWEEPS * poses.len());
+    for _ in 0..MAX_SWEEPS {
         let mut sum = vec![nalgebra::Vector3::zeros(); first.len()];
         let mut members = 0.0;
         for (pose, motion) in poses.iter().zip(&mut motions) {

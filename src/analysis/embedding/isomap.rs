@@ -45,7 +45,7 @@ pub fn isomap_of_neighbours(
     dimensions: usize,
     progress: &Progress,
 ) -> Result<Embedding, EmbeddingError> {
-    let (ways, parts) = shortest_ways(distances, nearest, progress)?;
+    let (ways, parts) = shortest_paths(distances, nearest, progress)?;
     let map = classical_mds(&ways, dimensions, progress)?;
     let kept: f64 = (map.eigenvalues.iter().flatten().take(dimensions))
         .map(|value| value.max(0.0).powi(2))
@@ -64,7 +64,7 @@ pub fn isomap_of_neighbours(
 ///
 /// # Errors
 /// If stopped, or if the neighbours are of another number of items.
-pub fn shortest_ways(
+pub fn shortest_paths(
     distances: &DistanceMatrix,
     nearest: &Neighbours,
     progress: &Progress,
@@ -180,7 +180,7 @@ mod tests {
             .to_vec();
         let distances = of_points(&line);
         let nearest = Neighbours::of_distances(&distances, 1, &Progress::default()).unwrap();
-        let (ways, parts) = shortest_ways(&distances, &nearest, &Progress::default()).unwrap();
+        let (ways, parts) = shortest_paths(&distances, &nearest, &Progress::default()).unwrap();
         assert_eq!(parts, 3);
         // All links lie on the line, so every way is as long as the distance.
         for (way, distance) in ways.upper().iter().zip(distances.upper()) {
@@ -223,7 +223,7 @@ mod tests {
             let n = points.len();
             let distances = of_points(&points);
             let nearest = Neighbours::of_distances(&distances, count, &Progress::default()).unwrap();
-            let (ways, parts) = shortest_ways(&distances, &nearest, &Progress::default()).unwrap();
+            let (ways, parts) = shortest_paths(&distances, &nearest, &Progress::default()).unwrap();
             prop_assume!(parts == 1);
             let mut table = vec![f64::INFINITY; n * n];
             for i in 0..n {

@@ -2,7 +2,7 @@
 
 use crate::progress::Progress;
 
-use super::flattest::flattest;
+use super::bottom_eigenvectors::bottom_eigenvectors;
 use super::orientation::oriented;
 use super::parts::closed_parts;
 use super::{CheckedLleParams, Embedding, EmbeddingError, LocalWeights, Neighbours};
@@ -71,7 +71,7 @@ pub fn lle_of_weights(
     if dimensions >= items {
         return Err(EmbeddingError::Dimensions { dimensions, items });
     }
-    let (values, vectors) = flattest(weights, dimensions, progress)?;
+    let (values, vectors) = bottom_eigenvectors(weights, dimensions, progress)?;
     let coordinates = (0..items)
         .flat_map(|item| vectors.iter().map(move |vector| vector[item]))
         .collect();

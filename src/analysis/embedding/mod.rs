@@ -1,9 +1,9 @@
 //! Where do items lie on a map that keeps their distances?
 
+mod bottom_eigenvectors;
 mod classical;
 mod embed;
 mod error;
-mod flattest;
 mod isomap;
 mod lle;
 mod lle_params;
@@ -21,7 +21,7 @@ mod stress;
 pub use classical::classical_mds;
 pub use embed::embed;
 pub use error::EmbeddingError;
-pub use isomap::{isomap, isomap_of_neighbours, shortest_ways};
+pub use isomap::{isomap, isomap_of_neighbours, shortest_paths};
 pub use lle::{lle, lle_of_weights};
 pub use lle_params::{CheckedLleParams, LleParamError, LleParams};
 pub use local_weights::LocalWeights;

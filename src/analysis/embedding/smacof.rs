@@ -14,7 +14,7 @@ use super::{Embedding, EmbeddingError, classical_mds, kruskal_stress};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmacofParams {
     /// Steps after which a start is given up as it is.
-    pub most_iterations: usize,
+    pub max_iterations: usize,
     /// Ends where a step lowers the raw stress by less than this share of it.
     pub tolerance: f64,
     /// Random starts tried beside that from classical scaling; the lowest stress wins.
@@ -28,7 +28,7 @@ impl Default for SmacofParams {
     /// on maps of beating hearts: less than a point's radius on screen.
     fn default() -> Self {
         Self {
-            most_iterations: 1000,
+            max_iterations: 1000,
             tolerance: 1e-7,
             random_starts: 0,
             seed: 0,
@@ -81,7 +81,7 @@ pub fn smacof(
     let params = params.0;
     let start = classical_mds(distances, dimensions, progress)?;
     let blocks = row_blocks(distances.size());
-    progress.expect_steps((params.random_starts + 1) * params.most_iterations * blocks.len());
+    progress.expect_steps((params.random_starts + 1) * params.max_iterations * blocks.len());
     let majoriser = Majoriser {
         distances,
         dimensions,
@@ -147,7 +147,7 @@ impl Majoriser<'_> {
             let (next, raw_stress) = self.transformed(&axes)?;
             // Also true at zero stress, and where nothing moves any more.
             let settled = last_stress - raw_stress <= params.tolerance * raw_stress;
-            if settled || iterations == params.most_iterations || items < 2 {
+            if settled || iterations == params.max_iterations || items < 2 {
                 let coordinates = (0..items)
                     .flat_map(|item| axes.iter().map(move |axis| axis[item]))
                     .collect();
@@ -280,12 +280,12 @@ fn pull_all(here: f64, there: &[f64], pulls: &[f64], moved: &mut [f64]) -> f64 {
 /// two of a busy machine with two cores.
 const PAIRS_A_BLOCK: usize = 2_000_000;
 /// More blocks would cost more in sums than they gain.
-const MOST_BLOCKS: usize = 64;
+const MAX_BLOCKS: usize = 64;
 
 /// Rows in blocks of about as many pairs; depends on the number of items alone.
 fn row_blocks(items: usize) -> Vec<std::ops::Range<usize>> {
     let pairs = items * items.saturating_sub(1) / 2;
-    let wanted = PAIRS_A_BLOCK.max(pairs.div_ceil(MOST_BLOCKS));
+    let wanted = PAIRS_A_BLOCK.max(pairs.div_ceil(MAX_BLOCKS));
     let mut blocks = Vec::new();
     let (mut first, mut gathered) = (0, 0);
     for row in 0..items {

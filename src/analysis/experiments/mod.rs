@@ -26,7 +26,7 @@ mod sheets;
 mod synthetic;
 #[cfg(test)]
 mod tests;
-mod transfer_study;
+mod transport_study;
 
 pub use comparison::{
     ComparisonRow, MetricComparison, MetricComparisonParams, RuleShare, metric_comparison,
@@ -48,9 +48,10 @@ pub use noise_study::noise_deformation;
 pub use noisy::{Noise, noisy_study};
 pub use objects::{Fineness, ObjectKind, Solid, object};
 pub use partners::{
-    Carrying, PartnerParams, PartnerRanks, PartnerRow, PartnerStudy, partner_study, patient_of,
+    PartnerParams, PartnerRanks, PartnerRow, PartnerStudy, TransportOption, partner_study,
+    patient_of,
 };
 pub use pipeline::Method;
 pub use sheets::{Sheet, SheetParams, sheet};
 pub use synthetic::{Deformation, SyntheticCohort, SyntheticParams, synthetic_cohort};
-pub use transfer_study::{TransferCase, TransferStudy, TransferStudyParams, transfer_study};
+pub use transport_study::{TransportCase, TransportStudy, TransportStudyParams, transport_study};

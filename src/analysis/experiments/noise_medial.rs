@@ -1,4 +1,4 @@
-//! How many deformations with a patch are told from those without when medial surfaces are noisy (4.6, 4.6.1).
+//! How many deformations with a patch are scored from those without when medial surfaces are noisy (4.6, 4.6.1).
 
 use rand::seq::SliceRandom;
 use rand::{Rng, SeedableRng};
@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use crate::mesh::{Point3, Vector3};
 use crate::progress::Progress;
 
-use super::medial_methods::{Clusters, groups, judged};
+use super::medial_methods::{Clusters, assessed, groups};
 use super::noise_medial_params::{Condition, MedialDraw, conditions};
 use super::noise_medial_result::{MedialNoiseCell, MedialNoiseResult};
 use super::sheets::{PHASES, Sheet, sheet};
@@ -82,7 +82,7 @@ fn one_draw(
             )?;
             let noisy = disturbed(&clean, condition, seed, stream);
             centres.push(centre(&noisy.positions[PHASES[0]]));
-            sheets.push(judged(
+            sheets.push(assessed(
                 &noisy,
                 &params.thickening,
                 with_printed,
@@ -99,7 +99,7 @@ fn one_draw(
     (params.methods.iter())
         .map(|&method| {
             let groups = groups(method, &sheets, &centres, clusters, &progress.within())?;
-            Ok(told(params, method, &groups, &labels, seed))
+            Ok(scored(params, method, &groups, &labels, seed))
         })
         .collect()
 }
@@ -120,7 +120,7 @@ fn centre(points: &[Point3]) -> Point3 {
 
 /// τ of groups: as they are where they are classes, by the better of both matches where they have no names (the best
 /// match of two clusters with two classes). What is in no group is wrong.
-fn told(
+fn scored(
     params: &MedialNoiseParams,
     method: MedialMethod,
     groups: &[usize],

@@ -115,7 +115,7 @@ impl MedialNoiseResult {
              areas and sizes are computed from noisy atoms. End-diastole and end-systole are stated, the rim is \
              left out."
                 .to_owned(),
-            "Patch found: abnormal is where the search for patches finds one, each deformation judged alone with \
+            "Patch found: abnormal is where the search for patches finds one, each deformation assessed alone with \
              the program's default settings, none of them chosen on these data."
                 .to_owned(),
             format!(
@@ -127,7 +127,7 @@ impl MedialNoiseResult {
                 params.restarts
             ),
             format!(
-                "τ: share of deformations told right, clusters matched to classes as well as can be; {} redraws of \
+                "τ: share of deformations scored right, clusters matched to classes as well as can be; {} redraws of \
                  sheets, patches and noise, seed {}, mean ± standard error from the scatter between redraws; \
                  baseline: τ of permuted labels.",
                 params.redraws, params.seed

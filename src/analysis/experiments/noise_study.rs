@@ -1,4 +1,4 @@
-//! How many deformations are still told apart when their meshes are noisy (section 3.4.4).
+//! How many deformations are still scored apart when their meshes are noisy (section 3.4.4).
 
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -91,13 +91,13 @@ fn one_draw(
     (params.methods.iter())
         .map(|method| {
             progress.step()?;
-            told_apart(params, &study, &labels, method, seed, &progress.within())
+            classified(params, &study, &labels, method, seed, &progress.within())
         })
         .collect()
 }
 
 /// τ of a study by one method, of all of its deformations.
-pub(super) fn told_apart(
+pub(super) fn classified(
     params: &NoiseDeformationParams,
     study: &Study,
     labels: &[Option<usize>],

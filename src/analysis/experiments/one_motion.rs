@@ -1,4 +1,4 @@
-//! A study in which all hearts move alike: what is still told apart is shape.
+//! A study in which all hearts move alike: what is still scored apart is shape.
 
 use std::sync::Arc;
 

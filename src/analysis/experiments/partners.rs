@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::analysis::alignment::comparable_subjects;
 use crate::analysis::deformations::{DeformationDistances, deformation_distances};
 use crate::analysis::pose_distances::{PoseDistanceParams, pose_distances};
-use crate::analysis::transport::CohortTransferParams;
+use crate::analysis::transport::CohortTransportParams;
 use crate::progress::Progress;
 use crate::study::Study;
 
@@ -14,11 +14,11 @@ use super::{ExperimentError, Method, MetricComparisonParams};
 
 /// What is done to motions before they are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Carrying {
+pub struct TransportOption {
     /// What tables call it.
     pub name: &'static str,
     /// Onto what all motions are carried; `None`: compared where they are.
-    pub transfer: Option<CohortTransferParams>,
+    pub transfer: Option<CohortTransportParams>,
     /// Whether all hearts are given the motion of the first one beforehand: what then still tells patients
     /// apart is their shape, which a perfect transfer would take away.
     pub one_motion: bool,
@@ -27,24 +27,24 @@ pub struct Carrying {
 /// What is compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartnerParams {
-    /// Ways of comparing poses, under each of `carryings`.
+    /// Ways of comparing poses, under each of `transport_options`.
     pub methods: Vec<Method>,
     /// What is done to motions before.
-    pub carryings: Vec<Carrying>,
+    pub transport_options: Vec<TransportOption>,
     /// Ways of comparing poses that are tried on hearts as they are alone.
-    pub uncarried: Vec<Method>,
+    pub untransported: Vec<Method>,
 }
 
 impl PartnerParams {
     /// All kinds and forms, plain displacement and the default without smoothing; as they are, carried
     /// onto the mean along geodesics or straight ways as given, and with one motion for all. As they are
     /// also what smoothing, area weights and λ bring.
-    pub fn all_metrics(transfer: CohortTransferParams) -> Self {
-        let straight = CohortTransferParams {
+    pub fn all_metrics(transfer: CohortTransportParams) -> Self {
+        let straight = CohortTransportParams {
             in_betweens: 0,
             ..transfer
         };
-        let carrying = |name, transfer, one_motion| Carrying {
+        let carrying = |name, transfer, one_motion| TransportOption {
             name,
             transfer,
             one_motion,
@@ -62,14 +62,14 @@ impl PartnerParams {
         methods.push(Method::default_unsmoothed());
         Self {
             methods,
-            carryings: vec![
+            transport_options: vec![
                 carrying("none", None, false),
                 carrying("geodesics", Some(transfer), false),
                 carrying("straight ways", Some(straight), false),
                 carrying("one motion for all, none", None, true),
                 carrying("one motion for all, geodesics", Some(transfer), true),
             ],
-            uncarried: vec![
+            untransported: vec![
                 Method {
                     name: "plain displacement, smoothed",
                     ..Method::procrustes_smoothed()
@@ -148,16 +148,16 @@ pub fn partner_study(
     let members: Vec<usize> = members.iter().map(|member| member.index).collect();
     refuse_without_partners(&ids_of(study, &members))?;
     let moved_alike = one_motion_study(study)?;
-    let own = Carrying {
+    let own = TransportOption {
         name: "none",
         transfer: None,
         one_motion: false,
     };
-    let mut tasks: Vec<(Carrying, Method)> = Vec::new();
-    for carrying in &params.carryings {
+    let mut tasks: Vec<(TransportOption, Method)> = Vec::new();
+    for carrying in &params.transport_options {
         tasks.extend(params.methods.iter().map(|method| (*carrying, *method)));
     }
-    tasks.extend(params.uncarried.iter().map(|method| (own, *method)));
+    tasks.extend(params.untransported.iter().map(|method| (own, *method)));
     progress.expect_steps(tasks.len());
     let rows = tasks
         .par_iter()

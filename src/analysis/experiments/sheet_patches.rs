@@ -39,13 +39,13 @@ impl PatchPlace {
 /// centres that is far enough, or else the farthest.
 pub(super) fn patches(
     directions: &[Vector3],
-    at_rest: &[Point3],
+    at_end_diastole: &[Point3],
     triangles: &[[u32; 3]],
     regular: &[bool],
     shares: &[f64],
     random: &mut ChaCha8Rng,
 ) -> Vec<PatchPlace> {
-    let areas = regular_areas(at_rest, triangles, regular);
+    let areas = regular_areas(at_end_diastole, triangles, regular);
     let mut places: Vec<PatchPlace> = Vec::new();
     for &share in shares {
         let mut best: Option<(f64, PatchPlace)> = None;

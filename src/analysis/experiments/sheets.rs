@@ -63,7 +63,7 @@ const BEND_MM: f64 = 3.0;
 const SHIFT_MM: f64 = 8.0;
 const TURN_RAD: f64 = 0.16;
 /// Radius below which noise does not bring an atom, as a share of its clean one.
-const LEAST_RADIUS: f64 = 0.05;
+const MIN_RADIUS: f64 = 0.05;
 
 /// One deforming medial surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -277,7 +277,7 @@ impl Sheet {
         let radii = (self.radii.iter())
             .map(|pose| {
                 (pose.iter())
-                    .map(|r| (r + family.draw(thickness, random)).max(LEAST_RADIUS * r))
+                    .map(|r| (r + family.draw(thickness, random)).max(MIN_RADIUS * r))
                     .collect()
             })
             .collect();

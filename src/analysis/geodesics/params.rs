@@ -13,14 +13,14 @@ pub struct GeodesicParams {
     /// is not expected to lower it by more.
     pub tolerance: f64,
     /// Stop after so many iterations of each search.
-    pub most_iterations: u32,
+    pub max_iterations: u32,
     /// Find the path on a decimated mesh of at most so many vertices, and prolong its offsets from the
     /// straight line to the whole; `None`: on the mesh as it is.
     ///
     /// Offsets are smooth where limbs do not turn: on hearts such a path has a part of the gain in energy, less
     /// the fewer vertices it is found on. Where limbs turn, as a horse's legs do, a prolonged path may cost more
     /// than the straight line, which is then given.
-    pub most_vertices: Option<u32>,
+    pub max_vertices: Option<u32>,
 }
 
 impl Default for GeodesicParams {
@@ -33,17 +33,17 @@ impl Default for GeodesicParams {
             metric: MetricParams::default(),
             in_betweens: 3,
             tolerance: 1e-3,
-            most_iterations: 1_000,
-            most_vertices: None,
+            max_iterations: 1_000,
+            max_vertices: None,
         }
     }
 }
 
 /// More in-betweens than any screen shows; memory grows with them.
-const MOST_IN_BETWEENS: u16 = 1_023;
+const MAX_IN_BETWEENS: u16 = 1_023;
 
 /// A coarser mesh would no longer be a heart.
-const FEWEST_VERTICES: u32 = 12;
+const MIN_VERTICES: u32 = 12;
 
 /// Settings that have been checked; read them like the fields of [`GeodesicParams`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -63,7 +63,7 @@ impl std::ops::Deref for CheckedGeodesicParams {
 impl CheckedGeodesicParams {
     /// The same on the mesh as it is.
     pub(super) fn on_all_vertices(mut self) -> Self {
-        self.params.most_vertices = None;
+        self.params.max_vertices = None;
         self
     }
 }
@@ -81,19 +81,19 @@ impl GeodesicParams {
     /// If a weight, the tolerance or a count is out of range, or there is no least path.
     pub fn check(self) -> Result<CheckedGeodesicParams, GeodesicParamError> {
         let metric = self.metric.check()?;
-        if self.in_betweens > MOST_IN_BETWEENS {
+        if self.in_betweens > MAX_IN_BETWEENS {
             return Err(GeodesicParamError::InBetweens {
                 in_betweens: self.in_betweens,
-                most: MOST_IN_BETWEENS,
+                most: MAX_IN_BETWEENS,
             });
         }
         if !(self.tolerance.is_finite() && self.tolerance >= 0.0) {
             return Err(GeodesicParamError::Tolerance(self.tolerance));
         }
-        if let Some(vertices) = self.most_vertices.filter(|&v| v < FEWEST_VERTICES) {
+        if let Some(vertices) = self.max_vertices.filter(|&v| v < MIN_VERTICES) {
             return Err(GeodesicParamError::Vertices {
                 vertices,
-                fewest: FEWEST_VERTICES,
+                fewest: MIN_VERTICES,
             });
         }
         if self.in_betweens >= 2

@@ -44,7 +44,7 @@ impl GeodesicSolver {
         } else {
             Stiffness::new(faces, reference, &params.metric, None)
         };
-        let fewer = params.most_vertices.map(|most| most as usize);
+        let fewer = params.max_vertices.map(|most| most as usize);
         let fewer = fewer.filter(|&most| most < faces.vertex_count());
         let coarse = match fewer {
             Some(most) => Self::coarse(faces, reference, params, most)?,
@@ -63,9 +63,9 @@ impl GeodesicSolver {
         faces: &Faces,
         reference: &[Point3],
         params: &CheckedGeodesicParams,
-        most_vertices: usize,
+        max_vertices: usize,
     ) -> Result<Option<Box<Coarse>>, GeodesicError> {
-        let Some(decimation) = Decimation::new(reference, faces, most_vertices, || true) else {
+        let Some(decimation) = Decimation::new(reference, faces, max_vertices, || true) else {
             return Ok(None);
         };
         let solver = Self::new(
@@ -188,7 +188,7 @@ impl GeodesicSolver {
         let own = self.own_stiffness(start, end)?;
         let content = Content {
             tolerance: self.params.tolerance,
-            most_iterations: self.params.most_iterations as usize,
+            max_iterations: self.params.max_iterations as usize,
         };
         let count = usize::from(self.params.in_betweens);
         let from = |levels: &[usize], stiffness: Option<&Stiffness>| {

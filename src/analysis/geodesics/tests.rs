@@ -170,7 +170,7 @@ fn every_metric_finds_a_path_that_is_no_dearer() {
                 };
                 let params = GeodesicParams {
                     metric,
-                    most_iterations: 60,
+                    max_iterations: 60,
                     ..GeodesicParams::default()
                 };
                 let path = found(mesh.faces(), mesh.vertices(), &end, params);
@@ -192,7 +192,7 @@ fn a_path_found_on_few_vertices_is_close_to_that_of_all() {
     let end = bent(ball.vertices(), 0.3, 1.0);
     let whole = found(ball.faces(), ball.vertices(), &end, exact());
     let params = GeodesicParams {
-        most_vertices: Some(300),
+        max_vertices: Some(300),
         ..exact()
     };
     let few = found(ball.faces(), ball.vertices(), &end, params);

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::mesh::{Faces, MeshError, Point3, TriMesh};
 use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
 
-use super::volumes::{UntoldVolume, wall_inner_side};
+use super::volumes::{UnknownVolume, wall_inner_side};
 
 /// One side of a wall: some or all faces of a surface.
 #[derive(Clone, Debug)]
@@ -67,7 +67,7 @@ pub struct WallSides<'a> {
     /// The epicardium, or the other side of a wall; of a closed one with the ring at its base.
     pub outer: Option<Side<'a>>,
     /// Why a wall given as one surface was not split; it counts as outer side then.
-    pub unsplit: Option<UntoldVolume>,
+    pub unsplit: Option<UnknownVolume>,
 }
 
 /// The sides of a heart's wall. Which face of a wall is which is told at the first frame.
@@ -97,7 +97,7 @@ pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
 ///
 /// # Errors
 /// If the wall is open, of more than two sheets, or its inner side cannot be told.
-pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UntoldVolume> {
+pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UnknownVolume> {
     let inner = wall_inner_side(wall)?.triangles().to_vec();
     let sorted = |mut triangle: [u32; 3]| {
         triangle.sort_unstable();
@@ -114,7 +114,7 @@ pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UntoldVolume>
             faces: Arc::new(Faces::new(wall.faces().vertex_count(), triangles)?),
         })
     };
-    let broken = |reason| UntoldVolume::Broken {
+    let broken = |reason| UnknownVolume::Broken {
         kind: wall.kind().name(),
         reason,
     };

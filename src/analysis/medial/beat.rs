@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use super::error::MedialError;
 use super::params::CheckedMedialParams;
 use super::result::{MedialBeat, MedialSurface};
-use super::surface::MOST_NOISE;
+use super::surface::MAX_NOISE;
 use super::wall_atlas::{WallAtlas, joined_points};
 use crate::analysis::measures::split_wall;
 use crate::mesh::{Faces, Point3, TriMesh};
@@ -56,7 +56,7 @@ pub fn medial_beat(
         .collect();
     let lost = regular.iter().filter(|&&regular| !regular).count();
     let (noise, thickness) = (prepared.plan.noise, prepared.thickness);
-    if noise > MOST_NOISE * thickness && 2 * lost > regular.len() {
+    if noise > MAX_NOISE * thickness && 2 * lost > regular.len() {
         return Err(MedialError::Noise {
             noise,
             thickness,

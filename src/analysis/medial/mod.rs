@@ -2,7 +2,6 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.2.
 
-mod balls;
 mod beat;
 mod connectivity;
 mod ends;
@@ -15,6 +14,7 @@ mod preparation;
 mod result;
 mod roughness;
 mod smoothing;
+mod spheres;
 mod surface;
 #[cfg(test)]
 mod tests;

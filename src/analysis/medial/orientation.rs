@@ -10,7 +10,7 @@ use crate::mesh::{Point3, Vector3, area, signed_volume};
 const VOTES: usize = 24;
 
 /// A second sheet of this share of the first one's area is its other side; a smaller one is debris.
-const LEAST_SHARE: f64 = 0.2;
+const MIN_SHARE: f64 = 0.2;
 
 /// Vertices that tell about how thick a wall is. The wall's thickness differs by a fifth from place to place, so that the
 /// median is about one percent off.
@@ -127,7 +127,7 @@ fn opposite_sides(connectivity: &Connectivity, points: &[Point3]) -> Opposite {
     sheets.sort_by(|a, b| b.0.total_cmp(&a.0));
     let [(largest, first), (next, second)] = *sheets.get(..2)?.as_array::<2>()?;
     let range = |sheet: usize| [0, 1].map(|end| connectivity.sheet_starts[sheet + end] as u32);
-    (next >= LEAST_SHARE * largest).then(|| [range(first), range(second)])
+    (next >= MIN_SHARE * largest).then(|| [range(first), range(second)])
 }
 
 /// Positive where the faces have the nearest of the others in front of them.

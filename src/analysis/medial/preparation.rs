@@ -17,7 +17,7 @@ use crate::progress::Progress;
 const HARDLY_ROUGH: f64 = 0.005;
 
 /// Longest ℓ in typical thicknesses that noise can ask for.
-const MOST_LENGTH: f64 = 1.5;
+const MAX_LENGTH: f64 = 1.5;
 
 /// Noise makes walls look thin. Where they are so many times as thick without it, longer lengths are tried as well …
 const THICKER: f64 = 1.25;
@@ -25,7 +25,7 @@ const THICKER: f64 = 1.25;
 /// … so many times in all.
 const ROUNDS: usize = 3;
 
-/// What is known of a wall's poses before balls are laid into it.
+/// What is known of a wall's poses before spheres are laid into it.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared {
     /// About how thick the wall is, in coordinates.
@@ -106,7 +106,7 @@ impl WallAtlas {
         let mut prepared = Prepared::new(thickness, least);
         for _ in 0..ROUNDS {
             let looked = prepared.thickness;
-            let most = params.smoothing.max(MOST_LENGTH) * looked;
+            let most = params.smoothing.max(MAX_LENGTH) * looked;
             search.lengthen(&mut best, [least.length, most]);
             progress.check()?;
             let Some((plan, smoothed)) = search.plan(&best) else {

@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use super::balls::{Ball, Fit, WallOfPose};
 use super::ends::end_spokes;
 use super::error::MedialError;
 use super::face_tree::FacesOfPose;
 use super::params::CheckedMedialParams;
 use super::preparation::Prepared;
 use super::result::{Atom, MedialSurface};
+use super::spheres::{Fit, MedialSphere, WallOfPose};
 use super::wall_atlas::{WallAtlas, joined_points};
 use crate::mesh::{Point3, TriMesh, Vector3, vertex_normals};
 use crate::progress::Progress;
@@ -16,29 +16,29 @@ use crate::progress::Progress;
 /// Vertices between two questions whether to go on: some milliseconds.
 const CHUNK: usize = 256;
 
-/// Diameter of the largest ball over the typical thickness: a wall four times as thick as its median is none.
-const MOST_THICKNESS: f64 = 4.0;
+/// Diameter of the largest sphere over the typical thickness: a wall four times as thick as its median is none.
+const MAX_THICKNESS: f64 = 4.0;
 
-/// Share of vertices that must have a ball; the rest of a wall cannot be trusted where fewer have.
-const LEAST_FITTING: f64 = 0.5;
+/// Share of vertices that must have a sphere; the rest of a wall cannot be trusted where fewer have.
+const MIN_FITTING: f64 = 0.5;
 
 /// Noise over the typical thickness from which lost atoms are put down to noise.
-pub(super) const MOST_NOISE: f64 = 0.2;
+pub(super) const MAX_NOISE: f64 = 0.2;
 
 /// Atoms of a wall at one pose, one per vertex of the template.
 ///
 /// With `others`, the template is the inner surface, usually the endocardium, and the others the outer one. Without, it
 /// is a closed wall, of which every vertex of both sides has its atom.
 ///
-/// Surfaces are smoothed over [`smoothing`](super::MedialParams::smoothing), or more where they are rough; from every vertex p the largest ball that
+/// Surfaces are smoothed over [`smoothing`](super::MedialParams::smoothing), or more where they are rough; from every vertex p the largest sphere that
 /// touches p and the side across gives x = p + r n, S₀ = −n, S₁ = (q − x) / r, q being where it touches across. Since the tangent plane of the
 /// medial surface halves the angle between the spokes, its normal is N = (S₁ − S₀) / |S₁ − S₀|.
 ///
-/// Of surfaces open at the base, balls may run out; their atoms take the mean radius of their neighbours
+/// Of surfaces open at the base, spheres may run out; their atoms take the mean radius of their neighbours
 /// and are end atoms. Where sides cross or coincide, r = 0, and atoms are end atoms too.
 ///
 /// # Errors
-/// If a surface has no area, a wall is open, half of the vertices have no ball, or it was stopped.
+/// If a surface has no area, a wall is open, half of the vertices have no sphere, or it was stopped.
 pub fn medial_surface(
     template: &TriMesh,
     others: &[&TriMesh],
@@ -66,7 +66,7 @@ impl WallAtlas {
     /// Atoms at a pose of a wall that was prepared with its other poses.
     ///
     /// # Errors
-    /// If half of the vertices have no ball, or it was stopped.
+    /// If half of the vertices have no sphere, or it was stopped.
     pub fn surface(
         &self,
         frame: usize,
@@ -95,14 +95,14 @@ impl WallAtlas {
             normals: &normals,
             boundary: &self.connectivity.boundary,
             cos_separation: params.separation_rad.cos(),
-            most_radius: 0.5 * MOST_THICKNESS * thickness,
+            max_radius: 0.5 * MAX_THICKNESS * thickness,
         };
-        let mut balls = self.balls(&wall, 0.5 * thickness, progress)?;
-        let without = balls.iter().filter(|ball| !ball.touches()).count();
-        if without as f64 > (1.0 - LEAST_FITTING) * balls.len() as f64 {
-            let atoms = balls.len();
+        let mut spheres = self.spheres(&wall, 0.5 * thickness, progress)?;
+        let without = spheres.iter().filter(|sphere| !sphere.touches()).count();
+        if without as f64 > (1.0 - MIN_FITTING) * spheres.len() as f64 {
+            let atoms = spheres.len();
             return Err(
-                if plan.noise > MOST_NOISE * thickness && plan.noise < 10.0 * thickness {
+                if plan.noise > MAX_NOISE * thickness && plan.noise < 10.0 * thickness {
                     MedialError::Noise {
                         noise: plan.noise,
                         thickness,
@@ -118,9 +118,9 @@ impl WallAtlas {
                 },
             );
         }
-        self.lend_radii(&mut balls);
-        let (atoms, normals) = self.atoms(&wall, &balls);
-        let end = end_spokes(&wall, self, &balls, &atoms, &normals, params);
+        self.lend_radii(&mut spheres);
+        let (atoms, normals) = self.atoms(&wall, &spheres);
+        let end = end_spokes(&wall, self, &spheres, &atoms, &normals, params);
         Ok(MedialSurface {
             atoms,
             normals,
@@ -128,42 +128,42 @@ impl WallAtlas {
         })
     }
 
-    /// One ball per probe. Each starts from the one before it in its chunk.
-    fn balls(
+    /// One sphere per probe. Each starts from the one before it in its chunk.
+    fn spheres(
         &self,
         wall: &WallOfPose<'_>,
         radius: f64,
         progress: &Progress,
-    ) -> Result<Vec<Ball>, MedialError> {
-        let found: Result<Vec<Vec<Ball>>, _> = (self.order.par_chunks(CHUNK))
+    ) -> Result<Vec<MedialSphere>, MedialError> {
+        let found: Result<Vec<Vec<MedialSphere>>, _> = (self.order.par_chunks(CHUNK))
             .map(|chunk| {
                 progress.step()?;
                 let (mut radius, mut hint) = (radius, None);
                 Ok(chunk
                     .iter()
                     .map(|&probe| {
-                        let ball = wall.ball(self.vertex(probe as usize), radius, hint);
-                        if ball.touches() {
-                            (radius, hint) = (ball.radius, ball.face);
+                        let sphere = wall.sphere(self.vertex(probe as usize), radius, hint);
+                        if sphere.touches() {
+                            (radius, hint) = (sphere.radius, sphere.face);
                         }
-                        ball
+                        sphere
                     })
                     .collect())
             })
             .collect();
         let found = found.map_err(MedialError::Stopped)?;
-        let mut balls: Vec<Option<Ball>> = vec![None; self.probes.len()];
-        for (&probe, ball) in self.order.iter().zip(found.into_iter().flatten()) {
-            balls[probe as usize] = Some(ball);
+        let mut spheres: Vec<Option<MedialSphere>> = vec![None; self.probes.len()];
+        for (&probe, sphere) in self.order.iter().zip(found.into_iter().flatten()) {
+            spheres[probe as usize] = Some(sphere);
         }
         // Every probe stands in the order once.
-        Ok(balls.into_iter().flatten().collect())
+        Ok(spheres.into_iter().flatten().collect())
     }
 
-    /// Balls that leak take the mean radius of their neighbours that have one, from these outwards.
-    fn lend_radii(&self, balls: &mut [Ball]) {
-        let mut open: Vec<usize> = (0..balls.len())
-            .filter(|&probe| balls[probe].fit == Fit::Leaks)
+    /// Spheres that leak take the mean radius of their neighbours that have one, from these outwards.
+    fn lend_radii(&self, spheres: &mut [MedialSphere]) {
+        let mut open: Vec<usize> = (0..spheres.len())
+            .filter(|&probe| spheres[probe].fit == Fit::Leaks)
             .collect();
         if open.is_empty() {
             return;
@@ -171,9 +171,13 @@ impl WallAtlas {
         let rows = &self.connectivity.rows;
         let mut radius_of: Vec<Option<f64>> = vec![None; self.connectivity.vertex_count()];
         let mut fitting = (0.0, 0_usize);
-        for (probe, ball) in balls.iter().enumerate().filter(|(_, ball)| ball.touches()) {
-            radius_of[self.vertex(probe) as usize] = Some(ball.radius);
-            fitting = (fitting.0 + ball.radius, fitting.1 + 1);
+        for (probe, sphere) in spheres
+            .iter()
+            .enumerate()
+            .filter(|(_, sphere)| sphere.touches())
+        {
+            radius_of[self.vertex(probe) as usize] = Some(sphere.radius);
+            fitting = (fitting.0 + sphere.radius, fitting.1 + 1);
         }
         let mean = fitting.0 / fitting.1.max(1) as f64;
         while !open.is_empty() {
@@ -195,24 +199,24 @@ impl WallAtlas {
                 };
                 let vertex = self.vertex(probe) as usize;
                 radius_of[vertex] = Some(radius);
-                balls[probe].radius = radius;
+                spheres[probe].radius = radius;
             }
             open = left;
         }
     }
 
-    /// Atoms and normals from balls.
-    fn atoms(&self, wall: &WallOfPose<'_>, balls: &[Ball]) -> (Vec<Atom>, Vec<Vector3>) {
+    /// Atoms and normals from spheres.
+    fn atoms(&self, wall: &WallOfPose<'_>, spheres: &[MedialSphere]) -> (Vec<Atom>, Vec<Vector3>) {
         let middle = middle_of(wall.faces);
-        (balls.iter().enumerate())
-            .map(|(probe, ball)| {
+        (spheres.iter().enumerate())
+            .map(|(probe, sphere)| {
                 let vertex = self.vertex(probe) as usize;
                 let inwards = match wall.normals[vertex] {
                     normal if normal == Vector3::zeros() => Vector3::z(),
                     normal => normal,
                 };
-                let position = wall.faces.points[vertex] + ball.radius * inwards;
-                let across = ball.across.try_normalize(0.0).unwrap_or(inwards);
+                let position = wall.faces.points[vertex] + sphere.radius * inwards;
+                let across = sphere.across.try_normalize(0.0).unwrap_or(inwards);
                 let mut spokes = [-inwards, across];
                 let mut normal = (across + inwards).try_normalize(1e-9).unwrap_or(inwards);
                 if self.both_sides && normal.dot(&(position - middle)) < 0.0 {
@@ -221,7 +225,7 @@ impl WallAtlas {
                 }
                 let atom = Atom {
                     position,
-                    radius: ball.radius,
+                    radius: sphere.radius,
                     spokes,
                 };
                 (atom, normal)

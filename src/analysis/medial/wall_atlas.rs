@@ -5,7 +5,7 @@ use super::error::MedialError;
 use super::face_tree::{FacesOfPose, TreePlan};
 use super::orientation::{Opposite, distance_across, thickness_of_closed, turn_into_muscle};
 use super::roughness::{Roughness, steady_normals};
-use crate::analysis::measures::UntoldVolume;
+use crate::analysis::measures::UnknownVolume;
 use crate::mesh::{Point3, TriMesh, face_normals};
 
 /// Vertices of all surfaces, one after the other.
@@ -57,7 +57,7 @@ impl WallAtlas {
         let opposite = turn_into_muscle(&mut connectivity, &points);
         if opposite.is_none() && connectivity.boundary.contains(&true) {
             let loops = first.iter().map(|m| m.faces().boundary_loops().len()).sum();
-            return Err(UntoldVolume::OpenWall { loops }.into());
+            return Err(UnknownVolume::OpenWall { loops }.into());
         }
         let ((tree, order), roughness) = rayon::join(
             || {

@@ -6,10 +6,10 @@ use crate::analysis::pose_distances::DistanceMatrix;
 use crate::progress::Progress;
 
 use super::placement::Frame;
-use super::result::{HeartPaths, MedialMap, MedialMapError, MedialPose, Spread, StillPart};
+use super::result::{AkineticPart, MedialMap, MedialMapError, MedialPose, Spread, SubjectPaths};
 
 /// Two points always lie on a line, whatever they are.
-const LEAST_POSES: usize = 3;
+const MIN_POSES: usize = 3;
 
 /// The map is a plane.
 const DIMENSIONS: usize = 2;
@@ -25,7 +25,7 @@ const DIMENSIONS: usize = 2;
 /// If there are fewer than three poses, a distance is not finite, the method of mapping fails, or on
 /// "stop".
 pub fn medial_map(
-    hearts: &[Result<HeartPaths, String>],
+    hearts: &[Result<SubjectPaths, String>],
     method: MapMethod,
     progress: &Progress,
 ) -> Result<MedialMap, MedialMapError> {
@@ -33,12 +33,12 @@ pub fn medial_map(
         let hearts = hearts.iter().enumerate();
         hearts.filter_map(|(subject, heart)| Some((subject, heart.as_ref().ok()?)))
     };
-    let known: Vec<&HeartPaths> = mapped().map(|(_, heart)| heart).collect();
+    let known: Vec<&SubjectPaths> = mapped().map(|(_, heart)| heart).collect();
     let frame = shared_frame(&known);
     let poses: Vec<MedialPose> = mapped()
         .flat_map(|(subject, heart)| placed(subject, heart, frame))
         .collect();
-    if poses.len() < LEAST_POSES {
+    if poses.len() < MIN_POSES {
         return Err(MedialMapError::TooFewPoses {
             poses: poses.len(),
             hearts: mapped().count(),
@@ -63,7 +63,7 @@ pub fn medial_map(
 }
 
 /// The frame that all hearts have.
-fn shared_frame(hearts: &[&HeartPaths]) -> Frame {
+fn shared_frame(hearts: &[&SubjectPaths]) -> Frame {
     let known =
         |frame: &Frame| (hearts.iter()).all(|heart| heart.placements[*frame as usize].is_some());
     (Frame::ALL.into_iter()).find(known).unwrap_or(Frame::Files)
@@ -71,7 +71,7 @@ fn shared_frame(hearts: &[&HeartPaths]) -> Frame {
 
 fn placed(
     subject: usize,
-    heart: &HeartPaths,
+    heart: &SubjectPaths,
     frame: Frame,
 ) -> impl Iterator<Item = MedialPose> + '_ {
     let placement = heart.placements[frame as usize];
@@ -108,7 +108,7 @@ fn distances(poses: &[MedialPose], progress: &Progress) -> Result<DistanceMatrix
 
 /// Mean distance within each run of poses of one part of one heart.
 fn spreads(poses: &[MedialPose], distances: &DistanceMatrix) -> Vec<Spread> {
-    let part = |pose: &MedialPose| -> (usize, StillPart) { (pose.subject, pose.part) };
+    let part = |pose: &MedialPose| -> (usize, AkineticPart) { (pose.subject, pose.part) };
     let mut first = 0;
     let runs = poses.chunk_by(|a, b| part(a) == part(b));
     runs.map(|run| {

@@ -10,9 +10,9 @@ mod result;
 mod tests;
 
 pub use map::medial_map;
-pub use paths::heart_paths;
+pub use paths::subject_paths;
 pub use placement::{Frame, Placement};
 pub use result::{
-    HeartPaths, MedialMap, MedialMapError, MedialPose, NotMapped, PathStep, Spread, StillPart,
-    StillPath,
+    AkineticPart, AkineticPath, MedialMap, MedialMapError, MedialPose, NotMapped, PathStep, Spread,
+    SubjectPaths,
 };

@@ -9,14 +9,14 @@ use super::placement::{Frame, Placement};
 
 /// The part of a wall whose poses make a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum StillPart {
+pub enum AkineticPart {
     /// All that stands still in a step, M̂ of 4.4: what the method takes where there is no patch.
     Whole,
     /// One connected part that does not thicken over the beat (4.6.2), by its place in the list of patches.
     Patch(usize),
 }
 
-impl StillPart {
+impl AkineticPart {
     /// Its place in the list of patches.
     pub fn patch(self) -> Option<usize> {
         match self {
@@ -39,18 +39,18 @@ pub struct PathStep {
 
 /// The path of one part over the beat.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StillPath {
+pub struct AkineticPath {
     /// Which part.
-    pub part: StillPart,
+    pub part: AkineticPart,
     /// By rising [`PathStep::from`]; steps without descriptor are left out.
     pub steps: Vec<PathStep>,
 }
 
 /// What one heart adds to the map.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HeartPaths {
+pub struct SubjectPaths {
     /// One per patch, or that of M̂.
-    pub paths: Vec<StillPath>,
+    pub paths: Vec<AkineticPath>,
     /// How the heart's coordinates become comparable, for each [`Frame`] that it has.
     pub placements: [Option<Placement>; Frame::COUNT],
 }
@@ -75,7 +75,7 @@ pub struct MedialPose {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Which part of its wall.
-    pub part: StillPart,
+    pub part: AkineticPart,
     /// Pose t₁ of the step.
     pub step_from: usize,
     /// Pose t₂.
@@ -90,7 +90,7 @@ pub struct Spread {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Which part of its wall.
-    pub part: StillPart,
+    pub part: AkineticPart,
     /// Mean distance 4.5.1 of two poses of the path; `None` with one pose.
     pub mean_distance: Option<f64>,
 }

@@ -34,7 +34,7 @@ pub enum RatioForm {
 
 /// One atom of M̂, as far as the descriptor needs it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StillAtom {
+pub struct AkineticAtom {
     /// Its centre.
     pub position: Point3,
     /// ln PT of the step.
@@ -58,7 +58,7 @@ pub fn spoke_angle_rad(normal: &Vector3, spokes: &[Vector3; 2]) -> f64 {
 /// x̄ = mean of x; ln r̂ = Σ ln PT (printed) or its mean; ρ = mean of the angles between spoke and
 /// normal: the printed mean of vectors of different tangent planes cannot be taken, and as an exponent ρ
 /// must be a number; N̄ = Σ N / |Σ N|. Source: 4.4.1, 4.4.2 and 4.5.
-pub fn pose_descriptor(atoms: &[StillAtom], form: RatioForm) -> Option<PoseDescriptor> {
+pub fn pose_descriptor(atoms: &[AkineticAtom], form: RatioForm) -> Option<PoseDescriptor> {
     if atoms.is_empty() {
         return None;
     }

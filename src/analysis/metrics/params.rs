@@ -134,7 +134,7 @@ impl std::ops::Deref for CheckedMetricParams {
 }
 
 /// Rings past which an average spans any heart; each ring costs a pass over all edges.
-const MOST_RINGS: u32 = 100;
+const MAX_RINGS: u32 = 100;
 
 impl MetricParams {
     /// Makes settings usable.
@@ -147,10 +147,10 @@ impl MetricParams {
                 return Err(ParamError::Weight { name, value });
             }
         }
-        if self.curvature_rings > MOST_RINGS {
+        if self.curvature_rings > MAX_RINGS {
             return Err(ParamError::Rings {
                 rings: self.curvature_rings,
-                most: MOST_RINGS,
+                most: MAX_RINGS,
             });
         }
         Ok(CheckedMetricParams(self))

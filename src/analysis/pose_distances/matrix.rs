@@ -8,7 +8,7 @@ use crate::analysis::alignment::{
     LeftOut, comparable_subjects, cross_covariance, rotation_from_covariance,
 };
 use crate::analysis::metrics::{Metric, PairScratch, PreparedPose};
-use crate::analysis::transport::transfer_cohort;
+use crate::analysis::transport::transport_cohort;
 use crate::mesh::Faces;
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
@@ -34,7 +34,7 @@ const BLOCK: usize = 8;
 /// 1. **Size.** Coordinates are divided by one scale per sequence
 ///    ([`SizeScale`](crate::analysis::alignment::SizeScale)): the largest box side at end-diastole, as
 ///    stated by the subject, else frame 0.
-/// 2. **Transfer**, if asked for: every motion is carried onto one heart ([`transfer_cohort`]).
+/// 2. **Transfer**, if asked for: every motion is carried onto one heart ([`transport_cohort`]).
 /// 3. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
 ///    the first, of least squares over vertices. So a distance depends on its two poses alone (and on
 ///    the heart that they were carried onto): moving an input, or adding a subject, changes no other
@@ -101,7 +101,7 @@ pub fn pose_distances_knowing(
         return compared(study, &metric, known, &sources, left_out, progress);
     };
     let carrying = progress.part("carrying all motions onto one heart", 0.0, TRANSFER_SHARE);
-    let cohort = transfer_cohort(&smooth, &params.metric, transfer, &carrying)?;
+    let cohort = transport_cohort(&smooth, &params.metric, transfer, &carrying)?;
     let sources = carried_sources(&cohort);
     let left_out = cohort.left_out.clone();
     let comparing = progress.part("comparing poses", TRANSFER_SHARE, 1.0);

@@ -1,7 +1,7 @@
 //! What the distances between poses are made of.
 
 use crate::analysis::metrics::{CheckedMetricParams, MetricParams, ParamError};
-use crate::analysis::transport::{CohortTransferParams, TransportParamError};
+use crate::analysis::transport::{CohortTransportParams, TransportParamError};
 
 /// Settings of a matrix of pose distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub struct PoseDistanceParams {
     pub metric: MetricParams,
     /// Whether all motions are carried onto one heart before poses are compared, so that distances
     /// tell of motion alone; `None` compares poses as they are, so that they tell of shape as well.
-    pub transfer: Option<CohortTransferParams>,
+    pub transfer: Option<CohortTransportParams>,
     /// Radius ρ, in shares of the square root of a surface's area, below which poses are smoothed
     /// before all else ([`Smoother`](crate::analysis::metrics::Smoother)); 0 leaves them as they are.
     pub smoothing: f64,
@@ -50,7 +50,7 @@ const LARGEST_RADIUS: f64 = 1.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CheckedPoseDistanceParams {
     pub(super) metric: CheckedMetricParams,
-    pub(super) transfer: Option<CohortTransferParams>,
+    pub(super) transfer: Option<CohortTransportParams>,
     pub(super) smoothing: f64,
 }
 

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::analysis::alignment::Comparable;
-use crate::analysis::transport::TransferredCohort;
+use crate::analysis::transport::TransportedCohort;
 use crate::mesh::Point3;
 
 use super::PoseId;
@@ -60,7 +60,7 @@ pub(super) fn own_sources<'a>(members: &[Comparable<'a>]) -> Vec<Source<'a>> {
 }
 
 /// The poses of the one heart that moves like them.
-pub(super) fn carried_sources(cohort: &TransferredCohort) -> Vec<Source<'_>> {
+pub(super) fn carried_sources(cohort: &TransportedCohort) -> Vec<Source<'_>> {
     (cohort.members.iter())
         .flat_map(|member| {
             (member.poses.iter().enumerate()).map(|(frame, points)| Source {

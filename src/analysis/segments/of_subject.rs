@@ -8,7 +8,7 @@ use super::{LongAxis, Places, SegmentError, places, vertex_areas};
 
 /// Rims shorter than this share of the longest are holes, not openings of the heart: a valve is
 /// longer than a fourth of the other's ring.
-const LEAST_RIM: f64 = 0.25;
+const MIN_RIM: f64 = 0.25;
 
 /// The long axis of a heart at a frame.
 ///
@@ -77,7 +77,7 @@ fn rims(side: &Side<'_>, frame: usize) -> Vec<Vec<u32>> {
     loops
         .into_iter()
         .zip(lengths)
-        .filter_map(|(rim, length)| (length > 0.0 && length >= LEAST_RIM * longest).then_some(rim))
+        .filter_map(|(rim, length)| (length > 0.0 && length >= MIN_RIM * longest).then_some(rim))
         .collect()
 }
 

@@ -39,7 +39,7 @@ pub(super) fn confidences(
             well,
             mesh,
             &surface.neighbours,
-            estimate.least_share,
+            estimate.min_share,
             params,
         ) {
             part.iter().for_each(|&atom| again[atom as usize] = true);

@@ -19,14 +19,14 @@ const LARGEST: f64 = 0.6;
 /// Halvings of the area: to a millionth.
 const HALVINGS: usize = 20;
 /// A patch of fewer atoms is no part of a mesh.
-const FEWEST_ATOMS: f64 = 4.0;
+const MIN_ATOMS: f64 = 4.0;
 
 /// Least share of the regular surface that a round patch that stands still needs to be found for sure; `None` where noise
 /// hides even the largest.
 ///
 /// A disc in a plane that thickens by 0 where all around thickens as the well wall does, averaged as thickening
 /// is, is found where its core and its border hold the areas that a patch needs, the core with noise on top.
-pub(super) fn least_found(
+pub(super) fn smallest_detectable(
     found: &Averaged,
     mesh: &RegularMesh,
     params: &CheckedThickeningParams,
@@ -37,8 +37,8 @@ pub(super) fn least_found(
     let core = params.core.min(params.still / found.well) - SURE * found.noise / found.well;
     let enough = |area: f64| {
         let profile = Profile::new(area, found.share);
-        profile.area_below(core) >= CORE_AREA * found.least_share
-            && profile.area_below(params.border) >= found.least_share
+        profile.area_below(core) >= CORE_AREA * found.min_share
+            && profile.area_below(params.border) >= found.min_share
     };
     if !enough(LARGEST) {
         return None;
@@ -53,7 +53,7 @@ pub(super) fn least_found(
         }
     }
     let atoms = mesh.areas.iter().filter(|&&area| area > 0.0).count();
-    Some(high.max(FEWEST_ATOMS / atoms.max(1) as f64))
+    Some(high.max(MIN_ATOMS / atoms.max(1) as f64))
 }
 
 /// Averaged thickening over the distance from the middle of a disc, 0 within and 1 around it before.

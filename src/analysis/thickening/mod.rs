@@ -15,9 +15,9 @@ mod params;
 mod patches;
 mod regions;
 mod result;
-mod steadiness;
 mod steps;
 mod surface;
+mod temporal_consistency;
 #[cfg(test)]
 mod tests;
 #[expect(
@@ -30,7 +30,8 @@ pub use by_place::{PlaceThickening, thickening_of_levels, thickening_of_segments
 pub use error::ThickeningError;
 pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
 pub use result::{
-    Extent, HalfBeat, Patch, PatchSegment, SmallestPatch, Steadiness, Thickening, ThickeningStep,
+    Extent, HalfBeat, Patch, PatchSegment, SmallestPatch, TemporalConsistency, Thickening,
+    ThickeningStep,
 };
 pub use steps::{half_beat_of, thickness_ratios};
 pub use surface::phases;

@@ -8,7 +8,7 @@ const NORMAL_FROM_MEDIAN: f64 = 1.482_602_218_505_602;
 
 /// Fewest poses from which the beat tells its own noise: with four, two numbers per atom are left when
 /// its mean and its share of the curve are taken out.
-pub(super) const LEAST_POSES: usize = 4;
+pub(super) const MIN_POSES: usize = 4;
 
 /// Standard deviation of the noise of ln r of one atom at one pose, from centred ln r of one column per
 /// pose.
@@ -24,7 +24,7 @@ pub(super) fn noise_of(
     neighbours: &Neighbours,
 ) -> f64 {
     let regular = || (0..areas.len()).filter(|&atom| areas[atom] > 0.0);
-    if columns.len() < LEAST_POSES {
+    if columns.len() < MIN_POSES {
         let thickening = curve.thickening(columns);
         let apart = regular().filter_map(|atom| {
             let around = neighbours.of(atom);

@@ -22,10 +22,12 @@ pub struct ThickeningParams {
     pub border: f64,
     /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
     /// both are doubled where fewer than four poses tell.
-    pub least_share: f64,
+    #[serde(rename = "least_share")]
+    pub min_share: f64,
     /// Where even the part that works best thickens by less than this (ln PT from end-diastole to
     /// end-systole), failure is global and no part of it is called a patch.
-    pub least_thickening: f64,
+    #[serde(rename = "least_thickening")]
+    pub min_thickening: f64,
     /// Least area over which thickening is averaged, as a share of the regular medial surface.
     pub smoothing: f64,
     /// Redraws of the noise by which confidence is told; 0: none, confidence 1.
@@ -46,8 +48,8 @@ impl Default for ThickeningParams {
             core: 0.2,
             still: 1.1_f64.ln(),
             border: 0.4,
-            least_share: 0.02,
-            least_thickening: 1.1_f64.ln(),
+            min_share: 0.02,
+            min_thickening: 1.1_f64.ln(),
             smoothing: 0.01,
             redraws: 50,
             seed: 2009,
@@ -68,7 +70,7 @@ impl std::ops::Deref for CheckedThickeningParams {
 }
 
 /// Redraws beyond this tell nothing more: the standard error of a share is then below 2 %.
-const MOST_REDRAWS: u32 = 1000;
+const MAX_REDRAWS: u32 = 1000;
 
 /// Why settings cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -106,14 +108,14 @@ impl ThickeningParams {
             ("core", self.core, 0.0, 1.0),
             ("still", self.still, 0.0, 2.0),
             ("border", self.border, 0.0, 1.0),
-            ("least share", self.least_share, 0.0, 0.5),
-            ("least thickening", self.least_thickening, 0.0, 2.0),
+            ("least share", self.min_share, 0.0, 0.5),
+            ("least thickening", self.min_thickening, 0.0, 2.0),
             ("smoothing", self.smoothing, 0.0, 0.5),
             (
                 "redraws",
                 f64::from(self.redraws),
                 0.0,
-                f64::from(MOST_REDRAWS),
+                f64::from(MAX_REDRAWS),
             ),
         ];
         for (name, value, least, most) in ranges {

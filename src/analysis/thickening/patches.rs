@@ -8,8 +8,8 @@ use crate::units::LengthUnit;
 
 use super::diffusion::RegularMesh;
 use super::result::{Patch, PatchSegment, ThickeningStep};
-use super::steadiness::steadiness;
 use super::steps::{descriptor_of, gap_of};
+use super::temporal_consistency::temporal_consistency;
 
 /// What patches are told from.
 pub(super) struct Wall<'a> {
@@ -65,7 +65,7 @@ impl Wall<'_> {
             border: self.border(&atoms),
             thickening: weighted(&|atom| self.thickening[atom]) / area,
             confidence,
-            steadiness: steadiness(&path, &gaps, self.size),
+            temporal_consistency: temporal_consistency(&path, &gaps, self.size),
             path,
             atoms,
         }

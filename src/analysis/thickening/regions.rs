@@ -34,7 +34,7 @@ pub(super) fn still_parts(
     well: f64,
     mesh: &RegularMesh,
     neighbours: &Neighbours,
-    least_share: f64,
+    min_share: f64,
     params: &CheckedThickeningParams,
 ) -> Vec<Vec<u32>> {
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
@@ -47,7 +47,7 @@ pub(super) fn still_parts(
             .map(|atom| mesh.areas[atom])
             .sum()
     };
-    let least = least_share * mesh.whole;
+    let least = min_share * mesh.whole;
     let mut parts: Vec<(f64, Vec<u32>)> = (neighbours.parts(&inside).into_iter())
         .filter(|part| area_below(part, core) >= (CORE_AREA * least).max(f64::MIN_POSITIVE))
         .map(|part| (area_below(&part, f64::INFINITY), part))
@@ -63,13 +63,13 @@ pub(super) fn tidied(
     part: Vec<u32>,
     mesh: &RegularMesh,
     neighbours: &Neighbours,
-    least_share: f64,
+    min_share: f64,
 ) -> Vec<u32> {
     let mut outside: Vec<bool> = mesh.areas.iter().map(|&area| area > 0.0).collect();
     part.iter().for_each(|&atom| outside[atom as usize] = false);
     let area = |hole: &[u32]| -> f64 { hole.iter().map(|&v| mesh.areas[v as usize]).sum() };
-    let holes = (neighbours.parts(&outside).into_iter())
-        .filter(|hole| area(hole) < least_share * mesh.whole);
+    let holes =
+        (neighbours.parts(&outside).into_iter()).filter(|hole| area(hole) < min_share * mesh.whole);
     let mut inside = vec![false; mesh.areas.len()];
     (part.iter().copied().chain(holes.flatten())).for_each(|atom| inside[atom as usize] = true);
     let mut on_face = vec![false; mesh.areas.len()];

@@ -40,7 +40,7 @@ pub struct ThickeningStep {
 
 /// How steady a path of poses is: small where a patch is, large where M̂ wanders (4.4.1, 4.4.2, 4.7).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Steadiness {
+pub struct TemporalConsistency {
     /// Poses that have a descriptor.
     pub poses: usize,
     /// Root mean square angle of ANV from its mean over the poses, in radians.
@@ -88,7 +88,7 @@ pub struct Patch {
     /// Its descriptor at every step, from all of its atoms.
     pub path: Vec<Option<PoseDescriptor>>,
     /// How steady that path is.
-    pub steadiness: Steadiness,
+    pub temporal_consistency: TemporalConsistency,
 }
 
 /// What the whole wall does.
@@ -127,7 +127,7 @@ pub struct Thickening {
     /// From every pose to the next.
     pub steps: Vec<ThickeningStep>,
     /// How steady the path of M̂ is over the steps that tell.
-    pub steadiness: Steadiness,
+    pub temporal_consistency: TemporalConsistency,
     /// PT from end-diastole to end-systole, r(ES) / r(ED), of every atom.
     pub ed_to_es: Vec<f64>,
     /// Thickening of every atom, ln PT from end-diastole to end-systole as all poses tell it, averaged over its
@@ -139,7 +139,7 @@ pub struct Thickening {
     pub well_curve: Vec<f64>,
     /// Least area that made a patch, as a share of the regular medial surface: twice the setting where fewer than
     /// four poses tell.
-    pub least_share: f64,
+    pub min_share: f64,
     /// Area over which thickening was averaged, as a share of the regular medial surface.
     pub averaged_share: f64,
     /// Standard deviation of the noise of averaged thickening.

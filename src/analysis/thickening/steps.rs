@@ -2,14 +2,14 @@
 
 use crate::analysis::medial::{MedialBeat, MedialSurface};
 use crate::analysis::medial_space::{
-    PoseDescriptor, RatioForm, StillAtom, pose_descriptor, spoke_angle_rad,
+    AkineticAtom, PoseDescriptor, RatioForm, pose_descriptor, spoke_angle_rad,
 };
 use crate::mesh::Point3;
 use crate::progress::{Progress, Stopped};
 
 use super::diffusion::RegularMesh;
 use super::result::{HalfBeat, ThickeningStep};
-use super::steadiness::gap;
+use super::temporal_consistency::gap;
 
 /// PT = r(t₂) / r(t₁) of every atom, see [`Atom::thickness_ratio`](crate::analysis::medial::Atom::thickness_ratio); only
 /// those of atoms that take part mean anything.
@@ -36,7 +36,7 @@ pub fn half_beat_of(
 }
 
 /// What steps are judged by.
-pub(super) struct Judge<'a> {
+pub(super) struct StepCriteria<'a> {
     /// ln r of a well wall over the beat.
     pub well_curve: &'a [f64],
     /// Of |ln PT|.
@@ -50,11 +50,11 @@ pub(super) fn steps(
     beat: &MedialBeat,
     mesh: &RegularMesh,
     [ed, es]: [usize; 2],
-    judge: &Judge<'_>,
+    criteria: &StepCriteria<'_>,
     progress: &Progress,
 ) -> Result<Vec<ThickeningStep>, Stopped> {
-    let (poses, tolerance) = (beat.frames.len(), judge.tolerance);
-    let well_at = |pose: usize| judge.well_curve[pose];
+    let (poses, tolerance) = (beat.frames.len(), criteria.tolerance);
+    let well_at = |pose: usize| criteria.well_curve[pose];
     (0..poses)
         .map(|from| {
             progress.step()?;
@@ -72,7 +72,7 @@ pub(super) fn steps(
                 .filter(|&atom| works_well(half, pt[atom], tolerance))
                 .map(|atom| mesh.areas[atom])
                 .sum();
-            let descriptor = descriptor_of(&beat.frames[from], &pt, &still, judge.ratio);
+            let descriptor = descriptor_of(&beat.frames[from], &pt, &still, criteria.ratio);
             Ok(ThickeningStep {
                 from,
                 to,
@@ -103,8 +103,8 @@ pub(super) fn descriptor_of(
     atoms: &[u32],
     form: RatioForm,
 ) -> Option<PoseDescriptor> {
-    let still: Vec<StillAtom> = (atoms.iter().map(|&atom| atom as usize))
-        .map(|atom| StillAtom {
+    let still: Vec<AkineticAtom> = (atoms.iter().map(|&atom| atom as usize))
+        .map(|atom| AkineticAtom {
             position: surface.atoms[atom].position,
             log_pt: pt[atom].ln(),
             normal: surface.normals[atom],

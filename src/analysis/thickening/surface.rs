@@ -15,7 +15,7 @@ pub(super) struct Surface {
     /// With areas there.
     pub mesh: RegularMesh,
     /// With areas at end-diastole.
-    pub at_rest: RegularMesh,
+    pub at_end_diastole: RegularMesh,
     pub neighbours: Neighbours,
     /// Poses of end-diastole and end-systole.
     pub phases: [usize; 2],
@@ -29,8 +29,8 @@ impl Surface {
         let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
         let phases = phases(beat, measures);
         let rest = positions(beat, phases[0]);
-        let at_rest = RegularMesh::new(beat.faces.triangles(), &rest, &beat.regular);
-        if !(mesh.whole > 0.0 && at_rest.whole > 0.0) {
+        let at_end_diastole = RegularMesh::new(beat.faces.triangles(), &rest, &beat.regular);
+        if !(mesh.whole > 0.0 && at_end_diastole.whole > 0.0) {
             return Err(ThickeningError::NoArea);
         }
         Ok(Self {
@@ -38,7 +38,7 @@ impl Surface {
             size: bounding_box(&rest).map_or(0.0, |[low, high]| (high - low).max()),
             middle,
             mesh,
-            at_rest,
+            at_end_diastole,
             phases,
         })
     }
@@ -75,8 +75,8 @@ impl Surface {
             .map(|(s, back)| Point3::from(s + back))
             .collect();
         let steady = RegularMesh::new(beat.faces.triangles(), &twice, &beat.regular);
-        if steady.whole < (1.0 - ROUGH) * self.at_rest.whole && steady.whole > 0.0 {
-            self.at_rest = steady;
+        if steady.whole < (1.0 - ROUGH) * self.at_end_diastole.whole && steady.whole > 0.0 {
+            self.at_end_diastole = steady;
         }
     }
 }

@@ -153,8 +153,8 @@ fn a_patch_is_found_where_it_is_with_its_area_and_steady_path() {
         assert_eq!(patch.confidence, 1.0);
         assert_eq!(patch.path.len(), 8);
         assert!(patch.thickening < most_off * 10.0 * WELL);
-        assert!(patch.steadiness.normal_spread_rad.unwrap() < 1e-9);
-        assert!(patch.steadiness.position_spread.unwrap() < 0.05);
+        assert!(patch.temporal_consistency.normal_spread_rad.unwrap() < 1e-9);
+        assert!(patch.temporal_consistency.position_spread.unwrap() < 0.05);
     }
 }
 
@@ -181,7 +181,7 @@ fn a_patch_of_three_fifths_of_the_wall_is_a_patch_and_a_whole_wall_is_none() {
     assert_eq!(large.patches.len(), 1);
     assert!((0.5..0.72).contains(&large.patches[0].share));
     // ANV of so large a patch still points one way, but its MP lies off the surface (4.6.3).
-    assert!(large.patches[0].steadiness.gap.unwrap() > 0.1);
+    assert!(large.patches[0].temporal_consistency.gap.unwrap() > 0.1);
     let still = found(&beat(&CURVE, |_| 0.02));
     assert_eq!(still.extent, Extent::HardlyAnywhere);
     assert!(still.patches.is_empty());
@@ -280,7 +280,7 @@ proptest! {
         prop_assert_eq!(&a.patches[0].border, &b.patches[0].border);
         prop_assert!((a.patches[0].share - b.patches[0].share).abs() < 1e-9);
         prop_assert!((a.patches[0].area * scale * scale / b.patches[0].area - 1.0).abs() < 1e-9);
-        let (from, to) = (a.patches[0].steadiness, b.patches[0].steadiness);
+        let (from, to) = (a.patches[0].temporal_consistency, b.patches[0].temporal_consistency);
         prop_assert!((from.gap.unwrap() - to.gap.unwrap()).abs() < 0.02);
         prop_assert!((a.well - b.well).abs() < 1e-9);
     }

@@ -8,21 +8,21 @@ use crate::progress::Progress;
 use super::averaged::Averaged;
 use super::confidence::confidences;
 use super::curve::centred_logs;
-use super::detection::least_found;
+use super::detection::smallest_detectable;
 use super::error::ThickeningError;
 use super::params::CheckedThickeningParams;
 use super::patches::{Wall, segments_of};
 use super::regions::{still_parts, tidied};
 use super::result::{Extent, SmallestPatch, Thickening};
-use super::steadiness::steadiness;
-use super::steps::{Judge, steps, thickness_ratios};
+use super::steps::{StepCriteria, steps, thickness_ratios};
 use super::surface::Surface;
+use super::temporal_consistency::temporal_consistency;
 
 /// Fewest regular atoms: with a dozen a patch would be one of them.
-const LEAST_ATOMS: usize = 30;
+const MIN_ATOMS: usize = 30;
 /// And the least share of all: where more than half of the sheet ends, as under noise that leaves atoms no ball
 /// in one pose or the other, what remains is torn.
-const LEAST_REGULAR: f64 = 0.5;
+const MIN_REGULAR: f64 = 0.5;
 
 /// Thickening of one heart over the beat, and the patches that do not take part in it.
 ///
@@ -50,7 +50,11 @@ pub fn thickening(
     let mut surface = Surface::new(beat, measures)?;
     let found = Averaged::new(&centred_logs(beat), &surface, params)?;
     surface.steady(beat, &found.diffusion);
-    let Surface { mesh, at_rest, .. } = &surface;
+    let Surface {
+        mesh,
+        at_end_diastole,
+        ..
+    } = &surface;
     let [ed, es] = surface.phases;
     progress.check()?;
     // PT compares two poses, each with its own noise.
@@ -59,16 +63,16 @@ pub fn thickening(
     let well_curve: Vec<f64> = (0..beat.frames.len())
         .map(|pose| found.curve.step(found.well, ed, pose))
         .collect();
-    let judge = Judge {
+    let criteria = StepCriteria {
         well_curve: &well_curve,
         tolerance,
         ratio: params.ratio,
     };
-    let steps = steps(beat, at_rest, surface.phases, &judge, progress)?;
+    let steps = steps(beat, at_end_diastole, surface.phases, &criteria, progress)?;
     let parts = if found.hardly_thickens(params) {
         Vec::new()
     } else {
-        let least = found.least_share;
+        let least = found.min_share;
         still_parts(
             &found.thickening,
             found.well,
@@ -81,7 +85,7 @@ pub fn thickening(
     let confidences = confidences(&found, &surface, &parts, params, progress)?;
     let wall = Wall {
         beat,
-        mesh: at_rest,
+        mesh: at_end_diastole,
         end_diastole: ed,
         size: surface.size,
         unit: measures.unit,
@@ -90,7 +94,7 @@ pub fn thickening(
         segments: segments_of(beat, ed, axis),
         ratio: params.ratio,
     };
-    let tidied = |part| tidied(part, mesh, &surface.neighbours, found.least_share);
+    let tidied = |part| tidied(part, mesh, &surface.neighbours, found.min_share);
     let patches: Vec<_> = (parts.into_iter().zip(confidences))
         .map(|(part, confidence)| wall.patch(tidied(part), confidence))
         .collect();
@@ -102,12 +106,12 @@ pub fn thickening(
         end_systole: es,
         tolerance,
         noise: found.atom_noise,
-        steadiness: steadiness(&path, &gaps, surface.size),
+        temporal_consistency: temporal_consistency(&path, &gaps, surface.size),
         ed_to_es: thickness_ratios(&beat.frames[ed], &beat.frames[es]),
-        smallest: least_found(&found, mesh, params).map(|share| SmallestPatch {
+        smallest: smallest_detectable(&found, mesh, params).map(|share| SmallestPatch {
             share,
-            area: share * at_rest.whole,
-            area_cm2: wall.in_cm2(share * at_rest.whole),
+            area: share * at_end_diastole.whole,
+            area_cm2: wall.in_cm2(share * at_end_diastole.whole),
         }),
         extent: match (found.hardly_thickens(params), patches.is_empty()) {
             (true, _) => Extent::HardlyAnywhere,
@@ -116,10 +120,10 @@ pub fn thickening(
         },
         well: found.well,
         well_curve,
-        least_share: found.least_share,
+        min_share: found.min_share,
         averaged_share: found.share,
         averaged_noise: found.noise,
-        regular_area: at_rest.whole,
+        regular_area: at_end_diastole.whole,
         thickening: found.thickening,
         size: surface.size,
         steps,
@@ -159,7 +163,7 @@ fn check(beat: &MedialBeat) -> Result<(), ThickeningError> {
         }
     }
     let regular = beat.regular.iter().filter(|&&regular| regular).count();
-    let least = LEAST_ATOMS.max((LEAST_REGULAR * atoms as f64) as usize);
+    let least = MIN_ATOMS.max((MIN_REGULAR * atoms as f64) as usize);
     if regular < least {
         return Err(ThickeningError::TooFewAtoms {
             regular,

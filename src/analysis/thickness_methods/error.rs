@@ -1,6 +1,6 @@
 //! Why a way of measuring says nothing of a heart.
 
-use crate::analysis::measures::UntoldVolume;
+use crate::analysis::measures::UnknownVolume;
 use crate::analysis::segments::SegmentError;
 use crate::mesh::{MeshError, SheetError};
 use crate::progress::Stopped;
@@ -28,7 +28,7 @@ pub enum ThicknessError {
     },
     /// A wall given as one surface has no inner side.
     #[error(transparent)]
-    Unsplit(#[from] UntoldVolume),
+    Unsplit(#[from] UnknownVolume),
     /// The long axis is not known.
     #[error(transparent)]
     Axis(#[from] SegmentError),

@@ -7,7 +7,7 @@ use crate::mesh::{Point3, TriMesh};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Subject, SurfaceSequence};
 
-use super::{CheckedTransportParams, TransportError, transfer_deformation};
+use super::{CheckedTransportParams, TransportError, transport_deformation};
 
 /// The beat of `from` on the heart `onto`, in the coordinates of `onto`: its end-diastolic pose is
 /// that of `onto`, the frames are those of `from`.
@@ -20,7 +20,7 @@ use super::{CheckedTransportParams, TransportError, transfer_deformation};
 /// # Errors
 /// If stopped, vertices do not correspond, an end-diastole is not there or has no size, or squares
 /// of lengths overflow.
-pub fn transferred_beat(
+pub fn transported_motion(
     from: &Subject,
     onto: &Subject,
     params: &CheckedTransportParams,
@@ -39,7 +39,7 @@ pub fn transferred_beat(
     let (source, target) = (Rest::of(from)?, Rest::of(onto)?);
     let beat = source.beat_laid_onto(from, &target.pose);
     let faces = onto.sequence.joined_faces();
-    let carried = transfer_deformation(&faces, &beat, &target.pose, params, progress)?;
+    let carried = transport_deformation(&faces, &beat, &target.pose, params, progress)?;
     let restored: Vec<Vec<Point3>> = (carried.iter())
         .map(|pose| pose.iter().map(|p| target.scale.restored(p)).collect())
         .collect();

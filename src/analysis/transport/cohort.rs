@@ -11,22 +11,22 @@ use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
 use super::beat::{Rest, in_order_of_frames};
-use super::{CohortTransferParams, DeformationTransfer, Reference, TransportError};
+use super::{CohortTransportParams, DeformationTransport, Reference, TransportError};
 
 /// All deformations at one place of the space of poses.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct TransferredCohort {
+pub struct TransportedCohort {
     /// The heart that all motions were carried onto, its size normalised.
     pub reference: Vec<Point3>,
     /// The motions, in the order of the study.
-    pub members: Vec<TransferredSubject>,
+    pub members: Vec<TransportedSubject>,
     /// Subjects that take no part, in the order of the study.
     pub left_out: Vec<LeftOut>,
 }
 
 /// One subject's motion on the reference.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransferredSubject {
+pub struct TransportedSubject {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Frame at which the pose is the reference.
@@ -48,12 +48,12 @@ pub struct TransferredSubject {
 ///
 /// # Errors
 /// If stopped, settings cannot be used, or the reference is no usable subject.
-pub fn transfer_cohort(
+pub fn transport_cohort(
     study: &Study,
     metric: &CheckedMetricParams,
-    params: &CohortTransferParams,
+    params: &CohortTransportParams,
     progress: &Progress,
-) -> Result<TransferredCohort, TransportError> {
+) -> Result<TransportedCohort, TransportError> {
     let checked = params.with_metric(**metric).check()?;
     let (comparable, mut left_out) = comparable_subjects(study);
     let rests: Vec<Rest> = (comparable.iter())
@@ -67,22 +67,22 @@ pub fn transfer_cohort(
         Reference::Subject(index) => of_subject(study, index, &comparable, &rests, &left_out)?,
     };
     let Some(first) = comparable.first() else {
-        return Ok(TransferredCohort {
+        return Ok(TransportedCohort {
             left_out,
-            ..TransferredCohort::default()
+            ..TransportedCohort::default()
         });
     };
     let faces = first.subject.sequence.joined_faces();
-    let transfer = DeformationTransfer::new(&faces, &reference, &checked)?;
+    let transfer = DeformationTransport::new(&faces, &reference, &checked)?;
     let frames = comparable.iter().map(|m| m.subject.sequence.frame_count());
     progress.expect_steps(frames.map(|count| count - 1).sum());
-    let carried: Vec<Result<TransferredSubject, TransportError>> = comparable
+    let carried: Vec<Result<TransportedSubject, TransportError>> = comparable
         .par_iter()
         .zip(&rests)
         .map(|(member, rest)| {
             let beat = rest.beat_laid_onto(member.subject, &reference);
             let poses = transfer.carry(&beat, &reference, progress)?;
-            Ok(TransferredSubject {
+            Ok(TransportedSubject {
                 subject: member.index,
                 end_diastole: rest.frame,
                 scale: rest.scale,
@@ -102,7 +102,7 @@ pub fn transfer_cohort(
         }
     }
     left_out.sort_by_key(|left| left.subject);
-    Ok(TransferredCohort {
+    Ok(TransportedCohort {
         reference,
         members,
         left_out,

@@ -14,16 +14,16 @@ mod params;
 mod pose_path;
 mod transfer;
 
-pub use beat::transferred_beat;
-pub use cohort::{TransferredCohort, TransferredSubject, transfer_cohort};
+pub use beat::transported_motion;
+pub use cohort::{TransportedCohort, TransportedSubject, transport_cohort};
 pub use error::TransportError;
 pub use parallel::{Products, SampledPath, parallel_transport};
 pub use params::{
-    CheckedTransportParams, CohortTransferParams, Geodesics, Nearness, Reference,
+    CheckedTransportParams, CohortTransportParams, Geodesics, Nearness, Reference,
     TransportParamError, TransportParams,
 };
 pub use pose_path::{PosePath, transport_along};
-pub use transfer::{DeformationTransfer, transfer_deformation};
+pub use transfer::{DeformationTransport, transport_deformation};
 
 #[cfg(test)]
 mod tests;

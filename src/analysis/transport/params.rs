@@ -39,13 +39,13 @@ pub struct TransportParams {
     /// For which displacements a geodesic is computed.
     pub geodesics: Geodesics,
     /// Find geodesics on a decimated mesh of about so many vertices; `None`: on the mesh as it is.
-    pub most_vertices: Option<u32>,
+    pub max_vertices: Option<u32>,
 }
 
 impl Default for TransportParams {
-    /// Measured, see [`CohortTransferParams::default`].
+    /// Measured, see [`CohortTransportParams::default`].
     fn default() -> Self {
-        let cohort = CohortTransferParams::default();
+        let cohort = CohortTransportParams::default();
         cohort.with_metric(MetricParams::default())
     }
 }
@@ -62,7 +62,7 @@ pub enum Reference {
 
 /// Settings of a transfer of all hearts onto one; the metric is given beside them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct CohortTransferParams {
+pub struct CohortTransportParams {
     /// What all are carried onto.
     pub reference: Reference,
     /// As in [`TransportParams`].
@@ -72,10 +72,10 @@ pub struct CohortTransferParams {
     /// As in [`TransportParams`].
     pub geodesics: Geodesics,
     /// As in [`TransportParams`].
-    pub most_vertices: Option<u32>,
+    pub max_vertices: Option<u32>,
 }
 
-impl Default for CohortTransferParams {
+impl Default for CohortTransportParams {
     /// What a transfer needs, and no more: so few in-betweens and a coarse mesh do, and one geodesic per
     /// heart, since those of later steps bend alike, and on meshes of real hearts they follow noise. What is
     /// left out changes where a carried pose lies by far less than it moved on smooth hearts, but takes several
@@ -91,12 +91,12 @@ impl Default for CohortTransferParams {
             in_betweens: 3,
             keep_norm: true,
             geodesics: Geodesics::First,
-            most_vertices: Some(500),
+            max_vertices: Some(500),
         }
     }
 }
 
-impl CohortTransferParams {
+impl CohortTransportParams {
     /// The same settings for one pair of hearts.
     pub fn with_metric(self, metric: MetricParams) -> TransportParams {
         TransportParams {
@@ -105,7 +105,7 @@ impl CohortTransferParams {
             keep_norm: self.keep_norm,
             nearness: Nearness::Metric,
             geodesics: self.geodesics,
-            most_vertices: self.most_vertices,
+            max_vertices: self.max_vertices,
         }
     }
 }
@@ -139,7 +139,7 @@ impl TransportParams {
         let geodesic = GeodesicParams {
             metric: self.metric,
             in_betweens: self.in_betweens,
-            most_vertices: self.most_vertices,
+            max_vertices: self.max_vertices,
             // Ways of neighbouring steps must differ by their ends alone, not by where a search ended.
             tolerance: 1e-6,
             ..GeodesicParams::default()

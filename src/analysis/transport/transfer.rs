@@ -10,7 +10,7 @@ use super::{CheckedTransportParams, Geodesics, TransportError};
 
 /// Carries many deformations on one connectivity: what does not depend on the hearts is computed once.
 #[derive(Clone, Debug)]
-pub struct DeformationTransfer {
+pub struct DeformationTransport {
     metric: Metric,
     /// `None` where the way is straight.
     solver: Option<GeodesicSolver>,
@@ -18,7 +18,7 @@ pub struct DeformationTransfer {
     vertex_count: usize,
 }
 
-impl DeformationTransfer {
+impl DeformationTransport {
     /// Prepares for hearts near a reference pose, such as the one that is to move: it makes the
     /// search for geodesics short.
     ///
@@ -145,11 +145,11 @@ fn difference(from: &[Point3], to: &[Point3]) -> Vec<Vector3> {
     from.iter().zip(to).map(|(a, b)| b - a).collect()
 }
 
-/// One deformation carried to one heart, see [`DeformationTransfer::carry`].
+/// One deformation carried to one heart, see [`DeformationTransport::carry`].
 ///
 /// # Errors
 /// If stopped, there is no pose, counts differ, or squares of lengths overflow.
-pub fn transfer_deformation(
+pub fn transport_deformation(
     faces: &Faces,
     source: &[Vec<Point3>],
     onto: &[Point3],
@@ -157,5 +157,5 @@ pub fn transfer_deformation(
     progress: &Progress,
 ) -> Result<Vec<Vec<Point3>>, TransportError> {
     progress.expect_steps(source.len().saturating_sub(1));
-    DeformationTransfer::new(faces, onto, params)?.carry(source, onto, progress)
+    DeformationTransport::new(faces, onto, params)?.carry(source, onto, progress)
 }

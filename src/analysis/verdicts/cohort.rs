@@ -66,7 +66,7 @@ impl Cohort {
         params: &CheckedVerdictParams,
         progress: &Progress,
     ) -> Result<Option<Learnt>, Stopped> {
-        let least = params.least_labelled as usize;
+        let least = params.min_labelled as usize;
         if self.normal.len().min(self.abnormal.len()) < least {
             return Ok(None);
         }

@@ -11,7 +11,7 @@ const STILL_PT: f64 = 1.1;
 
 /// What a verdict is made of: one heart's medial surfaces and its thickening.
 #[derive(Clone, Copy, Debug)]
-pub struct HeartThickening<'a> {
+pub struct VerdictInput<'a> {
     /// Medial surfaces over the beat.
     pub beat: &'a MedialBeat,
     /// What of them does not thicken.
@@ -135,14 +135,16 @@ pub struct Features([Option<f64>; COUNT]);
 
 impl Features {
     /// Of one heart. Features of poses are `None` where no pose has a descriptor.
-    pub(super) fn new(heart: &HeartThickening<'_>) -> Self {
-        let HeartThickening { beat, thickening } = *heart;
+    pub(super) fn new(heart: &VerdictInput<'_>) -> Self {
+        let VerdictInput { beat, thickening } = *heart;
         let rest = positions(beat, thickening.end_diastole);
         let areas = regular_areas(beat, &rest);
         let values = Weighted::new(&thickening.thickening, &areas);
         let still = STILL_PT.ln();
         let patch = thickening.patches.first();
-        let steadiness = patch.map_or(&thickening.steadiness, |patch| &patch.steadiness);
+        let temporal_consistency = patch.map_or(&thickening.temporal_consistency, |patch| {
+            &patch.temporal_consistency
+        });
         let well = thickening.well;
         let spread = values.deviation();
         Self(Feature::ALL.map(|feature| {
@@ -164,9 +166,9 @@ impl Features {
                     Some(patch.map_or(1.0, |patch| patch.thickening / well.max(still)))
                 }
                 Feature::Compactness => Some(patch.map_or(0.0, |patch| compactness(patch, &rest))),
-                Feature::Closeness => steadiness.pose_distance,
-                Feature::NormalSpread => steadiness.normal_spread_rad,
-                Feature::Gap => steadiness.gap,
+                Feature::Closeness => temporal_consistency.pose_distance,
+                Feature::NormalSpread => temporal_consistency.normal_spread_rad,
+                Feature::Gap => temporal_consistency.gap,
             }
         }))
     }

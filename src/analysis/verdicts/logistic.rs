@@ -3,12 +3,12 @@
 use crate::numeric::{factorise_positive, solve_positive};
 
 /// Steps of Newton's method at most; a convex problem of this size takes about eight.
-const MOST_STEPS: usize = 100;
+const MAX_STEPS: usize = 100;
 /// Largest step of a coefficient after which it has converged: steps shrink by their square, so that the next
 /// would be of the order of rounding.
 const CONVERGED: f64 = 1e-7;
 /// A step is halved at most so often; then rounding is all that is left.
-const MOST_HALVINGS: usize = 40;
+const MAX_HALVINGS: usize = 40;
 
 /// One case: its features and the probability that it should have (0 or 1, or in between), with its weight.
 #[derive(Clone, Copy, Debug)]
@@ -53,12 +53,12 @@ pub(super) fn fit(cases: &[Case<'_>], ridge: f64, start: &[f64]) -> Vec<f64> {
     let mut hessian = vec![0.0; size * size];
     let mut probabilities = vec![0.0; cases.len()];
     let mut value = objective(cases, ridge, &beta, &mut probabilities);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         slopes(cases, ridge, &beta, &probabilities, &mut step, &mut hessian);
         factorise_positive(&mut hessian, size);
         solve_positive(&hessian, &mut step);
         let mut share = 1.0;
-        let fallen = (0..MOST_HALVINGS).find_map(|_| {
+        let fallen = (0..MAX_HALVINGS).find_map(|_| {
             for ((tried, beta), step) in tried.iter_mut().zip(&beta).zip(&step) {
                 *tried = beta - share * step;
             }

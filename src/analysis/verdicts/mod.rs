@@ -20,7 +20,7 @@ mod tests;
 mod verdicts;
 
 pub use error::VerdictError;
-pub use features::{Feature, Features, HeartThickening};
+pub use features::{Feature, Features, VerdictInput};
 pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
 pub use result::{
     Examined, Familiarity, Finding, NotAssessed, RuleQuality, RuleSource, Verdict, Verdicts,

@@ -129,7 +129,7 @@ fn judged(hearts: &[Heart], labels: &[Option<&str>]) -> Verdicts {
 
 fn input((beat, thickening): &Heart) -> Result<Examined, NotAssessed> {
     let params = VerdictParams::default().check().unwrap();
-    examine(&HeartThickening { beat, thickening }, &params)
+    examine(&VerdictInput { beat, thickening }, &params)
 }
 
 /// Seven well hearts, seven with a patch, and without labels one of each and one that fails as a whole.

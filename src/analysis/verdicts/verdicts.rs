@@ -6,7 +6,7 @@ use crate::study::Study;
 
 use super::cohort::{Cohort, Learnt};
 use super::error::VerdictError;
-use super::features::{Feature, Features, HeartThickening, wall_volume_ratio};
+use super::features::{Feature, Features, VerdictInput, wall_volume_ratio};
 use super::likeness::{alike, familiarity, usual_distances};
 use super::logistic::sigmoid;
 use super::params::CheckedVerdictParams;
@@ -17,7 +17,7 @@ use super::rule::Standard;
 /// thickening: nearer to noise nothing is told.
 const SURE: f64 = 3.0;
 /// ln PT that counts as thickening at all, PT = 1.1.
-const LEAST_THICKENING: f64 = 0.095_310_179_804_324_87;
+const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
 /// Still share at which the uncalibrated rule is undecided: between the most of 20 normal hearts (5.0 %) and the
 /// least of the built-in patches (5.9 %).
 const STILL_LIMIT: f64 = 0.055;
@@ -78,7 +78,7 @@ pub fn verdicts(
     progress.expect_steps(params.permutations as usize + 1);
     let cohort = Cohort::new(study, hearts);
     let learnt = cohort.learn(params, progress)?;
-    let judged = Judged::new(&cohort, learnt.as_ref());
+    let judged = Classified::new(&cohort, learnt.as_ref());
     let subjects = (hearts.iter().enumerate())
         .map(|(index, heart)| match heart {
             Ok(heart) => Ok(judged.verdict(index, heart)),
@@ -101,16 +101,16 @@ pub fn verdicts(
 /// # Errors
 /// If the wall is not resolved, or a feature is not a number.
 pub fn examine(
-    heart: &HeartThickening<'_>,
+    heart: &VerdictInput<'_>,
     params: &CheckedVerdictParams,
 ) -> Result<Examined, NotAssessed> {
     let share = wall_volume_ratio(heart.beat, heart.thickening);
     // A wall without volume has no share of it, either.
-    if share.is_nan() || share < params.least_wall_volume {
+    if share.is_nan() || share < params.min_wall_volume {
         return Err(NotAssessed::WallNotResolved { share });
     }
     let (noise, well) = (heart.thickening.averaged_noise, heart.thickening.well);
-    if SURE * noise > well.max(LEAST_THICKENING) {
+    if SURE * noise > well.max(MIN_THICKENING) {
         return Err(NotAssessed::Noise { noise, well });
     }
     let features = Features::new(heart);
@@ -127,7 +127,7 @@ pub fn examine(
 }
 
 /// What is needed to say something of each heart.
-struct Judged<'a> {
+struct Classified<'a> {
     cohort: &'a Cohort,
     learnt: Option<&'a Learnt>,
     /// Standardised rows; empty where not assessed.
@@ -135,7 +135,7 @@ struct Judged<'a> {
     usual: Vec<f64>,
 }
 
-impl<'a> Judged<'a> {
+impl<'a> Classified<'a> {
     fn new(cohort: &'a Cohort, learnt: Option<&'a Learnt>) -> Self {
         let assessed: Vec<&[f64]> = cohort
             .rows

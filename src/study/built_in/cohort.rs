@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::design::{HeartDesign, designs};
+use super::design::{SubjectDesign, designs};
 use super::grid::WallGrid;
 use super::motion::{Material, Motion};
 use super::params::{BuiltInError, BuiltInParams, FRAMES};
@@ -50,7 +50,7 @@ pub fn cohort(params: &BuiltInParams) -> Result<BuiltInCohort, BuiltInError> {
 }
 
 /// One heart with its truth.
-fn heart(design: &HeartDesign, grid: &WallGrid) -> Result<(Subject, GroundTruth), BuiltInError> {
+fn heart(design: &SubjectDesign, grid: &WallGrid) -> Result<(Subject, GroundTruth), BuiltInError> {
     let shape = Shape::new(design.form.clone(), design.edv_ml);
     let (squeeze, ejection_fraction) = squeeze_for(&shape, design.healthy_ejection_fraction);
     let motion = Motion::new(&shape, design.motion(squeeze));
@@ -142,7 +142,11 @@ fn surface(
 
 /// Landmarks at end-diastole: the outer tip, the middle of the inner rim, and the directions of
 /// septum and anterior wall.
-fn anatomy(surfaces: &[SurfaceSequence], grid: &WallGrid, design: &HeartDesign) -> Option<Anatomy> {
+fn anatomy(
+    surfaces: &[SurfaceSequence],
+    grid: &WallGrid,
+    design: &SubjectDesign,
+) -> Option<Anatomy> {
     let [endo, epi] = surfaces else { return None };
     let endo = endo.frames().first()?.vertices();
     let apex = *epi.frames().first()?.vertices().first()?;

@@ -24,7 +24,7 @@ use super::truth::Abnormality;
 
 /// Everything about one heart before it is sampled.
 #[derive(Clone, Debug)]
-pub(super) struct HeartDesign {
+pub(super) struct SubjectDesign {
     pub id: String,
     pub abnormality: Abnormality,
     pub form: Form,
@@ -44,7 +44,7 @@ pub(super) struct HeartDesign {
     tilt: [f64; 2],
 }
 
-impl HeartDesign {
+impl SubjectDesign {
     /// The label in the study.
     pub fn label(&self) -> &'static str {
         match self.abnormality {
@@ -164,7 +164,7 @@ const PATIENTS: [(Abnormality, &[PatchSpec]); 14] = [
 ];
 
 /// The nine normal hearts and the fourteen patients. Each has a random stream of its own.
-pub(super) fn designs(seed: u64) -> Vec<HeartDesign> {
+pub(super) fn designs(seed: u64) -> Vec<SubjectDesign> {
     let normal = (1..=9).map(|number| (format!("N{number:02}"), Abnormality::None, [].as_slice()));
     let patients = PATIENTS
         .iter()
@@ -198,7 +198,7 @@ fn design(
     abnormality: Abnormality,
     patches: &[PatchSpec],
     draw: &mut Draw,
-) -> HeartDesign {
+) -> SubjectDesign {
     let ranges = match abnormality {
         Abnormality::None => &NORMAL,
         Abnormality::Dilated => &DILATED,
@@ -216,7 +216,7 @@ fn design(
     let rr_s = 60.0 / draw.within([56.0, 84.0]);
     let height_cm = (158.0 + 0.13 * (edv_ml - 100.0) + draw.around(6.0)).round();
     let body_mass_index = draw.within([20.5, 28.5]);
-    HeartDesign {
+    SubjectDesign {
         id,
         abnormality,
         form,

@@ -19,5 +19,5 @@ mod timing;
 mod truth;
 
 pub use cohort::{BuiltInCohort, cohort};
-pub use params::{BuiltInError, BuiltInParams, FRAMES, MOST_VERTICES};
+pub use params::{BuiltInError, BuiltInParams, FRAMES, MAX_VERTICES};
 pub use truth::{Abnormality, GroundTruth, SurfaceTruth};

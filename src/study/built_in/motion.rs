@@ -185,7 +185,7 @@ const GAUSS_8: [(f64, f64); 4] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::built_in::design::{HeartDesign, designs};
+    use crate::study::built_in::design::{SubjectDesign, designs};
     use nalgebra::Matrix3;
 
     /// Where a particle at Cartesian model coordinates goes.
@@ -211,7 +211,7 @@ mod tests {
     }
 
     /// Greatest departure of the volume change from 1 over the wall of a heart.
-    fn worst_change(design: &HeartDesign) -> f64 {
+    fn worst_change(design: &SubjectDesign) -> f64 {
         let shape = Shape::new(design.form.clone(), design.edv_ml);
         let motion = Motion::new(&shape, design.motion(0.6));
         let mut worst = 0.0_f64;

@@ -7,10 +7,10 @@ use crate::study::SequenceError;
 pub const FRAMES: usize = 8;
 
 /// Most vertices a built-in heart can have, both surfaces together.
-pub const MOST_VERTICES: usize = 40_000;
+pub const MAX_VERTICES: usize = 40_000;
 
 /// Fewest: below this the apex is a hexagon and the wall a prism.
-const FEWEST_VERTICES: usize = 200;
+const MIN_VERTICES: usize = 200;
 
 /// Settings of the built-in cohort.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -35,15 +35,15 @@ impl BuiltInParams {
     /// Vertices of one of the two surfaces, at most.
     ///
     /// # Errors
-    /// If fewer than 200 or more than [`MOST_VERTICES`] are asked for.
+    /// If fewer than 200 or more than [`MAX_VERTICES`] are asked for.
     pub(super) fn vertices_per_surface(&self) -> Result<usize, BuiltInError> {
-        if (FEWEST_VERTICES..=MOST_VERTICES).contains(&self.vertices) {
+        if (MIN_VERTICES..=MAX_VERTICES).contains(&self.vertices) {
             Ok(self.vertices / 2)
         } else {
             Err(BuiltInError::Vertices {
                 asked: self.vertices,
-                fewest: FEWEST_VERTICES,
-                most: MOST_VERTICES,
+                fewest: MIN_VERTICES,
+                most: MAX_VERTICES,
             })
         }
     }

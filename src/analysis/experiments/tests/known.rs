@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::analysis::experiments::noise_result::mean_and_error;
-use crate::analysis::experiments::noise_study::told_apart;
-use crate::analysis::experiments::transfer_study::difference;
+use crate::analysis::experiments::noise_study::classified;
+use crate::analysis::experiments::transport_study::difference;
 use crate::mesh::{Point3, phantom};
 
 #[test]
@@ -189,8 +189,8 @@ fn a_deformation_that_cannot_be_compared_counts_as_wrong() {
     let labels: Vec<Option<usize>> = own.labels().into_iter().map(Some).collect();
     let method = &params.methods[0];
     let tau = |study: &crate::study::Study| {
-        let told = told_apart(&params, study, &labels, method, 1, &Progress::default());
-        told.unwrap().tau
+        let scored = classified(&params, study, &labels, method, 1, &Progress::default());
+        scored.unwrap().tau
     };
     assert!(tau(&study) > 0.9);
     study.subjects[0] = other.study().unwrap().subjects[0].clone();

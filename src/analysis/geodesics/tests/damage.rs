@@ -156,7 +156,7 @@ fn settings_out_of_range_are_refused() {
             ..default
         },
         GeodesicParams {
-            most_vertices: Some(3),
+            max_vertices: Some(3),
             ..default
         },
         GeodesicParams {

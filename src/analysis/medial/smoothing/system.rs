@@ -16,11 +16,11 @@ const TOLERANCE: f64 = 2e-3;
 
 /// The system's condition is some 1 + 12 ℓ²/h² with edges h, so that ℓ = 10 h needs fewer. At the pole of a grid, where
 /// edges are far shorter, what is left after these is less smooth than it might be, and nothing else.
-const MOST_STEPS: usize = 64;
+const MAX_STEPS: usize = 64;
 
 /// Greatest cotangent that counts: that of 3°. Flatter corners, whose sides lie on each other, would tie vertices
 /// together without bound.
-const MOST_COTANGENT: f64 = 20.0;
+const MAX_COTANGENT: f64 = 20.0;
 
 /// (M + ℓ² L) y = M x for the vertices that are free; the others keep what they have.
 pub(super) struct System {
@@ -52,8 +52,8 @@ impl System {
                 mass[triangle[k] as usize] += doubled_area / 6.0;
                 let far = corners[(k + 2) % 3];
                 let dot = (corners[k] - far).dot(&(corners[(k + 1) % 3] - far));
-                let flattest = (dot.abs() / MOST_COTANGENT).max(f64::MIN_POSITIVE);
-                let cotangent = (dot / doubled_area.max(flattest)).max(0.0);
+                let bottom_eigenvectors = (dot.abs() / MAX_COTANGENT).max(f64::MIN_POSITIVE);
+                let cotangent = (dot / doubled_area.max(bottom_eigenvectors)).max(0.0);
                 for &entry in entries {
                     weights[entry as usize] += 0.5 * length * length * cotangent;
                 }
@@ -145,7 +145,7 @@ impl System {
         let mut image = vec![Vec3A::ZERO; residual.len()];
         let mut missing = image.clone();
         let mut size = 1.0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if size <= goal {
                 break;
             }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::tests::{beat, subject};
 use super::*;
 use crate::analysis::pose_distances::{ComputedDistances, PoseDistanceParams};
-use crate::analysis::transport::{CohortTransferParams, Reference};
+use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::mesh::TriMesh;
 use crate::study::{ShapeKey, Subject};
 
@@ -26,10 +26,10 @@ fn hearts() -> Vec<Arc<Subject>> {
 
 fn carried_onto(reference: Reference) -> PoseDistanceParams {
     PoseDistanceParams {
-        transfer: Some(CohortTransferParams {
+        transfer: Some(CohortTransportParams {
             reference,
             in_betweens: 0,
-            ..CohortTransferParams::default()
+            ..CohortTransportParams::default()
         }),
         ..PoseDistanceParams::default()
     }

@@ -103,7 +103,8 @@ fn a_transfer_keeps_the_norm_only_if_it_is_told_to() {
         };
         let checked = params.check().unwrap();
         let progress = Progress::default();
-        let beat = transfer_deformation(mesh.faces(), &source, &onto, &checked, &progress).unwrap();
+        let beat =
+            transport_deformation(mesh.faces(), &source, &onto, &checked, &progress).unwrap();
         let found: Vec<Vector3> = (beat[1].iter().zip(&onto)).map(|(b, a)| b - a).collect();
         let metric = Metric::new(mesh.faces(), params.metric.check().unwrap());
         let alone = transport_nearest(&metric, &ends, &field, params.nearness, keep_norm).unwrap();

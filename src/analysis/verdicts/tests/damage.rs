@@ -113,11 +113,11 @@ fn settings_out_of_range_are_refused() {
             ..default
         },
         VerdictParams {
-            least_labelled: 2,
+            min_labelled: 2,
             ..default
         },
         VerdictParams {
-            least_wall_volume: 1.5,
+            min_wall_volume: 1.5,
             ..default
         },
         VerdictParams {

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::analysis::alignment::rigid_motion;
-use crate::analysis::transport::{TransportError, TransportParams, transfer_deformation};
+use crate::analysis::transport::{TransportError, TransportParams, transport_deformation};
 use crate::mesh::{Point3, TriMesh, Vector3, face_normals};
 use crate::progress::Progress;
 
@@ -14,7 +14,7 @@ use super::{
 
 /// How many deformations are carried, and by what.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransferStudyParams {
+pub struct TransportStudyParams {
     /// Kinds of objects.
     pub objects: Vec<ObjectKind>,
     /// The deformations; the object is replaced by each of `objects`.
@@ -23,7 +23,7 @@ pub struct TransferStudyParams {
     pub transport: TransportParams,
 }
 
-impl Default for TransferStudyParams {
+impl Default for TransportStudyParams {
     /// 6 kinds × 4 motions × 3: 72 deformations.
     fn default() -> Self {
         Self {
@@ -39,7 +39,7 @@ impl Default for TransferStudyParams {
 
 /// One deformation on another object.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransferCase {
+pub struct TransportCase {
     /// What moved.
     pub object: ObjectKind,
     /// What followed: an ellipsoid, or a deformed torus.
@@ -61,15 +61,15 @@ pub struct TransferCase {
 
 /// All cases.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransferStudy {
+pub struct TransportStudy {
     /// What was run.
-    pub params: TransferStudyParams,
+    pub params: TransportStudyParams,
     /// By kind of object, then class.
-    pub cases: Vec<TransferCase>,
+    pub cases: Vec<TransportCase>,
 }
 
 /// A direction nearer than 26° is the same motion to the eye.
-const LEAST_COSINE: f64 = 0.9;
+const MIN_COSINE: f64 = 0.9;
 /// And a size within a third.
 const NORM_RANGE: std::ops::RangeInclusive<f64> = 2.0 / 3.0..=1.5;
 
@@ -78,10 +78,10 @@ const NORM_RANGE: std::ops::RangeInclusive<f64> = 2.0 / 3.0..=1.5;
 ///
 /// # Errors
 /// If settings are out of range, it was stopped, or a motion cannot be carried at all.
-pub fn transfer_study(
-    params: &TransferStudyParams,
+pub fn transport_study(
+    params: &TransportStudyParams,
     progress: &Progress,
-) -> Result<TransferStudy, ExperimentError> {
+) -> Result<TransportStudy, ExperimentError> {
     let mut tasks = Vec::new();
     for &object in &params.objects {
         let still = SyntheticParams {
@@ -101,19 +101,19 @@ pub fn transfer_study(
             carried(params, *object, template, deformation, progress)
         })
         .collect::<Result<_, ExperimentError>>()?;
-    Ok(TransferStudy {
+    Ok(TransportStudy {
         params: params.clone(),
         cases,
     })
 }
 
 fn carried(
-    params: &TransferStudyParams,
+    params: &TransportStudyParams,
     object: ObjectKind,
     template: &TriMesh,
     deformation: &Deformation,
     progress: &Progress,
-) -> Result<TransferCase, ExperimentError> {
+) -> Result<TransportCase, ExperimentError> {
     let checked = params.transport.check();
     let checked = checked.map_err(|error| step("carrying a motion", &error))?;
     let (target, shaped) = target(object);
@@ -128,7 +128,7 @@ fn carried(
     let moved: Vec<Vec<Point3>> = (poses.iter())
         .map(|pose| pose.iter().map(|p| beside.apply(p)).collect())
         .collect();
-    let result = transfer_deformation(
+    let result = transport_deformation(
         template.faces(),
         &moved,
         &rest,
@@ -146,7 +146,7 @@ fn carried(
         norm_ratio,
         flipped_faces,
     } = difference(&last, &truth, &rest, template.triangles())?;
-    Ok(TransferCase {
+    Ok(TransportCase {
         object,
         target,
         motion,
@@ -154,11 +154,11 @@ fn carried(
         cosine,
         norm_ratio,
         flipped_faces,
-        followed: cosine >= LEAST_COSINE && NORM_RANGE.contains(&norm_ratio) && flipped_faces == 0,
+        followed: cosine >= MIN_COSINE && NORM_RANGE.contains(&norm_ratio) && flipped_faces == 0,
     })
 }
 
-/// How a carried pose differs from the truth; see [`TransferCase`].
+/// How a carried pose differs from the truth; see [`TransportCase`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Difference {
     pub relative_error: f64,
