@@ -203,7 +203,7 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
         let ranks = &row.ranks;
         format!(
             "| {} | {} | {} of {} | {} | {:.2} | {:.4} |",
-            row.carrying,
+            row.transport,
             row.method,
             ranks.nearer_than_median,
             ranks.pairs,

@@ -62,7 +62,7 @@ impl MapOptions {
             .map_err(|error| CliError::Usage(error.to_string()))?;
         let distances = PoseDistanceParams {
             metric: metric.params(),
-            transfer,
+            transport: transfer,
             smoothing: self.smoothing,
         };
         distances

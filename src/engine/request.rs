@@ -234,9 +234,9 @@ pub fn distance_words(params: &PoseDistanceParams) -> String {
     if params.smoothing > 0.0 {
         metric += &format!(", smoothed over {} √area", params.smoothing);
     }
-    match params.transfer {
+    match params.transport {
         None => metric,
-        Some(transfer) => match transfer.reference {
+        Some(transport) => match transport.reference {
             Reference::Mean => format!("{metric}, carried onto the mean"),
             Reference::Subject(index) => format!("{metric}, carried onto subject {index}"),
         },

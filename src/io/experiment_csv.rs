@@ -96,7 +96,7 @@ pub fn partners_csv(study: &PartnerStudy) -> String {
     for row in &study.rows {
         let ranks = &row.ranks;
         table.row([
-            row.carrying.to_owned(),
+            row.transport.to_owned(),
             row.method.to_owned(),
             ranks.pairs.to_string(),
             ranks.nearer_than_median.to_string(),

@@ -21,7 +21,10 @@ fn rest_and_stress_of_one_patient_are_nearer_than_most_others_by_the_defaults() 
     };
     let found = partner_study(&study, &params, &progress).unwrap();
     for row in &found.rows {
-        println!("{}, transfer {}: {:?}", row.method, row.carrying, row.ranks);
+        println!(
+            "{}, transfer {}: {:?}",
+            row.method, row.transport, row.ranks
+        );
         assert_eq!(row.ranks.pairs, 20);
     }
     let [own, carried] = [found.rows[0].ranks, found.rows[1].ranks];

@@ -38,9 +38,9 @@ pub struct MetricComparisonParams {
 }
 
 impl MetricComparisonParams {
-    /// All kinds and forms with the default smoothing and this transfer, and plain displacement as
+    /// All kinds and forms with the default smoothing and this transport, and plain displacement as
     /// it is; 0, 1, 2.5 and 5 % of Gaussian noise, three copies each.
-    pub fn all_metrics(transfer: Option<CohortTransportParams>) -> Self {
+    pub fn all_metrics(transport: Option<CohortTransportParams>) -> Self {
         let base = MetricParams::default();
         let of_kind = |kind| MetricParams { kind, ..base };
         let of_form = |form| MetricParams { form, ..base };
@@ -53,7 +53,7 @@ impl MetricComparisonParams {
             name,
             distances: PoseDistanceParams {
                 metric,
-                transfer,
+                transport,
                 ..PoseDistanceParams::default()
             },
         };

@@ -14,7 +14,7 @@ use super::error::step;
 /// the rigid motion that lays the first end-diastolic pose onto the heart's own, sizes normalised. Frames
 /// and times are those of the first.
 ///
-/// A perfect transfer onto one heart would make all these motions equal.
+/// A perfect transport onto one heart would make all these motions equal.
 ///
 /// # Errors
 /// If poses cannot be aligned, or a coordinate leaves the range of numbers.

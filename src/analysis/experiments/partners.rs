@@ -17,10 +17,10 @@ use super::{ExperimentError, Method, MetricComparisonParams};
 pub struct TransportOption {
     /// What tables call it.
     pub name: &'static str,
-    /// Onto what all motions are carried; `None`: compared where they are.
-    pub transfer: Option<CohortTransportParams>,
+    /// Onto what all motions are transported; `None`: compared where they are.
+    pub transport: Option<CohortTransportParams>,
     /// Whether all hearts are given the motion of the first one beforehand: what then still tells patients
-    /// apart is their shape, which a perfect transfer would take away.
+    /// apart is their shape, which a perfect transport would take away.
     pub one_motion: bool,
 }
 
@@ -36,17 +36,17 @@ pub struct PartnerParams {
 }
 
 impl PartnerParams {
-    /// All kinds and forms, plain displacement and the default without smoothing; as they are, carried
+    /// All kinds and forms, plain displacement and the default without smoothing; as they are, transported
     /// onto the mean along geodesics or straight ways as given, and with one motion for all. As they are
     /// also what smoothing, area weights and λ bring.
-    pub fn all_metrics(transfer: CohortTransportParams) -> Self {
+    pub fn all_metrics(transport: CohortTransportParams) -> Self {
         let straight = CohortTransportParams {
             in_betweens: 0,
-            ..transfer
+            ..transport
         };
-        let carrying = |name, transfer, one_motion| TransportOption {
+        let option = |name, transport, one_motion| TransportOption {
             name,
-            transfer,
+            transport,
             one_motion,
         };
         let smoothing = PoseDistanceParams::default().smoothing;
@@ -63,11 +63,11 @@ impl PartnerParams {
         Self {
             methods,
             transport_options: vec![
-                carrying("none", None, false),
-                carrying("geodesics", Some(transfer), false),
-                carrying("straight ways", Some(straight), false),
-                carrying("one motion for all, none", None, true),
-                carrying("one motion for all, geodesics", Some(transfer), true),
+                option("none", None, false),
+                option("geodesics", Some(transport), false),
+                option("straight ways", Some(straight), false),
+                option("one motion for all, none", None, true),
+                option("one motion for all, geodesics", Some(transport), true),
             ],
             untransported: vec![
                 Method {
@@ -104,18 +104,18 @@ pub struct PartnerRanks {
     pub mean_distance: f64,
 }
 
-/// One method after one way of carrying.
+/// One method after one transport.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartnerRow {
     /// What the method is called.
     pub method: &'static str,
     /// What was done before.
-    pub carrying: &'static str,
+    pub transport: &'static str,
     /// What came out.
     pub ranks: PartnerRanks,
 }
 
-/// By way of carrying, then by method.
+/// By transport, then by method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartnerStudy {
     /// What was run.
@@ -150,26 +150,26 @@ pub fn partner_study(
     let moved_alike = one_motion_study(study)?;
     let own = TransportOption {
         name: "none",
-        transfer: None,
+        transport: None,
         one_motion: false,
     };
     let mut tasks: Vec<(TransportOption, Method)> = Vec::new();
-    for carrying in &params.transport_options {
-        tasks.extend(params.methods.iter().map(|method| (*carrying, *method)));
+    for option in &params.transport_options {
+        tasks.extend(params.methods.iter().map(|method| (*option, *method)));
     }
     tasks.extend(params.untransported.iter().map(|method| (own, *method)));
     progress.expect_steps(tasks.len());
     let rows = tasks
         .par_iter()
-        .map(|(carrying, method)| {
+        .map(|(option, method)| {
             progress.check()?;
-            let study = if carrying.one_motion {
+            let study = if option.one_motion {
                 &moved_alike
             } else {
                 study
             };
             let distances = PoseDistanceParams {
-                transfer: carrying.transfer,
+                transport: option.transport,
                 ..method.distances
             };
             let within = progress.within();
@@ -180,7 +180,7 @@ pub fn partner_study(
             progress.step()?;
             Ok(PartnerRow {
                 method: method.name,
-                carrying: carrying.name,
+                transport: option.name,
                 ranks: ranked(&ids, &whole),
             })
         })

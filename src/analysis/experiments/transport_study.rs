@@ -12,14 +12,14 @@ use super::{
     Deformation, ExperimentError, Motion, ObjectKind, Solid, SyntheticParams, synthetic_cohort,
 };
 
-/// How many deformations are carried, and by what.
+/// How many deformations are transported, and by what.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TransportStudyParams {
     /// Kinds of objects.
     pub objects: Vec<ObjectKind>,
     /// The deformations; the object is replaced by each of `objects`.
     pub cohort: SyntheticParams,
-    /// How they are carried.
+    /// How they are transported.
     pub transport: TransportParams,
 }
 
@@ -46,12 +46,12 @@ pub struct TransportCase {
     pub target: &'static str,
     /// How.
     pub motion: Motion,
-    /// ‖carried − true‖ / ‖true‖ of the last displacement, the truth being the same motion applied
+    /// ‖transported − true‖ / ‖true‖ of the last displacement, the truth being the same motion applied
     /// to the target itself, after rigid alignment.
     pub relative_error: f64,
     /// Cosine of the angle between both displacements.
     pub cosine: f64,
-    /// ‖carried‖ / ‖true‖.
+    /// ‖transported‖ / ‖true‖.
     pub norm_ratio: f64,
     /// Faces of the last pose whose normal points away from that of the truth.
     pub flipped_faces: usize,
@@ -73,11 +73,11 @@ const MIN_COSINE: f64 = 0.9;
 /// And a size within a third.
 const NORM_RANGE: std::ops::RangeInclusive<f64> = 2.0 / 3.0..=1.5;
 
-/// Carries every deformation onto an ellipsoid (of a sphere) or a deformed torus (of a torus), and
+/// Transports every deformation onto an ellipsoid (of a sphere) or a deformed torus (of a torus), and
 /// measures it against the same motion of the target itself. The same bits for any number of threads.
 ///
 /// # Errors
-/// If settings are out of range, it was stopped, or a motion cannot be carried at all.
+/// If settings are out of range, it was stopped, or a motion cannot be transported at all.
 pub fn transport_study(
     params: &TransportStudyParams,
     progress: &Progress,
@@ -98,7 +98,7 @@ pub fn transport_study(
         .par_iter()
         .map(|(object, template, deformation)| {
             progress.step()?;
-            carried(params, *object, template, deformation, progress)
+            transported(params, *object, template, deformation, progress)
         })
         .collect::<Result<_, ExperimentError>>()?;
     Ok(TransportStudy {
@@ -107,7 +107,7 @@ pub fn transport_study(
     })
 }
 
-fn carried(
+fn transported(
     params: &TransportStudyParams,
     object: ObjectKind,
     template: &TriMesh,
@@ -122,7 +122,7 @@ fn carried(
     let truth: Vec<Point3> = (rest.iter())
         .map(|p| motion.moved(object.solid, p, deformation.amplitude))
         .collect();
-    // The source lies anywhere in space; its motion is carried from beside the target.
+    // The source lies anywhere in space; its motion is transported from beside the target.
     let source = poses.first().cloned().unwrap_or_default();
     let beside = rigid_motion(&source, &rest).map_err(|e| step("aligning objects", &e))?;
     let moved: Vec<Vec<Point3>> = (poses.iter())
@@ -158,7 +158,7 @@ fn carried(
     })
 }
 
-/// How a carried pose differs from the truth; see [`TransportCase`].
+/// How a transported pose differs from the truth; see [`TransportCase`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Difference {
     pub relative_error: f64,
@@ -167,15 +167,15 @@ pub(super) struct Difference {
     pub flipped_faces: usize,
 }
 
-/// Compares a carried pose, laid onto the true one, with that, both as displacements from rest.
+/// Compares a transported pose, laid onto the true one, with that, both as displacements from rest.
 pub(super) fn difference(
-    carried: &[Point3],
+    transported: &[Point3],
     truth: &[Point3],
     rest: &[Point3],
     triangles: &[[u32; 3]],
 ) -> Result<Difference, ExperimentError> {
-    let onto = rigid_motion(carried, truth).map_err(|e| step("aligning objects", &e))?;
-    let laid: Vec<Point3> = carried.iter().map(|p| onto.apply(p)).collect();
+    let onto = rigid_motion(transported, truth).map_err(|e| step("aligning objects", &e))?;
+    let laid: Vec<Point3> = transported.iter().map(|p| onto.apply(p)).collect();
     let field =
         |pose: &[Point3]| -> Vec<Vector3> { pose.iter().zip(rest).map(|(p, q)| p - q).collect() };
     let (found, true_field) = (field(&laid), field(truth));

@@ -56,7 +56,7 @@ pub enum PairError {
 }
 
 /// Share of each face in the squared distance of two poses, smoothed, sizes normalised and aligned as in
-/// [`super::pose_distances`] without a transfer; without unit where the metric is scale-free. Shares sum to the squared
+/// [`super::pose_distances`] without a transport; without unit where the metric is scale-free. Shares sum to the squared
 /// distance of that matrix; faces are those of all surfaces, one surface after the other.
 ///
 /// # Errors

@@ -17,7 +17,7 @@ pub(super) struct Source<'a> {
 enum Points<'a> {
     /// As measured; the size is yet to be normalised.
     Own(Comparable<'a>),
-    /// After transfer.
+    /// After transport.
     Carried(&'a [Point3]),
 }
 
@@ -60,7 +60,7 @@ pub(super) fn own_sources<'a>(members: &[Comparable<'a>]) -> Vec<Source<'a>> {
 }
 
 /// The poses of the one heart that moves like them.
-pub(super) fn carried_sources(cohort: &TransportedCohort) -> Vec<Source<'_>> {
+pub(super) fn transported_sources(cohort: &TransportedCohort) -> Vec<Source<'_>> {
     (cohort.members.iter())
         .flat_map(|member| {
             (member.poses.iter().enumerate()).map(|(frame, points)| Source {

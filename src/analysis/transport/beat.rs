@@ -13,7 +13,7 @@ use super::{CheckedTransportParams, TransportError, transport_deformation};
 /// that of `onto`, the frames are those of `from`.
 ///
 /// Coordinates of each heart are divided by its [`SizeScale`] and `from` is laid onto `onto` by the
-/// rigid motion of their end-diastolic poses; the displacements are carried from end-diastole on,
+/// rigid motion of their end-diastolic poses; the displacements are transported from end-diastole on,
 /// through the last frame into the first, and multiplied by the scale of `onto`. End-diastole
 /// is the stated frame, else 0.
 ///
@@ -39,8 +39,8 @@ pub fn transported_motion(
     let (source, target) = (Rest::of(from)?, Rest::of(onto)?);
     let beat = source.beat_laid_onto(from, &target.pose);
     let faces = onto.sequence.joined_faces();
-    let carried = transport_deformation(&faces, &beat, &target.pose, params, progress)?;
-    let restored: Vec<Vec<Point3>> = (carried.iter())
+    let transported = transport_deformation(&faces, &beat, &target.pose, params, progress)?;
+    let restored: Vec<Vec<Point3>> = (transported.iter())
         .map(|pose| pose.iter().map(|p| target.scale.restored(p)).collect())
         .collect();
     let mut frames = in_order_of_frames(restored, source.frame);

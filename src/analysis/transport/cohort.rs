@@ -16,7 +16,7 @@ use super::{CohortTransportParams, DeformationTransport, Reference, TransportErr
 /// All deformations at one place of the space of poses.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TransportedCohort {
-    /// The heart that all motions were carried onto, its size normalised.
+    /// The heart that all motions were transported onto, its size normalised.
     pub reference: Vec<Point3>,
     /// The motions, in the order of the study.
     pub members: Vec<TransportedSubject>,
@@ -37,13 +37,13 @@ pub struct TransportedSubject {
     pub poses: Vec<Vec<Point3>>,
 }
 
-/// Carries every usable subject's deformation onto the reference.
+/// Transports every usable subject's deformation onto the reference.
 ///
 /// Usable is what [`comparable_subjects`] says. Coordinates of each subject are divided by its
 /// [`SizeScale`], its end-diastolic pose is laid onto the reference by a rigid motion, its beat moves
-/// with it, and its displacements are carried from end-diastole on. The mean reference is the
+/// with it, and its displacements are transported from end-diastole on. The mean reference is the
 /// mean of the end-diastolic poses, laid onto each other by generalised Procrustes alignment. A
-/// subject whose motion cannot be carried is left out with the reason. Subjects run in parallel;
+/// subject whose motion cannot be transported is left out with the reason. Subjects run in parallel;
 /// the result does not depend on the number of threads. Counts one step per displacement.
 ///
 /// # Errors
@@ -73,15 +73,15 @@ pub fn transport_cohort(
         });
     };
     let faces = first.subject.sequence.joined_faces();
-    let transfer = DeformationTransport::new(&faces, &reference, &checked)?;
+    let transport = DeformationTransport::new(&faces, &reference, &checked)?;
     let frames = comparable.iter().map(|m| m.subject.sequence.frame_count());
     progress.expect_steps(frames.map(|count| count - 1).sum());
-    let carried: Vec<Result<TransportedSubject, TransportError>> = comparable
+    let transported: Vec<Result<TransportedSubject, TransportError>> = comparable
         .par_iter()
         .zip(&rests)
         .map(|(member, rest)| {
             let beat = rest.beat_laid_onto(member.subject, &reference);
-            let poses = transfer.carry(&beat, &reference, progress)?;
+            let poses = transport.transport(&beat, &reference, progress)?;
             Ok(TransportedSubject {
                 subject: member.index,
                 end_diastole: rest.frame,
@@ -90,8 +90,8 @@ pub fn transport_cohort(
             })
         })
         .collect();
-    let mut members = Vec::with_capacity(carried.len());
-    for (member, result) in comparable.iter().zip(carried) {
+    let mut members = Vec::with_capacity(transported.len());
+    for (member, result) in comparable.iter().zip(transported) {
         match result {
             Ok(subject) => members.push(subject),
             Err(TransportError::Stopped(stopped)) => return Err(stopped.into()),

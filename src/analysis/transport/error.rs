@@ -1,4 +1,4 @@
-//! Why a motion cannot be carried to another heart.
+//! Why a motion cannot be transported to another heart.
 
 use crate::analysis::geodesics::GeodesicError;
 use crate::analysis::metrics::MetricError;
@@ -7,7 +7,7 @@ use crate::study::SequenceError;
 
 use super::TransportParamError;
 
-/// Why a motion cannot be carried to another heart.
+/// Why a motion cannot be transported to another heart.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TransportError {
     /// Not a failure: it was asked to stop.
@@ -53,7 +53,7 @@ pub enum TransportError {
         /// Frames there are.
         frames: usize,
     },
-    /// The heart that all motions were to be carried onto cannot take part.
+    /// The heart that all motions were to be transported onto cannot take part.
     #[error("the reference is to be subject {index} of {subjects}, which cannot be used: {reason}")]
     Reference {
         /// The index named.
@@ -91,7 +91,7 @@ pub enum TransportError {
     /// There is no path between the hearts.
     #[error(transparent)]
     Geodesic(#[from] GeodesicError),
-    /// What was carried does not make a sequence.
+    /// What was transported does not make a sequence.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
 }

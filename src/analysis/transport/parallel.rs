@@ -42,7 +42,7 @@ const UNSEEN: f64 = 1e-24;
 /// path.
 const ROUND_OFF: f64 = 1e-14;
 
-/// Carries X from the first sample to the last: at each next sample i, X̄ is the field nearest to X
+/// Transports X from the first sample to the last: at each next sample i, X̄ is the field nearest to X
 /// with ⟨⟨X̄, γ'⟩⟩ = α₀, where γ' is the velocity with norm 1 and α₀ = ⟨⟨X, γ'⟩⟩ at the first.
 ///
 /// Nearest in the metric: X̄ = X + (α₀ − ⟨⟨X, γ'⟩⟩) γ'. Nearest in coordinates:

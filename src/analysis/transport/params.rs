@@ -1,4 +1,4 @@
-//! Along which path a motion is carried, and what is kept on the way.
+//! Along which path a motion is transported, and what is kept on the way.
 
 use crate::analysis::geodesics::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
 use crate::analysis::metrics::{CheckedMetricParams, Form, MetricParams, ParamError};
@@ -24,7 +24,7 @@ pub enum Nearness {
     Coordinates,
 }
 
-/// Settings of a transfer from one heart to another; [`TransportParams::check`] makes them usable.
+/// Settings of a transport from one heart to another; [`TransportParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransportParams {
     /// What lengths and angles of displacements are. Transport needs an inner product: forms that
@@ -50,7 +50,7 @@ impl Default for TransportParams {
     }
 }
 
-/// What the motions of a cohort are carried onto.
+/// What the motions of a cohort are transported onto.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Reference {
     /// The mean of all end-diastolic shapes, sizes normalised, laid onto each other.
@@ -60,10 +60,10 @@ pub enum Reference {
     Subject(usize),
 }
 
-/// Settings of a transfer of all hearts onto one; the metric is given beside them.
+/// Settings of a transport of all hearts onto one; the metric is given beside them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct CohortTransportParams {
-    /// What all are carried onto.
+    /// What all are transported onto.
     pub reference: Reference,
     /// As in [`TransportParams`].
     pub in_betweens: u16,
@@ -76,9 +76,9 @@ pub struct CohortTransportParams {
 }
 
 impl Default for CohortTransportParams {
-    /// What a transfer needs, and no more: so few in-betweens and a coarse mesh do, and one geodesic per
+    /// What a transport needs, and no more: so few in-betweens and a coarse mesh do, and one geodesic per
     /// heart, since those of later steps bend alike, and on meshes of real hearts they follow noise. What is
-    /// left out changes where a carried pose lies by far less than it moved on smooth hearts, but takes several
+    /// left out changes where a transported pose lies by far less than it moved on smooth hearts, but takes several
     /// times as long. Nor does it tell more of patients: on gated SPECT 16 of 20 sequences have the same
     /// patient's other one nearer than the median of the others, and 7 have it nearest, for 1, 3 and 7
     /// in-betweens and for straight ways, on 200, 500 and all vertices, and for geodesics at every step with 1
@@ -153,7 +153,7 @@ impl TransportParams {
     }
 }
 
-/// Why settings of a transfer cannot be used.
+/// Why settings of a transport cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TransportParamError {
     /// The metric's own settings are wrong.

@@ -93,7 +93,7 @@ fn same(a: &[Point3], b: &[Point3]) -> bool {
     a.len() == b.len() && (a.iter().zip(b)).all(|(a, b)| (b - a).amax() <= SAME * reach)
 }
 
-/// Carries a field of displacements from the first pose of a path to the last by
+/// Transports a field of displacements from the first pose of a path to the last by
 /// [`parallel_transport`], nearest in the metric; velocities are those of [`PosePath`].
 ///
 /// Along a straight path the number of samples does not matter: the field stays in the plane
@@ -126,10 +126,10 @@ pub(super) fn transport_nearest(
         });
     }
     let path = PosePath::new(metric, path)?;
-    let carried = parallel_transport(&path, field, nearness, keep_norm);
-    let norm2: f64 = carried.iter().map(Vector3::norm_squared).sum();
+    let transported = parallel_transport(&path, field, nearness, keep_norm);
+    let norm2: f64 = transported.iter().map(Vector3::norm_squared).sum();
     if !norm2.is_finite() {
         return Err(TransportError::NotFinite { pose: 0, norm2 });
     }
-    Ok(carried)
+    Ok(transported)
 }

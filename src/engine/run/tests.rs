@@ -340,7 +340,7 @@ fn distances_after_a_transfer_are_another_answer() {
     let (study, cache, progress) = (study(), Cache::default(), Progress::default());
     let ask = |transfer: Option<CohortTransportParams>| {
         let params = PoseDistanceParams {
-            transfer,
+            transport: transfer,
             ..PoseDistanceParams::default()
         };
         let outcome = run(

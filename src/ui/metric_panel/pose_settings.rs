@@ -19,7 +19,7 @@ pub fn pose_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams>
 }
 
 fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
-    let transfer = wanted.distances.transfer;
+    let transfer = wanted.distances.transport;
     let name = |subject: usize| {
         view.subjects
             .get(subject)
@@ -34,7 +34,7 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
                 motions differ";
     choice_row_ui(ui, "Transfer onto", what, &shown, true, |ui| {
         let mut choose = |reference: Option<Reference>| {
-            wanted.distances.transfer = reference.map(|reference| CohortTransportParams {
+            wanted.distances.transport = reference.map(|reference| CohortTransportParams {
                 reference,
                 ..transfer.unwrap_or_default()
             });

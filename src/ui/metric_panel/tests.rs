@@ -110,7 +110,7 @@ fn motions_are_carried_onto_the_mean_or_a_subject() {
         "Transfer onto: no heart",
         "the mean heart of the cohort",
     );
-    let transfer = |harness: &Harness<'_, Scene>| harness.state().poses.distances.transfer;
+    let transfer = |harness: &Harness<'_, Scene>| harness.state().poses.distances.transport;
     assert_eq!(transfer(&harness), Some(CohortTransportParams::default()));
     choose(&mut harness, "Transfer onto: the mean heart", "P2");
     assert_eq!(

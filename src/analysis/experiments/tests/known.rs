@@ -141,8 +141,8 @@ fn what_was_carried_is_held_against_the_truth_and_not_against_itself() {
         rest.vertices().iter().map(moved).collect()
     };
     let truth = moved(0.8);
-    let against = |carried: &[Point3]| {
-        difference(carried, &truth, rest.vertices(), rest.triangles()).unwrap()
+    let against = |transported: &[Point3]| {
+        difference(transported, &truth, rest.vertices(), rest.triangles()).unwrap()
     };
     // Elsewhere in space, but right.
     let shifted: Vec<Point3> = truth

@@ -179,7 +179,7 @@ fn folded_faces_and_coinciding_vertices_give_finite_distances() {
                 };
                 let params = PoseDistanceParams {
                     metric,
-                    transfer: None,
+                    transport: None,
                     ..PoseDistanceParams::default()
                 }
                 .check()

@@ -1,4 +1,4 @@
-//! A whole deformation carried to another heart, step after step.
+//! A whole deformation transported to another heart, step after step.
 
 use crate::analysis::geodesics::GeodesicSolver;
 use crate::analysis::metrics::Metric;
@@ -8,7 +8,7 @@ use crate::progress::{Progress, Stopped};
 use super::pose_path::transport_nearest;
 use super::{CheckedTransportParams, Geodesics, TransportError};
 
-/// Carries many deformations on one connectivity: what does not depend on the hearts is computed once.
+/// Transports many deformations on one connectivity: what does not depend on the hearts is computed once.
 #[derive(Clone, Debug)]
 pub struct DeformationTransport {
     metric: Metric,
@@ -40,7 +40,7 @@ impl DeformationTransport {
         })
     }
 
-    /// The deformation `source` of the heart `source[0]`, carried to the heart `onto`: as many
+    /// The deformation `source` of the heart `source[0]`, transported to the heart `onto`: as many
     /// poses, the first of which is `onto`.
     ///
     /// N₀ = `onto`, N_{i+1} = N_i + X̄_i, where X̄_i is M_{i+1} − M_i transported along the path from M_i
@@ -49,7 +49,7 @@ impl DeformationTransport {
     ///
     /// # Errors
     /// If stopped, there is no pose, counts differ, or squares of lengths overflow.
-    pub fn carry(
+    pub fn transport(
         &self,
         source: &[Vec<Point3>],
         onto: &[Point3],
@@ -68,7 +68,7 @@ impl DeformationTransport {
             Geodesics::First if source.len() > 1 => self.bend(first, onto, progress)?,
             _ => Vec::new(),
         };
-        let mut carried = vec![onto.to_vec()];
+        let mut transported = vec![onto.to_vec()];
         let mut here = onto.to_vec();
         for (pose, pair) in source.windows(2).enumerate() {
             progress.step()?;
@@ -88,9 +88,9 @@ impl DeformationTransport {
             for (point, x) in here.iter_mut().zip(&moved) {
                 *point += x;
             }
-            carried.push(here.clone());
+            transported.push(here.clone());
         }
-        Ok(carried)
+        Ok(transported)
     }
 
     /// How far each in-between of the geodesic lies from the straight line.
@@ -145,7 +145,7 @@ fn difference(from: &[Point3], to: &[Point3]) -> Vec<Vector3> {
     from.iter().zip(to).map(|(a, b)| b - a).collect()
 }
 
-/// One deformation carried to one heart, see [`DeformationTransport::carry`].
+/// One deformation transported to one heart, see [`DeformationTransport::transport`].
 ///
 /// # Errors
 /// If stopped, there is no pose, counts differ, or squares of lengths overflow.
@@ -157,5 +157,5 @@ pub fn transport_deformation(
     progress: &Progress,
 ) -> Result<Vec<Vec<Point3>>, TransportError> {
     progress.expect_steps(source.len().saturating_sub(1));
-    DeformationTransport::new(faces, onto, params)?.carry(source, onto, progress)
+    DeformationTransport::new(faces, onto, params)?.transport(source, onto, progress)
 }
