@@ -68,7 +68,7 @@ fn told(study: &Study, verdict: &Verdict, rule: RuleSource) -> Vec<String> {
         verdict.probability.to_string(),
         "yes".to_owned(),
         String::new(),
-        verdict.finding.name().to_owned(),
+        verdict.finding.key().to_owned(),
         if calibrated { "yes" } else { "no" }.to_owned(),
         names(&verdict.alike_normal),
         names(&verdict.alike_abnormal),

@@ -119,7 +119,7 @@ impl MedialNoiseResult {
              the program's default settings, none of them chosen on these data."
                 .to_owned(),
             format!(
-                "Closeness of poses: still atoms of every step, their descriptors, distances 4.5.1 with positions in \
+                "Closeness of poses: akinetic atoms of every step, their descriptors, distances 4.5.1 with positions in \
                  sizes of the sheet, the plane of all poses, and k-means (2 clusters, {} starts) of how far the \
                  points of each deformation scatter on it; tolerance from noise, steps in which a well wall \
                  changes. As printed: |PT − 1| ≤ 5 %, r̂ a product, all steps. Clusters of poses: k-means of the \
@@ -127,7 +127,7 @@ impl MedialNoiseResult {
                 params.restarts
             ),
             format!(
-                "τ: share of deformations scored right, clusters matched to classes as well as can be; {} redraws of \
+                "τ: share of deformations classified correctly, clusters matched to classes as well as can be; {} redraws of \
                  sheets, patches and noise, seed {}, mean ± standard error from the scatter between redraws; \
                  baseline: τ of permuted labels.",
                 params.redraws, params.seed

@@ -38,7 +38,7 @@ pub(super) fn one_motion_study(study: &Study) -> Result<Study, ExperimentError> 
     let subjects = (members.iter())
         .map(|member| {
             let own = normalised(member, member.end_diastole);
-            let turn = rigid_motion(&rest, &own).map_err(|e| step("aligning hearts", &e))?;
+            let turn = rigid_motion(&rest, &own).map_err(|e| step("aligning subjects", &e))?;
             let poses: Vec<Vec<Point3>> = (displacements.iter())
                 .map(|field| {
                     (own.iter().zip(field))

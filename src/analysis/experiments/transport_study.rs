@@ -115,7 +115,7 @@ fn transported(
     progress: &Progress,
 ) -> Result<TransportCase, ExperimentError> {
     let checked = params.transport.check();
-    let checked = checked.map_err(|error| step("carrying a motion", &error))?;
+    let checked = checked.map_err(|error| step("transporting a motion", &error))?;
     let (target, shaped) = target(object);
     let rest: Vec<Point3> = template.vertices().iter().map(shaped).collect();
     let (motion, poses) = (Motion::ALL[deformation.class], &deformation.poses);
@@ -137,7 +137,7 @@ fn transported(
     )
     .map_err(|error| match error {
         TransportError::Stopped(stopped) => stopped.into(),
-        other => step("carrying a motion", &other),
+        other => step("transporting a motion", &other),
     })?;
     let last = result.last().cloned().unwrap_or_default();
     let Difference {

@@ -118,7 +118,7 @@ pub enum GeodesicParamError {
     #[error(transparent)]
     Metric(#[from] ParamError),
     /// So many in-betweens are not computed.
-    #[error("at most {most} in-betweens are computed, not {in_betweens}")]
+    #[error("at most {most} interpolated poses are computed, not {in_betweens}")]
     InBetweens {
         /// What was asked for.
         in_betweens: u16,
@@ -138,8 +138,8 @@ pub enum GeodesicParamError {
     },
     /// The energy has no minimum above zero.
     #[error(
-        "with {in_betweens} in-betweens this form costs nothing on ways that collapse; \
-         give lambda above 0, at most one in-between, or the additive form"
+        "with {in_betweens} interpolated poses this form has no shortest path: poses can collapse at no cost; \
+         set lambda above 0, use at most one interpolated pose, or the additive form"
     )]
     NoLeastPath {
         /// What was asked for.

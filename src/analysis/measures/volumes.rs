@@ -25,7 +25,7 @@ pub enum UnknownVolume {
         reason: MeshError,
     },
     /// The wall's inner side cannot be told from its outer one.
-    #[error("wall: {0}; the cavity's volume is not told")]
+    #[error("wall: {0}; the cavity's volume is not known")]
     InnerSide(#[from] InnerSideError),
     /// A wall of one sheet is open, so that it encloses no muscle.
     #[error("wall: one sheet with {loops} open ends encloses no muscle")]

@@ -30,7 +30,7 @@ pub enum MedialError {
     },
     /// The sides lie the wrong way round, cross each other, or are too far apart to be a wall.
     #[error(
-        "frame {frame}: {without} of {atoms} vertices have no sphere between the sides; \
+        "frame {frame}: {without} of {atoms} vertices have no inscribed sphere between the sides; \
          they cross, coincide or do not face each other"
     )]
     NoRoom {

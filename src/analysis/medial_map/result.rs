@@ -59,7 +59,7 @@ pub struct SubjectPaths {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotMapped {
     /// All of the wall changes in every step.
-    #[error("no atom stands still in any of {steps} steps")]
+    #[error("no atom is akinetic in any of {steps} steps")]
     NothingStill {
         /// Steps of the beat.
         steps: usize,
@@ -117,7 +117,7 @@ pub struct MedialMap {
 pub enum MedialMapError {
     /// Two points make no map.
     #[error(
-        "{poses} poses of {hearts} hearts whose wall can be assessed: a map needs at least three"
+        "{poses} poses of {hearts} subjects whose wall can be assessed: a map needs at least three"
     )]
     TooFewPoses {
         /// Points there would be.

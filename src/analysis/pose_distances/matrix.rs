@@ -21,7 +21,7 @@ use super::{
     PoseId,
 };
 
-/// Share of the whole time that carrying motions onto one heart takes.
+/// Share of the whole time that transporting motions onto one subject takes.
 const TRANSPORT_SHARE: f32 = 0.8;
 
 /// Rows and columns of a block of pairs that one thread does in one go: its 16 poses of some
@@ -100,8 +100,12 @@ pub fn pose_distances_knowing(
         let sources = own_sources(&comparable);
         return compared(study, &metric, known, &sources, left_out, progress);
     };
-    let carrying = progress.part("carrying all motions onto one heart", 0.0, TRANSPORT_SHARE);
-    let cohort = transport_cohort(&smooth, &params.metric, transport, &carrying)?;
+    let transporting = progress.part(
+        "transporting all motions onto one subject",
+        0.0,
+        TRANSPORT_SHARE,
+    );
+    let cohort = transport_cohort(&smooth, &params.metric, transport, &transporting)?;
     let sources = transported_sources(&cohort);
     let left_out = cohort.left_out.clone();
     let comparing = progress.part("comparing poses", TRANSPORT_SHARE, 1.0);

@@ -12,10 +12,12 @@ pub enum SegmentError {
         frames: usize,
     },
     /// Nothing is said to be a ventricle.
-    #[error("no surface is said to be endocardium, epicardium, cavity or wall")]
+    #[error("no surface is labelled endocardium, epicardium, cavity or wall")]
     NoHeart,
     /// A closed surface without landmarks: its base cannot be told from its apex.
-    #[error("{kind} is closed and no landmarks are stated, so that base and apex cannot be told")]
+    #[error(
+        "{kind} is closed and no landmarks are set, so that base and apex cannot be distinguished"
+    )]
     NoRim {
         /// The word for the surface.
         kind: &'static str,

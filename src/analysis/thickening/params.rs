@@ -88,7 +88,7 @@ pub enum ThickeningParamError {
         most: f64,
     },
     /// The border must take in the core.
-    #[error("the border, {border}, must not be below the core, {core}")]
+    #[error("the extent threshold, {border}, must not be below the core threshold, {core}")]
     Order {
         /// Share of the core.
         core: f64,
@@ -105,11 +105,11 @@ impl ThickeningParams {
     pub fn check(self) -> Result<CheckedThickeningParams, ThickeningParamError> {
         let ranges = [
             ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),
-            ("core", self.core, 0.0, 1.0),
-            ("still", self.still, 0.0, 2.0),
-            ("border", self.border, 0.0, 1.0),
-            ("least share", self.min_share, 0.0, 0.5),
-            ("least thickening", self.min_thickening, 0.0, 2.0),
+            ("core threshold", self.core, 0.0, 1.0),
+            ("akinetic threshold", self.still, 0.0, 2.0),
+            ("extent threshold", self.border, 0.0, 1.0),
+            ("minimum area of a patch", self.min_share, 0.0, 0.5),
+            ("minimum thickening", self.min_thickening, 0.0, 2.0),
             ("smoothing", self.smoothing, 0.0, 0.5),
             (
                 "redraws",

@@ -97,7 +97,7 @@ pub fn transport_cohort(
             Err(TransportError::Stopped(stopped)) => return Err(stopped.into()),
             Err(error) => left_out.push(LeftOut {
                 subject: member.index,
-                reason: format!("its motion cannot be carried onto the reference: {error}"),
+                reason: format!("its motion cannot be transported onto the reference: {error}"),
             }),
         }
     }

@@ -44,7 +44,7 @@ pub enum TransportError {
         frame: usize,
     },
     /// End-diastole is said to be where no frame is.
-    #[error("end-diastole of {subject} is said to be frame {frame}, but there are {frames} frames")]
+    #[error("end-diastole of {subject} is set to frame {frame}, but there are {frames} frames")]
     EndDiastole {
         /// Whose.
         subject: String,
@@ -54,7 +54,7 @@ pub enum TransportError {
         frames: usize,
     },
     /// The heart that all motions were to be transported onto cannot take part.
-    #[error("the reference is to be subject {index} of {subjects}, which cannot be used: {reason}")]
+    #[error("subject {index} of {subjects} cannot be used as the reference: {reason}")]
     Reference {
         /// The index named.
         index: usize,
@@ -64,7 +64,7 @@ pub enum TransportError {
         reason: String,
     },
     /// A path needs samples, a deformation poses.
-    #[error("there are no poses to carry a motion along")]
+    #[error("there are no poses to transport a motion along")]
     NoPoses,
     /// A field needs a displacement for each vertex.
     #[error("{displacements} displacements for poses of {vertices} vertices")]
@@ -75,7 +75,7 @@ pub enum TransportError {
         vertices: usize,
     },
     /// Products of this metric are not linear, so that no field can be fitted to them.
-    #[error("the form of the metric is no inner product, which transport needs")]
+    #[error("transport needs a form of the metric that is an inner product")]
     NotAnInnerProduct,
     /// A displacement is NaN, infinite or too large to be squared.
     #[error("the displacement from pose {pose} has squared length {norm2}")]

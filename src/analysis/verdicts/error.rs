@@ -9,7 +9,7 @@ pub enum VerdictError {
     #[error(transparent)]
     Stopped(#[from] Stopped),
     /// Thickening and subjects are not of the same hearts.
-    #[error("thickening of {hearts} hearts does not belong to {subjects} subjects")]
+    #[error("thickening of {hearts} subjects does not belong to {subjects} subjects")]
     Count {
         /// Hearts with thickening, or with the reason why there is none.
         hearts: usize,

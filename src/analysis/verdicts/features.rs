@@ -81,19 +81,19 @@ impl Feature {
     /// In words.
     pub fn name(self) -> &'static str {
         match self {
-            Self::StillShare => "still share of the wall",
+            Self::StillShare => "akinetic share of the wall",
             Self::Median => "median thickening",
-            Self::Spread => "spread of thickening",
-            Self::RelativeSpread => "spread relative to the well part",
-            Self::WeakestTenth => "thickening of the weakest tenth",
-            Self::Well => "thickening of the well part",
-            Self::Reach => "reach of thickening",
-            Self::PatchShare => "patches' share of the wall",
-            Self::Confidence => "confidence of the largest patch",
-            Self::PatchThickening => "patch's thickening relative to the well part",
+            Self::Spread => "thickening heterogeneity",
+            Self::RelativeSpread => "heterogeneity relative to remote myocardium",
+            Self::WeakestTenth => "10th percentile of thickening",
+            Self::Well => "thickening of remote myocardium",
+            Self::Reach => "upper range of thickening",
+            Self::PatchShare => "share of the wall in patches",
+            Self::Confidence => "detection stability of the largest patch",
+            Self::PatchThickening => "ratio of patch to remote thickening",
             Self::Compactness => "compactness of the largest patch",
-            Self::Closeness => "distance between poses",
-            Self::NormalSpread => "spread of the mean normal",
+            Self::Closeness => "mean pose distance",
+            Self::NormalSpread => "angular SD of ANV",
             Self::Gap => "distance of the mean position from the medial surface",
         }
     }
@@ -123,7 +123,7 @@ impl Feature {
         match self {
             Self::Median | Self::Spread | Self::WeakestTenth | Self::Well | Self::Reach => "ln PT",
             Self::NormalSpread => "rad",
-            Self::Gap => "heart sizes",
+            Self::Gap => "subject sizes",
             _ => "",
         }
     }

@@ -70,8 +70,13 @@ impl VerdictParams {
             // Below, separable classes have no finite rule; above, there is no rule but the mean.
             ("ridge", self.ridge, 1e-3, 1e3),
             // With one of a class nothing is left of it when that one is left out.
-            ("least labelled", f64::from(self.min_labelled), 3.0, 1000.0),
-            ("least wall volume", self.min_wall_volume, 0.0, 1.0),
+            (
+                "minimum number of labelled subjects of each class",
+                f64::from(self.min_labelled),
+                3.0,
+                1000.0,
+            ),
+            ("minimum wall volume ratio", self.min_wall_volume, 0.0, 1.0),
             ("permutations", f64::from(self.permutations), 1.0, 10_000.0),
         ];
         for (name, value, least, most) in ranges {

@@ -34,8 +34,8 @@ pub enum NotAssessed {
     },
     /// Noise is as large as what is looked for.
     #[error(
-        "the wall is not resolved: noise of thickening, {:.0} %, is not small against the {:.0} % by which the well \
-         part thickens",
+        "the wall is not resolved: noise of thickening, {:.0} %, is not small against the {:.0} % by which remote \
+         myocardium thickens",
         100.0 * noise.exp_m1(),
         100.0 * well.exp_m1()
     )]
@@ -69,6 +69,16 @@ pub enum Finding {
 impl Finding {
     /// In words, as tables and views say it.
     pub fn name(self) -> &'static str {
+        match self {
+            Self::Nothing => "no regional abnormality",
+            Self::Patch => "abnormal patch",
+            Self::GlobalFailure => "global hypokinesia",
+            Self::Elsewhere => "abnormal without a patch",
+        }
+    }
+
+    /// In files, where scripts rely on it.
+    pub fn key(self) -> &'static str {
         match self {
             Self::Nothing => "no abnormal patch",
             Self::Patch => "abnormal patch",

@@ -53,7 +53,7 @@ impl BuiltInParams {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum BuiltInError {
     /// Too coarse or too fine.
-    #[error("{asked} vertices per heart; the built-in cohort has between {fewest} and {most}")]
+    #[error("{asked} vertices per subject; the built-in cohort has between {fewest} and {most}")]
     Vertices {
         /// What was asked for.
         asked: usize,

@@ -56,14 +56,14 @@ impl AlignedCohort {
     /// What the load report says, if they are aligned.
     pub fn notice(&self) -> Option<Notice> {
         let each = if self.frames > 1 {
-            ", each frame by itself: where a heart lies, and how it moves as a whole, is not in these files"
+            ", each frame separately: these files do not contain position or motion of the heart as a whole"
         } else {
             ""
         };
         (self.spread? <= ALIGNED).then(|| {
             Notice::info(format!(
-                "{} lie upon each other, as if aligned for an atlas{each}",
-                counted(self.hearts, "heart", "hearts")
+                "{} appear pre-aligned, as for an atlas{each}",
+                counted(self.hearts, "subject", "subjects")
             ))
         })
     }

@@ -35,7 +35,7 @@ impl CentredFrames {
     pub fn notice(&self) -> Option<Notice> {
         self.centred.then(|| {
             Notice::info(
-                "every frame is centred on the origin by itself: motion of the heart as a whole from frame to frame is not in these files",
+                "each frame is centred on the origin separately: these files do not contain motion of the heart as a whole",
             )
         })
     }
