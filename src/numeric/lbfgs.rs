@@ -52,7 +52,7 @@ pub struct Minimum {
     pub ending: Ending,
 }
 
-/// Steps whose falls are judged together.
+/// Steps whose falls are classified together.
 const WINDOW: usize = 8;
 
 /// An expected fall of this share of the value is lost in rounding.

@@ -3,7 +3,7 @@
 //! 1. Depth of opaque surfaces, then ambient occlusion from it, then depth of opaque lines and points.
 //! 2. For each translucent layer, nearest first: its depth (behind the layer before, in front of what
 //!    is opaque), then its light under what is already there.
-//!    Where a device cannot read samples, translucent_surfaces are laid over each other whole instead, nearest first.
+//!    Where a device cannot read samples, translucent surfaces are laid over each other whole instead, nearest first.
 //! 3. Light of opaque things under the layers, and the average of the four samples.
 //!
 //! Layers are found sample by sample, so translucency is exact to the number of layers and does not
@@ -138,7 +138,7 @@ impl Frame<'_> {
         draws
     }
 
-    /// Films whole, nearest first: right between translucent_surfaces, not within one.
+    /// Translucent surfaces whole, nearest first: right between translucent surfaces, not within one.
     fn translucent_surfaces(&self, encoder: &mut wgpu::CommandEncoder, scratch: &Scratch) -> u64 {
         let occlusion = self.occlusion_group(scratch);
         let (colour, depth) = (&scratch.colour, &scratch.depth);
@@ -149,16 +149,16 @@ impl Frame<'_> {
             .iter()
             .filter(|drawn| drawn.translucent)
             .collect();
-        // Of translucent_surfaces about one place, the widest is met first.
-        let farness = |film: &Drawn| {
-            let bounds = film.bounds.as_ref();
+        // Of translucent surfaces about one place, the widest is met first.
+        let farness = |surface: &Drawn| {
+            let bounds = surface.bounds.as_ref();
             bounds.map_or(f32::INFINITY, |b| {
                 -b.centre().dot(self.backward) - b.radius()
             })
         };
         translucent_surfaces.sort_by(|a, b| farness(a).total_cmp(&farness(b)));
-        for film in &translucent_surfaces {
-            film.draw(&mut pass, self.pipelines, Stage::Translucent);
+        for surface in &translucent_surfaces {
+            surface.draw(&mut pass, self.pipelines, Stage::Translucent);
         }
         translucent_surfaces.len() as u64
     }

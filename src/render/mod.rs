@@ -1,4 +1,4 @@
-//! Turns a plain scene into pixels, in a window or in a picture file; knows nothing of hearts.
+//! Turns a plain scene into pixels, in a window or in a picture file; knows nothing of subjects.
 
 mod blit_pass;
 mod bounds;

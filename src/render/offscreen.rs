@@ -206,7 +206,7 @@ impl Headless {
         rows
     }
 
-    /// The same with translucent_surfaces drawn by these capabilities.
+    /// The same with translucent surfaces drawn by these capabilities.
     #[cfg(test)]
     pub(super) fn with_capabilities(mut self, capabilities: super::targets::Capabilities) -> Self {
         self.renderer = self.renderer.with_capabilities(capabilities);

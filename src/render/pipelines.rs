@@ -8,13 +8,13 @@ use super::targets::{COLOUR, DEPTH, SAMPLES};
 pub(super) enum Stage {
     /// The nearest opaque depth.
     OpaqueDepth,
-    /// The nearest depth of translucent_surfaces before what is opaque.
+    /// The nearest depth of translucent surfaces before what is opaque.
     FirstDepth,
     /// The nearest depth behind the layer taken before.
     PeelDepth,
     /// Light where the depth is the one found before, under what is already there.
     Colour,
-    /// Light of a whole film before what is opaque, under what is already there; needs no depths but those.
+    /// Light of a whole translucent surface before what is opaque, under what is already there; needs no depths but those.
     Translucent,
 }
 

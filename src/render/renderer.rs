@@ -184,7 +184,7 @@ impl Renderer {
         });
     }
 
-    /// A renderer that draws translucent_surfaces by these capabilities, whether or not its device can.
+    /// A renderer that draws translucent surfaces by these capabilities, whether or not its device can.
     pub(super) fn with_capabilities(mut self, capabilities: Capabilities) -> Self {
         self.capabilities = Some(Ok(capabilities));
         self

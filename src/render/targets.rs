@@ -2,7 +2,7 @@
 
 use super::uniforms::Tile;
 
-/// How translucent_surfaces are drawn, by what the device can do.
+/// How translucent surfaces are drawn, by what the device can do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Capabilities {
     /// Layer by layer, which reads the samples of depths; with occlusion.

@@ -1,4 +1,4 @@
-//! Which hearts of a study can be compared vertex by vertex, and in which size.
+//! Which subjects of a study can be compared vertex by vertex, and in which size.
 
 use std::collections::HashMap;
 

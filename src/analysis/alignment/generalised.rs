@@ -1,4 +1,4 @@
-//! Many poses laid onto their common mean, for views that show them together.
+//! Many poses aligned with their common mean, for views that show them together.
 
 use crate::mesh::Point3;
 use crate::progress::{Progress, Stopped};
@@ -62,7 +62,7 @@ pub fn align_poses(poses: &[&[Point3]], progress: &Progress) -> Result<Vec<Rigid
 /// One rigid motion per sequence that lays sequences onto each other, leaving each beat as it is;
 /// the first sequence stays where it is.
 ///
-/// Sequences are represented by the mean of their poses, and these are laid onto their mean by
+/// Sequences are represented by the mean of their poses, and these are aligned with their mean by
 /// [`align_poses`]. `sequences[s][f]` are the points of sequence `s` at frame `f`.
 ///
 /// # Errors

@@ -1,4 +1,4 @@
-//! Can the classes be told apart?
+//! How well can the class of a subject be predicted?
 
 mod classify;
 mod k_means;

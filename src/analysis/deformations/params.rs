@@ -41,7 +41,7 @@ impl Default for DeformationMapParams {
 /// falls with 12 neighbours to 63 % on single draws, and on average to 97 % on clean data
 /// and 85 % with 20 % noise, against 100 % and 95 % with 30.
 ///
-/// On the built-in cohort (23 hearts) the nearest neighbour on the plane has the same label, by the
+/// On the built-in cohort (23 subjects) the nearest neighbour on the plane has the same label, by the
 /// number of neighbours, for
 ///
 /// | map of poses | 3 | 4 | 5 | 6 | 8 | 10 | 12 | 16 | 20 | the curves themselves |

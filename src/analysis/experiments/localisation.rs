@@ -1,4 +1,4 @@
-//! How well patches of known place and size are found again under noise (4.6.2, 4.6.3).
+//! How well patches of known place and size are detected again under noise (4.6.2, 4.6.3).
 
 use rayon::prelude::*;
 
@@ -155,7 +155,7 @@ fn one_redraw(
     let mut joined = Found::default();
     for member in 0..params.per_kind {
         progress.step()?;
-        // Another stream than those of the sheets that are scored apart.
+        // Another stream than those of the sheets that are classified.
         let stream = (kind as u64 + 16) << 32 | u64::from(member);
         let clean = sheet(&params.sheets, &params.shares[kind], seed, stream)?;
         let noisy = disturbed(&clean, condition, seed, stream);

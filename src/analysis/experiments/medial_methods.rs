@@ -20,7 +20,7 @@ pub enum MedialMethod {
     PatchFound,
     /// The text's way: M̂ of every step, its descriptor, distances 4.5.1, the plane of all poses, and clusters of
     /// deformations by how close the points of each lie together on it. Tolerance from noise, r̂ a geometric
-    /// mean, only steps in which a well wall changes.
+    /// mean, only steps in which remote myocardium changes.
     Paths,
     /// The same with |PT − 1| ≤ 5 %, r̂ a product, and all steps.
     PathsPrinted,

@@ -1,4 +1,4 @@
-//! How many deformations with a patch are scored from those without when medial surfaces are noisy (4.6, 4.6.1).
+//! How many deformations with a patch are distinguished from those without when medial surfaces are noisy (4.6, 4.6.1).
 
 use rand::seq::SliceRandom;
 use rand::{Rng, SeedableRng};

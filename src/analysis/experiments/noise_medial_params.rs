@@ -5,7 +5,7 @@ use crate::analysis::thickening::ThickeningParams;
 
 use super::{ExperimentError, MedialMethod, NoiseFamily, SheetParams};
 
-/// What is deformed, disturbed and scored apart, and how often.
+/// What is deformed, disturbed and classified, and how often.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MedialNoiseParams {
     /// The medial surfaces.

@@ -1,4 +1,4 @@
-//! How many deformations are still scored apart when their meshes are noisy (section 3.4.4).
+//! How many deformations are still classified when their meshes are noisy (section 3.4.4).
 
 use rand::SeedableRng;
 use rand::seq::SliceRandom;

@@ -19,7 +19,7 @@ pub struct TransportOption {
     pub name: &'static str,
     /// Onto what all motions are transported; `None`: compared where they are.
     pub transport: Option<CohortTransportParams>,
-    /// Whether all hearts are given the motion of the first one beforehand: what then still tells patients
+    /// Whether all subjects are given the motion of the first one beforehand: what then still tells patients
     /// apart is their shape, which a perfect transport would take away.
     pub one_motion: bool,
 }
@@ -31,7 +31,7 @@ pub struct PartnerParams {
     pub methods: Vec<Method>,
     /// What is done to motions before.
     pub transport_options: Vec<TransportOption>,
-    /// Ways of comparing poses that are tried on hearts as they are alone.
+    /// Ways of comparing poses that are tried on subjects as they are alone.
     pub untransported: Vec<Method>,
 }
 
@@ -125,7 +125,7 @@ pub struct PartnerStudy {
 }
 
 /// What says whose sequence it is: the id up to its last `_`, as `P7` of `P7_rest` and `P7_stress`;
-/// `None` where nothing stands before or there is none. Labels say what a heart has, not whose it is.
+/// `None` where nothing stands before or there is none. Labels say what a subject has, not whose it is.
 pub fn patient_of(id: &str) -> Option<&str> {
     let (patient, _) = id.rsplit_once('_')?;
     (!patient.is_empty()).then_some(patient)

@@ -10,7 +10,7 @@ use crate::mesh::{Point3, Vector3};
 /// Half the width of the border of a patch in radians of the hemisphere, some 3 mm, and its most as a share of the radius.
 const HALF_BORDER_RAD: f64 = 0.08;
 const BORDER_SHARE: f64 = 0.35;
-/// Least well wall between two patches, in radians: 10 to 20 mm.
+/// Least remote myocardium between two patches, in radians: 10 to 20 mm.
 const APART_RAD: f64 = 0.4;
 /// Centres that are tried for patches that lie apart.
 const TRIES: usize = 100;

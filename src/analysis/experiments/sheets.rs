@@ -50,9 +50,9 @@ pub(super) const PHASES: [usize; 2] = [0, 3];
 const HALF_AXES_MM: [f64; 3] = [28.0, 28.0, 66.0];
 /// Half the thickness of the wall at rest, in millimetres.
 const RADIUS_MM: f64 = 4.5;
-/// ln PT of a well wall from end-diastole to end-systole: PT = 1.52.
+/// ln PT of remote myocardium from end-diastole to end-systole: PT = 1.52.
 const THICKENING: f64 = 0.42;
-/// How much less the apex of a well wall thickens, as a share.
+/// How much less the apex of remote myocardium thickens, as a share.
 const APEX_LESS: f64 = 0.25;
 /// Share of radius and length by which the sheet draws in, and its twist in radians.
 const INWARD: f64 = 0.18;
@@ -322,7 +322,7 @@ fn surface(points: &[Point3], radii: &[f64], triangles: &[[u32; 3]]) -> MedialSu
             Atom {
                 position: points[i],
                 radius: radii[i],
-                // Where noise leaves the balls no envelope the spokes are the normals.
+                // Where noise leaves the spheres no envelope the spokes are the normals.
                 spokes: spokes_from_gradient(normal, &along).unwrap_or([-normal, *normal]),
             }
         })

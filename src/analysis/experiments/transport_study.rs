@@ -167,7 +167,7 @@ pub(super) struct Difference {
     pub flipped_faces: usize,
 }
 
-/// Compares a transported pose, laid onto the true one, with that, both as displacements from rest.
+/// Compares a transported pose, aligned with the true one, with that, both as displacements from rest.
 pub(super) fn difference(
     transported: &[Point3],
     truth: &[Point3],

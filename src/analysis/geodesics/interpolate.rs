@@ -9,7 +9,7 @@ use crate::study::MeshSequence;
 use super::ends::check_ends;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath, GeodesicSolver};
 
-/// Evaluations of the energy that hearts take; the bar waits at its end for more difficult ends.
+/// Evaluations of the energy that subjects take; the bar waits at its end for more difficult ends.
 const USUAL_EVALUATIONS: usize = 60;
 
 /// The path from `start` to `end` that minimises the path energy.

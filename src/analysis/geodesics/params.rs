@@ -17,14 +17,14 @@ pub struct GeodesicParams {
     /// Find the path on a decimated mesh of at most so many vertices, and prolong its offsets from the
     /// straight line to the whole; `None`: on the mesh as it is.
     ///
-    /// Offsets are smooth where limbs do not turn: on hearts such a path has a part of the gain in energy, less
+    /// Offsets are smooth where limbs do not turn: on subjects such a path has a part of the gain in energy, less
     /// the fewer vertices it is found on. Where limbs turn, as a horse's legs do, a prolonged path may cost more
     /// than the straight line, which is then given.
     pub max_vertices: Option<u32>,
 }
 
 impl Default for GeodesicParams {
-    /// Tolerance: from frame 0 to 11 of a heart in cine MRI, with 7 in-betweens, 1e-3 ends after 12 iterations
+    /// Tolerance: from frame 0 to 11 of a subject in cine MRI, with 7 in-betweens, 1e-3 ends after 12 iterations
     /// on the endocardium and 17 on the epicardium; 1e-6 takes 342 and 733, and lowers the energy by another
     /// 0.14 % and 0.12 % (`cardiomorph interpolate ED ES --poses 7 --tolerance T` says energy and iterations).
     /// That is won by wrinkles below the scale at which the default metric charges curvature.
@@ -42,7 +42,7 @@ impl Default for GeodesicParams {
 /// More in-betweens than any screen shows; memory grows with them.
 const MAX_IN_BETWEENS: u16 = 1_023;
 
-/// A coarser mesh would no longer be a heart.
+/// A coarser mesh would no longer have the shape of a ventricle.
 const MIN_VERTICES: u32 = 12;
 
 /// Settings that have been checked; read them like the fields of [`GeodesicParams`].

@@ -197,7 +197,7 @@ fn a_path_found_on_few_vertices_is_close_to_that_of_all() {
     };
     let few = found(ball.faces(), ball.vertices(), &end, params);
     let gain = (few.energy_linear - few.energy) / (whole.energy_linear - whole.energy);
-    // Half of the vertices keep a quarter of the gain here; on hearts they keep more.
+    // Half of the vertices keep a quarter of the gain here; on subjects they keep more.
     assert!(gain > 0.2 && gain <= 1.0, "{gain}");
     let bow = whole.poses.iter().enumerate().map(|(k, pose)| {
         let t = k as f64 / 4.0;

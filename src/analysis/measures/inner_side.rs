@@ -2,7 +2,7 @@
 
 use crate::mesh::{CappedSheet, Faces, MeshError, Point3, Sheet, Vector3, sheets};
 
-/// Why the inner side of a closed wall cannot be told.
+/// Why the inner side of a closed wall cannot be determined.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum InnerSideError {
     /// The middle of the surface lies in muscle: this is no cup.

@@ -1,4 +1,4 @@
-//! Measures of one heart and of all hearts of a study.
+//! Measures of one subject and of all subjects of a study.
 
 use rayon::prelude::*;
 
@@ -15,13 +15,13 @@ use super::volumes::{SubjectGeometry, UnknownVolume};
 /// Source: Taimouri, *Shape Analysis in Shape Space*, 4.1.1 (printed there as g/cm).
 const MUSCLE_DENSITY_G_PER_ML: f64 = 1.05;
 
-/// Sizes of one heart at every frame, its phases, ejection fraction and mass.
+/// Sizes of one subject at every frame, its phases, ejection fraction and mass.
 ///
 /// Open surfaces are closed at each boundary loop by a flat fan to the loop's centroid; volumes
 /// follow from the divergence theorem and are positive whichever way faces are wound.
 /// EF = (EDV − ESV) / EDV. Frames of end-diastole and end-systole are those that the subject
 /// states, or the extremes of the endocardial volume, the first if there are several.
-/// What cannot be told is `None`; [`unknown_volumes`] says why.
+/// What cannot be determined is `None`; [`unknown_volumes`] says why.
 pub fn measure_subject(subject: &Subject) -> SubjectMeasures {
     // A progress that nobody holds is never stopped.
     measure(subject, &Progress::default()).unwrap_or_else(|Stopped| no_measures(subject))
@@ -67,7 +67,7 @@ fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, St
         measured.sv = Some(edv - esv);
         measured.ef = Some((edv - esv) / edv).filter(|ef| ef.is_finite());
     }
-    // Without phases, as of a wall whose cavity is not told, the first frame stands for all.
+    // Without phases, as of a wall whose cavity is not known, the first frame stands for all.
     let wall_ml = measured
         .frames
         .get(measured.end_diastole.unwrap_or(0))

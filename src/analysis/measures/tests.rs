@@ -1,4 +1,4 @@
-//! Measures of hearts whose sizes are known.
+//! Measures of subjects whose sizes are known.
 
 use std::f64::consts::PI;
 
@@ -231,7 +231,7 @@ fn the_built_in_hearts_measure_as_they_were_designed() {
     for (measures, truth) in found.iter().zip(&made.truths) {
         assert_eq!(measures.end_diastole, Some(0));
         assert!((measures.ef.unwrap() - truth.ejection_fraction).abs() < 0.008);
-        // From a small normal heart to a large hypertrophic one.
+        // From a small normal subject to a large hypertrophic one.
         assert!((60.0..260.0).contains(&measures.mass.unwrap().0));
     }
 }

@@ -1,11 +1,11 @@
-//! Volumes and areas of a heart's surfaces at a frame, prepared once per heart.
+//! Volumes and areas of a subject's surfaces at a frame, prepared once per subject.
 
 use crate::mesh::{CappedSheet, MeshError, Point3, Sheet, SheetError, sheets};
 use crate::study::{Subject, SurfaceKind, SurfaceSequence};
 
 use super::inner_side::{self, InnerSideError};
 
-/// Why a surface's volume is not told.
+/// Why a surface's volume is not known.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum UnknownVolume {
     /// It has no inside.
@@ -24,7 +24,7 @@ pub enum UnknownVolume {
         /// What is wrong.
         reason: MeshError,
     },
-    /// The wall's inner side cannot be told from its outer one.
+    /// The wall's inner side cannot be distinguished from its outer one.
     #[error("wall: {0}; the cavity's volume is not known")]
     InnerSide(#[from] InnerSideError),
     /// A wall of one sheet is open, so that it encloses no muscle.
@@ -42,7 +42,7 @@ pub enum UnknownVolume {
         /// How many.
         sheets: usize,
     },
-    /// No surface is said to be part of a heart.
+    /// No surface is said to be part of a subject.
     #[error("no surface is said to be endocardium, epicardium, cavity or wall")]
     NoHeart,
 }
@@ -62,7 +62,7 @@ pub(super) struct SurfaceSize {
     pub area: f64,
 }
 
-/// What of a heart can be measured, and why the rest cannot.
+/// Sizes of a subject that can be measured, and why the others cannot.
 #[derive(Clone, Debug)]
 pub(super) struct SubjectGeometry<'a> {
     endo: Option<Enclosure<'a>>,
@@ -235,7 +235,7 @@ impl<'a> Wall<'a> {
 /// The inner side of a wall at its first frame: the part of a closed sheet that looks into the cavity, or the inner one of two sheets.
 ///
 /// # Errors
-/// If the wall is open, of more than two sheets, or its inner side cannot be told.
+/// If the wall is open, of more than two sheets, or its inner side cannot be determined.
 pub(super) fn wall_inner_side(surface: &SurfaceSequence) -> Result<CappedSheet, UnknownVolume> {
     let mut unknown = Vec::new();
     match Wall::new(surface, &mut unknown)?.form {

@@ -1,4 +1,4 @@
-//! The inner and the outer side of a heart's wall, whichever surfaces it is given as.
+//! The inner and the outer side of a subject's wall, whichever surfaces it is given as.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -70,7 +70,7 @@ pub struct WallSides<'a> {
     pub unsplit: Option<UnknownVolume>,
 }
 
-/// The sides of a heart's wall. Which face of a wall is which is told at the first frame.
+/// The sides of a subject's wall. Which face of a wall is which is known at the first frame.
 pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
     let whole = |kind| sequence.surface(kind).map(Side::whole);
     let mut sides = WallSides {
@@ -96,7 +96,7 @@ pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
 /// The inner and the outer side of a wall given as one surface, told at its first frame.
 ///
 /// # Errors
-/// If the wall is open, of more than two sheets, or its inner side cannot be told.
+/// If the wall is open, of more than two sheets, or its inner side cannot be determined.
 pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UnknownVolume> {
     let inner = wall_inner_side(wall)?.triangles().to_vec();
     let sorted = |mut triangle: [u32; 3]| {

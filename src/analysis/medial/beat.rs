@@ -1,4 +1,4 @@
-//! Atoms of a heart over its beat.
+//! Atoms of a subject over its beat.
 
 use std::sync::Arc;
 
@@ -14,13 +14,13 @@ use crate::mesh::{Faces, Point3, TriMesh};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Subject, SurfaceKind};
 
-/// Atoms of a heart at every frame, one per vertex of the endocardium, or of the inner side of a closed wall.
+/// Atoms of a subject at every frame, one per vertex of the endocardium, or of the inner side of a closed wall.
 ///
 /// All frames are smoothed over the same length, by the median over frames of their walls' median thickness, so that a
 /// ratio of radii compares equally smooth walls. Where the surfaces are rough the length is greater, as far as their noise asks for it.
 ///
 /// # Errors
-/// If there is no wall or its inner side cannot be told, a frame cannot be used, noise leaves hardly any atom, or it was stopped.
+/// If there is no wall or its inner side cannot be determined, a frame cannot be used, noise leaves hardly any atom, or it was stopped.
 pub fn medial_beat(
     subject: &Subject,
     params: &CheckedMedialParams,

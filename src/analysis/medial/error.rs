@@ -1,4 +1,4 @@
-//! Why a heart has no medial surface.
+//! Why a subject has no medial surface.
 
 use crate::analysis::measures::UnknownVolume;
 use crate::mesh::MeshError;
@@ -15,7 +15,7 @@ pub enum MedialError {
         /// Words for the surfaces that are there.
         found: String,
     },
-    /// The wall's inner side cannot be told.
+    /// The wall's inner side cannot be determined.
     #[error(transparent)]
     InnerSide(#[from] UnknownVolume),
     /// A surface without a single face that has an area.

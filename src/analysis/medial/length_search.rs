@@ -38,7 +38,7 @@ impl Plan {
 
 /// Looks for the length over which what is left of noise and what is lost of the shape are least together.
 ///
-/// Both are told without knowing the shape: with K = 2 S − S² the mean of (n·(x − K x))² + 2 σ² tr K / V is, but for a
+/// Both are estimated without knowing the shape: with K = 2 S − S² the mean of (n·(x − K x))² + 2 σ² tr K / V is, but for a
 /// constant, the expected square of the error. The trace is that of a plane whose vertices have an area a each: waves of up to k² = 4π/a
 /// keep (1 + 2u) / (1 + u)², u = ℓ²k², which over all of them is (2 ln(1 + U) − U / (1 + U)) / U with U = 4πℓ²/a.
 ///

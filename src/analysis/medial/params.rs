@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct MedialParams {
-    /// Least length ℓ over which the surfaces are smoothed before spheres are laid into the wall, as a share of the wall's median
+    /// Least length ℓ over which the surfaces are smoothed before spheres are fitted into the wall, as a share of the wall's median
     /// thickness; noise that the surfaces tell of themselves makes it longer, up to 1.5. Waves of length 2πℓ keep three quarters of their height.
     /// 0: surfaces as they are, however rough.
     pub smoothing: f64,

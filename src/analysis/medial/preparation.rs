@@ -25,7 +25,7 @@ const THICKER: f64 = 1.25;
 /// … so many times in all.
 const ROUNDS: usize = 3;
 
-/// What is known of a wall's poses before spheres are laid into it.
+/// What is known of a wall's poses before spheres are fitted into it.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared {
     /// About how thick the wall is, in coordinates.

@@ -1,4 +1,4 @@
-//! All paths on one map: distances 4.5.1 in axes that the hearts share, laid out by multidimensional scaling.
+//! All paths on one map: distances 4.5.1 in axes that the subjects share, laid out by multidimensional scaling.
 
 use crate::analysis::embedding::{EmbeddingError, MapMethod, embed};
 use crate::analysis::medial_space::pose_distance;
@@ -14,11 +14,11 @@ const MIN_POSES: usize = 3;
 /// The map is a plane.
 const DIMENSIONS: usize = 2;
 
-/// The map of the poses of all hearts, one result per subject of the study: its paths, or in words why
+/// The map of the poses of all subjects, one result per subject of the study: its paths, or in words why
 /// it has none.
 ///
-/// 1. All hearts are compared in the frame that the least known of them has; see [`Frame`].
-/// 2. d² = |x̄₂ − x̄₁|² + (ρ₂ ln r̂₂ − ρ₁ ln r̂₁)² + angle(N̄₁, N̄₂)², positions in sizes of the heart (4.5.1).
+/// 1. All subjects are compared in the frame that the least known of them has; see [`Frame`].
+/// 2. d² = |x̄₂ − x̄₁|² + (ρ₂ ln r̂₂ − ρ₁ ln r̂₁)² + angle(N̄₁, N̄₂)², positions in sizes of the subject (4.5.1).
 /// 3. Scaling onto a plane.
 ///
 /// # Errors
@@ -62,7 +62,7 @@ pub fn medial_map(
     })
 }
 
-/// The frame that all hearts have.
+/// The frame that all subjects have.
 fn shared_frame(hearts: &[&SubjectPaths]) -> Frame {
     let known =
         |frame: &Frame| (hearts.iter()).all(|heart| heart.placements[*frame as usize].is_some());
@@ -106,7 +106,7 @@ fn distances(poses: &[MedialPose], progress: &Progress) -> Result<DistanceMatrix
     whole.ok_or(MedialMapError::NotFinite { subject })
 }
 
-/// Mean distance within each run of poses of one part of one heart.
+/// Mean distance within each run of poses of one part of one subject.
 fn spreads(poses: &[MedialPose], distances: &DistanceMatrix) -> Vec<Spread> {
     let part = |pose: &MedialPose| -> (usize, AkineticPart) { (pose.subject, pose.part) };
     let mut first = 0;

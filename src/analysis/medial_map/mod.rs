@@ -1,4 +1,4 @@
-//! Where do the poses of all hearts lie in the shape space of the medial surface?
+//! Where do the poses of all subjects lie in the shape space of the medial surface?
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.5, 4.5.1, 4.6.2 and figure 4.16.
 

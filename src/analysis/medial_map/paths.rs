@@ -1,4 +1,4 @@
-//! The paths of one heart: one per patch, or that of all that stands still.
+//! The paths of one subject: one per patch, or that of all that is akinetic.
 
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::segments::LongAxis;
@@ -8,13 +8,13 @@ use crate::mesh::Point3;
 use super::placement::{Frame, Placement};
 use super::result::{AkineticPart, AkineticPath, NotMapped, PathStep, SubjectPaths};
 
-/// Paths of the poses of one heart: one for each patch, from all of its atoms at every step (4.6.2); where there is
+/// Paths of the poses of one subject: one for each patch, from all of its atoms at every step (4.6.2); where there is
 /// no patch, that of M̂, as the method has it (4.5). M̂ is another set in every step: all of the wall where even a well
 /// one hardly changes, as in diastasis, and little or nothing in contraction. So its path goes far, unless
-/// all of the wall is still in every step, as in a heart that hardly thickens at all.
+/// all of the wall is still in every step, as in a subject that hardly thickens at all.
 ///
 /// # Errors
-/// If nothing is still in any step, or the heart has no extent.
+/// If nothing is still in any step, or the subject has no extent.
 pub fn subject_paths(
     beat: &MedialBeat,
     found: &Thickening,

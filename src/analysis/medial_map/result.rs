@@ -10,7 +10,7 @@ use super::placement::{Frame, Placement};
 /// The part of a wall whose poses make a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum AkineticPart {
-    /// All that stands still in a step, M̂ of 4.4: what the method takes where there is no patch.
+    /// All that is akinetic in a step, M̂ of 4.4: what the method takes where there is no patch.
     Whole,
     /// One connected part that does not thicken over the beat (4.6.2), by its place in the list of patches.
     Patch(usize),
@@ -33,7 +33,7 @@ pub struct PathStep {
     pub from: usize,
     /// Pose t₂.
     pub to: usize,
-    /// (x̄, r̂, ρ, N̄) in the coordinates of the heart.
+    /// (x̄, r̂, ρ, N̄) in the coordinates of the subject.
     pub descriptor: PoseDescriptor,
 }
 
@@ -46,16 +46,16 @@ pub struct AkineticPath {
     pub steps: Vec<PathStep>,
 }
 
-/// What one heart adds to the map.
+/// What one subject adds to the map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SubjectPaths {
     /// One per patch, or that of M̂.
     pub paths: Vec<AkineticPath>,
-    /// How the heart's coordinates become comparable, for each [`Frame`] that it has.
+    /// How the subject's coordinates become comparable, for each [`Frame`] that it has.
     pub placements: [Option<Placement>; Frame::COUNT],
 }
 
-/// Why a heart is not on the map.
+/// Why a subject is not on the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotMapped {
     /// All of the wall changes in every step.
@@ -64,7 +64,7 @@ pub enum NotMapped {
         /// Steps of the beat.
         steps: usize,
     },
-    /// The heart has no extent.
+    /// The subject has no extent.
     #[error("the medial surface has no extent")]
     NoSize,
 }
@@ -80,7 +80,7 @@ pub struct MedialPose {
     pub step_from: usize,
     /// Pose t₂.
     pub step_to: usize,
-    /// (x̄, r̂, ρ, N̄) in the map's frame: positions from the middle of the heart's box, in its largest side.
+    /// (x̄, r̂, ρ, N̄) in the map's frame: positions from the middle of the subject's box, in its largest side.
     pub descriptor: PoseDescriptor,
 }
 
@@ -122,7 +122,7 @@ pub enum MedialMapError {
     TooFewPoses {
         /// Points there would be.
         poses: usize,
-        /// Hearts that have any.
+        /// Subjects that have any.
         hearts: usize,
     },
     /// A descriptor is not finite.

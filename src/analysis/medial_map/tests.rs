@@ -129,7 +129,7 @@ fn a_pose_that_is_not_finite_is_named() {
     assert_eq!(error, Err(MedialMapError::NotFinite { subject: 0 }));
 }
 
-/// What is known of one heart of the built-in cohort.
+/// What is known of one subject of the built-in cohort.
 struct Known {
     subject: Subject,
     beat: MedialBeat,

@@ -1,4 +1,4 @@
-//! How far apart are two medial surfaces, or two poses of one heart?
+//! How far apart are two medial surfaces, or two poses of one subject?
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.3 and 4.5.
 

@@ -86,7 +86,7 @@ pub struct MetricParams {
 }
 
 impl Default for MetricParams {
-    /// Weights chosen on real hearts, all sizes normalised and pairs aligned.
+    /// Weights chosen on real subjects, all sizes normalised and pairs aligned.
     ///
     /// | metric | partner | five labels | infarct or dilated |
     /// |---|---|---|---|
@@ -133,7 +133,7 @@ impl std::ops::Deref for CheckedMetricParams {
     }
 }
 
-/// Rings past which an average spans any heart; each ring costs a pass over all edges.
+/// Rings past which an average spans any subject; each ring costs a pass over all edges.
 const MAX_RINGS: u32 = 100;
 
 impl MetricParams {

@@ -9,7 +9,7 @@ pub enum PoseDistanceError {
     /// It was asked to stop.
     #[error(transparent)]
     Stopped(#[from] Stopped),
-    /// Motions cannot be transported onto the heart that was chosen.
+    /// Motions cannot be transported onto the subject that was chosen.
     #[error(transparent)]
     Transport(TransportError),
 }

@@ -18,7 +18,7 @@ pub struct KnownDistances<'a> {
 
 impl KnownDistances<'_> {
     /// Whether it still holds for the poses that are in both states: always without a transport, and
-    /// with one if all is transported onto the same heart.
+    /// with one if all is transported onto the same subject.
     pub(super) fn hold(&self, study: &Study, transport: Option<&CohortTransportParams>) -> bool {
         let now = || study.subjects.iter().map(|subject| subject.shape_key());
         match transport.map(|transport| transport.reference) {

@@ -34,10 +34,10 @@ const BLOCK: usize = 8;
 /// 1. **Size.** Coordinates are divided by one scale per sequence
 ///    ([`SizeScale`](crate::analysis::alignment::SizeScale)): the largest box side at end-diastole, as
 ///    stated by the subject, else frame 0.
-/// 2. **Transport**, if asked for: every motion is transported onto one heart ([`transport_cohort`]).
+/// 2. **Transport**, if asked for: every motion is transported onto one subject ([`transport_cohort`]).
 /// 3. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
 ///    the first, of least squares over vertices. So a distance depends on its two poses alone (and on
-///    the heart that they were transported onto): moving an input, or adding a subject, changes no other
+///    the subject that they were transported onto): moving an input, or adding a subject, changes no other
 ///    number, and `metric --align rigid` gives the same one of smoothed poses. Aligning all to a mean would be
 ///    cheaper by little, and would make every distance depend on the whole cohort and not be the
 ///    least of the pair.
@@ -46,7 +46,7 @@ const BLOCK: usize = 8;
 /// Which subjects take part is said by [`comparable_subjects`].
 ///
 /// # Errors
-/// If stopped, or the heart that all motions were to be transported onto is not usable. The flag is
+/// If stopped, or the subject that all motions were to be transported onto is not usable. The flag is
 /// heard once per pose and per pair.
 pub fn pose_distances(
     study: &Study,

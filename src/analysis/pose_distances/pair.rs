@@ -41,13 +41,13 @@ pub enum PairError {
         /// How many there are.
         frames: usize,
     },
-    /// A heart has no size that could be normalised.
+    /// A subject has no size that could be normalised.
     #[error("the size of {subject} at end-diastole is not measurable")]
     NoSize {
         /// Whose.
         subject: String,
     },
-    /// The poses cannot be laid onto each other.
+    /// The poses cannot be aligned with each other.
     #[error(transparent)]
     Alignment(#[from] AlignmentError),
     /// The metric refuses a pose.

@@ -8,7 +8,7 @@ use crate::analysis::transport::{CohortTransportParams, TransportParamError};
 pub struct PoseDistanceParams {
     /// The metric between aligned poses.
     pub metric: MetricParams,
-    /// Whether all motions are transported onto one heart before poses are compared, so that distances
+    /// Whether all motions are transported onto one subject before poses are compared, so that distances
     /// tell of motion alone; `None` compares poses as they are, so that they tell of shape as well.
     pub transport: Option<CohortTransportParams>,
     /// Radius ρ, in shares of the square root of a surface's area, below which poses are smoothed

@@ -1,4 +1,4 @@
-//! Where the poses of a matrix come from: the hearts themselves, or one heart that moves like them.
+//! Where the poses of a matrix come from: the subjects themselves, or one subject that moves like them.
 
 use std::borrow::Cow;
 
@@ -44,7 +44,7 @@ pub(super) fn poses_of(members: &[Comparable<'_>]) -> Vec<PoseId> {
         .collect()
 }
 
-/// The poses of the hearts themselves.
+/// The poses of the subjects themselves.
 pub(super) fn own_sources<'a>(members: &[Comparable<'a>]) -> Vec<Source<'a>> {
     let of_member = |member: &Comparable<'a>| {
         let member = *member;
@@ -59,7 +59,7 @@ pub(super) fn own_sources<'a>(members: &[Comparable<'a>]) -> Vec<Source<'a>> {
     members.iter().flat_map(of_member).collect()
 }
 
-/// The poses of the one heart that moves like them.
+/// The poses of the one subject that moves like them.
 pub(super) fn transported_sources(cohort: &TransportedCohort) -> Vec<Source<'_>> {
     (cohort.members.iter())
         .flat_map(|member| {

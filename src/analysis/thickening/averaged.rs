@@ -10,15 +10,15 @@ use super::surface::Surface;
 
 /// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above …
 const MAX_AVERAGING: f64 = 4.0;
-/// … this share of what the well wall does: twice as much stays below the distance, a tenth, from the core's default
-/// limit to what thickens least in normal hearts, the apex.
+/// … this share of what remote myocardium does: twice as much stays below the distance, a tenth, from the core's default
+/// limit to what thickens least in normal subjects, the apex.
 const MAX_NOISE: f64 = 0.05;
-/// Least thickening of the well wall, in standard deviations of averaged noise, that is thickening at all.
+/// Least thickening of remote myocardium, in standard deviations of averaged noise, that is thickening at all.
 const SURE: f64 = 3.0;
 /// How much larger a patch must be where too few poses are there to tell it from what one of them has wrong.
 ///
 /// With two poses an error of either contour that neighbours share looks as stillness does. Of the 20 normal
-/// hearts of ACDC (ED and ES) 7 have such a place of 2 % and more, 2 one of 4 %; all 20 infarcted ones have a patch either way.
+/// subjects of ACDC (ED and ES) 7 have such a place of 2 % and more, 2 one of 4 %; all 20 infarcted ones have a patch either way.
 const FEW_POSES: f64 = 2.0;
 
 fn min_share(poses: usize, params: &CheckedThickeningParams) -> f64 {

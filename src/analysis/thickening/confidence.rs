@@ -1,4 +1,4 @@
-//! How surely a patch is there: how often it is found again when the noise is drawn anew.
+//! How surely a patch is there: how often it is detected again when the noise is drawn anew.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -5,7 +5,7 @@ use crate::numeric::symmetric_eigen;
 
 use super::diffusion::Diffusion;
 
-/// The heart's own curve of ln r over the beat.
+/// The subject's own curve of ln r over the beat.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ThickeningCurve {
     /// c(t): square sum 1, sum 0; greater at end-systole than at end-diastole.
@@ -15,7 +15,7 @@ pub(super) struct ThickeningCurve {
 }
 
 /// ln r of each atom less its mean over the beat, one column of atoms per pose; 0 for atoms that do not
-/// take part, which may have no ball.
+/// take part, which may have no sphere.
 pub(super) fn centred_logs(beat: &MedialBeat) -> Vec<Vec<f64>> {
     let mut columns: Vec<Vec<f64>> = (beat.frames.iter())
         .map(|frame| {

@@ -1,4 +1,4 @@
-//! How small a patch could have been found in this heart.
+//! How small a patch could have been found in this subject.
 
 use std::f64::consts::PI;
 
@@ -11,9 +11,9 @@ use super::regions::CORE_AREA;
 const RINGS: usize = 240;
 /// How far around a disc averaging still reaches, in √(½ t).
 const REACH: f64 = 8.0;
-/// Standard deviations of noise that a core must stay below its limit: found in all but one of forty hearts.
+/// Standard deviations of noise that a core must stay below its limit: found in all but one of forty subjects.
 const SURE: f64 = 2.0;
-/// Largest patch that is looked for: the well part is told by the fifth of the wall that thickens most, the middle of what
+/// Largest patch that is looked for: remote myocardium is estimated from the fifth of the wall that thickens most, the middle of what
 /// three fifths leave.
 const LARGEST: f64 = 0.6;
 /// Halvings of the area: to a millionth.
@@ -21,10 +21,10 @@ const HALVINGS: usize = 20;
 /// A patch of fewer atoms is no part of a mesh.
 const MIN_ATOMS: f64 = 4.0;
 
-/// Least share of the regular surface that a round patch that stands still needs to be found for sure; `None` where noise
+/// Least share of the regular surface that a round patch that is akinetic needs to be found for sure; `None` where noise
 /// hides even the largest.
 ///
-/// A disc in a plane that thickens by 0 where all around thickens as the well wall does, averaged as thickening
+/// A disc in a plane that thickens by 0 where all around thickens as remote myocardium does, averaged as thickening
 /// is, is found where its core and its border hold the areas that a patch needs, the core with noise on top.
 pub(super) fn smallest_detectable(
     found: &Averaged,

@@ -13,7 +13,7 @@ pub(super) const MIN_POSES: usize = 4;
 /// Standard deviation of the noise of ln r of one atom at one pose, from centred ln r of one column per
 /// pose.
 ///
-/// With four poses and more: what the heart's own curve leaves, Σₜ (x(t) − (x · c) c(t))² / (T − 2), of the
+/// With four poses and more: what the subject's own curve leaves, Σₜ (x(t) − (x · c) c(t))² / (T − 2), of the
 /// median atom, over the median of χ² of T − 2 degrees, ν (1 − 2 / 9ν)³ (Wilson and Hilferty). With fewer nothing is left
 /// over time, and noise is what an atom has apart from its neighbours: median |a − mean of neighbours|
 /// / 0.6745 / √(1 + 1/k), too little where noise is the same for neighbours.

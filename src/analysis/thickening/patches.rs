@@ -1,4 +1,4 @@
-//! What is told of a patch: area, segments, centroid, border, and its path over the beat.
+//! Properties of a patch: area, segments, centroid, border, and its path over the beat.
 
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::medial_space::RatioForm;
@@ -11,7 +11,7 @@ use super::result::{Patch, PatchSegment, ThickeningStep};
 use super::steps::{descriptor_of, gap_of};
 use super::temporal_consistency::temporal_consistency;
 
-/// What patches are told from.
+/// What patches are computed from.
 pub(super) struct Wall<'a> {
     pub beat: &'a MedialBeat,
     /// With areas at end-diastole.

@@ -27,7 +27,7 @@ pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
 pub(super) const CORE_AREA: f64 = 0.5;
 
 /// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `border` of what
-/// the well wall does, with the least area together, half of which thickens by less than `core` of it and
+/// remote myocardium does, with the least area together, half of which thickens by less than `core` of it and
 /// less than `still`. By falling area.
 pub(super) fn still_parts(
     thickening: &[f64],
@@ -57,7 +57,7 @@ pub(super) fn still_parts(
     parts.into_iter().map(|(_, part)| part).collect()
 }
 
-/// A part as it is told: holes in it are filled that are smaller than the least area of a patch, since motion is told from
+/// A part as it is reported: holes in it are filled that are smaller than the least area of a patch, since motion is separated from
 /// noise over no less an area than stillness, and atoms without a face in it are left out.
 pub(super) fn tidied(
     part: Vec<u32>,

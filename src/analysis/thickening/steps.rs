@@ -1,4 +1,4 @@
-//! From one pose to the next: PT of every atom, the atoms that stand still, and their descriptor.
+//! From one pose to the next: PT of every atom, the atoms that are akinetic, and their descriptor.
 
 use crate::analysis::medial::{MedialBeat, MedialSurface};
 use crate::analysis::medial_space::{
@@ -35,9 +35,9 @@ pub fn half_beat_of(
     }
 }
 
-/// What steps are judged by.
+/// Criteria by which the atoms of a step are classified.
 pub(super) struct StepCriteria<'a> {
-    /// ln r of a well wall over the beat.
+    /// ln r of remote myocardium over the beat.
     pub well_curve: &'a [f64],
     /// Of |ln PT|.
     pub tolerance: f64,
@@ -88,7 +88,7 @@ pub(super) fn steps(
         .collect()
 }
 
-/// Table 4.1: a well wall thickens in contraction and thins in expansion.
+/// Table 4.1: remote myocardium thickens in contraction and thins in expansion.
 fn works_well(half: HalfBeat, pt: f64, tolerance: f64) -> bool {
     match half {
         HalfBeat::Contraction => pt.ln() > tolerance,

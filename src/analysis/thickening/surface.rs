@@ -103,7 +103,7 @@ fn mean_shape(beat: &MedialBeat) -> Vec<Point3> {
         .collect()
 }
 
-/// Poses of end-diastole and end-systole: by volume or as stated; where that is not told, the greatest and
+/// Poses of end-diastole and end-systole: by volume or as stated; where that is not known, the greatest and
 /// least area of the medial surface.
 pub fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
     let count = beat.frames.len();

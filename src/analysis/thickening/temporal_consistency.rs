@@ -1,11 +1,11 @@
-//! How steady the still part is over the beat: spread of ANV and MP, and how far MP lies off the wall.
+//! How steady the akinetic region is over the beat: spread of ANV and MP, and how far MP lies off the wall.
 
 use crate::analysis::medial_space::{PoseDescriptor, angle, mean_direction, pose_distance};
 use crate::mesh::{Point3, Vector3};
 
 use super::result::TemporalConsistency;
 
-/// TemporalConsistency of a path of descriptors with the gaps of their MP, both in coordinates, of a heart of
+/// TemporalConsistency of a path of descriptors with the gaps of their MP, both in coordinates, of a subject of
 /// this size.
 ///
 /// "Does not change so much over time" and "close to the medial surface" (4.4.1, 4.4.2) in numbers: root mean square

@@ -20,7 +20,7 @@ mod small;
 
 /// ln of how much thicker the wall is at each of eight poses, as a share of what it is at end-systole (pose 3).
 const CURVE: [f64; 8] = [0.0, 0.35, 0.8, 1.0, 0.7, 0.3, 0.1, 0.05];
-/// What a well wall thickens by: PT = e^0.45 = 1.57.
+/// What remote myocardium thickens by: PT = e^0.45 = 1.57.
 const WELL: f64 = 0.45;
 
 fn measures(end_diastole: usize, end_systole: usize) -> SubjectMeasures {
@@ -112,7 +112,7 @@ fn a_wall_that_thickens_evenly_has_no_patch_and_the_curve_is_its_own() {
         .iter()
         .filter(|step| step.half == HalfBeat::Contraction);
     assert_eq!(contracting.count(), 3);
-    // From pose 6 on the wall thins by less than the tolerance: all stands still there, and MP lies off it.
+    // From pose 6 on the wall thins by less than the tolerance: all is akinetic there, and MP lies off it.
     let wells: Vec<f64> = found
         .steps
         .iter()

@@ -1,4 +1,4 @@
-//! The whole question: PT over the beat, what stands still in it, and which patches that makes.
+//! The whole question: PT over the beat, what is akinetic in it, and which patches that makes.
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial::MedialBeat;
@@ -20,21 +20,21 @@ use super::temporal_consistency::temporal_consistency;
 
 /// Fewest regular atoms: with a dozen a patch would be one of them.
 const MIN_ATOMS: usize = 30;
-/// And the least share of all: where more than half of the sheet ends, as under noise that leaves atoms no ball
+/// And the least share of all: where more than half of the sheet ends, as under noise that leaves atoms no sphere
 /// in one pose or the other, what remains is torn.
 const MIN_REGULAR: f64 = 0.5;
 
-/// Thickening of one heart over the beat, and the patches that do not take part in it.
+/// Thickening of one subject over the beat, and the patches that do not take part in it.
 ///
 /// 1. PT of each atom for consecutive poses, the last to the first, and for end-diastole to end-systole;
 ///    M̂ per step, with its descriptor (4.4, 4.5).
-/// 2. What persists over all steps: ln r of each atom is projected on the heart's own curve c(t), its first
+/// 2. What persists over all steps: ln r of each atom is projected on the subject's own curve c(t), its first
 ///    principal component over time, and averaged over neighbourhoods of the medial mesh; the area grows until noise,
-///    told from what the curve leaves, is a twentieth of what the well wall does. All poses speak;
+///    told from what the curve leaves, is a twentieth of what remote myocardium does. All poses speak;
 ///    with two this is ln PT.
-/// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the heart's own well wall, by
-///    hysteresis; a path and a descriptor for each. Where even the well wall hardly thickens, there are none:
-///    failure is global.
+/// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the subject's own remote myocardium, by
+///    hysteresis; a path and a descriptor for each. Where even remote myocardium hardly thickens, there are none:
+///    hypokinesia is global.
 ///
 /// # Errors
 /// If there are fewer than two poses, or than 30 regular atoms or half of all, a radius is not positive, or on "stop".

@@ -1,4 +1,4 @@
-//! This beat on that heart.
+//! The motion of one subject on another.
 
 use std::sync::Arc;
 
@@ -9,10 +9,10 @@ use crate::study::{MeshSequence, Subject, SurfaceSequence};
 
 use super::{CheckedTransportParams, TransportError, transport_deformation};
 
-/// The beat of `from` on the heart `onto`, in the coordinates of `onto`: its end-diastolic pose is
+/// The beat of `from` on the subject `onto`, in the coordinates of `onto`: its end-diastolic pose is
 /// that of `onto`, the frames are those of `from`.
 ///
-/// Coordinates of each heart are divided by its [`SizeScale`] and `from` is laid onto `onto` by the
+/// Coordinates of each subject are divided by its [`SizeScale`] and `from` is aligned with `onto` by the
 /// rigid motion of their end-diastolic poses; the displacements are transported from end-diastole on,
 /// through the last frame into the first, and multiplied by the scale of `onto`. End-diastole
 /// is the stated frame, else 0.
@@ -50,7 +50,7 @@ pub fn transported_motion(
     sequence_like(&onto.sequence, &frames)
 }
 
-/// A heart at end-diastole, its size normalised.
+/// A subject at end-diastole, its size normalised.
 pub(super) struct Rest {
     pub(super) frame: usize,
     pub(super) scale: SizeScale,

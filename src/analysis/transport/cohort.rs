@@ -1,4 +1,4 @@
-//! Every heart's motion on one heart, so that motions can be compared.
+//! Every subject's motion on one subject, so that motions can be compared.
 
 use rayon::prelude::*;
 
@@ -16,7 +16,7 @@ use super::{CohortTransportParams, DeformationTransport, Reference, TransportErr
 /// All deformations at one place of the space of poses.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct TransportedCohort {
-    /// The heart that all motions were transported onto, its size normalised.
+    /// The subject that all motions were transported onto, its size normalised.
     pub reference: Vec<Point3>,
     /// The motions, in the order of the study.
     pub members: Vec<TransportedSubject>,
@@ -40,9 +40,9 @@ pub struct TransportedSubject {
 /// Transports every usable subject's deformation onto the reference.
 ///
 /// Usable is what [`comparable_subjects`] says. Coordinates of each subject are divided by its
-/// [`SizeScale`], its end-diastolic pose is laid onto the reference by a rigid motion, its beat moves
+/// [`SizeScale`], its end-diastolic pose is aligned with the reference by a rigid motion, its beat moves
 /// with it, and its displacements are transported from end-diastole on. The mean reference is the
-/// mean of the end-diastolic poses, laid onto each other by generalised Procrustes alignment. A
+/// mean of the end-diastolic poses, aligned with each other by generalised Procrustes alignment. A
 /// subject whose motion cannot be transported is left out with the reason. Subjects run in parallel;
 /// the result does not depend on the number of threads. Counts one step per displacement.
 ///
@@ -109,7 +109,7 @@ pub fn transport_cohort(
     })
 }
 
-/// Mean of the poses after laying them onto each other; the first pose says how it lies.
+/// Mean of the poses after aligning them with each other; the first pose says how it lies.
 fn mean_shape(rests: &[Rest], progress: &Progress) -> Result<Vec<Point3>, Stopped> {
     let poses: Vec<&[Point3]> = rests.iter().map(|rest| rest.pose.as_slice()).collect();
     let motions = align_poses(&poses, &progress.within())?;

@@ -1,4 +1,4 @@
-//! A whole deformation transported to another heart, step after step.
+//! A whole deformation transported to another subject, step after step.
 
 use crate::analysis::geodesics::GeodesicSolver;
 use crate::analysis::metrics::Metric;
@@ -8,7 +8,7 @@ use crate::progress::{Progress, Stopped};
 use super::pose_path::transport_nearest;
 use super::{CheckedTransportParams, Geodesics, TransportError};
 
-/// Transports many deformations on one connectivity: what does not depend on the hearts is computed once.
+/// Transports many deformations on one connectivity: what does not depend on the subjects is computed once.
 #[derive(Clone, Debug)]
 pub struct DeformationTransport {
     metric: Metric,
@@ -19,7 +19,7 @@ pub struct DeformationTransport {
 }
 
 impl DeformationTransport {
-    /// Prepares for hearts near a reference pose, such as the one that is to move: it makes the
+    /// Prepares for subjects near a reference pose, such as the one that is to move: it makes the
     /// search for geodesics short.
     ///
     /// # Errors
@@ -40,7 +40,7 @@ impl DeformationTransport {
         })
     }
 
-    /// The deformation `source` of the heart `source[0]`, transported to the heart `onto`: as many
+    /// The deformation `source` of the subject `source[0]`, transported to the subject `onto`: as many
     /// poses, the first of which is `onto`.
     ///
     /// N₀ = `onto`, N_{i+1} = N_i + X̄_i, where X̄_i is M_{i+1} − M_i transported along the path from M_i
@@ -145,7 +145,7 @@ fn difference(from: &[Point3], to: &[Point3]) -> Vec<Vector3> {
     from.iter().zip(to).map(|(a, b)| b - a).collect()
 }
 
-/// One deformation transported to one heart, see [`DeformationTransport::transport`].
+/// One deformation transported to one subject, see [`DeformationTransport::transport`].
 ///
 /// # Errors
 /// If stopped, there is no pose, counts differ, or squares of lengths overflow.

@@ -1,4 +1,4 @@
-//! Why a motion cannot be transported to another heart.
+//! Why a motion cannot be transported to another subject.
 
 use crate::analysis::geodesics::GeodesicError;
 use crate::analysis::metrics::MetricError;
@@ -7,7 +7,7 @@ use crate::study::SequenceError;
 
 use super::TransportParamError;
 
-/// Why a motion cannot be transported to another heart.
+/// Why a motion cannot be transported to another subject.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TransportError {
     /// Not a failure: it was asked to stop.
@@ -16,7 +16,7 @@ pub enum TransportError {
     /// The settings cannot be used.
     #[error(transparent)]
     Params(#[from] TransportParamError),
-    /// Vertices of two hearts do not correspond.
+    /// Vertices of two subjects do not correspond.
     #[error(
         "the vertices of {from} ({from_vertices} with {from_faces} faces) do not correspond with \
          those of {onto} ({onto_vertices} with {onto_faces} faces)"
@@ -35,7 +35,7 @@ pub enum TransportError {
         /// Its faces.
         onto_faces: usize,
     },
-    /// A heart has no size that could be normalised.
+    /// A subject has no size that could be normalised.
     #[error("the size of {subject} at end-diastole (frame {frame}) is not measurable")]
     NoSize {
         /// Whose.
@@ -53,7 +53,7 @@ pub enum TransportError {
         /// Frames there are.
         frames: usize,
     },
-    /// The heart that all motions were to be transported onto cannot take part.
+    /// The subject that all motions were to be transported onto cannot take part.
     #[error("subject {index} of {subjects} cannot be used as the reference: {reason}")]
     Reference {
         /// The index named.
@@ -88,7 +88,7 @@ pub enum TransportError {
     /// The metric refuses a pose.
     #[error(transparent)]
     Metric(#[from] MetricError),
-    /// There is no path between the hearts.
+    /// There is no path between the subjects.
     #[error(transparent)]
     Geodesic(#[from] GeodesicError),
     /// What was transported does not make a sequence.

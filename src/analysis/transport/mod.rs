@@ -1,6 +1,6 @@
-//! How would this heart move with that one's motion?
+//! How would a subject move with the motion of another?
 //!
-//! A deformation M₀, M₁, … is transported to another heart N₀ step after step: the displacement
+//! A deformation M₀, M₁, … is transported to another subject N₀ step after step: the displacement
 //! X_i = M_{i+1} − M_i is transported along the geodesic from M_i to N_i, and
 //! N_{i+1} = N_i + X̄_i.
 //!

@@ -3,7 +3,7 @@
 use crate::analysis::geodesics::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
 use crate::analysis::metrics::{CheckedMetricParams, Form, MetricParams, ParamError};
 
-/// For which displacements of a beat a geodesic between the hearts is computed.
+/// For which displacements of a beat a geodesic between the subjects is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Geodesics {
     /// Once, from M₀ to N₀. The path from M_i to N_i is the straight one bent as much as the first.
@@ -24,13 +24,13 @@ pub enum Nearness {
     Coordinates,
 }
 
-/// Settings of a transport from one heart to another; [`TransportParams::check`] makes them usable.
+/// Settings of a transport from one subject to another; [`TransportParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransportParams {
     /// What lengths and angles of displacements are. Transport needs an inner product: forms that
     /// are none (see [`crate::analysis::metrics`]) stand for the additive one.
     pub metric: MetricParams,
-    /// Poses of the geodesic between the hearts; 0: the straight way.
+    /// Poses of the geodesic between the subjects; 0: the straight way.
     pub in_betweens: u16,
     /// Whether the norm of a displacement is kept, not only its product with the path's direction.
     pub keep_norm: bool,
@@ -53,14 +53,14 @@ impl Default for TransportParams {
 /// What the motions of a cohort are transported onto.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Reference {
-    /// The mean of all end-diastolic shapes, sizes normalised, laid onto each other.
+    /// The mean of all end-diastolic shapes, sizes normalised, aligned with each other.
     #[default]
     Mean,
     /// The end-diastolic shape of one subject, by its index in the study.
     Subject(usize),
 }
 
-/// Settings of a transport of all hearts onto one; the metric is given beside them.
+/// Settings of a transport of all subjects onto one; the metric is given beside them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct CohortTransportParams {
     /// What all are transported onto.
@@ -77,8 +77,8 @@ pub struct CohortTransportParams {
 
 impl Default for CohortTransportParams {
     /// What a transport needs, and no more: so few in-betweens and a coarse mesh do, and one geodesic per
-    /// heart, since those of later steps bend alike, and on meshes of real hearts they follow noise. What is
-    /// left out changes where a transported pose lies by far less than it moved on smooth hearts, but takes several
+    /// subject, since those of later steps bend alike, and on meshes of real subjects they follow noise. What is
+    /// left out changes where a transported pose lies by far less than it moved on smooth subjects, but takes several
     /// times as long. Nor does it tell more of patients: on gated SPECT 16 of 20 sequences have the same
     /// patient's other one nearer than the median of the others, and 7 have it nearest, for 1, 3 and 7
     /// in-betweens and for straight ways, on 200, 500 and all vertices, and for geodesics at every step with 1
@@ -97,7 +97,7 @@ impl Default for CohortTransportParams {
 }
 
 impl CohortTransportParams {
-    /// The same settings for one pair of hearts.
+    /// The same settings for one pair of subjects.
     pub fn with_metric(self, metric: MetricParams) -> TransportParams {
         TransportParams {
             metric,

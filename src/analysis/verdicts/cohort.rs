@@ -1,4 +1,4 @@
-//! The labelled hearts of a study, the rule that they give, and how good it is.
+//! The labelled subjects of a study, the classifier that they give, and how good it is.
 
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -14,9 +14,9 @@ use super::result::{Examined, NotAssessed, RuleQuality};
 use super::rule::{Calibration, LeftOut, Rule, leave_one_out};
 use super::score::auc;
 
-/// The hearts that can be judged, and which of them have labels that count.
+/// The subjects that can be classified, and which of them have labels that count.
 pub(super) struct Cohort {
-    /// What the rule reads of each subject; empty where it is not assessed.
+    /// What the classifier reads of each subject; empty where it is not assessed.
     pub rows: Vec<Vec<f64>>,
     /// Assessed subjects with a normal label, ascending.
     pub normal: Vec<usize>,
@@ -24,7 +24,7 @@ pub(super) struct Cohort {
     pub abnormal: Vec<usize>,
 }
 
-/// A rule with what it says of the hearts that it was made of.
+/// A classifier with its leave-one-out results on the subjects that it was trained on.
 pub(super) struct Learnt {
     pub rule: Rule,
     pub calibration: Calibration,
@@ -60,7 +60,7 @@ impl Cohort {
         (self.normal.len(), self.abnormal.len())
     }
 
-    /// The rule of the labelled hearts; `None` if they are too few.
+    /// The classifier of the labelled subjects; `None` if they are too few.
     pub fn learn(
         &self,
         params: &CheckedVerdictParams,
@@ -99,7 +99,7 @@ fn right(probabilities: &[f64], labels: &[bool]) -> usize {
         .count()
 }
 
-/// How good a rule is beside the same with permuted labels.
+/// How good a classifier is beside the same with permuted labels.
 fn quality(
     rows: &[&[f64]],
     labels: &[bool],

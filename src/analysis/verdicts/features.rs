@@ -1,4 +1,4 @@
-//! What a verdict looks at: a few numbers per heart, free of its size and place.
+//! What a verdict looks at: a few numbers per subject, free of its size and place.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use crate::mesh::{Point3, area};
 /// PT from end-diastole to end-systole below which wall counts as still: "roughly equal to one" (4.4).
 const STILL_PT: f64 = 1.1;
 
-/// What a verdict is made of: one heart's medial surfaces and its thickening.
+/// What a verdict is made of: one subject's medial surfaces and its thickening.
 #[derive(Clone, Copy, Debug)]
 pub struct VerdictInput<'a> {
     /// Medial surfaces over the beat.
@@ -18,7 +18,7 @@ pub struct VerdictInput<'a> {
     pub thickening: &'a Thickening,
 }
 
-/// One feature of a heart.
+/// One feature of a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Feature {
     /// Share of the wall whose thickness grows by less than a tenth from end-diastole to end-systole.
@@ -27,20 +27,20 @@ pub enum Feature {
     Median,
     /// Area-weighted standard deviation of thickening over the wall, ln PT.
     Spread,
-    /// The same over the thickening of the well part, at least ln 1.1.
+    /// The same over the thickening of remote myocardium, at least ln 1.1.
     RelativeSpread,
     /// Thickening that a tenth of the wall does not reach, ln PT.
     WeakestTenth,
     /// Thickening of the part that works well, ln PT.
     Well,
-    /// Thickening of the well part and twice the spread, ln PT: small where the whole wall fails, large where
+    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall fails, large where
     /// a part does or none.
     Reach,
     /// Share of the wall in patches, each times its confidence.
     PatchShare,
     /// Confidence of the largest patch; 0 without one.
     Confidence,
-    /// Thickening of the largest patch over that of the well part; 1 without one.
+    /// Thickening of the largest patch over that of remote myocardium; 1 without one.
     PatchThickening,
     /// Compactness of the largest patch, 4π area / length of its border², at most 1; 0 without one.
     Compactness,
@@ -74,7 +74,7 @@ impl Feature {
         Self::Gap,
     ];
 
-    /// The three that the rule reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
+    /// The three that the classifier reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
     /// evidence: see [`verdicts`](super::verdicts()) for both measured side by side.
     pub const OF_RULE: [Self; 3] = [Self::StillShare, Self::Median, Self::RelativeSpread];
 
@@ -129,12 +129,12 @@ impl Feature {
     }
 }
 
-/// All features of one heart.
+/// All features of one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Features([Option<f64>; COUNT]);
 
 impl Features {
-    /// Of one heart. Features of poses are `None` where no pose has a descriptor.
+    /// Of one subject. Features of poses are `None` where no pose has a descriptor.
     pub(super) fn new(heart: &VerdictInput<'_>) -> Self {
         let VerdictInput { beat, thickening } = *heart;
         let rest = positions(beat, thickening.end_diastole);
@@ -173,18 +173,18 @@ impl Features {
         }))
     }
 
-    /// One of them; `None` where it cannot be told.
+    /// One of them; `None` where it cannot be determined.
     pub fn get(&self, feature: Feature) -> Option<f64> {
         self.0[feature as usize]
     }
 
-    /// The first that is told and not finite.
+    /// The first that is known and not finite.
     pub(super) fn not_finite(&self) -> Option<Feature> {
         (Feature::ALL.into_iter())
             .find(|&feature| self.get(feature).is_some_and(|value| !value.is_finite()))
     }
 
-    /// What the rule reads, in the order of [`Feature::OF_RULE`]; these are always told.
+    /// What the classifier reads, in the order of [`Feature::OF_RULE`]; these are always known.
     pub(super) fn of_rule(&self) -> Vec<f64> {
         (Feature::OF_RULE.into_iter())
             .map(|feature| self.get(feature).unwrap_or(0.0))
@@ -223,7 +223,7 @@ fn regular_areas(beat: &MedialBeat, positions: &[Point3]) -> Vec<f64> {
     areas
 }
 
-/// 4π A / L²: 1 for a disc in a plane, small for what is ragged or wound around the heart.
+/// 4π A / L²: 1 for a disc in a plane, small for what is ragged or wound around the subject.
 fn compactness(patch: &Patch, positions: &[Point3]) -> f64 {
     let at = |atom: u32| positions[atom as usize];
     let length: f64 = (patch.border.iter())

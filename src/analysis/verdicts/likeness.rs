@@ -1,4 +1,4 @@
-//! Which hearts are alike, and how far one lies from all that were seen.
+//! Which subjects are alike, and how far one lies from all that were seen.
 
 use super::result::Familiarity;
 

@@ -1,4 +1,4 @@
-//! A logistic rule with a penalty on its weights, by Newton's method.
+//! A logistic classifier with a penalty on its weights, by Newton's method.
 
 use crate::numeric::{factorise_positive, solve_positive};
 

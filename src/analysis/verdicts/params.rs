@@ -3,9 +3,9 @@
 /// Settings of verdicts; [`VerdictParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VerdictParams {
-    /// Penalty λ on the squared weights of the rule, against a log-likelihood of one unit per case.
+    /// Penalty λ on the squared weights of the classifier, against a log-likelihood of one unit per case.
     pub ridge: f64,
-    /// Fewest assessed hearts of each role from which a rule is learnt.
+    /// Fewest assessed subjects of each role from which a classifier is trained.
     pub min_labelled: u32,
     /// Least share of its volume at end-diastole that the wall still has at end-systole. Muscle keeps
     /// nearly all of it; a wall that loses more is blurred, and its thickening hidden.

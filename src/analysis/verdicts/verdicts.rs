@@ -1,4 +1,4 @@
-//! The whole question: features, the rule of the cohort, what it says of each heart, and how good it is.
+//! The whole question: features, the classifier of the cohort, what it says of each subject, and how good it is.
 
 use crate::analysis::thickening::Extent;
 use crate::progress::Progress;
@@ -13,36 +13,36 @@ use super::params::CheckedVerdictParams;
 use super::result::{Examined, Finding, NotAssessed, RuleSource, Verdict, Verdicts};
 use super::rule::Standard;
 
-/// Thickening of the well wall, in standard deviations of averaged noise, or of the least that counts as
-/// thickening: nearer to noise nothing is told.
+/// Thickening of remote myocardium, in standard deviations of averaged noise, or of the least that counts as
+/// thickening: nearer to noise nothing is reported.
 const SURE: f64 = 3.0;
 /// ln PT that counts as thickening at all, PT = 1.1.
 const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
-/// Still share at which the uncalibrated rule is undecided: between the most of 20 normal hearts (5.0 %) and the
+/// Still share at which the uncalibrated rule is undecided: between the most of 20 normal subjects (5.0 %) and the
 /// least of the built-in patches (5.9 %).
 const STILL_LIMIT: f64 = 0.055;
 /// How far from there it is for odds of e to one.
 const STILL_SCALE: f64 = 0.01;
-/// Reach below which an abnormal heart's failure is global: all 20 normal hearts reach further, as do
-/// 19 of 20 with infarction and all built-in hearts with a patch, and 15 of 20 dilated ones do not.
+/// Reach below which an abnormal subject's hypokinesia is global: all 20 normal subjects reach further, as do
+/// 19 of 20 with infarction and all built-in subjects with a patch, and 15 of 20 dilated ones do not.
 const REGIONAL_REACH: f64 = 0.65;
-/// Most alike hearts that are shown.
+/// Most alike subjects that are shown.
 const ALIKE: usize = 3;
 
-/// What is found in each heart, and how sure it is.
+/// Finding and probability of each subject.
 ///
-/// 1. A heart is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
-///    noise of thickening is a third of what the well part does or more.
-/// 2. The rest is told abnormal by a logistic rule on [`Feature::OF_RULE`], standardised, both classes
-///    weighing alike, learnt from the hearts whose label counts as normal or abnormal. What is said of a labelled
-///    heart comes from a rule that has not seen it, calibrated by the scores of the others. With too few labels
-///    a fixed rule stands in: the still share of the wall beside 5.5 %.
-/// 3. An abnormal heart has a patch where thickening found one, unless its [`Feature::Reach`] is small: then
-///    failure is global.
+/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
+///    noise of thickening is a third of what remote myocardium does or more.
+/// 2. The rest is classified by a logistic classifier on [`Feature::OF_RULE`], standardised, both classes
+///    weighing alike, trained from the subjects whose label counts as normal or abnormal. What is said of a labelled
+///    subject comes from a classifier that has not seen it, calibrated by the scores of the others. With too few labels
+///    a fixed classifier stands in: the akinetic share of the wall beside 5.5 %.
+/// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::Reach`] is small: then
+///    hypokinesia is global.
 ///
 /// # Measured
-/// On `acdc_walls`: 100 hearts at end-diastole and end-systole; normal: NOR; abnormal: MINF, DCM and HCM; RV takes no
-/// part and is judged by the rule of the others. Each labelled heart left out in turn; printed by the test `real_verdicts`.
+/// On `acdc_walls`: 100 subjects at end-diastole and end-systole; normal: NOR; abnormal: MINF, DCM and HCM; RV takes no
+/// part and is classified by the classifier of the others. Each labelled subject left out in turn; printed by the test `real_verdicts`.
 ///
 /// | 20 hearts each | median PT | no patch | patch | global failure |
 /// |---|---|---|---|---|
@@ -52,17 +52,17 @@ const ALIKE: usize = 3;
 /// | MINF | 1.26 | 0 | 19 | 1 |
 /// | DCM | 1.19 | 1 | 5 | 14 |
 ///
-/// Probability tells MINF from NOR with AUC 1.00; all abnormal labels from NOR with 0.91 (permuted labels: 0.46),
-/// since most walls of HCM thicken well. 65 of 80 answers are right (permuted labels: 32, since a rule that tells
-/// nothing raises no alarm; always saying abnormal: 60). Fifteen sets of features were tried for the rule. All with the still share have AUC 0.99 and more for MINF against NOR; compactness,
-/// closeness, ANV and MP (4.4–4.7) alone have 0.88 and call 5 of 20 normal hearts abnormal: with two poses
-/// there is no path to be steady. For regional against global failure (MINF against DCM) 49 single numbers were tried:
-/// spread of thickening has AUC 0.96, reach 0.95, the still share 0.49, EF 0.88. The spread alone
-/// would call a small patch in a wall that is otherwise well a global failure; reach does not.
-/// Both choices were made on these hearts, of which 20 make a group: on others expect somewhat less.
+/// Probability separates MINF from NOR with AUC 1.00; all abnormal labels from NOR with 0.91 (permuted labels: 0.46),
+/// since most walls of HCM thicken well. 65 of 80 are classified correctly (permuted labels: 32, since an uninformative
+/// classifier calls nobody abnormal; always saying abnormal: 60). Fifteen sets of features were tried for the classifier. All with the akinetic share have AUC 0.99 and more for MINF against NOR; compactness,
+/// closeness, ANV and MP (4.4–4.7) alone have 0.88 and call 5 of 20 normal subjects abnormal: with two poses
+/// there is no path to be steady. For regional against global hypokinesia (MINF against DCM) 49 single numbers were tried:
+/// spread of thickening has AUC 0.96, reach 0.95, the akinetic share 0.49, EF 0.88. The spread alone
+/// would call a small patch in a wall that is otherwise well a global hypokinesia; reach does not.
+/// Both choices were made on these subjects, of which 20 make a group: on others expect somewhat less.
 ///
 /// # Errors
-/// If the hearts are not those of the study, or on "stop".
+/// If the subjects are not those of the study, or on "stop".
 pub fn verdicts(
     study: &Study,
     hearts: &[Result<Examined, NotAssessed>],
@@ -96,7 +96,7 @@ pub fn verdicts(
     })
 }
 
-/// What [`verdicts`] reads of one heart; no atoms are needed any more, so that a cohort of any size can be judged.
+/// What [`verdicts`] reads of one subject; no atoms are needed any more, so that a cohort of any size can be classified.
 ///
 /// # Errors
 /// If the wall is not resolved, or a feature is not a number.
@@ -126,7 +126,7 @@ pub fn examine(
     }
 }
 
-/// What is needed to say something of each heart.
+/// What is needed for the verdict on each subject.
 struct Classified<'a> {
     cohort: &'a Cohort,
     learnt: Option<&'a Learnt>,
@@ -198,7 +198,7 @@ impl<'a> Classified<'a> {
     }
 }
 
-/// What fails in an abnormal heart.
+/// What fails in an abnormal subject.
 fn failure(features: &Features, extent: Extent) -> Finding {
     let reach = features.get(Feature::Reach).unwrap_or(0.0);
     match extent {

@@ -1,4 +1,4 @@
-//! Where there is no Vulkan: OpenGL, and drivers too old to read samples, show the same heart.
+//! Where there is no Vulkan: OpenGL, and drivers too old to read samples, show the same subject.
 
 use super::*;
 use crate::render::targets::Capabilities;
@@ -65,7 +65,7 @@ fn opengl_shows_the_heart_that_the_first_adapter_shows() {
     let (a, b) = (heart_by(&mut first), heart_by(&mut opengl));
     assert!(a.rgba.chunks(4).any(|pixel| pixel != background()));
     let (mean, far) = apart(&a, &b);
-    // Older drivers show translucent_surfaces without inner order and no occlusion.
+    // Older drivers show translucent surfaces without inner order and no occlusion.
     assert!(mean < 6.0 && far < 0.05, "{mean} {far}");
 }
 
@@ -101,7 +101,7 @@ fn opengl_takes_damaged_and_many_scenes_without_complaint() {
 }
 
 #[test]
-fn films_drawn_whole_cover_the_pixels_that_peeled_films_cover() {
+fn translucent_surfaces_drawn_whole_cover_the_pixels_that_peeled_ones_cover() {
     let (Some(mut peeled), Some(plain)) = (headless(), headless()) else {
         return;
     };

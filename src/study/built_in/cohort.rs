@@ -19,10 +19,10 @@ use crate::study::{
 };
 use crate::units::{LengthUnit, Seconds};
 
-/// The built-in study and, apart from it, what is true of its hearts.
+/// The built-in study and, apart from it, what is true of its subjects.
 #[derive(Clone, Debug)]
 pub struct BuiltInCohort {
-    /// Nine normal hearts, N01 … N09, and fourteen patients, P01 … P14.
+    /// Nine normal subjects, N01 … N09, and fourteen patients, P01 … P14.
     pub study: Study,
     /// One for each subject, in the same order.
     pub truths: Vec<GroundTruth>,
@@ -49,7 +49,7 @@ pub fn cohort(params: &BuiltInParams) -> Result<BuiltInCohort, BuiltInError> {
     })
 }
 
-/// One heart with its truth.
+/// One subject with its truth.
 fn heart(design: &SubjectDesign, grid: &WallGrid) -> Result<(Subject, GroundTruth), BuiltInError> {
     let shape = Shape::new(design.form.clone(), design.edv_ml);
     let (squeeze, ejection_fraction) = squeeze_for(&shape, design.healthy_ejection_fraction);
@@ -102,7 +102,7 @@ fn heart(design: &SubjectDesign, grid: &WallGrid) -> Result<(Subject, GroundTrut
     Ok((subject, truth))
 }
 
-/// The squeeze κ with which a heart without patches would reach the ejection fraction, and the
+/// The squeeze κ with which a subject without patches would reach the ejection fraction, and the
 /// ejection fraction that it reaches with them.
 ///
 /// V(t) = ½ ∬ (1 − κ(Θ, Z)) Rₑ² dΘ dZ, because r² dz = (1 − κ) Rₑ² dZ on the inner surface.

@@ -2,7 +2,7 @@
 //!
 //! The model is a thick wall that moves without changing its volume (`motion`), shaped as a
 //! truncated prolate spheroid with a flattened septal side (`shape`), sampled by triangles that
-//! correspond between layers, frames and subjects (`grid`), ill in places where it is told to be
+//! correspond between layers, frames and subjects (`grid`), ill in places where it is known to be
 //! (`patch`), and varied between subjects in ranges of published populations (`design`).
 
 mod cohort;

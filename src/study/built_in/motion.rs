@@ -59,7 +59,7 @@ pub(super) struct Material {
     turn_slope: f64,
 }
 
-/// The motion of one heart.
+/// The motion of one subject.
 #[derive(Clone, Debug)]
 pub(super) struct Motion<'a> {
     shape: &'a Shape,
@@ -210,7 +210,7 @@ mod tests {
         Matrix3::from_columns(&columns).determinant()
     }
 
-    /// Greatest departure of the volume change from 1 over the wall of a heart.
+    /// Greatest departure of the volume change from 1 over the wall of a subject.
     fn worst_change(design: &SubjectDesign) -> f64 {
         let shape = Shape::new(design.form.clone(), design.edv_ml);
         let motion = Motion::new(&shape, design.motion(0.6));

@@ -6,7 +6,7 @@ use crate::study::SequenceError;
 /// Frames of every built-in beat; frame 0 is end-diastole.
 pub const FRAMES: usize = 8;
 
-/// Most vertices a built-in heart can have, both surfaces together.
+/// Most vertices a built-in subject can have, both surfaces together.
 pub const MAX_VERTICES: usize = 40_000;
 
 /// Fewest: below this the apex is a hexagon and the wall a prism.
@@ -17,7 +17,7 @@ const MIN_VERTICES: usize = 200;
 pub struct BuiltInParams {
     /// Draws the variation between subjects; equal seeds give equal bits.
     pub seed: u64,
-    /// Vertices per heart, both surfaces together, as an upper limit: the nearest regular
+    /// Vertices per subject, both surfaces together, as an upper limit: the nearest regular
     /// pattern that does not exceed it is taken.
     pub vertices: usize,
 }

@@ -52,8 +52,8 @@ impl System {
                 mass[triangle[k] as usize] += doubled_area / 6.0;
                 let far = corners[(k + 2) % 3];
                 let dot = (corners[k] - far).dot(&(corners[(k + 1) % 3] - far));
-                let bottom_eigenvectors = (dot.abs() / MAX_COTANGENT).max(f64::MIN_POSITIVE);
-                let cotangent = (dot / doubled_area.max(bottom_eigenvectors)).max(0.0);
+                let min_doubled_area = (dot.abs() / MAX_COTANGENT).max(f64::MIN_POSITIVE);
+                let cotangent = (dot / doubled_area.max(min_doubled_area)).max(0.0);
                 for &entry in entries {
                     weights[entry as usize] += 0.5 * length * length * cotangent;
                 }
@@ -129,7 +129,7 @@ impl System {
     }
 
     /// Conjugate gradients, the diagonal scaled to 1, for the three coordinates as one system, so that turning
-    /// the heart turns every step. Starts from, and holds, what is in `found`; ends where the residual is small against that of `field`.
+    /// the subject turns every step. Starts from, and holds, what is in `found`; ends where the residual is small against that of `field`.
     ///
     /// What is missing to the answer is found in 32 bits, as the residual of the start is in 64.
     pub fn solve(&self, field: &[Vector3], found: &mut [Vector3]) {

@@ -15,7 +15,7 @@ pub(in crate::analysis::metrics) struct Plan {
     pub params: CheckedMetricParams,
     pub curvature: CurvatureRole,
     pub in_betweens: usize,
-    /// Blocks of [`LANES`] steps; those past the end of the path stand still there.
+    /// Blocks of [`LANES`] steps; those past the end of the path repeat the last pose.
     pub blocks: usize,
     /// |ΔK| of the two ends, per vertex; empty unless the form is frozen.
     pub frozen: Vec<f64>,

@@ -82,7 +82,7 @@ fn rows_go_by_subject_and_then_by_frame() {
             frame: 0
         }
     );
-    // Both hearts have one shape at frame 0, in two sizes.
+    // Both subjects have one shape at frame 0, in two sizes.
     assert!(result.distances.get(0, 5) < 1e-12);
     assert!(result.distances.get(0, 2) > 1e-2 && result.distances.get(2, 6) > 1e-2);
     assert!(result.left_out.is_empty());

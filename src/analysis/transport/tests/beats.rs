@@ -1,4 +1,4 @@
-//! Whole beats on other hearts.
+//! Whole beats on other subjects.
 
 use super::*;
 use crate::analysis::alignment::rigid_motion;
@@ -282,7 +282,7 @@ fn one_geodesic_bent_for_all_steps_is_near_a_geodesic_for_each() {
     let first = greatest_gap(&beat(3, Geodesics::First), &best) / moved;
     let straight = greatest_gap(&beat(0, Geodesics::First), &best) / moved;
     assert!(first < 0.02, "{first}");
-    // Hearts this different: the straight way misses a tenth of the motion.
+    // Subjects this different: the straight way misses a tenth of the motion.
     assert!(straight > 4.0 * first, "{straight} {first}");
 }
 
