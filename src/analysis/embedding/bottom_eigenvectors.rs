@@ -28,11 +28,13 @@ pub(super) fn bottom_eigenvectors(
 ) -> Result<(Vec<f64>, Vec<Vec<f64>>), EmbeddingError> {
     let size = weights.neighbours().len();
     let columns = normal_matrix(weights, progress)?;
+    // A full decomposition grows with the cube of the size, Lanczos steps with the number of entries.
     let vectors = if size <= MAX_FOR_ALL {
         by_whole_decomposition(&columns, count)?
     } else {
         by_shifted_inverse(&columns, count, progress)?
     };
+    // Both routes leave vectors that are accurate as a space and not one by one.
     settled(weights, &vectors)
 }
 
@@ -137,6 +139,7 @@ fn by_shifted_inverse(
     };
     let eigen = leading_eigen(size, count, |x, out| {
         out.copy_from_slice(x);
+        // The constant vector has eigenvalue 0 and would be the first one found; rounding brings it back each time.
         centre(out);
         factor.solve(out);
         centre(out);

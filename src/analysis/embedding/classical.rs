@@ -45,6 +45,7 @@ pub fn classical_mds(
         symmetric_eigen(items, &doubly_centred(distances, unit))?
     } else {
         let centred = CentredSquares::new(distances, unit);
+        // One more than the axes: what the next dimension would hold is reported.
         leading_eigen(items, dimensions + 1, |x, out| {
             centred.product(x, out, progress)
         })?
@@ -54,6 +55,7 @@ pub fn classical_mds(
         if axis == dimensions {
             break;
         }
+        // Negative eigenvalues have no real coordinates; their axes stay zero.
         let length = unit * value.max(0.0).sqrt();
         for (item, entry) in vector.iter().enumerate() {
             coordinates[item * dimensions + axis] = length * entry;

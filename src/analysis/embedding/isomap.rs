@@ -48,6 +48,7 @@ pub fn isomap_of_neighbours(
     let (ways, parts) = shortest_paths(distances, nearest, progress)?;
     let map = classical_mds(&ways, dimensions, progress)?;
     let kept: f64 = (map.eigenvalues.iter().flatten().take(dimensions))
+        // Negative eigenvalues have no axis, so that the map keeps nothing of them.
         .map(|value| value.max(0.0).powi(2))
         .sum();
     let left_out = (centred_norm2(&ways) - kept).max(0.0).sqrt();
@@ -78,7 +79,9 @@ pub fn shortest_paths(
         return Err(mismatch);
     }
     let mut graph = NeighbourGraph::new(nearest);
+    // Distances between parts would be infinite, and no map could show them.
     let parts = graph.join(distances, progress)?;
+    // Near items share most of their shortest paths, so that a group is searched in one sweep.
     let groups = graph.groups();
     progress.expect_steps(groups.len());
     let found = groups

@@ -32,12 +32,15 @@ pub fn lle(
     progress: &Progress,
 ) -> Result<Embedding, EmbeddingError> {
     let weights = LocalWeights::of_points(points, items, params, progress)?;
+    // Counted before any eigenvalue is computed: with several parts the smallest ones are all zero and their vectors
+    // arbitrary.
     let parts = closed_parts(weights.neighbours());
     if parts == 1 {
         return lle_of_weights(&weights, params, progress);
     }
     let mut count = params.0.neighbours;
     loop {
+        // By a quarter, so that few rounds do and the neighbourhood grows little past what is needed.
         count = (count + 1.max(count / 4)).min(items - 1);
         let neighbours = Neighbours::of_points(points, items, count, progress)?;
         // All others as neighbours are one part.
@@ -68,6 +71,7 @@ pub fn lle_of_weights(
 ) -> Result<Embedding, EmbeddingError> {
     let items = weights.neighbours().len();
     let dimensions = params.0.dimensions;
+    // n items span n − 1 dimensions beside the constant vector.
     if dimensions >= items {
         return Err(EmbeddingError::Dimensions { dimensions, items });
     }

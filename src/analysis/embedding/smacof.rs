@@ -79,6 +79,7 @@ pub fn smacof(
     progress: &Progress,
 ) -> Result<Embedding, EmbeddingError> {
     let params = params.0;
+    // The stress has many minima; classical scaling leads to a low one, and to the same every time.
     let start = classical_mds(distances, dimensions, progress)?;
     let blocks = row_blocks(distances.size());
     progress.expect_steps((params.random_starts + 1) * params.max_iterations * blocks.len());
@@ -100,12 +101,15 @@ pub fn smacof(
             .map(|_| radius * random.random_range(-1.0..1.0))
             .collect();
         let other = majoriser.descend(&places, &params)?;
+        // Strictly lower, so that ties keep the start that needs no seed.
         if other.raw_stress < best.raw_stress {
             best = other;
         }
     }
     let mut map = Embedding {
         dimensions,
+        // The stress does not change under rotation: without this the orientation would be an accident of the
+        // descent.
         coordinates: on_principal_axes(best.coordinates, dimensions),
         iterations: Some(best.iterations),
         ..Embedding::default()
@@ -147,6 +151,7 @@ impl Majoriser<'_> {
             let (next, raw_stress) = self.transformed(&axes)?;
             // Also true at zero stress, and where nothing moves any more.
             let settled = last_stress - raw_stress <= params.tolerance * raw_stress;
+            // Fewer than two items have no distances to improve.
             if settled || iterations == params.max_iterations || items < 2 {
                 let coordinates = (0..items)
                     .flat_map(|item| axes.iter().map(move |axis| axis[item]))
@@ -285,6 +290,7 @@ const MAX_BLOCKS: usize = 64;
 /// Rows in blocks of about as many pairs; depends on the number of items alone.
 fn row_blocks(items: usize) -> Vec<std::ops::Range<usize>> {
     let pairs = items * items.saturating_sub(1) / 2;
+    // Not by threads: sums in another order would be other bits.
     let wanted = PAIRS_A_BLOCK.max(pairs.div_ceil(MAX_BLOCKS));
     let mut blocks = Vec::new();
     let (mut first, mut gathered) = (0, 0);

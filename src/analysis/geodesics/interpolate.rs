@@ -31,6 +31,7 @@ pub fn geodesic(
     let middle: Vec<Point3> = (start.iter().zip(end))
         .map(|(a, b)| a + (b - a) * 0.5)
         .collect();
+    // Half-way, stiffness is right on average; a degenerate middle, as of a shape turned inside out, has none.
     let reference = if check_ends(faces, &middle, &middle).is_ok() {
         &middle
     } else {
@@ -60,6 +61,7 @@ pub fn interpolated_sequence(
         .collect();
     let intervals = match poses.len() {
         0 | 1 => return Ok(Vec::new()),
+        // With two frames the way back would be the same path again.
         2 => 1,
         frames => frames,
     };

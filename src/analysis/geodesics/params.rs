@@ -96,6 +96,7 @@ impl GeodesicParams {
                 fewest: MIN_VERTICES,
             });
         }
+        // With one in-between both steps touch a fixed end, and cannot be made free.
         if self.in_betweens >= 2
             && self.metric.lambda == 0.0
             && self.metric.path_energy_can_vanish()

@@ -39,12 +39,14 @@ impl GeodesicSolver {
         params: &CheckedGeodesicParams,
     ) -> Result<Self, GeodesicError> {
         check_ends(faces, reference, reference)?;
+        // Curvature change as a factor is that between the two ends, unknown here.
         let stiffness = if params.metric.curvature_role().is_factor() {
             None // It depends on both ends: made for each path.
         } else {
             Stiffness::new(faces, reference, &params.metric, None)
         };
         let fewer = params.max_vertices.map(|most| most as usize);
+        // A mesh that is small enough is searched as it is.
         let fewer = fewer.filter(|&most| most < faces.vertex_count());
         let coarse = match fewer {
             Some(most) => Self::coarse(faces, reference, params, most)?,
@@ -54,6 +56,7 @@ impl GeodesicSolver {
             faces: faces.clone(),
             metric: Metric::new(faces, params.metric),
             params: *params,
+            // The coarse solver has its own; this one would be factorised and never used.
             stiffness: stiffness.filter(|_| coarse.is_none()),
             coarse,
         })
@@ -114,12 +117,14 @@ impl GeodesicSolver {
         let ends = [ends[0].as_slice(), ends[1].as_slice()];
         let mut energy = self.path_energy(start, end, count)?;
         let straight = resampled(ends[0], &[], ends[1], count);
+        // The straight line is the start of the search and the bound that no result may exceed.
         let energy_linear = energy.energy(&straight);
         if !energy_linear.is_finite() {
             return Err(GeodesicError::Energy {
                 energy: energy_linear,
             });
         }
+        // Nothing to move, or a path that costs nothing already.
         let mut inner = if count == 0 || energy_linear == 0.0 {
             Inner {
                 coordinates: straight.clone(),
@@ -132,6 +137,7 @@ impl GeodesicSolver {
         };
         let mut found = energy.energy(&inner.coordinates);
         // Stopped early, an unfinished path of few poses may be worse than none.
+        // This also catches a prolonged coarse path where limbs turn.
         if found.is_nan() || found > energy_linear {
             inner.coordinates = straight;
             found = energy.energy(&inner.coordinates);
@@ -209,6 +215,8 @@ impl GeodesicSolver {
         let mut energy = self.path_energy(start, end, count)?;
         let mut least = energy.energy(&best.coordinates);
         let levels = time_levels(count);
+        // Other starts lead to other minima: from few poses on, with and without the preconditioner; the cheapest is
+        // kept.
         for (levels, stiffness) in [(&levels[..], stiffness), (&levels, None), (&[count], None)] {
             if best.stopped {
                 break;

@@ -46,6 +46,7 @@ impl Stiffness {
             })
             .collect();
         let total: f64 = areas.iter().sum();
+        // Shares of no area are not defined; the search then runs without a preconditioner.
         if !(total > 0.0 && total.is_finite()) {
             return None;
         }
@@ -101,9 +102,11 @@ impl Stiffness {
         if size == 0 {
             return;
         }
+        // A Kronecker product is inverted factor by factor: space for every pose, then time for every coordinate.
         self.factor.solve(gradient);
         solve_in_time(gradient, size);
         for value in gradient {
+            // The Hessian is 4 T ⊗ G.
             *value *= 0.25;
         }
     }
@@ -202,6 +205,7 @@ fn push_block(
     for (i, row) in block.iter().enumerate() {
         for (j, value) in row.iter().enumerate() {
             let (row, column) = (index(i), index(j));
+            // The lower triangle alone: the matrix is symmetric and so is its factor.
             if row > column {
                 entries.push((row, column, weight * value));
             } else if row == column {

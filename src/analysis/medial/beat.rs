@@ -30,6 +30,7 @@ pub fn medial_beat(
     let frames: Vec<Vec<&TriMesh>> = (0..subject.sequence.frame_count())
         .map(|frame| meshes_at(&subject.sequence, &template.kinds, frame))
         .collect();
+    // One atlas for all frames: connectivity and the order of the tree depend on no pose.
     let atlas = WallAtlas::new(&frames, template.vertices.clone(), false)?;
     progress.expect_steps(frames.len() * (1 + atlas.steps_per_frame()));
     let measured: Vec<(Vec<Point3>, f64)> = (frames.par_iter())
@@ -42,6 +43,7 @@ pub fn medial_beat(
         .collect::<Result<_, MedialError>>()?;
     let mut thicknesses: Vec<f64> = measured.iter().map(|&(_, thickness)| thickness).collect();
     let middle = thicknesses.len() / 2;
+    // The median over frames, so that neither end-diastole nor end-systole alone decides how much is smoothed.
     let typical = *thicknesses.select_nth_unstable_by(middle, f64::total_cmp).1;
     let poses: Vec<&[Point3]> = measured
         .iter()
@@ -52,10 +54,12 @@ pub fn medial_beat(
         .map(|(frame, points)| atlas.surface(frame, points, &prepared, params, progress))
         .collect::<Result<_, MedialError>>()?;
     let regular: Vec<bool> = (0..template.vertices.len())
+        // A ratio needs the atom at all its poses, so that ending once takes it out of the whole beat.
         .map(|atom| frames.iter().all(|frame| frame.end[atom].is_none()))
         .collect();
     let lost = regular.iter().filter(|&&regular| !regular).count();
     let (noise, thickness) = (prepared.plan.noise, prepared.thickness);
+    // Either alone may be harmless: rough surfaces with all atoms, or a short sheet without noise.
     if noise > MAX_NOISE * thickness && 2 * lost > regular.len() {
         return Err(MedialError::Noise {
             noise,

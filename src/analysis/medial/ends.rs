@@ -50,6 +50,7 @@ pub(super) fn end_spokes(
         })
         .collect();
     let mut spokes = vec![None; atoms.len()];
+    // Nothing ends, so that no neighbours need be looked up.
     if ends.is_empty() {
         return spokes;
     }
@@ -113,6 +114,7 @@ fn away_from_neighbours(
 fn end_spoke(wall: &WallOfPose<'_>, atom: &Atom, normal: Vector3, away: Vector3) -> EndSpoke {
     let half = 0.5 * (atom.spokes[0] + atom.spokes[1]);
     let cos = half.norm();
+    // Opposite spokes have no half-way direction; the sheet then ends away from where its atoms are.
     let in_sheet = away - normal.dot(&away) * normal;
     let direction = if cos > MIN_BEND {
         half / cos
@@ -144,6 +146,7 @@ fn marched(wall: &WallOfPose<'_>, atom: &Atom, direction: Vector3, most: f64) ->
         let point = atom.position + along * atom.radius * direction;
         let found = wall.tree.nearest(point, &facing, f64::INFINITY, None)?;
         let step = found.squared.sqrt() / atom.radius;
+        // No face is nearer than this, so that the step cannot pass through the surface (sphere tracing).
         along += step;
         if step <= AT_SURFACE {
             return Some(along);

@@ -80,6 +80,8 @@ impl WallAtlas {
         if params.smoothing <= 0.0 || poses.is_empty() {
             return Ok(Prepared::new(thickness, least));
         }
+        // Every pose is looked at, since noise may differ, but one length is used for all: ratios of radii must
+        // compare equally smooth walls.
         let mut noises: Vec<f64> = (poses.par_iter())
             .map(|points| {
                 progress.check()?;
@@ -87,6 +89,7 @@ impl WallAtlas {
             })
             .collect::<Result<_, MedialError>>()?;
         let middle = noises.len() / 2;
+        // The median: one bad frame must not blur the whole beat.
         let noise = *noises.select_nth_unstable_by(middle, f64::total_cmp).1;
         let least = Plan { noise, ..least };
         if noise <= HARDLY_ROUGH * thickness {
@@ -104,6 +107,7 @@ impl WallAtlas {
         };
         let mut best = BestLength::default();
         let mut prepared = Prepared::new(thickness, least);
+        // The longest length to be tried depends on the thickness, and the thickness on the smoothing.
         for _ in 0..ROUNDS {
             let looked = prepared.thickness;
             let most = params.smoothing.max(MAX_LENGTH) * looked;
@@ -112,9 +116,11 @@ impl WallAtlas {
             let Some((plan, smoothed)) = search.plan(&best) else {
                 break;
             };
+            // Shorter lengths leave the thickness as it was measured.
             if plan.length > least.length {
                 prepared.thickness = (smoothed.iter())
                     .map(|smoothed| self.thickness(&smoothed.points))
+                    // Noise only makes walls look thin, so that the largest of the estimates is nearest.
                     .fold(looked, f64::max);
             }
             prepared.plan = plan;
@@ -123,6 +129,8 @@ impl WallAtlas {
                 break;
             }
         }
+        // The setting is a share of the thickness, which has just been found to be larger; smoothed poses are then
+        // stale.
         let length = params.smoothing * prepared.thickness;
         if THICKER * prepared.plan.length < length {
             prepared.plan.length = length;

@@ -73,9 +73,11 @@ impl WallOfPose<'_> {
         let point = self.faces.points[vertex as usize];
         let normal = self.normals[vertex as usize];
         let facing = self.facing(normal);
+        // d(r) − r falls with r, so that the root stays between the two.
         let [mut low, mut high] = [0.0, self.max_radius];
         // Only a sphere that was seen not to fit, or one that a point allows, is known to be too large.
         let mut high_known = false;
+        // A neighbour's face, taken as a plane, gives a good first radius; without one the caller's does.
         let mut radius = hint
             .and_then(|face| self.radius_to_plane(point, normal, face))
             .unwrap_or(radius)
@@ -86,15 +88,20 @@ impl WallOfPose<'_> {
             let Some(found) = self.nearest(centre, &facing, hint) else {
                 break;
             };
+            // The next centre is near, and so is its nearest face: the tree search then prunes at once.
             hint = Some(found.face);
             let distance = found.squared.sqrt();
             let miss = distance - radius;
+            // `MIN_POSITIVE` keeps a centre that lies on the surface from dividing 0 by 0.
             let slope = 1.0 - normal.dot(&(centre - found.point)) / distance.max(f64::MIN_POSITIVE);
             let newton = radius + miss / slope;
             if miss.abs() <= NEARLY * radius && newton.is_finite() {
+                // One Newton step more than the test asks for costs nothing: its foot is known.
                 return self.touching(vertex, newton, &found);
             }
             if miss < 0.0 {
+                // The sphere through p and this point is never too small, and often far smaller than the radius
+                // tried.
                 let to_foot = found.point - point;
                 let through = to_foot.norm_squared() / (2.0 * normal.dot(&to_foot));
                 high = if through > 0.0 {
@@ -106,14 +113,17 @@ impl WallOfPose<'_> {
             } else {
                 low = radius;
             }
+            // Even the largest sphere of a wall is free: it leaks through an opening.
             if low >= self.max_radius * (1.0 - NEARLY) {
                 break;
             }
             if high - low <= CLOSED * high {
                 return self.touching(vertex, radius, &found);
             }
+            // Newton is quadratic near the root; where it leaves the bracket, halving is sure to end.
             radius = if newton > low && newton < high {
                 newton
+            // Halving towards a bound that was never tested would stop below the root.
             } else if high_known {
                 0.5 * (low + high)
             } else {
@@ -153,9 +163,11 @@ impl WallOfPose<'_> {
             && carriers.map(|(&v, _)| v).all(|v| self.boundary[v as usize]);
         let normal = self.normals[vertex as usize];
         let centre = self.faces.points[vertex as usize] + radius * normal;
+        // A vertex that lies beyond the other side sees its outer face: there is no muscle between them.
         let from_behind = self.interpolated_normal(found).dot(&(centre - found.point)) <= 0.0;
         let fit = match (radius <= 0.0 || from_behind, at_boundary) {
             (true, false) => Fit::NoRoom,
+            // At an open rim the nearest point is the edge of the data, not of the muscle: the atom ends the sheet.
             (_, true) => Fit::TouchesBoundary,
             (false, false) => Fit::Touches,
         };
@@ -174,6 +186,7 @@ impl WallOfPose<'_> {
 
     fn without_foot(&self, vertex: u32, fit: Fit) -> MedialSphere {
         let radius = match fit {
+            // No room is thickness 0; a leak keeps the largest radius until its neighbours lend theirs.
             Fit::NoRoom => 0.0,
             _ => self.max_radius,
         };
@@ -206,6 +219,7 @@ impl WallOfPose<'_> {
 
     /// Whether the nearest point of the side across is seen from its outer side: the sides cross.
     fn behind(&self, point: Point3, normal: Vector3, facing: &Facing) -> bool {
+        // Farther than a wall is thick there is no other side to be behind.
         let most = self.max_radius * self.max_radius;
         let Some(found) = self.tree.nearest(point, facing, most, None) else {
             return normal == Vector3::zeros();

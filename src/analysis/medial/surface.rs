@@ -81,6 +81,7 @@ impl WallAtlas {
         } = *prepared;
         let smoothed = prepared.smoothed(&self.connectivity, frame, points);
         progress.check()?;
+        // Of the smoother S alone: normals are derivatives, in which noise is larger than in positions.
         let normals = vertex_normals(&smoothed.once, triangles);
         let face_normals = mean_normals(&normals, triangles);
         let faces = FacesOfPose {
@@ -94,14 +95,18 @@ impl WallAtlas {
             tree: &tree,
             normals: &normals,
             boundary: &self.connectivity.boundary,
+            // Angles are compared by cosines throughout, which saves an arc cosine for each face.
             cos_separation: params.separation_rad.cos(),
             max_radius: 0.5 * MAX_THICKNESS * thickness,
         };
+        // Half the typical thickness is the radius where sides are parallel, and so the best first guess.
         let mut spheres = self.spheres(&wall, 0.5 * thickness, progress)?;
         let without = spheres.iter().filter(|sphere| !sphere.touches()).count();
         if without as f64 > (1.0 - MIN_FITTING) * spheres.len() as f64 {
             let atoms = spheres.len();
             return Err(
+                // Noise far above the thickness is no noise but sides that coincide, which the other message
+                // explains.
                 if plan.noise > MAX_NOISE * thickness && plan.noise < 10.0 * thickness {
                     MedialError::Noise {
                         noise: plan.noise,
@@ -118,6 +123,7 @@ impl WallAtlas {
                 },
             );
         }
+        // End atoms need some radius for the sheet to be a surface; they take no part in any number.
         self.lend_radii(&mut spheres);
         let (atoms, normals) = self.atoms(&wall, &spheres);
         let end = end_spokes(&wall, self, &spheres, &atoms, &normals, params);
@@ -138,6 +144,7 @@ impl WallAtlas {
         let found: Result<Vec<Vec<MedialSphere>>, _> = (self.order.par_chunks(CHUNK))
             .map(|chunk| {
                 progress.step()?;
+                // A chunk starts anew, so that what it finds does not depend on which thread did the one before.
                 let (mut radius, mut hint) = (radius, None);
                 Ok(chunk
                     .iter()
@@ -180,6 +187,7 @@ impl WallAtlas {
             fitting = (fitting.0 + sphere.radius, fitting.1 + 1);
         }
         let mean = fitting.0 / fitting.1.max(1) as f64;
+        // From those that touch outwards, one ring a round, so that a hole is filled from all its sides alike.
         while !open.is_empty() {
             let lent: Vec<Option<f64>> = (open.iter())
                 .map(|&probe| {
@@ -190,6 +198,7 @@ impl WallAtlas {
                     (count > 0).then(|| sum / f64::from(count))
                 })
                 .collect();
+            // A sheet without a single sphere has no neighbour to lend: the mean ends the loop.
             let stuck = lent.iter().all(Option::is_none);
             let mut left = Vec::new();
             for (&probe, radius) in open.iter().zip(lent) {
@@ -218,7 +227,9 @@ impl WallAtlas {
                 let position = wall.faces.points[vertex] + sphere.radius * inwards;
                 let across = sphere.across.try_normalize(0.0).unwrap_or(inwards);
                 let mut spokes = [-inwards, across];
+                // S₁ − S₀ vanishes where both spokes agree; the direction into the muscle is then the only one known.
                 let mut normal = (across + inwards).try_normalize(1e-9).unwrap_or(inwards);
+                // Of a closed wall both sides have atoms, whose normals would point against each other.
                 if self.both_sides && normal.dot(&(position - middle)) < 0.0 {
                     spokes.swap(0, 1);
                     normal = -normal;

@@ -54,11 +54,13 @@ impl WallAtlas {
             }
         }
         let points = joined_points(first);
+        // Before anything reads a normal: files wind their faces either way.
         let opposite = turn_into_muscle(&mut connectivity, &points);
         if opposite.is_none() && connectivity.boundary.contains(&true) {
             let loops = first.iter().map(|m| m.faces().boundary_loops().len()).sum();
             return Err(UnknownVolume::OpenWall { loops }.into());
         }
+        // Neither needs the other.
         let ((tree, order), roughness) = rayon::join(
             || {
                 let tree = TreePlan::new(&points, &connectivity.triangles);
@@ -81,6 +83,7 @@ impl WallAtlas {
     /// About how thick the wall is at a pose, in coordinates.
     pub fn thickness(&self, points: &[Point3]) -> f64 {
         let Some(sides) = self.opposite else {
+            // One closed sheet has no other side to measure to: 2 V / A needs normals that noise has not turned.
             let normals = steady_normals(&self.connectivity, points);
             return thickness_of_closed(&self.connectivity, points, &normals);
         };
@@ -114,6 +117,7 @@ fn probe_order(connectivity: &Connectivity, tree: &TreePlan, probes: &[u32]) -> 
         }
     }
     let mut order: Vec<u32> = (0..probes.len() as u32).collect();
+    // Spheres of neighbours have nearly the same radius and face: each is the next one's first guess.
     order.sort_by_key(|&probe| {
         rank[connectivity.representative[probes[probe as usize] as usize] as usize]
     });

@@ -21,6 +21,7 @@ pub(super) fn add_face_shares(
     let raw = metric.params.corners == Corners::Raw;
     for (f, edges) in metric.mesh.face_edges.iter().enumerate() {
         for (side, pose) in poses.into_iter().enumerate() {
+            // Half at either pose: the shares add up to half the energy, the square of the distance.
             let s = edges.map(|e| stretch[e as usize][side]);
             let l = raw.then(|| edges.map(|e| pose.length2[e as usize]));
             shares[f] += 0.5 * pose.face_weight[f] * energy(f, s, l);
@@ -51,6 +52,7 @@ impl RelativeAreas {
             }
             return;
         }
+        // Without area weights each vertex counts once, however many faces share it.
         let mut faces_around = vec![0_u32; terms.len()];
         for &vertex in mesh.triangles.iter().flatten() {
             faces_around[vertex as usize] += 1;

@@ -74,6 +74,7 @@ impl Metric {
             .zip(faces)
             .map(|((mut tx, mut ty), (triangle, weight))| {
                 if let Some([of_x, of_y]) = change {
+                    // The factor of a corner is the curvature change at its vertex.
                     for (c, &vertex) in triangle.iter().enumerate() {
                         tx[c] *= of_x[vertex as usize];
                         ty[c] *= of_y[vertex as usize];

@@ -31,6 +31,7 @@ impl Metric {
     /// Terms and rates of curvature of each field are computed once where the form is bilinear.
     pub fn products(&self, at: &PreparedPose, x: &[Vector3], y: &[Vector3]) -> [f64; 3] {
         if !self.fits(x) || !self.fits(y) {
+            // Fields that do not fit give not-a-number, as single products do.
             return [(x, x), (x, y), (y, y)].map(|(x, y)| self.inner_product(at, x, y));
         }
         let own = terms(self.params.kind).products(self, at, x, y);

@@ -28,6 +28,7 @@ impl Metric {
         {
             return Err(MetricError::Overflow);
         }
+        // Curvature averaged over rings is the most costly part of a pose, and only some metrics compare it.
         let with_curvature = self.params.curvature_role() != CurvatureRole::Unused;
         let (mesh, params) = (&self.mesh, &self.params);
         Ok(PreparedPose::new(mesh, params, with_curvature, points))

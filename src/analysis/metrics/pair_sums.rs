@@ -51,6 +51,7 @@ pub(super) fn angles(
     let mesh = &metric.mesh;
     let printed = metric.params.form == Form::Printed;
     match (metric.params.corners, change, printed) {
+        // The default has a loop of its own, without options inside, since matrices of poses spend their time here.
         (Corners::ScaleFree, None, false) => plain_angles(mesh, a, b, stretch),
         _ => general_angles(metric, a, b, stretch, change, printed),
     }
@@ -122,6 +123,7 @@ pub(super) fn regulariser(
     rotation: &Matrix3<f64>,
     translation: &Vector3,
 ) -> Both {
+    // The term is off: a pass over all vertices is saved.
     if metric.params.lambda == 0.0 {
         return [0.0; 2];
     }

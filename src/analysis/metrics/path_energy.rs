@@ -69,6 +69,7 @@ impl PathEnergy {
             factor_of_ends: 0.5 * (ends[0].regulariser_factor + ends[1].regulariser_factor),
             plan,
         };
+        // All poses at the start first, so that its measures can be kept as those of pose 0, which never moves.
         path.lay(0, start);
         measure::measure(&path.plan, &mut path.state, &mut path.gradients);
         path.state.keep_as_start();
@@ -160,6 +161,7 @@ impl Metric {
         b: &[Point3],
     ) -> Result<(PairNorms, [Vec<Vector3>; 2]), MetricError> {
         // A path that waits at both ends: waiting costs nothing, and has no slope.
+        // With two in-betweens, both poses of the step are free and so have a gradient.
         let mut path = PathEnergy::new(self, a, b, 2)?;
         let inner: Vec<f64> = (a.iter().chain(b))
             .flat_map(|p| p.iter().copied())

@@ -58,10 +58,12 @@ impl PreparedPose {
             axes: [0, 1, 2].map(|axis| points.iter().map(|p| p[axis]).collect()),
             centroid: points.iter().map(|p| p.coords).sum::<Vector3>() / points.len().max(1) as f64,
             edge_axes,
+            // A side without length has no rate of length: 0 takes it out of every sum.
             inverse_length2: length2
                 .iter()
                 .map(|&l| if l > 0.0 { 1.0 / l } else { 0.0 })
                 .collect(),
+            // Scale-free corners never read it, and a cohort keeps all of its poses in memory.
             length2: if params.corners == Corners::Raw {
                 length2
             } else {

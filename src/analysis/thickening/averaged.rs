@@ -64,16 +64,19 @@ impl Averaged {
             let curve = ThickeningCurve::new(&means, &mesh.areas, *phases);
             let mut thickening = curve.thickening(&means);
             for (value, area) in thickening.iter_mut().zip(&mesh.areas) {
+                // Atoms that take part in nothing have a value for the sake of the array only.
                 if *area == 0.0 {
                     *value = 0.0;
                 }
             }
             let well = area_quantile(&thickening, &mesh.areas, WELL_QUANTILE);
             let noise = curve.rise * noise_of(&means, &curve, &mesh.areas, neighbours);
+            // Doubling the area halves the variance of independent noise.
             let wider = 2.0 * share;
             if noise <= MAX_NOISE * well || wider > MAX_AVERAGING * params.smoothing || share == 0.0
             {
                 return Ok(Self {
+                    // From what is not averaged: the tolerance of a single step is about single atoms.
                     atom_noise: noise_of(columns, &curve, &mesh.areas, neighbours),
                     thickening,
                     min_share: min_share(columns.len(), params),

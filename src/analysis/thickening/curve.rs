@@ -58,9 +58,11 @@ impl ThickeningCurve {
         let mut shape = (symmetric_eigen(poses, &matrix).ok())
             .and_then(|eigen| eigen.vectors.into_iter().next())
             .unwrap_or_else(|| vec![0.0; poses]);
+        // Columns are centred, so that the component sums to 0 but for rounding.
         let sum = shape.iter().sum::<f64>() / poses as f64;
         shape.iter_mut().for_each(|c| *c -= sum);
         let length = shape.iter().map(|c| c * c).sum::<f64>().sqrt();
+        // Eigenvectors have length 1: so little is left only of a constant one.
         if length > 1e-9 {
             shape.iter_mut().for_each(|c| *c /= length);
         } else {
@@ -68,6 +70,7 @@ impl ThickeningCurve {
             shape[ed] = -0.5_f64.sqrt();
             shape[es] = 0.5_f64.sqrt();
         }
+        // Eigenvectors have no sign; thickening is to be positive.
         if shape[es] < shape[ed] {
             shape.iter_mut().for_each(|c| *c = -*c);
         }

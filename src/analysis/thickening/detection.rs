@@ -31,9 +31,11 @@ pub(super) fn smallest_detectable(
     mesh: &RegularMesh,
     params: &CheckedThickeningParams,
 ) -> Option<f64> {
+    // Where remote myocardium does not thicken, no patch can stand out.
     if found.hardly_thickens(params) || found.well <= 0.0 {
         return None;
     }
+    // The core must stay below its limit although noise may lift it.
     let core = params.core.min(params.still / found.well) - SURE * found.noise / found.well;
     let enough = |area: f64| {
         let profile = Profile::new(area, found.share);
@@ -44,6 +46,7 @@ pub(super) fn smallest_detectable(
         return None;
     }
     let [mut low, mut high] = [0.0, LARGEST];
+    // `enough` grows with the area, so that bisection finds the smallest.
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         if enough(middle) {

@@ -36,6 +36,7 @@ pub(super) fn noise_of(
         // Thickening is ln r times c, times c(ES) − c(ED): its noise is as many times that of ln r.
         return NORMAL_FROM_MEDIAN * median(apart.collect()) / curve.rise.max(f64::EPSILON);
     }
+    // The mean and the share of the curve are fitted, which takes two degrees of freedom from each atom.
     let degrees = columns.len() as f64 - 2.0;
     let left = regular().map(|atom| {
         let along: f64 = (columns.iter().zip(&curve.shape))
@@ -46,6 +47,7 @@ pub(super) fn noise_of(
             .sum()
     });
     let chi2 = degrees * (1.0 - 2.0 / (9.0 * degrees)).powi(3);
+    // The median atom, since atoms of a patch or a rim follow the curve badly without being noisy.
     (median(left.collect()) / chi2).sqrt()
 }
 

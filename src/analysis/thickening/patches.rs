@@ -97,6 +97,7 @@ impl Wall<'_> {
         }
         let mut shares: Vec<PatchSegment> = Segment::all()
             .map(|segment| (segment, areas[segment.index()]))
+            // Segments without a part of the patch would divide by zero, and say nothing.
             .filter(|(_, [_, within])| *within > 0.0)
             .map(|(segment, [whole, within])| PatchSegment {
                 segment,
@@ -104,6 +105,7 @@ impl Wall<'_> {
                 of_patch: within / patch_area,
             })
             .collect();
+        // The segment that holds most of the patch is the one that names it.
         shares.sort_by(|a, b| b.of_patch.total_cmp(&a.of_patch));
         shares
     }

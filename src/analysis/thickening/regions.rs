@@ -16,6 +16,7 @@ pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
     let mut below = 0.0;
     for &i in &order {
         below += areas[i];
+        // The first value at or past the share: with few atoms an interpolated one would belong to none.
         if below >= share * whole {
             return values[i];
         }
@@ -40,6 +41,7 @@ pub(super) fn still_parts(
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
         .map(|(&value, &area)| area > 0.0 && value <= params.border * well)
         .collect();
+    // The absolute limit guards against calling a moderately thickening part akinetic beside a very good rest.
     let core = params.still.min(params.core * well);
     let area_below = |part: &[u32], limit: f64| -> f64 {
         (part.iter().map(|&atom| atom as usize))
@@ -53,6 +55,7 @@ pub(super) fn still_parts(
         .map(|part| (area_below(&part, f64::INFINITY), part))
         .filter(|(area, _)| *area >= least)
         .collect();
+    // Largest first: features and the report speak of the first patch.
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));
     parts.into_iter().map(|(_, part)| part).collect()
 }
@@ -83,5 +86,6 @@ pub(super) fn tidied(
     let tidy: Vec<u32> = (0..on_face.len() as u32)
         .filter(|&atom| on_face[atom as usize])
         .collect();
+    // A patch along one row of atoms has no face, and is still a patch.
     if tidy.is_empty() { part } else { tidy }
 }

@@ -58,6 +58,7 @@ pub(super) fn steps(
     (0..poses)
         .map(|from| {
             progress.step()?;
+            // The beat is a circle: the last frame leads into the first.
             let to = (from + 1) % poses;
             let pt = thickness_ratios(&beat.frames[from], &beat.frames[to]);
             let half = half_beat_of(from, ed, es, poses);

@@ -71,10 +71,12 @@ impl Surface {
         let rest: Vec<Vector3> = raw.iter().map(|point| point.coords).collect();
         let once = smoothed(&rest);
         let lost: Vec<Vector3> = rest.iter().zip(&once).map(|(x, s)| x - s).collect();
+        // 2 D − D² instead of D: averaging alone shrinks a cup, and with it every area.
         let twice: Vec<Point3> = (once.iter().zip(smoothed(&lost)))
             .map(|(s, back)| Point3::from(s + back))
             .collect();
         let steady = RegularMesh::new(beat.faces.triangles(), &twice, &beat.regular);
+        // Only where noise was large enough to matter: clean surfaces keep their measured areas.
         if steady.whole < (1.0 - ROUGH) * self.at_end_diastole.whole && steady.whole > 0.0 {
             self.at_end_diastole = steady;
         }
@@ -123,10 +125,12 @@ pub fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
             let extreme = |sign: f64| {
                 let better =
                     |a: &usize, b: &usize| (sign * areas[*a]).total_cmp(&(sign * areas[*b]));
+                // From the last, so that of equal areas the first pose is taken.
                 (0..count).rev().max_by(better).unwrap_or(0)
             };
             match [extreme(1.0), extreme(-1.0)] {
                 [ed, es] if ed != es => [ed, es],
+                // A surface whose area never changes has neither: the first two poses stand in.
                 _ => [0, 1],
             }
         }

@@ -16,6 +16,7 @@ pub(super) fn temporal_consistency(
     size: f64,
 ) -> TemporalConsistency {
     let poses: Vec<PoseDescriptor> = (path.iter().flatten())
+        // In sizes of the subject, so that positions can be added to angles and compared between subjects.
         .map(|pose| pose.relative_to(&Point3::origin(), size))
         .collect();
     let normals: Vec<Vector3> = poses.iter().filter_map(|pose| pose.normal).collect();

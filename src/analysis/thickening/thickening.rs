@@ -49,6 +49,7 @@ pub fn thickening(
     progress.expect_steps(beat.frames.len());
     let mut surface = Surface::new(beat, measures)?;
     let found = Averaged::new(&centred_logs(beat), &surface, params)?;
+    // After averaging, since it smooths positions over the area that noise asked for.
     surface.steady(beat, &found.diffusion);
     let Surface {
         mesh,
@@ -69,6 +70,7 @@ pub fn thickening(
         ratio: params.ratio,
     };
     let steps = steps(beat, at_end_diastole, surface.phases, &criteria, progress)?;
+    // A share of next to nothing is noise: hypokinesia is then global, and no patch is reported.
     let parts = if found.hardly_thickens(params) {
         Vec::new()
     } else {
@@ -99,6 +101,7 @@ pub fn thickening(
         .map(|(part, confidence)| wall.patch(tidied(part), confidence))
         .collect();
     let telling = || steps.iter().filter(|step| step.telling);
+    // Steps in which even remote myocardium keeps its thickness say nothing about who takes part.
     let path: Vec<_> = telling().map(|step| step.descriptor).collect();
     let gaps: Vec<_> = telling().map(|step| step.gap).collect();
     Ok(Thickening {

@@ -44,6 +44,7 @@ pub fn transported_motion(
         .map(|pose| pose.iter().map(|p| target.scale.restored(p)).collect())
         .collect();
     let mut frames = in_order_of_frames(restored, source.frame);
+    // The own pose itself: scaled down and up again it would differ by rounding.
     if let Some(pose) = onto.sequence.pose(target.frame) {
         frames[source.frame] = pose;
     }
@@ -83,6 +84,7 @@ impl Rest {
     /// All poses from end-diastole on, normalised, moved as one by the rigid motion that lays the
     /// first onto `target`.
     pub(super) fn beat_laid_onto(&self, subject: &Subject, target: &[Point3]) -> Vec<Vec<Point3>> {
+        // Only an empty or mismatched pose has none, and counts were compared before.
         let Ok(motion) = rigid_motion(&self.pose, target) else {
             return Vec::new();
         };

@@ -94,6 +94,7 @@ pub fn transport_cohort(
     for (member, result) in comparable.iter().zip(transported) {
         match result {
             Ok(subject) => members.push(subject),
+            // Being stopped ends the whole; any other failure concerns one subject, who is left out.
             Err(TransportError::Stopped(stopped)) => return Err(stopped.into()),
             Err(error) => left_out.push(LeftOut {
                 subject: member.index,
@@ -101,6 +102,7 @@ pub fn transport_cohort(
             }),
         }
     }
+    // Two sources of reasons, one order: that of the study.
     left_out.sort_by_key(|left| left.subject);
     Ok(TransportedCohort {
         reference,

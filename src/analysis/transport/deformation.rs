@@ -65,6 +65,7 @@ impl DeformationTransport {
             }
         }
         let bend = match self.params.geodesics {
+            // Computed once: paths of later steps bend alike, and on real meshes their differences are noise.
             Geodesics::First if source.len() > 1 => self.bend(first, onto, progress)?,
             _ => Vec::new(),
         };
@@ -74,6 +75,7 @@ impl DeformationTransport {
             progress.step()?;
             let path = match self.params.geodesics {
                 Geodesics::First => bent_line(&pair[0], &here, &bend),
+                // Between the poses reached so far, as the text has it; the cost is a geodesic for every frame.
                 Geodesics::EveryStep => self.path(&pair[0], &here, progress)?,
             };
             let field = difference(&pair[0], &pair[1]);

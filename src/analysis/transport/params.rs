@@ -134,6 +134,7 @@ impl TransportParams {
     /// If those of the metric or of the geodesic are not.
     pub fn check(mut self) -> Result<CheckedTransportParams, TransportParamError> {
         if !self.metric.is_inner_product() {
+            // Transport is by inner products; a refusal would only make every user change the same setting.
             self.metric.form = Form::Additive;
         }
         let geodesic = GeodesicParams {

@@ -29,6 +29,7 @@ impl<'a> PosePath<'a> {
         }
         let mut kept: Vec<&[Point3]> = Vec::with_capacity(path.len());
         for pose in path {
+            // A step of no length has no direction, and would divide by its norm.
             if kept.last().is_none_or(|last| !same(last, pose)) {
                 kept.push(pose);
             }

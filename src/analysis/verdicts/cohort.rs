@@ -67,6 +67,7 @@ impl Cohort {
         progress: &Progress,
     ) -> Result<Option<Learnt>, Stopped> {
         let least = params.min_labelled as usize;
+        // With fewer labels a classifier would be fitted to single subjects.
         if self.normal.len().min(self.abnormal.len()) < least {
             return Ok(None);
         }
@@ -122,12 +123,14 @@ fn quality(
             random.set_stream(u64::from(permutation));
             let mut labels = labels.to_vec();
             labels.shuffle(&mut random);
+            // The whole procedure again, leave-one-out included: its optimism is part of what chance gives.
             let left_out = leave_one_out(rows, &labels, params.ridge, progress)?;
             Ok(measured(&labels, &left_out))
         })
         .collect::<Result<_, Stopped>>()?;
     let count = f64::from(params.permutations);
     let at_least = |good: &dyn Fn(&(usize, f64)) -> bool| {
+        // The labels as they are count as one permutation, so that no p-value is zero.
         (1.0 + permuted.iter().filter(|found| good(found)).count() as f64) / (1.0 + count)
     };
     let wrong = |label: bool| {

@@ -141,6 +141,7 @@ impl Features {
         let areas = regular_areas(beat, &rest);
         let values = Weighted::new(&thickening.thickening, &areas);
         let still = STILL_PT.ln();
+        // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();
         let temporal_consistency = patch.map_or(&thickening.temporal_consistency, |patch| {
             &patch.temporal_consistency
@@ -158,6 +159,7 @@ impl Features {
                 Feature::Well => Some(well),
                 Feature::Reach => Some(well + 2.0 * spread),
                 Feature::PatchShare => Some(
+                    // Weighted by detection stability, so that a doubtful patch counts less.
                     (thickening.patches.iter())
                         .fold(0.0, |sum, patch| sum + patch.share * patch.confidence),
                 ),
@@ -231,6 +233,7 @@ fn compactness(patch: &Patch, positions: &[Point3]) -> f64 {
             (0..chain.len()).map(move |i| (at(chain[(i + 1) % chain.len()]) - at(chain[i])).norm())
         })
         .sum();
+    // No patch, or one of a single face along a seam, has no border to be compact against.
     if length > 0.0 {
         (4.0 * PI * patch.area / (length * length)).min(1.0)
     } else {

@@ -25,6 +25,7 @@ pub(super) fn sigmoid(score: f64) -> f64 {
 
 /// 1 / (1 + e^(−s)) and ln(1 + e^s), without overflow.
 fn sigmoid_and_softplus(score: f64) -> (f64, f64) {
+    // Of a negative number, so that no score overflows.
     let e = (-score.abs()).exp();
     let upper = 1.0 / (1.0 + e);
     let sigmoid = if score >= 0.0 { upper } else { e * upper };
@@ -57,6 +58,7 @@ pub(super) fn fit(cases: &[Case<'_>], ridge: f64, start: &[f64]) -> Vec<f64> {
         slopes(cases, ridge, &beta, &probabilities, &mut step, &mut hessian);
         factorise_positive(&mut hessian, size);
         solve_positive(&hessian, &mut step);
+        // Far from the minimum a full Newton step may overshoot, and the loss must not rise.
         let mut share = 1.0;
         let fallen = (0..MAX_HALVINGS).find_map(|_| {
             for ((tried, beta), step) in tried.iter_mut().zip(&beta).zip(&step) {
@@ -115,6 +117,7 @@ fn slopes(
             }
         }
     }
+    // The intercept is free: penalised, it would pull probabilities towards one half.
     for j in 1..size {
         gradient[j] += ridge * beta[j];
         hessian[j * size + j] += ridge;

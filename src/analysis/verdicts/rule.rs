@@ -65,6 +65,7 @@ impl Rule {
     pub fn new(rows: &[&[f64]], abnormal: &[bool], ridge: f64, start: Option<&Self>) -> Self {
         let standard = Standard::new(rows);
         let standardised: Vec<Vec<f64>> = rows.iter().map(|row| standard.of(row)).collect();
+        // Otherwise the more frequent class would be the safer answer, whatever the features say.
         let weights = balanced(abnormal);
         let cases: Vec<Case<'_>> = (standardised.iter().zip(abnormal))
             .map(|(features, &up)| Case {
@@ -159,6 +160,8 @@ pub(super) fn leave_one_out(
     ridge: f64,
     progress: &Progress,
 ) -> Result<LeftOut, Stopped> {
+    // Leaving one out moves the minimum little: started from that of all, Newton's method takes few steps. The
+    // problem is convex, so that the start changes no result but for rounding.
     let whole = Rule::new(rows, abnormal, ridge, None);
     let scores = (0..rows.len())
         .map(|out| {
@@ -167,6 +170,7 @@ pub(super) fn leave_one_out(
             Ok(Rule::new(&others, &labels, ridge, Some(&whole)).score(rows[out]))
         })
         .collect::<Result<Vec<f64>, Stopped>>()?;
+    // Likewise for the calibration. Its scores are leave-one-out scores: those of a fit to itself would be too sure.
     let all = calibrated(&scores, abnormal, &UNCALIBRATED);
     let probabilities = (0..rows.len())
         .map(|out| {

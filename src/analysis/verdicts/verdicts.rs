@@ -106,10 +106,12 @@ pub fn examine(
 ) -> Result<Examined, NotAssessed> {
     let share = wall_volume_ratio(heart.beat, heart.thickening);
     // A wall without volume has no share of it, either.
+    // Muscle is incompressible: a wall that loses volume was not seen, and its thickening is an artefact.
     if share.is_nan() || share < params.min_wall_volume {
         return Err(NotAssessed::WallNotResolved { share });
     }
     let (noise, well) = (heart.thickening.averaged_noise, heart.thickening.well);
+    // With noise this large a normal wall looks uneven and an akinetic one may look normal.
     if SURE * noise > well.max(MIN_THICKENING) {
         return Err(NotAssessed::Noise { noise, well });
     }
@@ -144,6 +146,7 @@ impl<'a> Classified<'a> {
             .map(Vec::as_slice)
             .collect();
         let standard = learnt.map_or_else(
+            // Without a classifier distances between subjects still need a common scale.
             || Standard::new(&assessed),
             |learnt| learnt.rule.standard.clone(),
         );
@@ -161,10 +164,13 @@ impl<'a> Classified<'a> {
 
     fn probability(&self, index: usize, features: &Features) -> f64 {
         let Some(learnt) = self.learnt else {
+            // Without labels nothing can be trained; the akinetic share with a default threshold stands in, and is
+            // called a score.
             let still = features.get(Feature::StillShare).unwrap_or(0.0);
             return sigmoid((still - STILL_LIMIT) / STILL_SCALE);
         };
         match learnt.seen.binary_search(&index) {
+            // A subject in the training set gets the leave-one-out result; the whole classifier has seen its label.
             Ok(place) => learnt.left_out.probabilities[place],
             Err(_) => {
                 let score = learnt.rule.score(&self.cohort.rows[index]);
@@ -202,7 +208,9 @@ impl<'a> Classified<'a> {
 fn failure(features: &Features, extent: Extent) -> Finding {
     let reach = features.get(Feature::Reach).unwrap_or(0.0);
     match extent {
+        // Nothing thickens: there is no remote myocardium that a region could be compared with.
         Extent::HardlyAnywhere => Finding::GlobalFailure,
+        // Before patches: a wall that fails as a whole often has a weakest part, which is no regional finding.
         _ if reach < REGIONAL_REACH => Finding::GlobalFailure,
         Extent::AllButPatches => Finding::Patch,
         Extent::Everywhere => Finding::Elsewhere,

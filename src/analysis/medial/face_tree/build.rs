@@ -19,10 +19,12 @@ impl TreePlan {
             points: &points,
             ..faces
         };
+        // From the leaves up, since what lies around a node is joined from what lies around its parts.
         let mut levels: Vec<Vec<Node>> = Vec::with_capacity(self.levels);
         let mut summaries: Vec<Summary> = Vec::new();
         for level in (1..=self.levels).rev() {
             let nodes = 1 << (2 * level);
+            // So many nodes at least to a thread that they hold as many faces as are worth it.
             let least = WORTH_HANDING * nodes / (self.order.len() + 1);
             let made: Vec<(Summary, Bounds)> = (0..nodes)
                 .into_par_iter()

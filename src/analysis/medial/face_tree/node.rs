@@ -56,6 +56,7 @@ impl Node {
         let direction = |k: usize| Vec4::splat(search.direction[k]);
         let cos = dot(self.axis, [direction(0), direction(1), direction(2)]);
         let limit = search.cos_min_angle * self.cos + search.sin_min_angle * self.sin;
+        // Half-angles beyond the limit would make the comparison of cosines wrong; such a cone is searched.
         let within = self.cos.cmpgt(Vec4::splat(search.cos_min_angle))
             & cos.cmpgt(limit + Vec4::splat(ROUNDING));
         let squared = Vec4::select(within, Vec4::INFINITY, squared);

@@ -83,6 +83,7 @@ impl Halving {
         });
         let axis = (high - low).imax();
         let half = start(self.faces, level + 1, 2 * place + 1) - start(self.faces, level, place);
+        // A half that takes all needs no order; the parts of a tree may be empty.
         if half < part.len() {
             part.select_nth_unstable_by(half, |a, b| {
                 a.1[axis].total_cmp(&b.1[axis]).then(a.0.cmp(&b.0))

@@ -53,6 +53,7 @@ impl System {
                 let far = corners[(k + 2) % 3];
                 let dot = (corners[k] - far).dot(&(corners[(k + 1) % 3] - far));
                 let min_doubled_area = (dot.abs() / MAX_COTANGENT).max(f64::MIN_POSITIVE);
+                // Negative cotangents, of obtuse corners, could make the system indefinite.
                 let cotangent = (dot / doubled_area.max(min_doubled_area)).max(0.0);
                 for &entry in entries {
                     weights[entry as usize] += 0.5 * length * length * cotangent;
@@ -133,12 +134,15 @@ impl System {
     ///
     /// What is missing to the answer is found in 32 bits, as the residual of the start is in 64.
     pub fn solve(&self, field: &[Vector3], found: &mut [Vector3]) {
+        // Relative to the roughness of the field itself, so that smooth surfaces, which have little to lose, are not
+        // solved to excess.
         let goal = TOLERANCE * TOLERANCE * total(&self.residual(field, field));
         let residual = self.residual(field, found);
         let whole = total(&residual);
         if whole <= goal.max(f64::MIN_POSITIVE) {
             return;
         }
+        // Scaled to length 1, residuals of any unit of coordinates fit 32 bits.
         let (goal, unit) = (goal / whole, whole.sqrt());
         let mut residual: Vec<Vec3A> = (residual.iter()).map(|r| in_32_bits(r / unit)).collect();
         let mut direction = residual.clone();
@@ -150,6 +154,7 @@ impl System {
                 break;
             }
             let bend = self.multiply(&direction, &mut image);
+            // Only rounding makes this happen: the direction has no length left.
             if bend <= 0.0 {
                 break;
             }

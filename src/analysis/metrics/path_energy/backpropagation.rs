@@ -14,11 +14,13 @@ pub(super) fn backpropagate(plan: &Plan, state: &PathState, gradients: &mut Grad
         curvature(plan, state, gradients);
         faces::<true>(plan, state, gradients);
     } else {
+        // No curvature: what is known of vertices is the gradient on their areas.
         for (around, &area) in gradients.around.iter_mut().zip(&gradients.vertex_area) {
             *around = [Lanes::default(), area];
         }
         faces::<false>(plan, state, gradients);
     }
+    // Last: areas and angles have by now added to the gradients on squared lengths that it distributes.
     edges(plan, state, gradients);
 }
 

@@ -53,6 +53,7 @@ pub(in crate::analysis::metrics) fn add_faces(
     for (f, (triangle, edges)) in mesh.triangles.iter().zip(&mesh.face_edges).enumerate() {
         let mut carry = 0.0;
         for b in (0..blocks).rev() {
+            // Weights are shares of the area, which differs from pose to pose.
             let weights = Weights::new(state, plan.params.area_weights, b);
             let weight = weights.of(state.face_area.both(f, b));
             let s = three(|e| state.stretch[edges[e] as usize * blocks + b]);
@@ -79,6 +80,8 @@ pub(in crate::analysis::metrics) fn add_faces(
             let mut along_area = [Lanes::default(); 2];
             for side in 0..2 {
                 state.own[b][side] += weight[side] * found[side].energy;
+                // The weight depends on the area of the face itself; its dependence on the whole area is added at the
+                // end.
                 along_area[side] = weights.scale[side] * found[side].energy;
             }
             gradients.face_area[f * blocks + b] = onto_poses(along_area, &mut carry);
@@ -87,6 +90,7 @@ pub(in crate::analysis::metrics) fn add_faces(
                 for side in 0..2 {
                     at[side] += weight[side] * found[side].stretch[c];
                 }
+                // Frozen factors depend on the ends alone and have no gradient.
                 if role == CurvatureRole::StepFactor {
                     let at = &mut gradients.curvature_change[triangle[c] as usize * blocks + b];
                     for side in 0..2 {

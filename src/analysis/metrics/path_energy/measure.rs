@@ -11,6 +11,7 @@ use crate::analysis::metrics::corner::{
 #[inline(always)]
 pub(super) fn measure(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
     sides(plan, state);
+    // Angles cost two arc tangents for each face, and only curvature needs them.
     if plan.needs_curvature() {
         faces::<true>(plan, state);
         curvature(plan, state, gradients);

@@ -16,6 +16,7 @@ pub(in crate::analysis::metrics) fn add_energies(
     state: &mut PathState,
     gradients: &mut Gradients,
 ) {
+    // Taken out, so that the gradients can be written to while it is in use.
     let mut scratch = std::mem::take(&mut gradients.rigid);
     for step in 0..plan.step_count() {
         for side in 0..2 {

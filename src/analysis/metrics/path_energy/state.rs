@@ -110,6 +110,7 @@ impl PathState {
         Self {
             points: Rows::new(3 * vertices, blocks),
             inverse_length2: Rows::new(edges, blocks),
+            // Scale-free corners read stretches only, and rows are the largest arrays here.
             length2: Rows::new(if plan.raw() { edges } else { 0 }, blocks),
             face_area: Rows::new(faces, blocks),
             vertex_area: Rows::new(vertices, blocks),

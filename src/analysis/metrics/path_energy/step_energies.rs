@@ -22,6 +22,7 @@ pub(super) fn add_step_energies(plan: &Plan, state: &mut PathState, gradients: &
     let kind = terms(plan.params.kind);
     kind.add_face_energies(plan, state, gradients);
     vertices(plan, state, gradients);
+    // After `vertices`, which overwrites the gradients that these are added to.
     kind.add_vertex_energies(plan, state, gradients);
     total_area_gradients(plan, state, gradients);
 }
@@ -35,6 +36,7 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
     state.rest.fill([Lanes::default(); 2]);
     for v in 0..plan.mesh.vertex_count {
         let (mut carry_area, mut carry) = (0.0, [0.0; 3]);
+        // From the last block back, since the first step of a block adds to the last pose of the one before.
         for b in (0..blocks).rev() {
             let at = v * blocks + b;
             let areas = state.vertex_area.both(v, b);
