@@ -241,7 +241,7 @@ fn rule_told(verdicts: &Verdicts) -> RuleTold {
         RuleSource::Uncalibrated { normal, abnormal } => format!(
             "Not learnt, uncalibrated: {normal} normal and {abnormal} abnormal hearts with a label can be assessed, \
              and {} of each are needed. A fixed rule stands in: how much of the wall stands still",
-            VerdictParams::default().least_labelled
+            VerdictParams::default().min_labelled
         ),
     };
     let results = match (verdicts.rule, &verdicts.quality) {
