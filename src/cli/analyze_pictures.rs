@@ -63,7 +63,7 @@ impl Pictured {
         Ok(files)
     }
 
-    /// A figure of every heart at end-systole, coloured by the way that each place has come since end-diastole; and
+    /// A figure of every subject at end-systole, coloured by displacement from end-diastole; and
     /// patch figures of hearts with an abnormal patch, as files and as pages.
     fn figures(
         &self,
@@ -156,7 +156,7 @@ impl Pictured {
         let fonts = FigureFonts::load().map_err(CliError::unusable)?;
         let parameters = [
             format!(
-                "Poses were compared by {}.",
+                "Distance between poses: {}.",
                 distance_words(&self.settings.deformations.poses.distances)
             ),
             format!(

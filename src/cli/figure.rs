@@ -121,7 +121,7 @@ fn check_view(args: &FigureArgs, study: &Study, index: usize) -> Result<(), CliE
     ];
     if subject.anatomy.is_none() && args.view.is_some_and(|view| across.contains(&view)) {
         return Err(CliError::Unusable(format!(
-            "the orientation of {} is not known: only the views apex and base can be told",
+            "the orientation of {} is not known: only the views apex and base are available",
             subject.id
         )));
     }
@@ -142,11 +142,13 @@ fn found_wall(
     let outcome = answered(study, request, cache)?;
     match outcome.thickening() {
         Some(found) => Ok(Arc::clone(found)),
-        None => Err(CliError::Unusable("the thickness is missing".to_owned())),
+        None => Err(CliError::Unusable(
+            "the wall thickness is missing".to_owned(),
+        )),
     }
 }
 
-/// What is said of all subjects.
+/// The verdicts of all subjects.
 fn said_of(
     args: &FigureArgs,
     study: &Arc<Study>,

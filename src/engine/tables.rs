@@ -19,11 +19,11 @@ use crate::engine::run::run;
 use crate::engine::settings::{ClassesSettings, DeformationMapSettings, PoseMapParams};
 use crate::engine::verdicts::{VerdictSettings, judged};
 use crate::engine::wall_tables::{Unassessed, WallTables};
-use crate::io::{
-    deformations_csv, distances_csv, frames_csv, medial_map_json, medial_mds_csv, poses_csv,
-    subjects_csv, summary_json, verdicts_csv, verdicts_json,
-};
 use crate::progress::Progress;
+use crate::report::{
+    DeformationRow, FrameRow, MedialPoseRow, PoseRow, SubjectRow, VerdictRow, columns_md, csv,
+    distances_csv, distances_json, medial_map_json, pretty_json, summary_json, verdicts_json,
+};
 use crate::study::Study;
 
 /// Share of the work until poses are mapped; the rest tells deformations apart …
@@ -113,23 +113,30 @@ impl AnalysisTables {
         let checked = (settings.verdicts.verdicts.check()).map_err(AnalysisError::unanswerable)?;
         let verdicts = judged(study, &walls.examined, &checked, &part)?;
         let mut tables = tables(study, &measures, &maps, told.as_ref());
-        tables.push(("verdicts.csv".to_owned(), verdicts_csv(study, &verdicts)));
+        let rows = VerdictRow::of_study(study, &verdicts);
+        tables.push(("verdicts.csv".to_owned(), csv(&rows)));
         let (medial, without_medial) = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
             Ok(map) => (Some(map), None),
             Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
             Err(AnalysisError::Unanswerable(reason)) => (None, Some(reason)),
         };
-        let rows = medial_mds_csv(study, medial.as_ref());
-        tables.push(("medial_mds.csv".to_owned(), rows));
+        let rows = MedialPoseRow::of_map(study, medial.as_ref());
+        tables.push(("medial_mds.csv".to_owned(), csv(&rows)));
         let embeddings: Vec<_> = maps
             .iter()
             .map(|(word, map)| (*word, &map.embedding))
             .collect();
+        let compared = distance_words(&deformations.poses.distances);
+        let metric = distances_json(study, &deformations.poses.distances, &compared);
+        tables.push((
+            "distances.json".to_owned(),
+            pretty_json(&metric).map_err(AnalysisError::unanswerable)?,
+        ));
         let mut summary = summary_json(
             study,
-            &measures,
+            &SubjectRow::of_study(study, &measures),
             &maps[0].1.distances,
-            &distance_words(&deformations.poses.distances),
+            &compared,
             &embeddings,
             told.as_ref().map(|(map, classes)| (&**map, &**classes)),
         );
@@ -168,16 +175,21 @@ impl AnalysisTables {
             .collect();
         files.extend(self.walls.files(folder));
         files.extend(more);
-        let names: Vec<String> = (files.iter())
-            .filter_map(|file| file.path.strip_prefix(folder).ok())
-            .map(|name| name.display().to_string())
-            .collect();
+        let names_of = |files: &[ExportFile]| -> Vec<String> {
+            (files.iter())
+                .filter_map(|file| file.path.strip_prefix(folder).ok())
+                .map(|name| name.display().to_string())
+                .collect()
+        };
+        let tables = names_of(&files);
+        let columns = columns_md(&tables.iter().map(String::as_str).collect::<Vec<_>>());
+        files.push(ExportFile::text(folder, "columns.md", columns));
+        let names = names_of(&files);
         if let Value::Object(object) = &mut self.summary {
             object.insert("files".to_owned(), json!(names));
         }
-        let text =
-            serde_json::to_string_pretty(&self.summary).map_err(|error| error.to_string())?;
-        files.push(ExportFile::text(folder, "summary.json", text + "\n"));
+        let text = pretty_json(&self.summary).map_err(|error| error.to_string())?;
+        files.push(ExportFile::text(folder, "summary.json", text));
         Ok((files, self.summary))
     }
 }
@@ -223,23 +235,25 @@ fn tables(
     told: Option<&(Arc<DeformationMap>, Arc<Classes>)>,
 ) -> Vec<(String, String)> {
     let distances = &maps[0].1.distances;
-    // `measures.csv` is what `subjects.csv` is to `measure`: one table, under the name that a whole
-    // analysis promises beside it.
-    let subjects = subjects_csv(study, measures);
+    // One table under two names: scripts of the first release read `measures.csv`.
+    let subjects = csv(&SubjectRow::of_study(study, measures));
     let mut tables = vec![
-        ("frames.csv".to_owned(), frames_csv(study, measures)),
+        (
+            "frames.csv".to_owned(),
+            csv(&FrameRow::of_study(study, measures)),
+        ),
         ("subjects.csv".to_owned(), subjects.clone()),
         ("measures.csv".to_owned(), subjects),
         ("distances.csv".to_owned(), distances_csv(study, distances)),
     ];
     for (word, map) in maps {
-        let table = poses_csv(study, &distances.poses, &map.embedding);
-        tables.push((format!("poses_{word}.csv"), table));
+        let rows = PoseRow::of_map(study, &distances.poses, &map.embedding);
+        tables.push((format!("poses_{word}.csv"), csv(&rows)));
     }
     if let Some((map, _)) = told {
         tables.push((
             "deformations_lle.csv".to_owned(),
-            deformations_csv(study, map),
+            csv(&DeformationRow::of_map(study, map)),
         ));
     }
     tables

@@ -85,7 +85,7 @@ pub fn read_mesh_with_siblings(
     let mut file = read_as(format, bytes, limits, sibling).map_err(on_one_line)?;
     if ending.is_some_and(|ending| ending != format) {
         file.notices.push(Notice::info(format!(
-            "read as {}, which its content is, against its ending",
+            "read as {} by its content, against its file name extension",
             format.name()
         )));
     }

@@ -21,7 +21,7 @@ pub enum ReadMeshError {
     #[error("not a mesh format that can be read (OBJ, PLY, STL, VTK, VTP, glTF, GLB, CSV)")]
     UnknownFormat,
     /// The file is larger than the limit.
-    #[error("{size} bytes; at most {most} are read")]
+    #[error("{size} bytes; the limit is {most}")]
     TooLarge {
         /// Its size.
         size: u64,
@@ -29,7 +29,7 @@ pub enum ReadMeshError {
         most: u64,
     },
     /// It declares or holds more items than the limit.
-    #[error("{count} {what}; at most {most} are read")]
+    #[error("{count} {what}; the limit is {most}")]
     TooMany {
         /// `vertices`, `faces`, …
         what: &'static str,

@@ -48,7 +48,7 @@ pub enum WriteStudyError {
     #[error(transparent)]
     Stopped(#[from] Stopped),
     /// A file would be taken for one of the study's when it is read again.
-    #[error("it would be read as a frame of {subject}; choose an empty folder: {}", path.display())]
+    #[error("this file would be read as a frame of {subject}; choose an empty folder: {}", path.display())]
     InTheWay {
         /// The subject.
         subject: String,

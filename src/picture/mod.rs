@@ -10,6 +10,8 @@ mod heart_frame;
 mod legend;
 mod limits;
 mod medial;
+mod medial_noise_plot;
+mod noise_plot;
 mod numbers;
 mod openings;
 pub mod page;
@@ -35,6 +37,8 @@ pub use heart_frame::HeartFrame;
 pub use legend::{ColourLegend, Tick};
 pub use limits::{CohortLimits, reference_frame};
 pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPart, facing_patch};
+pub use medial_noise_plot::medial_noise_page;
+pub use noise_plot::noise_page;
 pub use numbers::{HeartNumbers, relative_density};
 pub use patch_words::{
     PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,

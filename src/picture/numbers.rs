@@ -200,7 +200,10 @@ mod tests {
         };
         let drawn = scene(Some(&numbers));
         let legend = drawn.legend.unwrap();
-        assert_eq!(legend.heading(), "Difference, × mean");
+        assert_eq!(
+            legend.heading(),
+            "Contribution to the distance, relative to the mean"
+        );
         assert!(legend.above, "vertex numbers go beyond four");
         let SurfaceColour::Scalars { scalars, .. } = &drawn.scene.surfaces[0].colour else {
             panic!("the inner side carries the numbers");

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
-    /// The colour of tissue; no number.
+    /// Colour of tissue; no number.
     #[default]
     Tissue,
     /// Distance from the vertex's place at end-diastole.
@@ -40,8 +40,8 @@ impl Quantity {
             Self::Displacement => "Displacement",
             Self::AreaRatio => "Area ratio",
             Self::ThicknessRatio => "Thickness ratio",
-            Self::Contribution => "Difference to the other heart",
-            Self::CarriedDistance => "Distance from its own beat",
+            Self::Contribution => "Contribution to the distance",
+            Self::CarriedDistance => "Difference from the subject's own motion",
         }
     }
 

@@ -22,7 +22,7 @@ use crate::study::SurfaceKind;
 /// How a heart is drawn.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SceneSettings {
-    /// What colours stand for.
+    /// Quantity shown in colour.
     pub quantity: Quantity,
     /// The study's fixed ranges.
     pub cohort_limits: CohortLimits,
@@ -220,7 +220,7 @@ fn limits(settings: &SceneSettings) -> ColourLimits {
 
 fn limits_note(settings: &SceneSettings) -> &'static str {
     match (settings.typed_limits, settings.quantity) {
-        (Some(_), _) => "limits typed",
+        (Some(_), _) => "limits set by the user",
         (None, Quantity::AreaRatio | Quantity::ThicknessRatio) => "fixed limits, log scale",
         (None, Quantity::Contribution) => "fixed limits, at the nearest frames",
         (None, _) => "one range for the cohort",
@@ -365,7 +365,7 @@ mod tests {
         };
         let legend = subject_scene(&heart(), &settings, pose).legend.unwrap();
         assert_eq!(legend.limits.high, 2.5);
-        assert_eq!(legend.note, "limits typed");
+        assert_eq!(legend.note, "limits set by the user");
         assert!(legend.above && !legend.below);
     }
 }

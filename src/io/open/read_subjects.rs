@@ -166,7 +166,7 @@ fn join_surface(
         && let Some((seconds, unit)) = times_in_seconds(&times.0)
     {
         notices.push(Notice::info(format!(
-            "times of the series file taken as {unit}, because they end at {}",
+            "times of the series file assumed to be in {unit}, because they end at {}",
             times.0.last().copied().unwrap_or_default()
         )));
         times_s = Some(seconds);
@@ -204,7 +204,7 @@ fn kind_of(plan: KindPlan, frames: &[TriMesh]) -> (SurfaceKind, Option<Notice>) 
             (kind, Some(notice))
         }
         (KindPlan::Ventricle | KindPlan::Unnamed, _) => {
-            let text = "nothing says which part of a heart this is: it has no blood or muscle volume (names with endo, epi, wall or cavity say so, or a study.toml)";
+            let text = "surface not identified: no blood or muscle volume (file names with endo, epi, wall or cavity identify it, or a study.toml)";
             (SurfaceKind::Other, Some(Notice::info(text)))
         }
     }
@@ -229,7 +229,7 @@ fn with_facts(
                 ..anatomy
             });
             notices.push(Notice::info(format!(
-                "coordinates multiplied by {factor} to make them mm, as study.toml states their unit"
+                "coordinates multiplied by {factor} to convert them to mm (unit in study.toml)"
             )));
             scaled(sequence, factor)
         }
@@ -261,14 +261,14 @@ fn usable_times(
     let times = times?;
     if times.len() != frame_count {
         notices.push(Notice::warning(format!(
-            "{} times for {frame_count} frames: times are left out",
+            "{} times for {frame_count} frames: times are ignored",
             times.len()
         )));
         return None;
     }
     if times.windows(2).any(|pair| pair[0] >= pair[1]) {
         notices.push(Notice::warning(
-            "times of the frames do not ascend: they are left out",
+            "times of the frames do not increase: they are ignored",
         ));
         return None;
     }

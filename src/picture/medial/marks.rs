@@ -40,7 +40,7 @@ pub(in crate::picture) fn atom_legend(
     settings: &SceneSettings,
 ) -> Option<ColourLegend> {
     let note = if settings.medial.limits.is_some() {
-        "limits typed"
+        "limits set by the user"
     } else {
         "fixed limits, log scale"
     };

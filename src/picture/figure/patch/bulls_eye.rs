@@ -17,7 +17,7 @@ const BETWEEN: [f32; 3] = [0.09, 0.10, 0.12];
 const NO_VALUE: [u8; 3] = [0x80, 0x85, 0x8c];
 /// Borders of patches: seen on pale and on deep colours, above a dark line.
 const BORDER: [f32; 3] = [1.0, 0.82, 0.40];
-/// And of places that only thicken little.
+/// And of regions of low thickening without a verdict of a patch.
 const FAINT: [f32; 3] = [0.78, 0.80, 0.83];
 /// Walls by their angle, from the right against the clock.
 const WALLS: [(f64, &str); 6] = [
@@ -136,7 +136,7 @@ pub(super) fn draw_bulls_eye(
 
 fn title(content: &PatchContent) -> String {
     let title = sentence(&content.scale.title(&content.heart.moment));
-    format!("{title} (grey: none told)")
+    format!("{title} (grey: no value)")
 }
 
 /// The colours with numbers.

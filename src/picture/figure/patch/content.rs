@@ -1,4 +1,4 @@
-//! What a patch figure says: numbers and words, ready to be laid out.
+//! The content of a patch figure: numbers and words, ready for the layout.
 
 use crate::analysis::thickening::Patch;
 use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
@@ -8,29 +8,31 @@ use crate::picture::figure::content::FigureContent;
 use crate::picture::figure::patch::make::PatchOrder;
 use crate::picture::page::FigureSettings;
 use crate::picture::patch_words::{
-    PatchStanding, area_text, extent_words, percent, probability_words, segment_words, sentence,
+    PatchStanding, extent_words, percent, probability_words, segment_words, sentence,
     smallest_words,
 };
 use crate::picture::quantity::Quantity;
+use crate::report::{Column, PatchRow};
+use crate::study::Subject;
 
 /// Patches in the table; more are counted below it.
 const MOST_ROWS: usize = 4;
 /// Segments without this many words say that the orientation is not known.
 const NO_SEGMENTS: &str = "orientation not known";
 
-/// What is said above a patch figure.
+/// The verdict above a patch figure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VerdictLines {
     /// "Abnormal patch"; "Not assessed".
     pub heading: String,
-    /// Whether the heading names something ill.
+    /// Whether the heading names something abnormal.
     pub abnormal: bool,
-    /// Probability and where it comes from, or why nothing is said.
+    /// Probability and where it comes from, or why there is none.
     pub evidence: String,
 }
 
 impl VerdictLines {
-    /// What is said of a subject; with `None` for verdicts, what thickening alone tells.
+    /// Of one subject; with `None` for verdicts, thickening alone.
     pub fn of(found: &SubjectThickening, verdicts: Option<&Verdicts>, subject: usize) -> Self {
         let told = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
         match told {
@@ -69,22 +71,22 @@ impl VerdictLines {
 fn evidence(verdicts: &Verdicts, probability: f64) -> String {
     match verdicts.rule {
         RuleSource::Uncalibrated { normal, abnormal } => format!(
-            "By a rule fixed beforehand, since only {normal} normal and {abnormal} abnormal hearts with a label \
-             could be assessed: no probability"
+            "Default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a label can be \
+             assessed: no probability"
         ),
         RuleSource::Cohort { normal, abnormal } => {
             let mut words = format!(
-                "Probability of being abnormal {}, by a rule learnt without this heart from {normal} normal and \
-                 {abnormal} abnormal ones",
+                "Predicted probability of abnormal {}, leave-one-out (this subject is not in the training set of \
+                 {normal} normal and {abnormal} abnormal subjects)",
                 probability_words(probability)
             );
             if let Some(quality) = &verdicts.quality {
-                let told = quality.accuracy;
+                let accuracy = quality.accuracy;
                 words += &format!(
-                    "; with each heart left out it is right in {} of {}, by chance in {:.0} %",
-                    told.correct,
-                    told.of,
-                    100.0 * told.baseline
+                    "; accuracy (leave-one-out) {} of {}, permutation mean {}",
+                    accuracy.correct,
+                    accuracy.of,
+                    percent(accuracy.baseline)
                 );
             }
             words
@@ -92,10 +94,18 @@ fn evidence(verdicts: &Verdicts, probability: f64) -> String {
     }
 }
 
+/// The columns of numbers in the table.
+pub const PATCH_COLUMNS: [Column<PatchRow>; 4] = [
+    PatchRow::AREA_CM2,
+    PatchRow::SHARE,
+    PatchRow::THICKNESS_RATIO,
+    PatchRow::STABILITY,
+];
+
 /// One patch in the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatchLine {
-    /// Area, share of the LV, PT, confidence, as texts.
+    /// Its numbers with units, by [`PATCH_COLUMNS`].
     pub cells: [String; 4],
     /// Where it lies.
     pub segments: String,
@@ -106,7 +116,7 @@ pub struct PatchLine {
 pub struct PatchContent {
     /// Name, moment, volumes, legend, cube.
     pub heart: FigureContent,
-    /// What is said of it.
+    /// Its verdict.
     pub verdict: VerdictLines,
     /// What its patches may be called.
     pub standing: PatchStanding,
@@ -118,7 +128,7 @@ pub struct PatchContent {
     pub scale: BullsEyeScale,
     /// Patches, largest first.
     pub rows: Vec<PatchLine>,
-    /// Said in place of rows, or below them.
+    /// A sentence in place of rows, or below them.
     pub note: String,
     /// How it was made.
     pub parameters: String,
@@ -148,14 +158,13 @@ impl PatchContent {
         });
         let rows: Vec<PatchLine> = (told.patches.iter())
             .filter(|_| assessed)
+            .enumerate()
             .take(MOST_ROWS)
-            .map(|patch| line(found, patch))
+            .map(|(index, patch)| line(found, subject, index, patch))
             .collect();
         let more = told.patches.len().saturating_sub(rows.len());
         let note = match (assessed, more) {
-            (false, _) => {
-                "What is found in a wall that is not resolved may be blur or noise".to_owned()
-            }
+            (false, _) => "Regions in a wall that is not resolved may be blur or noise".to_owned(),
             (true, 0) => said(&[extent_words(told), smallest_words(told)]),
             (true, more) => said(&[
                 extent_words(told),
@@ -166,7 +175,7 @@ impl PatchContent {
         Self {
             without_flat: found.without_axis.clone().unwrap_or_default(),
             parameters: format!(
-                "Medial surface {}. Tolerance used ± {:.3} ln PT, noise of one atom {:.3} ln r",
+                "Medial surface {}. Tolerance ± {:.3} ln PT, noise of one atom {:.3} ln r",
                 thickening_words(&figure.thickening),
                 told.tolerance,
                 told.noise
@@ -190,19 +199,17 @@ fn said(parts: &[String]) -> String {
     told.join(". ")
 }
 
-fn line(found: &SubjectThickening, patch: &Patch) -> PatchLine {
+fn line(found: &SubjectThickening, subject: &Subject, index: usize, patch: &Patch) -> PatchLine {
     let segments = match (patch.segments.is_empty(), &found.without_axis) {
         (false, _) => segment_words(patch),
         (true, Some(why)) => why.clone(),
         (true, None) => NO_SEGMENTS.to_owned(),
     };
+    let row = PatchRow::new(&subject.id, subject.unit, index, patch);
     PatchLine {
-        cells: [
-            patch.area_cm2.map_or_else(|| "–".to_owned(), area_text),
-            percent(patch.share),
-            format!("{:.2} ×", patch.thickening.exp()),
-            percent(patch.confidence),
-        ],
+        cells: PATCH_COLUMNS
+            .each_ref()
+            .map(|column| column.shown_with_unit(&row, subject.unit)),
         segments,
     }
 }
@@ -215,12 +222,11 @@ pub fn patch_settings(content: &PatchContent) -> FigureSettings {
         ("Parameters", content.parameters.clone()),
     ];
     for row in &content.rows {
-        let [area, share, ratio, confidence] = &row.cells;
-        let words = format!(
-            "{area}, {share} of the LV, PT {ratio}, confidence {confidence}, {}",
-            row.segments
-        );
-        settings.push(("Patch", words));
+        let cells = PATCH_COLUMNS.iter().zip(&row.cells);
+        let words: Vec<String> = (cells.map(|(column, cell)| format!("{} {cell}", column.heading)))
+            .chain([row.segments.clone()])
+            .collect();
+        settings.push(("Patch", words.join(", ")));
     }
     settings
 }

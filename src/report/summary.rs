@@ -2,44 +2,20 @@
 
 use serde_json::{Value, json};
 
-use super::report_csv::phase_source;
+use super::measures::{SubjectRow, subjects_json};
 use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
-use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::medial_map::MedialMap;
 use crate::analysis::pose_distances::PoseDistances;
 use crate::study::{LabelRole, Study};
 
-/// Measures of every subject as a list, with the names of the columns of `subjects.csv`.
-pub fn subjects_json(study: &Study, measures: &[SubjectMeasures]) -> Value {
-    let rows = study
-        .subjects
-        .iter()
-        .zip(measures)
-        .map(|(subject, measured)| {
-            json!({
-                "id": subject.id,
-                "label": subject.label,
-                "end_diastole": measured.end_diastole,
-                "end_systole": measured.end_systole,
-                "edv": measured.edv,
-                "esv": measured.esv,
-                "sv": measured.sv,
-                "ef": measured.ef,
-                "mass_g": measured.mass.map(|mass| mass.0),
-                "volume_unit": measured.unit.volume_symbol(),
-                "phase_source": phase_source(measured.phase_source),
-            })
-        });
-    Value::Array(rows.collect())
-}
-
-/// What an analysis found. `maps` holds each map with the word for its method; `metric` says in
-/// words how poses were compared. `deformations` are the map of whole deformations and what is said
-/// of classes by it, where there is one.
+/// The results of an analysis. `maps` holds each map with the word for its method; `metric` says in
+/// words how poses are compared. `deformations` are the map of deformations and the classification on
+/// it, where there is one.
 pub fn summary_json(
     study: &Study,
-    measures: &[SubjectMeasures],
+    subjects: &[SubjectRow],
     distances: &PoseDistances,
     metric: &str,
     maps: &[(&str, &Embedding)],
@@ -82,7 +58,7 @@ pub fn summary_json(
             "abnormal": count(LabelRole::Abnormal),
             "other": count(LabelRole::Unknown),
         },
-        "subjects": subjects_json(study, measures),
+        "subjects": subjects_json(subjects),
         "poses": distances.poses.len(),
         "metric": metric,
         "left_out": left_out,
@@ -95,8 +71,35 @@ pub fn summary_json(
     summary
 }
 
-/// How the map of whole deformations was made, and how well it keeps what it should.
-pub fn deformations_json(map: &DeformationMap) -> Value {
+/// The map of medial poses: its stress, in which axes subjects are compared, and who is not on it; without a map, why.
+pub fn medial_map_json(study: &Study, map: Option<&MedialMap>, without: Option<&str>) -> Value {
+    let Some(map) = map else {
+        return json!({ "reason": without });
+    };
+    let id = |subject: usize| study.subjects.get(subject).map(|subject| &subject.id);
+    let paths: Vec<Value> = (map.spreads.iter())
+        .map(|spread| {
+            json!({
+                "subject": id(spread.subject),
+                "patch": spread.part.patch(),
+                "mean_distance": spread.mean_distance,
+            })
+        })
+        .collect();
+    let left_out: Vec<Value> = (map.left_out.iter())
+        .map(|(subject, reason)| json!({ "subject": id(*subject), "reason": reason }))
+        .collect();
+    json!({
+        "poses": map.poses.len(),
+        "stress": map.embedding.stress,
+        "frame": map.frame.words(),
+        "paths": paths,
+        "left_out": left_out,
+    })
+}
+
+/// How the map of deformations is made, and its reconstruction error.
+fn deformations_json(map: &DeformationMap) -> Value {
     json!({
         "count": map.subjects.len(),
         "time_weight": map.time_weight,
@@ -107,9 +110,9 @@ pub fn deformations_json(map: &DeformationMap) -> Value {
     })
 }
 
-/// How well classes are told apart; beside every share of right answers the one that permuted
-/// labels give. `null` where fewer than two classes have labels.
-pub fn classification_json(classes: &Classes) -> Value {
+/// Accuracies of the classifiers (leave-one-out), each beside its permutation mean. `null` where fewer than
+/// two classes have labels.
+fn classification_json(classes: &Classes) -> Value {
     let counts: serde_json::Map<String, Value> = (classes.names.iter().enumerate())
         .map(|(class, name)| {
             let of_class = classes.of_row.iter().filter(|row| **row == Some(class));
