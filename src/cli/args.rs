@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
 use crate::cli::experiment_args::ExperimentCommand;
@@ -12,7 +13,8 @@ use crate::cli::medial::MedialArgs;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
-use crate::cli::words::{AlignWord, DemoFormat, EmbedInput, EmbedMethod, GeodesicsWord, Switch};
+use crate::cli::words::{AlignWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch};
+use crate::io::MeshFormat;
 
 /// Analyses the motion of the left ventricle: moving meshes in 3D, maps of poses, measures and figures.
 ///
@@ -72,8 +74,8 @@ pub struct DemoArgs {
     #[arg(long, default_value_t = 2009)]
     pub seed: u64,
     /// Format of the meshes
-    #[arg(long, value_enum, default_value_t = DemoFormat::Ply)]
-    pub format: DemoFormat,
+    #[arg(long, value_parser = mesh_format(), default_value = "ply")]
+    pub format: MeshFormat,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -241,6 +243,14 @@ pub struct EmbedArgs {
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
+}
+
+/// Extensions of formats that meshes are written in, each with its description.
+fn mesh_format() -> impl TypedValueParser<Value = MeshFormat> {
+    let word =
+        |format: MeshFormat| PossibleValue::new(format.extension()).help(format.description());
+    let words = PossibleValuesParser::new(MeshFormat::all().map(word));
+    words.try_map(|word| MeshFormat::of_extension(&word).ok_or("no format of meshes"))
 }
 
 /// What the command line asks for.

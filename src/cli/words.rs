@@ -5,19 +5,7 @@ use clap::ValueEnum;
 use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, MetricKind, Regulariser};
 use crate::analysis::transport::Geodesics;
-use crate::io::MeshFormat;
 use crate::picture::{AnatomicalView, PictureTheme, Quantity};
-
-/// Formats of `demo`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum DemoFormat {
-    /// Polygon file format, binary
-    Ply,
-    /// Wavefront
-    Obj,
-    /// VTK XML
-    Vtp,
-}
 
 /// Words of `--metric`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -202,16 +190,6 @@ impl From<ViewWord> for AnatomicalView {
             ViewWord::Lateral => Self::Lateral,
             ViewWord::Apex => Self::Apex,
             ViewWord::Base => Self::Base,
-        }
-    }
-}
-
-impl From<DemoFormat> for MeshFormat {
-    fn from(word: DemoFormat) -> Self {
-        match word {
-            DemoFormat::Ply => Self::Ply,
-            DemoFormat::Obj => Self::Obj,
-            DemoFormat::Vtp => Self::Vtp,
         }
     }
 }

@@ -17,9 +17,12 @@ pub struct MeshFile {
 /// Why a mesh file cannot be read; shown after the file's name.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReadMeshError {
-    /// The ending and the first bytes fit no format.
-    #[error("not a mesh format that can be read (OBJ, PLY, STL, VTK, VTP, glTF, GLB, CSV)")]
-    UnknownFormat,
+    /// Neither the extension nor the first bytes fit a format.
+    #[error("not a mesh format that can be read ({known})")]
+    UnknownFormat {
+        /// Names of those that can.
+        known: String,
+    },
     /// The file is larger than the limit.
     #[error("{size} bytes; the limit is {most}")]
     TooLarge {

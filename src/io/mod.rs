@@ -3,6 +3,7 @@
 mod binary_cursor;
 mod csv_mesh;
 mod detect;
+mod formats;
 mod gltf_file;
 mod limits;
 mod mesh_draft;
@@ -19,7 +20,8 @@ mod vtk_legacy;
 mod vtp;
 mod write_study;
 
-pub use detect::{mesh_file_endings, read_mesh, read_mesh_with_siblings};
+pub use detect::{read_mesh, read_mesh_with_siblings};
+pub use formats::{MeshFormat, mesh_file_endings, mesh_format_names, openable_extensions};
 pub use limits::Limits;
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
@@ -27,4 +29,4 @@ pub use open::{looks_openable, open_paths, read_head};
 pub use opened::{OpenError, Opened};
 pub use ply::write_ply;
 pub use vtp::{write_pvd, write_vtp};
-pub use write_study::{MeshFormat, WriteStudyError, write_study};
+pub use write_study::{WriteStudyError, write_study};

@@ -274,7 +274,8 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
         subjects: hearts,
         ..Study::default()
     };
-    write_study(&study, folder.path(), MeshFormat::Ply, &Progress::default()).unwrap();
+    let format = MeshFormat::of_extension("ply").unwrap();
+    write_study(&study, folder.path(), format, &Progress::default()).unwrap();
     let mut harness = window(AppOptions::opening(vec![folder.path().to_owned()]));
     wait(&mut harness, "verdicts", |app| {
         matches!(app.state().verdicts(), Some((_, true)))
