@@ -21,6 +21,7 @@ mod quantity;
 pub mod report;
 mod scale_bar;
 mod scene;
+mod scene_settings;
 mod ticks;
 mod tokens;
 mod wall_rim;
@@ -47,6 +48,7 @@ pub use patch_words::{
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;
-pub use scene::{HeartExtras, HeartScene, SceneSettings, heart_scene, subject_scene};
+pub use scene::{HeartExtras, HeartScene, heart_scene, subject_scene};
+pub use scene_settings::SceneSettings;
 pub use ticks::{logarithmic_ticks, nice_ceiling, nice_floor, nice_ticks, tick_text};
 pub use tokens::{PictureTheme, srgb};

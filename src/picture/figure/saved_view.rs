@@ -8,7 +8,7 @@ use crate::picture::bulls_eye::BullsEyeQuantity;
 use crate::picture::heart_frame::HeartFrame;
 use crate::picture::medial::WallPart;
 use crate::picture::quantity::Quantity;
-use crate::picture::scene::SceneSettings;
+use crate::picture::scene_settings::SceneSettings;
 use crate::render::{Camera, Shading};
 use crate::study::{Study, Subject};
 

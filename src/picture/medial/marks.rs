@@ -10,7 +10,7 @@ use crate::picture::legend::{ColourLegend, colour_map};
 use crate::picture::limits::THICKNESS_RATIO;
 use crate::picture::prepared::{PreparedSubject, SurfaceRole};
 use crate::picture::quantity::Quantity;
-use crate::picture::scene::SceneSettings;
+use crate::picture::scene_settings::SceneSettings;
 use crate::render::{
     ColourLimits, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface, SurfaceColour,
 };

@@ -5,7 +5,7 @@ use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
 use crate::engine::{SubjectThickening, thickening_words};
 use crate::picture::bulls_eye::{BullsEyeScale, FlatValues, FlatWall};
 use crate::picture::figure::content::FigureContent;
-use crate::picture::figure::patch::make::PatchOrder;
+use crate::picture::figure::patch::order::PatchOrder;
 use crate::picture::page::FigureSettings;
 use crate::picture::patch_words::{
     PatchStanding, extent_words, percent, probability_words, segment_words, sentence,
