@@ -123,7 +123,7 @@ impl Pictured {
 
     fn end_systole(&self, index: usize) -> usize {
         let subject = &self.study.subjects[index];
-        let measured = self.measures.get(index).and_then(|told| told.end_systole);
+        let measured = self.measures.get(index).and_then(|row| row.end_systole);
         let last = subject.sequence.frame_count() - 1;
         measured.or(subject.end_systole).unwrap_or(last).min(last)
     }
@@ -135,8 +135,8 @@ impl Pictured {
         cache: &Cache,
         progress: &Progress,
     ) -> Result<Option<Arc<SubjectThickening>>, CliError> {
-        let told = self.verdicts.subjects.get(subject);
-        if !matches!(told, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
+        let assessed = self.verdicts.subjects.get(subject);
+        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
             return Ok(None);
         }
         let request = AnalysisRequest::Thickening {

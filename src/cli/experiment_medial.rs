@@ -2,7 +2,7 @@
 
 use crate::analysis::experiments::{
     LocalisationParams, LocalisationRow, MeanAndError, MedialNoiseParams, MedialNoiseResult,
-    localisation, noise_medial as told_apart,
+    localisation, noise_medial as medial_noise,
 };
 use crate::cli::experiment_args::NoiseMedialArgs;
 use crate::cli::experiment_files::{figure_file, summary_file};
@@ -29,7 +29,7 @@ pub(super) fn noise_medial(args: &NoiseMedialArgs) -> Result<(), CliError> {
     };
     let result = run_work(move |progress| {
         progress.begin_phase("classifying noisy medial surfaces", 0.0, 1.0);
-        told_apart(&params, progress)
+        medial_noise(&params, progress)
     })?;
     let rows = run_work(move |progress| {
         progress.begin_phase("detecting patches", 0.0, 1.0);
@@ -83,7 +83,7 @@ fn noise_lines(result: &MedialNoiseResult) -> impl Iterator<Item = String> {
 
 fn place_lines(rows: &[LocalisationRow]) -> impl Iterator<Item = String> {
     let head = "\n| patches | noise | detected, % | false positives | Dice | centroid, mm | segments, % | main segment, % |\n|---|---|---|---|---|---|---|---|";
-    let told = |value: Option<MeanAndError>, scale: f64, digits: usize| {
+    let shown = |value: Option<MeanAndError>, scale: f64, digits: usize| {
         value.map_or_else(String::new, |(mean, error)| {
             format!("{:.digits$} ± {:.digits$}", scale * mean, scale * error)
         })
@@ -99,12 +99,12 @@ fn place_lines(rows: &[LocalisationRow]) -> impl Iterator<Item = String> {
         };
         format!(
             "| {patches} | {noise} | {} | {} | {} | {} | {} | {} |",
-            told(row.found, 100.0, 0),
-            told(Some(row.false_patches), 1.0, 2),
-            told(row.dice, 1.0, 2),
-            told(row.centroid_mm, 1.0, 1),
-            told(row.segments, 100.0, 0),
-            told(row.main_segment, 100.0, 0),
+            shown(row.found, 100.0, 0),
+            shown(Some(row.false_patches), 1.0, 2),
+            shown(row.dice, 1.0, 2),
+            shown(row.centroid_mm, 1.0, 1),
+            shown(row.segments, 100.0, 0),
+            shown(row.main_segment, 100.0, 0),
         )
     });
     std::iter::once(head.to_owned()).chain(lines)

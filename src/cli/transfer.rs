@@ -72,7 +72,7 @@ fn only_subject(path: &Path) -> Result<Arc<Subject>, CliError> {
     }
 }
 
-/// The vertices to carry onto: of a mesh file, or of the first frame of a folder's only subject.
+/// The vertices to transport onto: of a mesh file, or of the first frame of a folder's only subject.
 fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
     let (points, found) = if path.is_dir() {
         let sequence = &only_subject(path)?.sequence;

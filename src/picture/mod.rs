@@ -28,7 +28,7 @@ mod wall_rim;
 
 pub use axes::{AnatomicalView, CubeFace, HeartAxes};
 pub use bulls_eye::{
-    BullsEyeQuantity, BullsEyeScale, FlatValues, FlatWall, ink_on, sector_line, sector_outline,
+    BullsEyeQuantity, BullsEyeScale, PolarMap, PolarValues, ink_on, sector_line, sector_outline,
     sector_strip,
 };
 pub use colour_map::ColourMap;
@@ -40,7 +40,7 @@ pub use limits::{CohortLimits, reference_frame};
 pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPart, facing_patch};
 pub use medial_noise_plot::medial_noise_page;
 pub use noise_plot::noise_page;
-pub use numbers::{HeartNumbers, relative_density};
+pub use numbers::{SurfaceScalars, relative_density};
 pub use patch_words::{
     PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,
     sentence, smallest_words,

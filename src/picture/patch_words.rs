@@ -15,11 +15,11 @@ const LEAST_OF_PATCH: f64 = 0.05;
 pub enum PatchStanding {
     /// There is no verdict yet.
     #[default]
-    Untold,
+    NoVerdict,
     /// The verdict on the heart is an abnormal patch.
     Abnormal,
     /// It is something else: they are regions of low thickening.
-    ThickensLittle,
+    LowThickening,
 }
 
 impl PatchStanding {
@@ -27,25 +27,25 @@ impl PatchStanding {
     /// heart has one.
     pub fn of(verdict: Option<&Result<Verdict, NotAssessed>>) -> Self {
         match verdict {
-            None => Self::Untold,
+            None => Self::NoVerdict,
             Some(Ok(verdict)) if verdict.finding == Finding::Patch => Self::Abnormal,
-            Some(_) => Self::ThickensLittle,
+            Some(_) => Self::LowThickening,
         }
     }
 
     /// How the borders of these parts are drawn.
     pub fn look(self) -> PatchLook {
         match self {
-            Self::ThickensLittle => PatchLook::Faint,
-            Self::Untold | Self::Abnormal => PatchLook::Found,
+            Self::LowThickening => PatchLook::Faint,
+            Self::NoVerdict | Self::Abnormal => PatchLook::Found,
         }
     }
 
     /// What one of them is called.
     pub fn part(self) -> &'static str {
         match self {
-            Self::Untold | Self::Abnormal => "Patch",
-            Self::ThickensLittle => "Region",
+            Self::NoVerdict | Self::Abnormal => "Patch",
+            Self::LowThickening => "Region",
         }
     }
 }
@@ -58,9 +58,9 @@ pub fn patch_heading(found: &Thickening, standing: PatchStanding) -> String {
         (_, patches) => {
             let share: f64 = patches.iter().map(|patch| patch.share).sum();
             let [one, more] = match standing {
-                PatchStanding::Untold => ["patch", "patches"],
+                PatchStanding::NoVerdict => ["patch", "patches"],
                 PatchStanding::Abnormal => ["abnormal patch", "abnormal patches"],
-                PatchStanding::ThickensLittle => {
+                PatchStanding::LowThickening => {
                     ["region of low thickening", "regions of low thickening"]
                 }
             };
@@ -108,8 +108,8 @@ pub fn extent_words(found: &Thickening) -> String {
 /// anteroseptal, apical septal and inferior, apex".
 pub fn segment_words(patch: &Patch) -> String {
     let mut walls: Vec<(&str, Vec<Level>)> = Vec::new();
-    let told = (patch.segments.iter()).filter(|part| part.of_patch >= LEAST_OF_PATCH);
-    for part in told {
+    let named = (patch.segments.iter()).filter(|part| part.of_patch >= LEAST_OF_PATCH);
+    for part in named {
         let wall = wall_of(part.segment);
         let level = part.segment.level();
         match walls.iter_mut().find(|(other, _)| *other == wall) {

@@ -13,11 +13,11 @@ pub enum Quantity {
     Displacement,
     /// Area around the vertex relative to end-diastole; 1 is unchanged.
     AreaRatio,
-    /// PT: thickness of the wall relative to end-diastole, told by its medial surface; 1 is unchanged.
+    /// PT: thickness of the wall relative to end-diastole, from its medial surface; 1 is unchanged.
     ThicknessRatio,
     /// Share in the squared distance of the two poses side by side, per area, relative to the mean.
     Contribution,
-    /// Distance of a carried beat from the heart's own beat at the same phase.
+    /// Difference of a transported motion from the subject's own motion at the same phase.
     CarriedDistance,
 }
 

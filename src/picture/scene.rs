@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::picture::fit::blended;
 use crate::picture::legend::{ColourLegend, colour_map};
 use crate::picture::medial::{HeartMedial, add_marks, atom_legend};
-use crate::picture::numbers::HeartNumbers;
+use crate::picture::numbers::SurfaceScalars;
 use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 use crate::picture::quantity::Quantity;
 use crate::picture::scene_settings::SceneSettings;
@@ -33,7 +33,7 @@ pub struct HeartScene {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct HeartExtras<'a> {
     /// Numbers from an analysis.
-    pub numbers: Option<&'a HeartNumbers>,
+    pub numbers: Option<&'a SurfaceScalars>,
     /// The middle of its wall.
     pub medial: Option<HeartMedial<'a>>,
 }
@@ -147,7 +147,7 @@ fn is_coloured(surface: &PreparedSurface, settings: &SceneSettings) -> bool {
 
 fn scalars<'a>(
     surface: &'a PreparedSurface,
-    numbers: Option<&'a HeartNumbers>,
+    numbers: Option<&'a SurfaceScalars>,
     quantity: Quantity,
 ) -> Option<&'a Arc<VertexScalars>> {
     surface.scalars(quantity).or_else(|| {
@@ -180,7 +180,7 @@ fn limits_note(settings: &SceneSettings) -> &'static str {
 
 fn drawn(
     surface: &PreparedSurface,
-    numbers: Option<&HeartNumbers>,
+    numbers: Option<&SurfaceScalars>,
     settings: &SceneSettings,
     limits: ColourLimits,
     pose: GeometryPose,

@@ -32,7 +32,7 @@ pub fn noise_json(result: &NoiseDeformationResult) -> Value {
 
 /// The comparison of metrics, a row per level and method.
 pub fn comparison_json(comparison: &MetricComparison) -> Value {
-    let rule = |rule: RuleShare| {
+    let accuracy = |rule: RuleShare| {
         json!({
             "accuracy": rule.share,
             "standard_error": rule.standard_error,
@@ -45,10 +45,10 @@ pub fn comparison_json(comparison: &MetricComparison) -> Value {
             "noise_percent": row.percent,
             "copies": row.copies,
             "labelled": row.labelled,
-            "nearest_neighbour": rule(row.nearest_neighbour),
-            "linear_rule": rule(row.linear_rule),
-            "plane_rule": rule(row.plane_rule),
-            "tau": rule(row.tau),
+            "nearest_neighbour": accuracy(row.nearest_neighbour),
+            "linear_rule": accuracy(row.linear_rule),
+            "plane_rule": accuracy(row.plane_rule),
+            "tau": accuracy(row.tau),
         })
     });
     json!({ "classification": Value::Array(rows.collect()) })

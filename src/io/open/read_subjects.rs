@@ -128,7 +128,7 @@ fn join_surface(
 ) -> Result<JoinedSurface, (Option<PathBuf>, String)> {
     let mut frames: Vec<TriMesh> = Vec::new();
     let mut file_of_frame = Vec::new();
-    let mut told: Vec<(Notice, Vec<usize>)> = Vec::new();
+    let mut counted: Vec<(Notice, Vec<usize>)> = Vec::new();
     let mut times_s = None;
     let file_count = files.len();
     for (index, file) in files.into_iter().enumerate() {
@@ -138,9 +138,9 @@ fn join_surface(
             times_s = file.times_s;
         }
         for notice in file.notices {
-            match told.iter_mut().find(|(known, _)| *known == notice) {
+            match counted.iter_mut().find(|(known, _)| *known == notice) {
                 Some((_, in_files)) => in_files.push(index),
-                None => told.push((notice, vec![index])),
+                None => counted.push((notice, vec![index])),
             }
         }
     }
@@ -154,7 +154,7 @@ fn join_surface(
     }
     let (kind, assumed) = kind_of(plan.kind, &frames);
     let mut notices: Vec<Notice> = assumed.into_iter().collect();
-    for (notice, in_files) in told {
+    for (notice, in_files) in counted {
         let text = format!(
             "{}: {}",
             with_frames(kind.name(), &in_files, file_count),

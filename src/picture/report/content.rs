@@ -32,10 +32,10 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
         .map(|(index, subject)| {
             let none = || NO_VALUE.to_owned();
             let row = measures.get(index);
-            let told = order.verdicts.subjects.get(index);
+            let assessed = order.verdicts.subjects.get(index);
             let verdict = verdicts.get(index);
             let finding = verdict.map_or_else(none, |row| VerdictRow::FINDING.shown(row));
-            let [finding, probability, share, note] = match told {
+            let [finding, probability, share, note] = match assessed {
                 Some(Ok(verdict)) => [
                     finding,
                     probability_words(verdict.probability),
@@ -72,8 +72,10 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
 /// How many subjects have which verdict.
 pub(super) fn counts(verdicts: &Verdicts) -> String {
     let count = |finding: Finding| {
-        let told = verdicts.subjects.iter().flatten();
-        told.filter(|verdict| verdict.finding == finding).count()
+        let assessed = verdicts.subjects.iter().flatten();
+        assessed
+            .filter(|verdict| verdict.finding == finding)
+            .count()
     };
     let mut parts: Vec<String> = [
         Finding::Patch,
@@ -89,7 +91,7 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
     let not = verdicts
         .subjects
         .iter()
-        .filter(|told| told.is_err())
+        .filter(|assessed| assessed.is_err())
         .count();
     if not > 0 {
         parts.push(format!("not assessed: {not}"));

@@ -106,7 +106,7 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
         return;
     }
     if !view.heading.is_empty() {
-        let little = view.standing == PatchStanding::ThickensLittle;
+        let little = view.standing == PatchStanding::LowThickening;
         let colour = if view.rows.is_empty() || little {
             colours(ui).strong
         } else {

@@ -125,7 +125,7 @@ fn row_ui(
         (index + 1).to_string(),
         note_font(),
         match standing {
-            PatchStanding::ThickensLittle => colours.muted,
+            PatchStanding::LowThickening => colours.muted,
             _ => colours.selection,
         },
     );
@@ -146,7 +146,7 @@ fn row_ui(
         });
     }
     response.on_hover_text(match standing {
-        PatchStanding::ThickensLittle => "Select this region and look at it",
+        PatchStanding::LowThickening => "Select this region and look at it",
         _ => "Select this patch and look at it",
     });
 }

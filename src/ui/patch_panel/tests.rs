@@ -89,7 +89,7 @@ fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
 fn a_region_of_low_thickening_without_a_verdict_of_a_patch_is_not_called_one() {
     let heading = "1 region of low thickening";
     let mut shown = Shown::with(WallState::Ready, heading, vec![patch()]);
-    shown.standing = PatchStanding::ThickensLittle;
+    shown.standing = PatchStanding::LowThickening;
     let shown = harness(shown);
     shown.get_by_label_contains("Region 1: Area 21 cm²");
     assert!(shown.query_by_label_contains("Patch 1").is_none());

@@ -3,7 +3,7 @@
 use crate::analysis::thickening::Patch;
 use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
 use crate::engine::{SubjectThickening, thickening_words};
-use crate::picture::bulls_eye::{BullsEyeScale, FlatValues, FlatWall};
+use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues};
 use crate::picture::figure::content::FigureContent;
 use crate::picture::figure::patch::order::PatchOrder;
 use crate::picture::page::FigureSettings;
@@ -34,8 +34,8 @@ pub struct VerdictLines {
 impl VerdictLines {
     /// Of one subject; with `None` for verdicts, thickening alone.
     pub fn of(found: &SubjectThickening, verdicts: Option<&Verdicts>, subject: usize) -> Self {
-        let told = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
-        match told {
+        let classified = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
+        match classified {
             _ if found.not_assessed.is_some() => Self::not_assessed(found.not_assessed.as_ref()),
             None => Self {
                 heading: String::new(),
@@ -120,9 +120,9 @@ pub struct PatchContent {
     pub verdict: VerdictLines,
     /// What its patches may be called.
     pub standing: PatchStanding,
-    /// The wall laid flat; `None` without a long axis.
-    pub flat: Option<(FlatWall, FlatValues)>,
-    /// Why it is not laid flat.
+    /// The polar map of the wall; `None` without a long axis.
+    pub flat: Option<(PolarMap, PolarValues)>,
+    /// Why there is no polar map.
     pub without_flat: String,
     /// What the bull's-eye shows, in which colours and words.
     pub scale: BullsEyeScale,
@@ -147,29 +147,29 @@ impl PatchContent {
         };
         let subject = figure.shown.subject;
         let scale = BullsEyeScale::of(quantity, &scene.cohort_limits, typed, subject.unit);
-        let told = &found.thickening;
+        let thickening = &found.thickening;
         let assessed = found.not_assessed.is_none();
-        let flat = FlatWall::of(found).map(|mut flat| {
+        let flat = PolarMap::of(found).map(|mut flat| {
             let values = flat.values(found, subject, quantity, figure.shown.frame);
             if !assessed {
                 flat.borders.clear();
             }
             (flat, values)
         });
-        let rows: Vec<PatchLine> = (told.patches.iter())
+        let rows: Vec<PatchLine> = (thickening.patches.iter())
             .filter(|_| assessed)
             .enumerate()
             .take(MOST_ROWS)
             .map(|(index, patch)| line(found, subject, index, patch))
             .collect();
-        let more = told.patches.len().saturating_sub(rows.len());
+        let more = thickening.patches.len().saturating_sub(rows.len());
         let note = match (assessed, more) {
             (false, _) => "Regions in a wall that is not resolved may be blur or noise".to_owned(),
-            (true, 0) => said(&[extent_words(told), smallest_words(told)]),
-            (true, more) => said(&[
-                extent_words(told),
+            (true, 0) => sentences(&[extent_words(thickening), smallest_words(thickening)]),
+            (true, more) => sentences(&[
+                extent_words(thickening),
                 format!("{more} more in patches.csv"),
-                smallest_words(told),
+                smallest_words(thickening),
             ]),
         };
         Self {
@@ -177,8 +177,8 @@ impl PatchContent {
             parameters: format!(
                 "Medial surface {}. Tolerance ± {:.3} ln PT, noise of one atom {:.3} ln r",
                 thickening_words(&figure.thickening),
-                told.tolerance,
-                told.noise
+                thickening.tolerance,
+                thickening.noise
             ),
             heart,
             verdict: VerdictLines::of(found, order.verdicts, order.subject),
@@ -192,11 +192,11 @@ impl PatchContent {
 }
 
 /// Sentences one after the other.
-fn said(parts: &[String]) -> String {
-    let told: Vec<&str> = (parts.iter().map(String::as_str))
+fn sentences(parts: &[String]) -> String {
+    let present: Vec<&str> = (parts.iter().map(String::as_str))
         .filter(|part| !part.is_empty())
         .collect();
-    told.join(". ")
+    present.join(". ")
 }
 
 fn line(found: &SubjectThickening, subject: &Subject, index: usize, patch: &Patch) -> PatchLine {

@@ -21,6 +21,6 @@ pub struct PatchOrder<'a> {
 impl PatchOrder<'_> {
     /// What the regions of low thickening are called.
     pub(super) fn standing(&self) -> PatchStanding {
-        PatchStanding::of((self.verdicts).and_then(|told| told.subjects.get(self.subject)))
+        PatchStanding::of((self.verdicts).and_then(|all| all.subjects.get(self.subject)))
     }
 }
