@@ -20,18 +20,15 @@ use crate::engine::settings::{ClassesSettings, DeformationMapSettings, PoseMapPa
 use crate::engine::verdicts::{VerdictSettings, judged};
 use crate::engine::wall_tables::{Unassessed, WallTables};
 use crate::progress::Progress;
-use crate::report::{
-    DeformationRow, FrameRow, MedialPoseRow, PoseRow, SubjectRow, VerdictRow, columns_md, csv,
-    distances_csv, distances_json, medial_map_json, pretty_json, summary_json, verdicts_json,
-};
+use crate::report::{AnalysisReport, columns_md, pretty_json};
 use crate::study::Study;
 
-/// Share of the work until poses are mapped; the rest tells deformations apart …
+/// Share of the work until poses are mapped; the rest classifies motions …
 const POSES_SHARE: f32 = 0.75;
 /// … until here, and then assesses walls.
 const CLASSES_SHARE: f32 = 0.8;
 
-/// … until here, and then says what is abnormal.
+/// … until here, and then classifies subjects.
 const WALLS_SHARE: f32 = 0.99;
 
 /// Settings of an analysis of a whole study.
@@ -43,12 +40,12 @@ pub struct TableSettings {
     pub verdicts: VerdictSettings,
 }
 
-/// What an analysis of a whole study found.
+/// Results of the analysis of a whole study.
 #[derive(Debug)]
 pub struct AnalysisTables {
     /// The measures, for figures.
     pub measures: Arc<Vec<SubjectMeasures>>,
-    /// What is said of the hearts, for the report.
+    /// The verdicts, for the report.
     pub verdicts: Arc<Verdicts>,
     /// The map of poses by classical scaling.
     pub poses: Arc<PoseMap>,
@@ -101,7 +98,7 @@ impl AnalysisTables {
                 map.map(|map| (word, map))
             })
             .collect::<Result<Vec<_>, _>>()?;
-        let part = progress.part("telling classes apart", POSES_SHARE, CLASSES_SHARE);
+        let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
         let (told, without_deformations) = match told_apart(study, deformations, cache, &part) {
             Ok(told) => (Some(told), None),
             Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
@@ -109,43 +106,31 @@ impl AnalysisTables {
         };
         let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
         let walls = WallTables::of(study, &settings.verdicts, &folder, cache, &part)?;
-        let part = progress.part("learning from labels", WALLS_SHARE, 1.0);
+        let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
         let checked = (settings.verdicts.verdicts.check()).map_err(AnalysisError::unanswerable)?;
         let verdicts = judged(study, &walls.examined, &checked, &part)?;
-        let mut tables = tables(study, &measures, &maps, told.as_ref());
-        let rows = VerdictRow::of_study(study, &verdicts);
-        tables.push(("verdicts.csv".to_owned(), csv(&rows)));
-        let (medial, without_medial) = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
-            Ok(map) => (Some(map), None),
+        let medial = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
+            Ok(map) => Ok(map),
             Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
-            Err(AnalysisError::Unanswerable(reason)) => (None, Some(reason)),
+            Err(AnalysisError::Unanswerable(reason)) => Err(reason),
         };
-        let rows = MedialPoseRow::of_map(study, medial.as_ref());
-        tables.push(("medial_mds.csv".to_owned(), csv(&rows)));
-        let embeddings: Vec<_> = maps
-            .iter()
-            .map(|(word, map)| (*word, &map.embedding))
-            .collect();
-        let compared = distance_words(&deformations.poses.distances);
-        let metric = distances_json(study, &deformations.poses.distances, &compared);
-        tables.push((
-            "distances.json".to_owned(),
-            pretty_json(&metric).map_err(AnalysisError::unanswerable)?,
-        ));
-        let mut summary = summary_json(
+        let report = AnalysisReport {
             study,
-            &SubjectRow::of_study(study, &measures),
-            &maps[0].1.distances,
-            &compared,
-            &embeddings,
-            told.as_ref().map(|(map, classes)| (&**map, &**classes)),
-        );
-        if let Value::Object(object) = &mut summary {
-            object.insert("thickening".to_owned(), walls.summary.clone());
-            object.insert("verdicts".to_owned(), verdicts_json(&verdicts, &checked));
-            let medial = medial_map_json(study, medial.as_ref(), without_medial.as_deref());
-            object.insert("medial_map".to_owned(), medial);
-        }
+            measures: &measures,
+            distances: &maps[0].1.distances,
+            distance_params: &deformations.poses.distances,
+            metric: &distance_words(&deformations.poses.distances),
+            maps: (maps.iter())
+                .map(|(word, map)| (*word, &map.embedding))
+                .collect(),
+            deformations: told.as_ref().map(|(map, classes)| (&**map, &**classes)),
+            verdicts: &verdicts,
+            verdict_params: &checked,
+            medial_map: medial.as_ref().map_err(String::as_str),
+            thickening: &walls.summary,
+        };
+        let tables = report.tables().map_err(AnalysisError::unanswerable)?;
+        let summary = report.summary();
         Ok(Self {
             measures,
             verdicts: Arc::new(verdicts),
@@ -226,37 +211,6 @@ fn told_apart(
         outcome.deformation_map().cloned()
     })?;
     Ok((map, classes))
-}
-
-fn tables(
-    study: &Study,
-    measures: &[SubjectMeasures],
-    maps: &[(&str, Arc<PoseMap>)],
-    told: Option<&(Arc<DeformationMap>, Arc<Classes>)>,
-) -> Vec<(String, String)> {
-    let distances = &maps[0].1.distances;
-    // One table under two names: scripts of the first release read `measures.csv`.
-    let subjects = csv(&SubjectRow::of_study(study, measures));
-    let mut tables = vec![
-        (
-            "frames.csv".to_owned(),
-            csv(&FrameRow::of_study(study, measures)),
-        ),
-        ("subjects.csv".to_owned(), subjects.clone()),
-        ("measures.csv".to_owned(), subjects),
-        ("distances.csv".to_owned(), distances_csv(study, distances)),
-    ];
-    for (word, map) in maps {
-        let rows = PoseRow::of_map(study, &distances.poses, &map.embedding);
-        tables.push((format!("poses_{word}.csv"), csv(&rows)));
-    }
-    if let Some((map, _)) = told {
-        tables.push((
-            "deformations_lle.csv".to_owned(),
-            csv(&DeformationRow::of_map(study, map)),
-        ));
-    }
-    tables
 }
 
 fn answered<T>(

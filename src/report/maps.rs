@@ -27,7 +27,7 @@ const POSE_COLUMNS: [ColumnWords; 2] = [
 ];
 
 /// The square matrix of distances: a row per pose, with a column per pose behind its name.
-pub fn distances_csv(study: &Study, distances: &PoseDistances) -> String {
+pub(super) fn distances_csv(study: &Study, distances: &PoseDistances) -> String {
     let name = |pose: &PoseId| format!("{}:{}", subject_id(study, pose.subject), pose.frame);
     let header = (POSE_COLUMNS.iter().map(|column| column.key.to_owned()))
         .chain(distances.poses.iter().map(name));
@@ -54,7 +54,7 @@ pub(super) fn distances_described() -> TableWords {
 
 /// By which metric the distances of `distances.csv` are: the words of the command line's options, and one
 /// sentence. It stands in a file of its own, since scripts read all columns of the matrix behind the second.
-pub fn distances_json(study: &Study, params: &PoseDistanceParams, words: &str) -> Value {
+pub(super) fn distances_json(study: &Study, params: &PoseDistanceParams, words: &str) -> Value {
     let metric = &params.metric;
     let transfer = params.transfer.map(|transfer| match transfer.reference {
         Reference::Mean => "mean".to_owned(),

@@ -1,80 +1,28 @@
-//! The summary of an analysis as one JSON object.
+//! Parts of the summary of an analysis: maps and classification.
 
 use serde_json::{Value, json};
 
-use super::measures::{SubjectRow, subjects_json};
 use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::MedialMap;
-use crate::analysis::pose_distances::PoseDistances;
-use crate::study::{LabelRole, Study};
+use crate::study::Study;
 
-/// The results of an analysis. `maps` holds each map with the word for its method; `metric` says in
-/// words how poses are compared. `deformations` are the map of deformations and the classification on
-/// it, where there is one.
-pub fn summary_json(
-    study: &Study,
-    subjects: &[SubjectRow],
-    distances: &PoseDistances,
-    metric: &str,
-    maps: &[(&str, &Embedding)],
-    deformations: Option<(&DeformationMap, &Classes)>,
-) -> Value {
-    let count = |role| {
-        study
-            .subjects
-            .iter()
-            .filter(|s| study.role(s) == role)
-            .count()
-    };
-    let left_out: Vec<Value> = distances
-        .left_out
-        .iter()
-        .map(|left_out| {
-            let id = study.subjects.get(left_out.subject).map(|s| s.id.clone());
-            json!({ "subject": id, "reason": left_out.reason })
-        })
-        .collect();
-    let maps: serde_json::Map<String, Value> = maps
-        .iter()
-        .map(|(method, map)| {
-            let value = json!({
-                "stress": map.stress,
-                "iterations": map.iterations,
-                "neighbours": map.neighbours,
-                "reconstruction_error": map.reconstruction_error,
-            });
-            ((*method).to_owned(), value)
-        })
-        .collect();
-    let mut summary = json!({
-        "program": "Cardiomorph",
-        "version": env!("CARGO_PKG_VERSION"),
-        "note": "research use, not for diagnosis",
-        "study": study.name,
-        "labels": {
-            "normal": count(LabelRole::Normal),
-            "abnormal": count(LabelRole::Abnormal),
-            "other": count(LabelRole::Unknown),
-        },
-        "subjects": subjects_json(subjects),
-        "poses": distances.poses.len(),
-        "metric": metric,
-        "left_out": left_out,
-        "maps": maps,
-    });
-    if let (Value::Object(object), Some((map, classes))) = (&mut summary, deformations) {
-        object.insert("deformations".to_owned(), deformations_json(map));
-        object.insert("classification".to_owned(), classification_json(classes));
-    }
-    summary
+/// How well a map of poses keeps distances.
+pub(super) fn map_json(map: &Embedding) -> Value {
+    json!({
+        "stress": map.stress,
+        "iterations": map.iterations,
+        "neighbours": map.neighbours,
+        "reconstruction_error": map.reconstruction_error,
+    })
 }
 
 /// The map of medial poses: its stress, in which axes subjects are compared, and who is not on it; without a map, why.
-pub fn medial_map_json(study: &Study, map: Option<&MedialMap>, without: Option<&str>) -> Value {
-    let Some(map) = map else {
-        return json!({ "reason": without });
+pub(super) fn medial_map_json(study: &Study, map: Result<&MedialMap, &str>) -> Value {
+    let map = match map {
+        Ok(map) => map,
+        Err(reason) => return json!({ "reason": reason }),
     };
     let id = |subject: usize| study.subjects.get(subject).map(|subject| &subject.id);
     let paths: Vec<Value> = (map.spreads.iter())
@@ -99,7 +47,7 @@ pub fn medial_map_json(study: &Study, map: Option<&MedialMap>, without: Option<&
 }
 
 /// How the map of deformations is made, and its reconstruction error.
-fn deformations_json(map: &DeformationMap) -> Value {
+pub(super) fn deformations_json(map: &DeformationMap) -> Value {
     json!({
         "count": map.subjects.len(),
         "time_weight": map.time_weight,
@@ -112,7 +60,7 @@ fn deformations_json(map: &DeformationMap) -> Value {
 
 /// Accuracies of the classifiers (leave-one-out), each beside its permutation mean. `null` where fewer than
 /// two classes have labels.
-fn classification_json(classes: &Classes) -> Value {
+pub(super) fn classification_json(classes: &Classes) -> Value {
     let counts: serde_json::Map<String, Value> = (classes.names.iter().enumerate())
         .map(|(class, name)| {
             let of_class = classes.of_row.iter().filter(|row| **row == Some(class));

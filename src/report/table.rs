@@ -33,6 +33,13 @@ pub fn csv<R: Row>(rows: &[R]) -> String {
     csv_header::<R>() + &csv_rows(rows)
 }
 
+/// The table under each of its names.
+pub(super) fn named_csv<R: Row>(rows: &[R]) -> impl Iterator<Item = (String, String)> {
+    let text = csv(rows);
+    let named = move |file: &&'static str| ((*file).to_owned(), text.clone());
+    R::FILES.iter().map(named)
+}
+
 /// Column keys alone, for tables that grow.
 pub fn csv_header<R: Row>() -> String {
     records(std::iter::once(R::COLUMNS.iter().map(|column| column.key)))
