@@ -13,5 +13,6 @@ pub mod io;
 pub mod mesh;
 pub mod picture;
 pub mod render;
+pub mod report;
 pub mod study;
 pub mod ui;

@@ -23,35 +23,39 @@ const MAY_USE: &[(&str, &[&str])] = &[
         "analysis",
         &["units", "progress", "numeric", "mesh", "study"],
     ),
-    ("io", &["units", "progress", "mesh", "study", "analysis"]),
+    ("io", &["units", "progress", "mesh", "study"]),
+    ("report", &["units", "mesh", "study", "analysis"]),
     (
         "engine",
         &[
-            "units", "progress", "numeric", "mesh", "study", "analysis", "io",
+            "units", "progress", "numeric", "mesh", "study", "analysis", "io", "report",
         ],
     ),
     ("render", &["units", "mesh"]),
     (
         "picture",
         &[
-            "units", "progress", "mesh", "study", "analysis", "engine", "render",
+            "units", "progress", "mesh", "study", "analysis", "report", "engine", "render",
         ],
     ),
     (
         "ui",
-        &["units", "study", "analysis", "engine", "picture", "render"],
+        &[
+            "units", "study", "analysis", "report", "engine", "picture", "render",
+        ],
     ),
     (
         "app",
         &[
-            "units", "progress", "mesh", "study", "analysis", "io", "engine", "render", "picture",
-            "ui",
+            "units", "progress", "mesh", "study", "analysis", "io", "report", "engine", "render",
+            "picture", "ui",
         ],
     ),
     (
         "cli",
         &[
-            "units", "progress", "mesh", "study", "analysis", "io", "engine", "render", "picture",
+            "units", "progress", "mesh", "study", "analysis", "io", "report", "engine", "render",
+            "picture",
         ],
     ),
     ("main", &[]),

@@ -5,13 +5,16 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::engine::{Job, Wake, Workers};
+use crate::io::openable_extensions;
 
 use super::export::{FigureExport, FigureKind, TableExport};
 
-/// Endings of files that can be opened, as the dialog filters them.
-const READABLE: [&str; 12] = [
-    "obj", "ply", "stl", "vtk", "vtp", "glb", "gltf", "csv", "pvd", "series", "toml", "png",
-];
+/// Extensions of files that can be opened: studies, and pictures that hold a view.
+fn readable() -> Vec<&'static str> {
+    let mut extensions = openable_extensions();
+    extensions.push("png");
+    extensions
+}
 
 /// An answer this quick was given by no person: no dialog could be shown.
 const TOO_QUICK: Duration = Duration::from_millis(150);
@@ -156,7 +159,7 @@ pub fn system_dialogs() -> AskPaths {
         match question {
             PathQuestion::OpenFiles => dialog
                 .set_title("Open meshes or a study")
-                .add_filter("Meshes and studies", &READABLE)
+                .add_filter("Meshes and studies", &readable())
                 .add_filter("All files", &["*"])
                 .pick_files(),
             PathQuestion::OpenFolders => dialog.set_title("Open a folder of meshes").pick_folders(),

@@ -109,7 +109,7 @@ mod tests {
     fn a_patch_is_abnormal_only_where_the_verdict_says_so() {
         let ids = ["a", "b", "c", "d"];
         let mut state = state_of(ids.map(|id| subject_with_frames(id, 3)).to_vec());
-        assert_eq!(state.patch_standing(0), PatchStanding::Untold);
+        assert_eq!(state.patch_standing(0), PatchStanding::NoVerdict);
         let found = verdicts(&[
             Some(Finding::Patch),
             Some(Finding::Nothing),
@@ -118,7 +118,7 @@ mod tests {
         ]);
         state.results.verdicts.found = Some((VerdictKey::wanted(&state), found));
         let standings: Vec<PatchStanding> = (0..4).map(|i| state.patch_standing(i)).collect();
-        let little = PatchStanding::ThickensLittle;
+        let little = PatchStanding::LowThickening;
         assert_eq!(standings, [PatchStanding::Abnormal, little, little, little]);
         assert_eq!(state.patch_look(0), PatchLook::Found);
         assert_eq!(state.patch_look(1), PatchLook::Faint);
@@ -135,6 +135,6 @@ mod tests {
         assert_eq!(state.patch_standing(0), PatchStanding::Abnormal);
         state.document.study.opening += 1;
         assert!(state.verdicts().is_none());
-        assert_eq!(state.patch_standing(0), PatchStanding::Untold);
+        assert_eq!(state.patch_standing(0), PatchStanding::NoVerdict);
     }
 }

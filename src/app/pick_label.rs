@@ -6,7 +6,7 @@ use egui::{Pos2, Rect, Ui};
 use glam::Vec2;
 
 use crate::picture::{
-    HeartNumbers, PreparedSubject, Quantity, SceneSettings, SurfaceRole, subject_scene,
+    PreparedSubject, Quantity, SceneSettings, SurfaceRole, SurfaceScalars, subject_scene,
 };
 use crate::render::{GeometryPose, VertexScalars, pick};
 use crate::study::Subject;
@@ -69,7 +69,7 @@ impl Picked {
     pub fn words(
         &self,
         prepared: &PreparedSubject,
-        numbers: Option<&HeartNumbers>,
+        numbers: Option<&SurfaceScalars>,
         quantity: Quantity,
         pose: GeometryPose,
     ) -> String {
@@ -191,7 +191,7 @@ mod tests {
             blend: 0.5,
         };
         let lists: Vec<Vec<f32>> = (0..5).map(|frame| vec![frame as f32; 42]).collect();
-        let numbers = HeartNumbers::of_heart(&prepared, Quantity::CarriedDistance, &lists);
+        let numbers = SurfaceScalars::of_heart(&prepared, Quantity::CarriedDistance, &lists);
         let words = |quantity| picked.words(&prepared, numbers.as_ref(), quantity, half_way);
         let carried = words(Quantity::CarriedDistance);
         assert_eq!(carried, "cavity · vertex 7 · 2.5 mm from its own beat");

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use egui::Rect;
 
 use crate::picture::{
-    HeartExtras, HeartMedial, HeartNumbers, MedialSettings, PatchLook, PreparedMedial, Quantity,
-    SceneSettings,
+    HeartExtras, HeartMedial, MedialSettings, PatchLook, PreparedMedial, Quantity, SceneSettings,
+    SurfaceScalars,
 };
 use crate::render::Camera;
 use crate::study::Subject;
@@ -30,7 +30,7 @@ pub struct ShownHeart {
     /// Its geometry.
     pub heart: Arc<Heart>,
     /// Numbers that it has beside another heart.
-    pub numbers: Option<Arc<HeartNumbers>>,
+    pub numbers: Option<Arc<SurfaceScalars>>,
     /// The middle of its wall.
     pub medial: Option<ShownMedial>,
     /// How the borders of its patches look.
@@ -125,7 +125,7 @@ pub struct MadeNumbers(Vec<Made>);
 struct Made {
     heart: Arc<Heart>,
     source: Source,
-    numbers: Arc<HeartNumbers>,
+    numbers: Arc<SurfaceScalars>,
 }
 
 /// What numbers are divided from.
@@ -146,9 +146,9 @@ impl Source {
         }
     }
 
-    fn numbers(&self, heart: &Heart, quantity: Quantity) -> Option<HeartNumbers> {
+    fn numbers(&self, heart: &Heart, quantity: Quantity) -> Option<SurfaceScalars> {
         match self {
-            Self::Lists(lists) => HeartNumbers::of_heart(&heart.prepared, quantity, lists),
+            Self::Lists(lists) => SurfaceScalars::of_heart(&heart.prepared, quantity, lists),
             Self::Medial(medial) => medial.numbers(&heart.prepared),
         }
     }
@@ -167,7 +167,7 @@ impl MadeNumbers {
         place: &OnStage,
         heart: &Arc<Heart>,
         medial: Option<&ShownMedial>,
-    ) -> Option<Arc<HeartNumbers>> {
+    ) -> Option<Arc<SurfaceScalars>> {
         // Where atoms have the colours, the wall under the pointer says PT.
         let quantity = state.document.bar_quantity();
         let source = match quantity {

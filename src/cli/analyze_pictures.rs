@@ -63,7 +63,7 @@ impl Pictured {
         Ok(files)
     }
 
-    /// A figure of every heart at end-systole, coloured by the way that each place has come since end-diastole; and
+    /// A figure of every subject at end-systole, coloured by displacement from end-diastole; and
     /// patch figures of hearts with an abnormal patch, as files and as pages.
     fn figures(
         &self,
@@ -123,7 +123,7 @@ impl Pictured {
 
     fn end_systole(&self, index: usize) -> usize {
         let subject = &self.study.subjects[index];
-        let measured = self.measures.get(index).and_then(|told| told.end_systole);
+        let measured = self.measures.get(index).and_then(|row| row.end_systole);
         let last = subject.sequence.frame_count() - 1;
         measured.or(subject.end_systole).unwrap_or(last).min(last)
     }
@@ -135,8 +135,8 @@ impl Pictured {
         cache: &Cache,
         progress: &Progress,
     ) -> Result<Option<Arc<SubjectThickening>>, CliError> {
-        let told = self.verdicts.subjects.get(subject);
-        if !matches!(told, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
+        let assessed = self.verdicts.subjects.get(subject);
+        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
             return Ok(None);
         }
         let request = AnalysisRequest::Thickening {
@@ -156,7 +156,7 @@ impl Pictured {
         let fonts = FigureFonts::load().map_err(CliError::unusable)?;
         let parameters = [
             format!(
-                "Poses were compared by {}.",
+                "Distance between poses: {}.",
                 distance_words(&self.settings.deformations.poses.distances)
             ),
             format!(

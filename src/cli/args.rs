@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use clap::{Args, Parser, Subcommand};
 
 use crate::cli::experiment_args::ExperimentCommand;
@@ -12,9 +13,10 @@ use crate::cli::medial::MedialArgs;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
-use crate::cli::words::{AlignWord, DemoFormat, EmbedInput, EmbedMethod, GeodesicsWord, Switch};
+use crate::cli::words::{AlignWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch};
+use crate::io::MeshFormat;
 
-/// Reads how a left ventricle moves: beating meshes in 3D, live maps of poses, measures and figures.
+/// Analyses the motion of the left ventricle: moving meshes in 3D, maps of poses, measures and figures.
 ///
 /// Research software, not for diagnosis. With no command, opens the window on PATH…, or on the
 /// built-in cohort. Exit codes: 0 done, 1 the input is unusable, 2 wrong usage, 3 stopped by Ctrl-C.
@@ -26,7 +28,7 @@ struct Cli {
     /// Studies, folders and files to open in the window
     #[arg(value_name = "PATH")]
     paths: Vec<PathBuf>,
-    /// Threads of inner loops; results do not depend on it [default: one a core, at least 2]
+    /// Number of threads; results do not depend on it [default: one per core, at least 2]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
@@ -36,21 +38,21 @@ struct Cli {
 pub enum Command {
     /// Writes the built-in cohort as a study on disk
     Demo(DemoArgs),
-    /// Says what was found: subjects, frames, vertices, defects
+    /// Lists what a study holds: subjects, frames, vertices, defects
     Info(InfoArgs),
-    /// Does the whole analysis: tables, maps, summary, figures
+    /// Runs the whole analysis: tables, maps, summary, figures, report
     Analyze(AnalyzeArgs),
     /// Writes clinical measures only
     Measure(MeasureArgs),
-    /// Computes the atoms of a wall: centre, radius, spokes, normal
+    /// Fits medial spheres into a wall: centre, radius, spokes, normal
     Medial(MedialArgs),
     /// Computes one distance between two meshes in correspondence
     Metric(MetricArgs),
     /// Computes the poses between two meshes in correspondence
     Interpolate(InterpolateArgs),
-    /// Carries the deformation of one heart onto another
+    /// Transports the motion of one subject onto another (parallel transport)
     Transfer(TransferArgs),
-    /// Maps items by their distances, or points
+    /// Embeds items by their distances, or points
     Embed(EmbedArgs),
     /// Renders a figure
     Figure(FigureArgs),
@@ -62,18 +64,18 @@ pub enum Command {
 /// Options of `demo`.
 #[derive(Debug, Args)]
 pub struct DemoArgs {
-    /// Folder to write into; made if need be
+    /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Vertices per heart, both surfaces together, at most
+    /// Maximum number of vertices per subject, both surfaces together
     #[arg(long, value_name = "N", default_value_t = 2_500)]
     pub vertices: usize,
-    /// Draws the variation between subjects
+    /// Random seed of the variation between subjects
     #[arg(long, default_value_t = 2009)]
     pub seed: u64,
     /// Format of the meshes
-    #[arg(long, value_enum, default_value_t = DemoFormat::Ply)]
-    pub format: DemoFormat,
+    #[arg(long, value_parser = mesh_format(), default_value = "ply")]
+    pub format: MeshFormat,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -96,7 +98,7 @@ pub struct MeasureArgs {
     /// Studies, folders and files, together as one study; the built-in cohort if none is given
     #[arg(value_name = "STUDY")]
     pub study: Vec<PathBuf>,
-    /// Folder to write into; made if need be
+    /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON object
@@ -110,7 +112,7 @@ pub struct AnalyzeArgs {
     /// Studies, folders and files, together as one study; the built-in cohort if none is given
     #[arg(value_name = "STUDY")]
     pub study: Vec<PathBuf>,
-    /// Folder to write into; made if need be
+    /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     #[command(flatten)]
@@ -136,7 +138,7 @@ pub struct MetricArgs {
     pub b: PathBuf,
     #[command(flatten)]
     pub metric: MetricOptions,
-    /// What is laid onto A before B is compared
+    /// How B is aligned with A first
     #[arg(long, value_enum, default_value_t = AlignWord::None)]
     pub align: AlignWord,
     /// Print one JSON object
@@ -151,18 +153,18 @@ pub struct InterpolateArgs {
     pub a: PathBuf,
     /// Last mesh, with the faces of the first
     pub b: PathBuf,
-    /// In-between poses
+    /// Number of interpolated poses
     #[arg(long, value_name = "K", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..=1023))]
     pub poses: u16,
     #[command(flatten)]
     pub metric: MetricOptions,
-    /// How B is laid onto A first
+    /// How B is aligned with A first
     #[arg(long, value_enum, default_value_t = AlignWord::None)]
     pub align: AlignWord,
-    /// Relative fall of energy per step at which the search ends [default: the window's]
+    /// Relative decrease of energy per step at which the minimisation ends [default: the window's]
     #[arg(long, value_name = "T")]
     pub tolerance: Option<f64>,
-    /// Folder for pose_000.ply, pose_001.ply, …; made if need be
+    /// Folder for pose_000.ply, pose_001.ply, …; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON object
@@ -173,30 +175,30 @@ pub struct InterpolateArgs {
 /// Options of `transfer`.
 #[derive(Debug, Args)]
 pub struct TransferArgs {
-    /// The sequence whose deformation is carried: a folder, or files of one subject
+    /// The sequence whose motion is transported: a folder, or files of one subject
     #[arg(long, value_name = "SEQUENCE")]
     pub from: PathBuf,
-    /// The mesh that it is carried onto, with the faces of the sequence
+    /// The mesh that it is transported onto, with the faces of the sequence
     #[arg(long, value_name = "MESH")]
     pub onto: PathBuf,
     #[command(flatten)]
     pub metric: MetricOptions,
-    /// How the sequence is laid onto the mesh first, by its first pose
+    /// How the sequence is aligned with the mesh first, by its first pose
     #[arg(long, value_enum, default_value_t = AlignWord::None)]
     pub align: AlignWord,
-    /// In-between poses of the geodesic from heart to heart [default: the window's]
+    /// Interpolated poses of the geodesic between the subjects [default: the window's]
     #[arg(long, value_name = "K")]
     pub in_betweens: Option<u16>,
     /// For which displacements of the sequence a geodesic is computed
     #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
     pub geodesics: GeodesicsWord,
-    /// Find geodesics on a decimated mesh of about N vertices; 0: on the mesh as it is
+    /// Compute geodesics on a mesh decimated to about N vertices; 0: on the mesh itself
     #[arg(long, value_name = "N")]
     pub coarse_vertices: Option<u32>,
-    /// Whether the norm of what is carried is kept
+    /// Whether transport keeps the norm
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub keep_norm: Switch,
-    /// Folder for pose_000.ply, pose_001.ply, …; made if need be
+    /// Folder for pose_000.ply, pose_001.ply, …; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON object
@@ -207,21 +209,21 @@ pub struct TransferArgs {
 /// Options of `embed`.
 #[derive(Debug, Args)]
 pub struct EmbedArgs {
-    /// CSV without a header: a square matrix of distances, or one point a row
+    /// CSV without a header: a square matrix of distances, or one point per row
     pub file: PathBuf,
     /// What the file holds
     #[arg(long, value_enum)]
     pub input: EmbedInput,
-    /// How items are mapped
+    /// Embedding method
     #[arg(long, value_enum, default_value_t = EmbedMethod::Smacof)]
     pub method: EmbedMethod,
-    /// Numbers per item
+    /// Dimensions of the embedding
     #[arg(long, value_name = "D", default_value_t = 2, value_parser = clap::value_parser!(u16).range(1..))]
     pub dimensions: u16,
-    /// Nearest items that each is linked to, for isomap and lle
+    /// Number of nearest neighbours, for isomap and lle
     #[arg(long, value_name = "K", default_value_t = 12, value_parser = clap::value_parser!(u16).range(1..))]
     pub neighbours: u16,
-    /// Share of the trace that keeps the weights of lle well determined
+    /// Regularisation of the weights of lle, as a share of the trace
     #[arg(
         long,
         value_name = "R",
@@ -229,18 +231,26 @@ pub struct EmbedArgs {
         allow_negative_numbers = true
     )]
     pub regularisation: f64,
-    /// Draws the random starts of SMACOF
+    /// Random seed of the starts of SMACOF
     #[arg(long, default_value_t = 0)]
     pub seed: u64,
-    /// Random starts of SMACOF beside that from classical scaling; the lowest stress wins
+    /// Random starts of SMACOF in addition to classical MDS; the lowest stress is kept
     #[arg(long, value_name = "N", default_value_t = 0)]
     pub starts: u16,
-    /// CSV to write: x,y,… a row per item
+    /// CSV to write: x,y,…, one row per item
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
+}
+
+/// Extensions of formats that meshes are written in, each with its description.
+fn mesh_format() -> impl TypedValueParser<Value = MeshFormat> {
+    let word =
+        |format: MeshFormat| PossibleValue::new(format.extension()).help(format.description());
+    let words = PossibleValuesParser::new(MeshFormat::all().map(word));
+    words.try_map(|word| MeshFormat::of_extension(&word).ok_or("no format of meshes"))
 }
 
 /// What the command line asks for.
@@ -275,7 +285,7 @@ pub(super) fn plain_analysis(paths: &[PathBuf], out: &Path) -> Result<AnalyzeArg
     words.extend(paths.iter().map(|path| path.as_os_str().to_owned()));
     match Cli::try_parse_from(words).map(|cli| cli.command) {
         Ok(Some(Command::Analyze(args))) => Ok(args),
-        Ok(_) => Err(CliError::Usage("no analysis was asked for".to_owned())),
+        Ok(_) => Err(CliError::Usage("no analysis requested".to_owned())),
         Err(error) => Err(CliError::Usage(error.to_string())),
     }
 }

@@ -1,4 +1,4 @@
-//! Meshes of commands that take files one by one, checked to correspond and laid onto each other.
+//! Meshes of commands that take single files, checked to correspond and aligned.
 
 use std::path::Path;
 
@@ -28,14 +28,14 @@ pub(super) fn read_pair(a: &Path, b: &Path) -> Result<[TriMesh; 2], CliError> {
         mesh_b.vertices().len(),
         mesh_b.triangles().len(),
         if same_count {
-            ", connected otherwise"
+            ", with different faces"
         } else {
             ""
         }
     )))
 }
 
-/// The vertices of B, laid onto A as asked.
+/// The vertices of B, aligned with A as asked.
 ///
 /// # Errors
 /// If all vertices of one lie in one place.
@@ -51,7 +51,7 @@ pub(super) fn aligned(
 /// Where a point goes.
 pub(super) type Laying = Box<dyn Fn(&Point3) -> Point3>;
 
-/// The map that lays the source onto the target as asked.
+/// The map that aligns the source with the target as asked.
 ///
 /// # Errors
 /// If all vertices of one lie in one place.
@@ -85,7 +85,7 @@ pub(super) fn read(path: &Path) -> Result<TriMesh, CliError> {
         .len();
     if size > limits.file_bytes {
         let most = limits.file_bytes;
-        return Err(wrong(format!("{size} bytes; at most {most} are read")));
+        return Err(wrong(format!("{size} bytes; the limit is {most}")));
     }
     let bytes = std::fs::read(path).map_err(|error| wrong(error.to_string()))?;
     let name = path.file_name().unwrap_or_default().to_string_lossy();

@@ -18,7 +18,7 @@ pub(super) fn demo(args: &DemoArgs) -> Result<(), CliError> {
     let study = cohort(&params)
         .map_err(|error| CliError::Usage(error.to_string()))?
         .study;
-    let (folder, format) = (args.out.clone(), args.format.into());
+    let (folder, format) = (args.out.clone(), args.format);
     let (subjects, first) = (study.subjects.len(), study.subjects.first().cloned());
     run_work(move |progress| {
         progress.begin_phase("writing meshes", 0.0, 1.0);

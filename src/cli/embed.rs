@@ -16,6 +16,7 @@ use crate::cli::words::{EmbedInput, EmbedMethod};
 use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
 use crate::progress::Progress;
+use crate::report::coordinates_csv;
 
 pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
     let points_only = matches!(args.method, EmbedMethod::Pca | EmbedMethod::Lle);
@@ -33,7 +34,7 @@ pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
         EmbedInput::Points => distances_of(&rows),
     };
     let map = run_work(move |progress| {
-        progress.begin_phase("laying out the map", 0.0, 1.0);
+        progress.begin_phase("computing the embedding", 0.0, 1.0);
         method
             .map(&rows, &distances, progress)
             .map(|map| (raw_stress(&distances, &map), map))
@@ -192,10 +193,12 @@ fn checked_distances(rows: &[Vec<f64>]) -> Result<DistanceMatrix, String> {
         for (j, other) in rows.iter().enumerate().skip(i + 1) {
             let (there, back) = (row[j], other[i]);
             if (there - back).abs() > slack {
-                return Err(format!("row {i}, column {j}: {there}, but back {back}"));
+                return Err(format!(
+                    "row {i}, column {j}: {there}, but {back} in row {j}, column {i}"
+                ));
             }
             if there < 0.0 {
-                return Err(format!("row {i}, column {j}: a distance of {there}"));
+                return Err(format!("row {i}, column {j}: negative distance {there}"));
             }
             upper.push(0.5 * (there + back));
         }
@@ -205,28 +208,6 @@ fn checked_distances(rows: &[Vec<f64>]) -> Result<DistanceMatrix, String> {
 
 fn distances_of(rows: &[Vec<f64>]) -> DistanceMatrix {
     DistanceMatrix::of_points(&rows.concat(), rows.len()).unwrap_or_else(DistanceMatrix::empty)
-}
-
-fn coordinates_csv(map: &Embedding) -> String {
-    let mut table = column_names(map.dimensions).join(",") + "\n";
-    for item in 0..map.len() {
-        let row: Vec<String> = map.point(item).iter().map(ToString::to_string).collect();
-        table += &row.join(",");
-        table.push('\n');
-    }
-    table
-}
-
-/// x, y, z, then x4, x5, …
-fn column_names(dimensions: usize) -> Vec<String> {
-    (0..dimensions)
-        .map(|axis| match axis {
-            0 => "x".to_owned(),
-            1 => "y".to_owned(),
-            2 => "z".to_owned(),
-            more => format!("x{}", more + 1),
-        })
-        .collect()
 }
 
 #[cfg(test)]
@@ -251,10 +232,5 @@ mod tests {
         let distances = distances_of(&rows);
         assert_eq!(distances.get(0, 1), 5.0);
         assert_eq!(distances.get(0, 2), 1.0);
-    }
-
-    #[test]
-    fn axes_beyond_the_third_are_numbered() {
-        assert_eq!(column_names(5), ["x", "y", "z", "x4", "x5"]);
     }
 }

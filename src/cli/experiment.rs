@@ -14,6 +14,7 @@ use crate::analysis::transport::CohortTransportParams;
 use crate::cli::experiment_args::{
     ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs, PartnerArgs,
 };
+use crate::cli::experiment_files::{figure_file, summary_file};
 use crate::cli::experiment_medial::noise_medial;
 use crate::cli::input::opened_study;
 use crate::cli::outcome::CliError;
@@ -21,10 +22,8 @@ use crate::cli::print::{print, print_json};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
-use crate::io::{
-    comparison_csv, comparison_json, interpolation_csv, noise_csv, noise_json, noise_svg,
-    partners_csv, partners_json, transfer_study_csv,
-};
+use crate::picture::noise_page;
+use crate::report::{NoiseRow, comparison_json, csv, noise_json, partners_json};
 
 pub(super) fn experiment(command: &ExperimentCommand) -> Result<(), CliError> {
     match command {
@@ -43,7 +42,7 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
         noise_deformation(&params, progress)
     })?;
     let transfers = run_work(|progress| {
-        progress.begin_phase("carrying deformations", 0.0, 1.0);
+        progress.begin_phase("transporting deformations", 0.0, 1.0);
         transport_study(&TransportStudyParams::default(), progress)
     })?;
     let interpolations = run_work(|progress| {
@@ -56,15 +55,16 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
         object.insert("followed".to_owned(), json!(followed(&transfers)));
     }
     let files = vec![
-        ExportFile::text(&args.out, "noise.csv", noise_csv(&result)),
-        ExportFile::text(&args.out, "noise.svg", noise_svg(&result)),
-        ExportFile::text(&args.out, "transfer.csv", transfer_study_csv(&transfers)),
-        ExportFile::text(
+        ExportFile::text(&args.out, "noise.csv", csv(&NoiseRow::of_result(&result))),
+        figure_file(
             &args.out,
-            "interpolation.csv",
-            interpolation_csv(&interpolations),
-        ),
-        ExportFile::text(&args.out, "summary.json", pretty(&summary)?),
+            "noise.svg",
+            "Cluster agreement under noise",
+            |fonts| noise_page(&result, fonts),
+        )?,
+        ExportFile::text(&args.out, "transfer.csv", csv(&transfers.cases)),
+        ExportFile::text(&args.out, "interpolation.csv", csv(&interpolations.cases)),
+        summary_file(&args.out, &summary)?,
     ];
     write_files(files).map_err(CliError::Unusable)?;
     if args.json {
@@ -72,7 +72,7 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
     }
     print(&noise_table(&result))?;
     print(&format!(
-        "transfer: {} of {} deformations followed\n{}",
+        "parallel transport: {} of {} deformations followed\n{}",
         followed(&transfers),
         transfers.cases.len(),
         args.out.display()
@@ -106,7 +106,7 @@ fn noise_table(result: &NoiseDeformationResult) -> String {
             format!(", table 3.1 has {:.1}", 100.0 * share)
         });
         lines.push(format!(
-            "{:28} {:9} {:5} %  τ {:5.1} ± {:.1} % (chance {:.1}{published})",
+            "{:28} {:9} {:5} %  τ {:5.1} ± {:.1} % (permutation mean {:.1}{published})",
             cell.method,
             cell.family.map_or("clean", |family| family.name()),
             cell.percent,
@@ -134,14 +134,14 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
     })?;
     let summary = comparison_json(&comparison);
     let files = vec![
-        ExportFile::text(&args.out, "metrics.csv", comparison_csv(&comparison)),
-        ExportFile::text(&args.out, "summary.json", pretty(&summary)?),
+        ExportFile::text(&args.out, "metrics.csv", csv(&comparison.rows)),
+        summary_file(&args.out, &summary)?,
     ];
     write_files(files).map_err(CliError::Unusable)?;
     if args.json {
         return print_json(&summary);
     }
-    let head = "| noise | metric | nearest neighbour | linear rule | rule in the plane | τ |\n|---|---|---|---|---|---|";
+    let head = "| noise | metric | nearest neighbour | linear classifier | classifier on the 2-D embedding | cluster agreement τ |\n|---|---|---|---|---|---|";
     let mut lines = vec![head.to_owned()];
     lines.extend(comparison.rows.iter().map(|row| {
         let rules = [
@@ -190,14 +190,14 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     })?;
     let summary = partners_json(&found);
     let files = vec![
-        ExportFile::text(&args.out, "partners.csv", partners_csv(&found)),
-        ExportFile::text(&args.out, "summary.json", pretty(&summary)?),
+        ExportFile::text(&args.out, "partners.csv", csv(&found.rows)),
+        summary_file(&args.out, &summary)?,
     ];
     write_files(files).map_err(CliError::Unusable)?;
     if args.json {
         return print_json(&summary);
     }
-    let head = "| transfer | metric | nearer than the median | nearest | mean rank | mean distance |\n|---|---|---|---|---|---|";
+    let head = "| transport | metric | nearer than the median | nearest | mean rank | mean distance |\n|---|---|---|---|---|---|";
     let mut lines = vec![head.to_owned()];
     lines.extend(found.rows.iter().map(|row| {
         let ranks = &row.ranks;
@@ -220,9 +220,4 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     }
     lines.push(args.out.display().to_string());
     print(&lines.join("\n"))
-}
-
-pub(super) fn pretty(value: &Value) -> Result<String, CliError> {
-    let text = serde_json::to_string_pretty(value).map_err(CliError::unusable)?;
-    Ok(text + "\n")
 }

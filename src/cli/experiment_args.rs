@@ -9,32 +9,32 @@ use crate::cli::words::{GeodesicsWord, Switch};
 /// Experiments.
 #[derive(Debug, Subcommand)]
 pub enum ExperimentCommand {
-    /// Classifies synthetic deformations under noise, carries and interpolates them
+    /// Classifies synthetic deformations under noise, transports and interpolates them
     NoiseDeformation(NoiseDeformationArgs),
-    /// Classifies synthetic medial surfaces with and without a patch under noise, and finds patches of known size
+    /// Classifies synthetic medial surfaces with and without a patch under noise, and detects patches of known size
     NoiseMedial(NoiseMedialArgs),
-    /// Tells the labels of a study apart by every metric, on the study and on noisy copies
+    /// Classifies the subjects of a study by every metric, on the study and on noisy copies
     Metrics(MetricComparisonArgs),
-    /// Says by every metric, with and without transfer, how near the other sequence of a patient is
+    /// Ranks the other sequence of the same patient by every metric, with and without parallel transport
     Partners(PartnerArgs),
 }
 
 /// Options of `experiment noise-deformation`.
 #[derive(Debug, Args)]
 pub struct NoiseDeformationArgs {
-    /// Draws of objects, amplitudes and noise, all anew
+    /// Redraws of objects, amplitudes and noise
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
     pub redraws: u16,
     /// Deformations of each of the four classes
     #[arg(long, value_name = "N", default_value_t = 15, value_parser = clap::value_parser!(u16).range(2..))]
     pub per_class: u16,
-    /// Also without smoothing, Procrustes with it, and levels in percent of displacement
+    /// Also without smoothing, Procrustes with smoothing, and levels in percent of displacement
     #[arg(long, value_enum, default_value_t = Switch::Off)]
     pub whole: Switch,
-    /// Draws everything random
+    /// Random seed
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
-    /// Folder to write into; made if need be
+    /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON object
@@ -45,7 +45,7 @@ pub struct NoiseDeformationArgs {
 /// Options of `experiment noise-medial`.
 #[derive(Debug, Args)]
 pub struct NoiseMedialArgs {
-    /// Draws of surfaces, patches and noise, all anew
+    /// Redraws of surfaces, patches and noise
     #[arg(long, value_name = "N", default_value_t = 10, value_parser = clap::value_parser!(u16).range(1..))]
     pub redraws: u16,
     /// Deformations without a patch, and as many with one
@@ -54,10 +54,10 @@ pub struct NoiseMedialArgs {
     /// Surfaces of each size and number of patches, in each redraw
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = clap::value_parser!(u16).range(1..))]
     pub per_size: u16,
-    /// Draws everything random
+    /// Random seed
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
-    /// Folder to write into; made if need be
+    /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON object
@@ -74,13 +74,13 @@ pub struct MetricComparisonArgs {
     /// Noisy copies at each level
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..))]
     pub redraws: u16,
-    /// Whether all motions are carried onto the cohort's mean shape first
+    /// Whether all motions are transported onto the cohort's mean shape first
     #[arg(long, value_enum, default_value_t = Switch::Off)]
     pub transfer: Switch,
-    /// Draws the noise
+    /// Random seed of the noise
     #[arg(long, default_value_t = 1)]
     pub seed: u64,
-    /// Folder to write into; made if need be
+    /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON object
@@ -91,19 +91,19 @@ pub struct MetricComparisonArgs {
 /// Options of `experiment partners`.
 #[derive(Debug, Args)]
 pub struct PartnerArgs {
-    /// Studies, folders and files, together as one study; ids of a patient agree up to their last `_`
+    /// Studies, folders and files, together as one study; ids of one patient agree up to their last `_`
     #[arg(value_name = "STUDY", required = true)]
     pub study: Vec<PathBuf>,
-    /// In-between poses of the geodesic from heart to mean heart [default: the window's]
+    /// Interpolated poses of the geodesic from subject to mean shape [default: the window's]
     #[arg(long, value_name = "K")]
     pub in_betweens: Option<u16>,
-    /// For which displacements of a beat a geodesic is computed
+    /// For which displacements of a motion a geodesic is computed
     #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
     pub geodesics: GeodesicsWord,
-    /// Find geodesics on a decimated mesh of about N vertices; 0: on the mesh as it is
+    /// Compute geodesics on a mesh decimated to about N vertices; 0: on the mesh itself
     #[arg(long, value_name = "N")]
     pub coarse_vertices: Option<u32>,
-    /// Folder to write into; made if need be
+    /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
     /// Print one JSON object

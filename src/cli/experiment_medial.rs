@@ -2,15 +2,16 @@
 
 use crate::analysis::experiments::{
     LocalisationParams, LocalisationRow, MeanAndError, MedialNoiseParams, MedialNoiseResult,
-    localisation, noise_medial as told_apart,
+    localisation, noise_medial as medial_noise,
 };
-use crate::cli::experiment::pretty;
 use crate::cli::experiment_args::NoiseMedialArgs;
+use crate::cli::experiment_files::{figure_file, summary_file};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
-use crate::io::{localisation_csv, noise_medial_csv, noise_medial_json, noise_medial_svg};
+use crate::picture::medial_noise_page;
+use crate::report::{csv, noise_medial_json};
 
 /// Section 4.6.
 pub(super) fn noise_medial(args: &NoiseMedialArgs) -> Result<(), CliError> {
@@ -28,22 +29,23 @@ pub(super) fn noise_medial(args: &NoiseMedialArgs) -> Result<(), CliError> {
     };
     let result = run_work(move |progress| {
         progress.begin_phase("classifying noisy medial surfaces", 0.0, 1.0);
-        told_apart(&params, progress)
+        medial_noise(&params, progress)
     })?;
     let rows = run_work(move |progress| {
-        progress.begin_phase("finding patches", 0.0, 1.0);
+        progress.begin_phase("detecting patches", 0.0, 1.0);
         localisation(&places, progress)
     })?;
     let summary = noise_medial_json(&result, &rows);
     let files = vec![
-        ExportFile::text(&args.out, "noise_medial.csv", noise_medial_csv(&result)),
-        ExportFile::text(&args.out, "localisation.csv", localisation_csv(&rows)),
-        ExportFile::text(
+        ExportFile::text(&args.out, "noise_medial.csv", csv(&result.cells)),
+        ExportFile::text(&args.out, "localisation.csv", csv(&rows)),
+        figure_file(
             &args.out,
             "noise_medial.svg",
-            noise_medial_svg(&result, &rows),
-        ),
-        ExportFile::text(&args.out, "summary.json", pretty(&summary)?),
+            "Medial surfaces under noise",
+            |fonts| medial_noise_page(&result, &rows, fonts),
+        )?,
+        summary_file(&args.out, &summary)?,
     ];
     write_files(files).map_err(CliError::Unusable)?;
     if args.json {
@@ -57,7 +59,7 @@ pub(super) fn noise_medial(args: &NoiseMedialArgs) -> Result<(), CliError> {
 }
 
 fn noise_lines(result: &MedialNoiseResult) -> impl Iterator<Item = String> {
-    let head = "\n| way | noise | τ | chance | without a patch | with a patch | table 4.2 |\n|---|---|---|---|---|---|---|";
+    let head = "\n| method | noise | accuracy | permutation mean | specificity | sensitivity | table 4.2 |\n|---|---|---|---|---|---|---|";
     let cells = result.cells.iter().map(|cell| {
         let published = cell
             .published
@@ -80,8 +82,8 @@ fn noise_lines(result: &MedialNoiseResult) -> impl Iterator<Item = String> {
 }
 
 fn place_lines(rows: &[LocalisationRow]) -> impl Iterator<Item = String> {
-    let head = "\n| patches | noise | found, % | false | Dice | centroid, mm | segments, % | main segment, % |\n|---|---|---|---|---|---|---|---|";
-    let told = |value: Option<MeanAndError>, scale: f64, digits: usize| {
+    let head = "\n| patches | noise | detected, % | false positives | Dice | centroid, mm | segments, % | main segment, % |\n|---|---|---|---|---|---|---|---|";
+    let shown = |value: Option<MeanAndError>, scale: f64, digits: usize| {
         value.map_or_else(String::new, |(mean, error)| {
             format!("{:.digits$} ± {:.digits$}", scale * mean, scale * error)
         })
@@ -97,12 +99,12 @@ fn place_lines(rows: &[LocalisationRow]) -> impl Iterator<Item = String> {
         };
         format!(
             "| {patches} | {noise} | {} | {} | {} | {} | {} | {} |",
-            told(row.found, 100.0, 0),
-            told(Some(row.false_patches), 1.0, 2),
-            told(row.dice, 1.0, 2),
-            told(row.centroid_mm, 1.0, 1),
-            told(row.segments, 100.0, 0),
-            told(row.main_segment, 100.0, 0),
+            shown(row.found, 100.0, 0),
+            shown(Some(row.false_patches), 1.0, 2),
+            shown(row.dice, 1.0, 2),
+            shown(row.centroid_mm, 1.0, 1),
+            shown(row.segments, 100.0, 0),
+            shown(row.main_segment, 100.0, 0),
         )
     });
     std::iter::once(head.to_owned()).chain(lines)

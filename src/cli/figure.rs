@@ -22,8 +22,8 @@ use crate::picture::figure::{
 };
 use crate::picture::page::{FigureFonts, PageFormat};
 use crate::picture::{
-    BullsEyeQuantity, CohortLimits, HeartExtras, HeartMedial, HeartNumbers, MedialSettings,
-    PreparedMedial, PreparedSubject, Quantity, SceneSettings, reference_frame,
+    BullsEyeQuantity, CohortLimits, HeartExtras, HeartMedial, MedialSettings, PreparedMedial,
+    PreparedSubject, Quantity, SceneSettings, SurfaceScalars, reference_frame,
 };
 use crate::render::{GeometryPose, Headless};
 use crate::study::Study;
@@ -59,7 +59,7 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
         .then(|| found_wall(args, &study, index, &cache))
         .transpose()?;
     let verdicts = match args.patch {
-        true => Some(said_of(args, &study, &cache)?),
+        true => Some(verdicts_of(args, &study, &cache)?),
         false => None,
     };
     let end_systole = wall.as_ref().map(|found| found.thickening.end_systole);
@@ -82,7 +82,9 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
         progress.check()?;
         let settings = look.over(studio.settings());
         let figure = match (&wall, &verdicts) {
-            (Some(found), Some(told)) => studio.patch_figure(&shot, settings, found, Some(told))?,
+            (Some(found), Some(verdicts)) => {
+                studio.patch_figure(&shot, settings, found, Some(verdicts))?
+            }
             _ => studio.figure(&shot, settings, wall.as_deref())?,
         };
         (format.file(&figure.page, &figure.settings, &studio.fonts)).map_err(CliError::unusable)
@@ -121,7 +123,7 @@ fn check_view(args: &FigureArgs, study: &Study, index: usize) -> Result<(), CliE
     ];
     if subject.anatomy.is_none() && args.view.is_some_and(|view| across.contains(&view)) {
         return Err(CliError::Unusable(format!(
-            "the orientation of {} is not known: only the views apex and base can be told",
+            "the orientation of {} is not known: only the views apex and base are available",
             subject.id
         )));
     }
@@ -142,12 +144,14 @@ fn found_wall(
     let outcome = answered(study, request, cache)?;
     match outcome.thickening() {
         Some(found) => Ok(Arc::clone(found)),
-        None => Err(CliError::Unusable("the thickness is missing".to_owned())),
+        None => Err(CliError::Unusable(
+            "the wall thickness is missing".to_owned(),
+        )),
     }
 }
 
-/// What is said of all subjects.
-fn said_of(
+/// The verdicts of all subjects.
+fn verdicts_of(
     args: &FigureArgs,
     study: &Arc<Study>,
     cache: &Arc<Cache>,
@@ -158,7 +162,7 @@ fn said_of(
     });
     let outcome = answered(study, request, cache)?;
     match outcome.verdicts() {
-        Some(told) => Ok(Arc::clone(told)),
+        Some(verdicts) => Ok(Arc::clone(verdicts)),
         None => Err(CliError::Unusable("the verdicts are missing".to_owned())),
     }
 }
@@ -307,7 +311,7 @@ impl<'a> Studio<'a> {
 struct Stage {
     prepared: PreparedSubject,
     medial: Option<PreparedMedial>,
-    numbers: Option<HeartNumbers>,
+    numbers: Option<SurfaceScalars>,
 }
 
 impl Stage {

@@ -19,28 +19,28 @@ pub struct FigureArgs {
     /// Frame, numbered from 0 [default: 0, or end-systole with --patch]
     #[arg(long, value_name = "N")]
     pub frame: Option<usize>,
-    /// The patch figure: the heart with its atoms, bull's-eye, patches in a table, verdict
+    /// Patch figure: the heart with its atoms, bull's-eye, table of patches, verdict
     #[arg(long)]
     pub patch: bool,
-    /// What colours stand for
+    /// Quantity shown in colour
     #[arg(long, value_enum, default_value_t = QuantityWord::Tissue)]
     pub colour: QuantityWord,
-    /// Limits of the colours, LOW,HIGH, in place of the fixed ones
+    /// Limits of the colour scale, LOW,HIGH [default: fixed limits]
     #[arg(long, value_name = "LOW,HIGH", value_parser = limits, allow_hyphen_values = true)]
     pub limits: Option<[f64; 2]>,
-    /// File to write; its ending says what: .png, .svg or .pdf
+    /// File to write; its extension gives the format: .png, .svg or .pdf
     #[arg(long, value_name = "FILE")]
     pub out: PathBuf,
     /// Pixels, from 320x240 to 8192x8192 [default: 1200x900, or 2400x1800 with --patch]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// Draw nothing behind the heart
+    /// Transparent background
     #[arg(long)]
     pub transparent: bool,
     /// Light for print, dark for slides
     #[arg(long, value_enum, default_value_t = ThemeWord::Light)]
     pub theme: ThemeWord,
-    /// Where to look from; anatomical words need a known orientation
+    /// Viewing direction; anatomical directions need a known orientation
     #[arg(long, value_enum)]
     pub view: Option<ViewWord>,
     /// Draw edges

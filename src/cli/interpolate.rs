@@ -59,7 +59,7 @@ fn report(path: &GeodesicPath, args: &InterpolateArgs) -> Result<(), CliError> {
         }));
     }
     print(&format!(
-        "energy {} (straight line {}), {} iterations{}, {} pairs of faces cross each other: {}",
+        "energy {} (linear interpolation {}), {} iterations{}, {} pairs of faces intersect: {}",
         path.energy,
         path.energy_linear,
         path.iterations,

@@ -11,25 +11,25 @@ use crate::cli::outcome::CliError;
 use crate::engine::{DeformationMapSettings, PoseMapParams};
 use crate::study::Study;
 
-/// How poses are carried together, and how their curves are compared.
+/// How poses are transported, and how motions are compared.
 #[derive(Clone, Debug, Args)]
 pub struct MapOptions {
-    /// Onto what all motions are carried before poses are compared: none, mean, or the id of a subject
+    /// Parallel transport of all motions before poses are compared, onto: none, mean, or the id of a subject
     #[arg(long, value_name = "REFERENCE", default_value = "none")]
     pub transfer: String,
-    /// Radius below which poses are smoothed before they are compared, in shares of √area; 0: not at all
+    /// Smoothing length of poses before they are compared, in √area; 0: no smoothing
     #[arg(long, value_name = "R", default_value_t = PoseDistanceParams::default().smoothing, allow_negative_numbers = true)]
     pub smoothing: f64,
-    /// Also map poses by Isomap, each linked to its K nearest
+    /// Also embed poses by Isomap with K nearest neighbours
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
     pub isomap: Option<u16>,
     /// Weight of time in the curves of deformations [default: RMS radius over standard deviation of time]
     #[arg(long, value_name = "W", allow_negative_numbers = true)]
     pub time_weight: Option<f64>,
-    /// Nearest deformations that each is linked to in the map of deformations [default: by their number]
+    /// Nearest neighbours in the map of deformations [default: by the number of subjects]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
     pub neighbours: Option<u16>,
-    /// Share of the trace that keeps the weights of that map well determined
+    /// Regularisation of the weights of that map, as a share of the trace
     #[arg(long, value_name = "R", default_value_t = DeformationMapParams::default().regularisation, allow_negative_numbers = true)]
     pub regularisation: f64,
 }

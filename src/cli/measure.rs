@@ -8,24 +8,25 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::tables;
 use crate::engine::{Cache, write_files};
-use crate::io::subjects_json;
+use crate::report::{SubjectRow, subjects_json};
 
 pub(super) fn measure(args: &MeasureArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
     let measures = measured(&study, &Cache::default().into())?;
     let files = tables::measure_files(&study, &measures, &args.out);
     let written = write_files(files).map_err(CliError::Unusable)?;
+    let rows = SubjectRow::of_study(&study, &measures);
     if args.json {
         let files: Vec<String> = written
             .iter()
             .map(|path| path.display().to_string())
             .collect();
-        let subjects = subjects_json(&study, &measures);
+        let subjects = subjects_json(&rows);
         return print_json(&json!({ "files": files, "subjects": subjects }));
     }
     print(&format!(
         "{}\n{}",
-        tables::overview(&study, &measures),
+        tables::overview(&rows),
         args.out.display()
     ))
 }

@@ -11,13 +11,13 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
-use crate::io::medial_csv;
 use crate::mesh::TriMesh;
+use crate::report::{MedialAtomRow, csv};
 
 /// Options of `medial`.
 #[derive(Debug, Args)]
 pub struct MedialArgs {
-    /// Endocardium; there is one atom for each of its vertices
+    /// Endocardium; one atom for each of its vertices
     #[arg(
         long,
         value_name = "MESH",
@@ -28,10 +28,10 @@ pub struct MedialArgs {
     /// Epicardium
     #[arg(long, value_name = "MESH", requires = "endo")]
     pub epi: Option<PathBuf>,
-    /// The whole wall as one closed mesh; there is one atom for each vertex of both sides
+    /// The whole wall as one closed mesh; one atom for each vertex of both sides
     #[arg(long, value_name = "MESH", conflicts_with_all = ["endo", "epi"])]
     pub wall: Option<PathBuf>,
-    /// Length over which surfaces are smoothed first, as a share of the thickness [default: the window's]
+    /// Smoothing length of surfaces, as a share of the wall thickness [default: the window's]
     #[arg(long, value_name = "S", allow_negative_numbers = true)]
     pub smoothing: Option<f64>,
     /// CSV to write: vertex,x,y,z,r,s0x,…,end, a row per atom
@@ -46,13 +46,15 @@ pub(super) fn medial(args: &MedialArgs) -> Result<(), CliError> {
     let params = checked(args)?;
     let (template, others) = surfaces(args)?;
     let surface = run_work(move |progress| {
-        progress.begin_phase("laying balls into the wall", 0.0, 1.0);
+        progress.begin_phase("fitting medial spheres", 0.0, 1.0);
         let others: Vec<&TriMesh> = others.iter().collect();
         medial_surface(&template, &others, &params, progress)
     })?;
     let file = ExportFile {
         path: args.out.clone(),
-        bytes: medial_csv(&surface).into_bytes().into(),
+        bytes: csv(&MedialAtomRow::of_surface(&surface))
+            .into_bytes()
+            .into(),
     };
     write_files(vec![file]).map_err(CliError::Unusable)?;
     report(&surface, args)
@@ -96,7 +98,7 @@ fn report(surface: &MedialSurface, args: &MedialArgs) -> Result<(), CliError> {
     }
     let thickness = median.map_or_else(String::new, |t| format!(", median thickness {t:.4}"));
     print(&format!(
-        "{atoms} atoms, {ends} of them at the end of the sheet{thickness}: {}",
+        "{atoms} atoms, {ends} of them at the edge of the medial surface{thickness}: {}",
         args.out.display()
     ))
 }

@@ -9,16 +9,16 @@ use crate::cli::words::{CornersWord, FormWord, MetricWord, RegulariserWord, Swit
 /// Which metric, in which form, with which weights.
 #[derive(Clone, Debug, Args)]
 pub struct MetricOptions {
-    /// What is penalised
+    /// What the metric penalises
     #[arg(long, value_enum, default_value_t = MetricWord::default())]
     pub metric: MetricWord,
     /// How terms combine, in metrics that have forms
     #[arg(long, value_enum, default_value_t = FormWord::Additive)]
     pub form: FormWord,
-    /// Units of the corner terms
+    /// Scaling of the corner terms
     #[arg(long, value_enum, default_value_t = CornersWord::ScaleFree)]
     pub corners: CornersWord,
-    /// Whether faces and vertices count by their share of the area
+    /// Whether faces and vertices are area-weighted
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub area_weights: Switch,
     /// Weight of the curvature term in the additive form
@@ -30,7 +30,7 @@ pub struct MetricOptions {
     /// Weight of the regulariser
     #[arg(long, value_name = "L", default_value_t = MetricParams::default().lambda, allow_negative_numbers = true)]
     pub lambda: f64,
-    /// How the regulariser counts vertices
+    /// How the regulariser weights vertices
     #[arg(long, value_enum, default_value_t = RegulariserWord::Area)]
     pub regulariser: RegulariserWord,
 }

@@ -8,6 +8,7 @@ mod demo;
 mod embed;
 mod experiment;
 mod experiment_args;
+mod experiment_files;
 mod experiment_medial;
 mod figure;
 mod figure_args;

@@ -9,13 +9,13 @@ use crate::cli::outcome::CliError;
 use crate::cli::words::RatioWord;
 use crate::engine::ThickeningSettings;
 
-/// How balls are laid into the wall, and what of it counts as not thickening.
+/// How medial spheres are fitted, and which regions are patches.
 #[derive(Clone, Debug, Args)]
 pub struct PatchOptions {
-    /// Length over which surfaces are smoothed before balls are laid between them, in wall thicknesses; 0: not at all
+    /// Smoothing length of surfaces before medial spheres are fitted, in wall thicknesses; 0: no smoothing
     #[arg(long, value_name = "L", default_value_t = MedialParams::default().smoothing, allow_negative_numbers = true)]
     pub medial_smoothing: f64,
-    /// Least angle between the two points at which a ball touches the walls, in degrees
+    /// Minimum angle between the two points at which a medial sphere touches the wall, in degrees
     #[arg(
         long,
         value_name = "DEGREES",
@@ -31,34 +31,34 @@ pub struct PatchOptions {
         allow_negative_numbers = true
     )]
     pub medial_end: f64,
-    /// |ln PT| from pose to pose up to which an atom counts as still [default: by the noise of the heart]
+    /// |ln PT| from pose to pose up to which an atom is akinetic [default: estimated from noise]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub patch_tolerance: Option<f64>,
-    /// Share of what the well wall thickens below which a patch must be somewhere
+    /// Core threshold of a patch: thickening relative to remote myocardium that part of it is below
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().core, allow_negative_numbers = true)]
     pub patch_core: f64,
-    /// ln PT from end-diastole to end-systole below which a patch must be there, too [default: ln 1.1]
+    /// Core threshold of a patch in ln PT from end-diastole to end-systole, in addition [default: ln 1.1]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub patch_still: Option<f64>,
-    /// Share of what the well wall thickens up to which a patch reaches
+    /// Extent threshold of a patch: thickening relative to remote myocardium
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().border, allow_negative_numbers = true)]
     pub patch_border: f64,
-    /// Least area of a patch, as a share of the wall
+    /// Minimum area of a patch, as a share of the wall
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().min_share, allow_negative_numbers = true)]
     pub patch_least_share: f64,
-    /// ln PT from end-diastole to end-systole that some of the wall must reach for patches to be looked for [default: ln 1.1]
+    /// Minimum thickening of remote myocardium for the detection of patches, in ln PT from end-diastole to end-systole [default: ln 1.1]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub patch_least_thickening: Option<f64>,
-    /// Least area over which thickening is averaged, as a share of the wall
+    /// Minimum area over which thickening is averaged, as a share of the wall
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().smoothing, allow_negative_numbers = true)]
     pub patch_averaging: f64,
-    /// What the ratio of a descriptor is made of
+    /// How the thickness ratio of a patch is averaged
     #[arg(long, value_enum, default_value_t = RatioWord::GeometricMean)]
     pub patch_ratio: RatioWord,
-    /// Redraws of the noise by which the confidence in a patch is told; 0: none
+    /// Redraws of noise for the detection stability of a patch; 0: none
     #[arg(long, value_name = "N", default_value_t = ThickeningParams::default().redraws)]
     pub patch_redraws: u32,
-    /// Draws that noise
+    /// Random seed of that noise
     #[arg(long, default_value_t = ThickeningParams::default().seed)]
     pub seed: u64,
 }

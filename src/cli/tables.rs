@@ -4,8 +4,9 @@ use std::path::Path;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::engine::ExportFile;
-use crate::io::{frames_csv, subjects_csv};
+use crate::report::{Column, Digits, FrameRow, SubjectRow, csv};
 use crate::study::Study;
+use crate::units::LengthUnit;
 
 /// `frames.csv` and `subjects.csv`.
 pub(super) fn measure_files(
@@ -13,38 +14,44 @@ pub(super) fn measure_files(
     measures: &[SubjectMeasures],
     folder: &Path,
 ) -> Vec<ExportFile> {
+    let frames = csv(&FrameRow::of_study(study, measures));
+    let subjects = csv(&SubjectRow::of_study(study, measures));
     vec![
-        ExportFile::text(folder, "frames.csv", frames_csv(study, measures)),
-        ExportFile::text(folder, "subjects.csv", subjects_csv(study, measures)),
+        ExportFile::text(folder, "frames.csv", frames),
+        ExportFile::text(folder, "subjects.csv", subjects),
     ]
 }
 
 /// A line per subject for people: EF in percent, volumes with their unit.
-pub(super) fn overview(study: &Study, measures: &[SubjectMeasures]) -> String {
-    let widest = study.subjects.iter().map(|s| s.id.chars().count()).max();
+pub(super) fn overview(rows: &[SubjectRow]) -> String {
+    let widest = rows.iter().map(|row| row.subject.chars().count()).max();
     let width = widest.unwrap_or(0).max("subject".len());
-    let mut lines = vec![format!(
-        "{:width$}  {:>6}  {:>10}  {:>10}  unit  ED  ES  label",
-        "subject", "EF %", "EDV", "ESV"
-    )];
-    let shown = |value: Option<f64>| value.map_or_else(|| "–".to_owned(), |v| format!("{v:.1}"));
-    let frame = |value: Option<usize>| value.map_or_else(|| "–".to_owned(), |v| v.to_string());
-    for (subject, measured) in study.subjects.iter().zip(measures) {
-        lines.push(format!(
+    let head = format!(
+        "{:width$}  {:>6}  {:>10}  {:>10}  unit  {}  {}  label",
+        "subject",
+        SubjectRow::EF
+            .heading_with_unit(LengthUnit::default())
+            .replace(',', ""),
+        SubjectRow::EDV.heading,
+        SubjectRow::ESV.heading,
+        SubjectRow::END_DIASTOLE.heading,
+        SubjectRow::END_SYSTOLE.heading,
+    );
+    let lines = rows.iter().map(|row| {
+        let tenths = |column: Column<SubjectRow>| column.shown_with(Digits::Places(1), row);
+        format!(
             "{:width$}  {:>6}  {:>10}  {:>10}  {:4}  {:>2}  {:>2}  {}",
-            subject.id,
-            shown(measured.ef.map(|ef| 100.0 * ef)),
-            shown(measured.edv),
-            shown(measured.esv),
-            measured.unit.volume_symbol(),
-            frame(measured.end_diastole),
-            frame(measured.end_systole),
-            subject.label.as_deref().unwrap_or(""),
-        ));
-    }
-    lines
-        .iter()
-        .map(|line| line.trim_end())
-        .collect::<Vec<_>>()
-        .join("\n")
+            row.subject,
+            tenths(SubjectRow::EF),
+            tenths(SubjectRow::EDV),
+            tenths(SubjectRow::ESV),
+            row.unit.volume_symbol(),
+            SubjectRow::END_DIASTOLE.shown(row),
+            SubjectRow::END_SYSTOLE.shown(row),
+            row.label.as_deref().unwrap_or(""),
+        )
+    });
+    let lines = std::iter::once(head).chain(lines);
+    let trimmed = lines.map(|line| line.trim_end().to_owned());
+    trimmed.collect::<Vec<String>>().join("\n")
 }

@@ -1,4 +1,4 @@
-//! `transfer`: the deformation of one heart carried onto another.
+//! `transfer`: the motion of one subject transported onto another.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -32,7 +32,7 @@ pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
     }
     let (work_faces, work_onto) = (Arc::clone(&faces), onto);
     let poses = run_work(move |progress| {
-        progress.begin_phase("carrying the beat", 0.0, 1.0);
+        progress.begin_phase("transporting the motion", 0.0, 1.0);
         transport_deformation(&work_faces, &source, &work_onto, &params, progress)
     })?;
     write_files(pose_files(&faces, &poses, &args.out)?).map_err(CliError::Unusable)?;
@@ -65,14 +65,14 @@ fn only_subject(path: &Path) -> Result<Arc<Subject>, CliError> {
     match study.subjects.as_slice() {
         [subject] => Ok(Arc::clone(subject)),
         subjects => Err(CliError::Unusable(format!(
-            "{} subjects where one is needed: {}",
+            "{} subjects, but exactly one is needed: {}",
             subjects.len(),
             path.display()
         ))),
     }
 }
 
-/// The vertices to carry onto: of a mesh file, or of the first frame of a folder's only subject.
+/// The vertices to transport onto: of a mesh file, or of the first frame of a folder's only subject.
 fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
     let (points, found) = if path.is_dir() {
         let sequence = &only_subject(path)?.sequence;
@@ -88,7 +88,7 @@ fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
         return Ok(points);
     }
     Err(CliError::Unusable(format!(
-        "the mesh has {} vertices and {} faces, the sequence {} and {}, or they are connected otherwise: {}",
+        "the mesh has {} vertices and {} faces, the sequence {} and {}, or different faces: {}",
         found.vertex_count(),
         found.triangles().len(),
         faces.vertex_count(),

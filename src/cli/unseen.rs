@@ -20,7 +20,7 @@ pub fn run_unseen(reason: &str, paths: &[PathBuf]) -> ExitCode {
     let what = if paths.is_empty() {
         "the built-in cohort"
     } else {
-        "what was given"
+        "the given paths"
     };
     say(&format!(
         "cardiomorph: {reason}; analysing {what} without a window"

@@ -6,19 +6,7 @@ use clap::builder::PossibleValue;
 use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, METRICS, MetricKind, Regulariser};
 use crate::analysis::transport::Geodesics;
-use crate::io::MeshFormat;
 use crate::picture::{AnatomicalView, PictureTheme, Quantity};
-
-/// Formats of `demo`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum DemoFormat {
-    /// Polygon file format, binary
-    Ply,
-    /// Wavefront
-    Obj,
-    /// VTK XML
-    Vtp,
-}
 
 /// Words of `--metric`, those of the list of metrics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,7 +58,7 @@ pub enum FormWord {
 pub enum CornersWord {
     /// As printed
     Raw,
-    /// Size does not matter
+    /// Scale-invariant
     ScaleFree,
 }
 
@@ -86,16 +74,16 @@ pub enum Switch {
 /// Words of `--regulariser`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum RegulariserWord {
-    /// Every vertex the same
+    /// All vertices alike
     Uniform,
-    /// By the area around it
+    /// Area-weighted
     Area,
 }
 
 /// Words of `--align`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AlignWord {
-    /// Meshes as they lie
+    /// No alignment
     None,
     /// Best rigid motion of B onto A
     Rigid,
@@ -106,9 +94,9 @@ pub enum AlignWord {
 /// Words of `--geodesics`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum GeodesicsWord {
-    /// Once, between the first poses; later ways bend as much
+    /// Once, between the first poses; later geodesics follow it
     First,
-    /// From every pose to the one carried there, as the text says
+    /// From every pose to the transported one, as in the text
     EveryStep,
 }
 
@@ -124,7 +112,7 @@ impl From<GeodesicsWord> for Geodesics {
 /// Words of `--patch-ratio`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum RatioWord {
-    /// The same for few and for many atoms
+    /// Independent of the number of atoms
     GeometricMean,
     /// As printed: grows with the number of atoms
     Product,
@@ -144,18 +132,18 @@ impl From<RatioWord> for RatioForm {
 pub enum EmbedInput {
     /// Square, symmetric, zero on the diagonal
     Distances,
-    /// One item a row
+    /// One item per row
     Points,
 }
 
 /// Words of `--method`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum EmbedMethod {
-    /// Classical scaling
+    /// Classical MDS
     Mds,
     /// Stress majorisation
     Smacof,
-    /// Shortest ways from neighbour to neighbour
+    /// Classical MDS of shortest paths between neighbours
     Isomap,
     /// Locally linear embedding; points only
     Lle,
@@ -166,13 +154,13 @@ pub enum EmbedMethod {
 /// Words of `--colour`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum QuantityWord {
-    /// The colour of tissue
+    /// Colour of tissue
     Tissue,
-    /// Distance from the place at end-diastole
+    /// Displacement from end-diastole
     Displacement,
     /// Area relative to end-diastole
     AreaRatio,
-    /// PT, thickness of the wall relative to end-diastole
+    /// PT, wall thickness relative to end-diastole
     ThicknessRatio,
 }
 
@@ -222,16 +210,6 @@ impl From<ViewWord> for AnatomicalView {
             ViewWord::Lateral => Self::Lateral,
             ViewWord::Apex => Self::Apex,
             ViewWord::Base => Self::Base,
-        }
-    }
-}
-
-impl From<DemoFormat> for MeshFormat {
-    fn from(word: DemoFormat) -> Self {
-        match word {
-            DemoFormat::Ply => Self::Ply,
-            DemoFormat::Obj => Self::Obj,
-            DemoFormat::Vtp => Self::Vtp,
         }
     }
 }

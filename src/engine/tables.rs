@@ -19,19 +19,16 @@ use crate::engine::run::run;
 use crate::engine::settings::{ClassesSettings, DeformationMapSettings, PoseMapParams};
 use crate::engine::verdicts::{VerdictSettings, judged};
 use crate::engine::wall_tables::{Unassessed, WallTables};
-use crate::io::{
-    deformations_csv, distances_csv, frames_csv, medial_map_json, medial_mds_csv, poses_csv,
-    subjects_csv, summary_json, verdicts_csv, verdicts_json,
-};
 use crate::progress::Progress;
+use crate::report::{AnalysisReport, columns_md, pretty_json};
 use crate::study::Study;
 
-/// Share of the work until poses are mapped; the rest tells deformations apart …
+/// Share of the work until poses are mapped; the rest classifies motions …
 const POSES_SHARE: f32 = 0.75;
 /// … until here, and then assesses walls.
 const CLASSES_SHARE: f32 = 0.8;
 
-/// … until here, and then says what is abnormal.
+/// … until here, and then classifies subjects.
 const WALLS_SHARE: f32 = 0.99;
 
 /// Settings of an analysis of a whole study.
@@ -43,12 +40,12 @@ pub struct TableSettings {
     pub verdicts: VerdictSettings,
 }
 
-/// What an analysis of a whole study found.
+/// Results of the analysis of a whole study.
 #[derive(Debug)]
 pub struct AnalysisTables {
     /// The measures, for figures.
     pub measures: Arc<Vec<SubjectMeasures>>,
-    /// What is said of the hearts, for the report.
+    /// The verdicts, for the report.
     pub verdicts: Arc<Verdicts>,
     /// The map of poses by classical scaling.
     pub poses: Arc<PoseMap>,
@@ -101,7 +98,7 @@ impl AnalysisTables {
                 map.map(|map| (word, map))
             })
             .collect::<Result<Vec<_>, _>>()?;
-        let part = progress.part("telling classes apart", POSES_SHARE, CLASSES_SHARE);
+        let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
         let (told, without_deformations) = match told_apart(study, deformations, cache, &part) {
             Ok(told) => (Some(told), None),
             Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
@@ -109,36 +106,31 @@ impl AnalysisTables {
         };
         let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
         let walls = WallTables::of(study, &settings.verdicts, &folder, cache, &part)?;
-        let part = progress.part("learning from labels", WALLS_SHARE, 1.0);
+        let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
         let checked = (settings.verdicts.verdicts.check()).map_err(AnalysisError::unanswerable)?;
         let verdicts = judged(study, &walls.examined, &checked, &part)?;
-        let mut tables = tables(study, &measures, &maps, told.as_ref());
-        tables.push(("verdicts.csv".to_owned(), verdicts_csv(study, &verdicts)));
-        let (medial, without_medial) = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
-            Ok(map) => (Some(map), None),
+        let medial = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
+            Ok(map) => Ok(map),
             Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
-            Err(AnalysisError::Unanswerable(reason)) => (None, Some(reason)),
+            Err(AnalysisError::Unanswerable(reason)) => Err(reason),
         };
-        let rows = medial_mds_csv(study, medial.as_ref());
-        tables.push(("medial_mds.csv".to_owned(), rows));
-        let embeddings: Vec<_> = maps
-            .iter()
-            .map(|(word, map)| (*word, &map.embedding))
-            .collect();
-        let mut summary = summary_json(
+        let report = AnalysisReport {
             study,
-            &measures,
-            &maps[0].1.distances,
-            &distance_words(&deformations.poses.distances),
-            &embeddings,
-            told.as_ref().map(|(map, classes)| (&**map, &**classes)),
-        );
-        if let Value::Object(object) = &mut summary {
-            object.insert("thickening".to_owned(), walls.summary.clone());
-            object.insert("verdicts".to_owned(), verdicts_json(&verdicts, &checked));
-            let medial = medial_map_json(study, medial.as_ref(), without_medial.as_deref());
-            object.insert("medial_map".to_owned(), medial);
-        }
+            measures: &measures,
+            distances: &maps[0].1.distances,
+            distance_params: &deformations.poses.distances,
+            metric: &distance_words(&deformations.poses.distances),
+            maps: (maps.iter())
+                .map(|(word, map)| (*word, &map.embedding))
+                .collect(),
+            deformations: told.as_ref().map(|(map, classes)| (&**map, &**classes)),
+            verdicts: &verdicts,
+            verdict_params: &checked,
+            medial_map: medial.as_ref().map_err(String::as_str),
+            thickening: &walls.summary,
+        };
+        let tables = report.tables().map_err(AnalysisError::unanswerable)?;
+        let summary = report.summary();
         Ok(Self {
             measures,
             verdicts: Arc::new(verdicts),
@@ -168,16 +160,21 @@ impl AnalysisTables {
             .collect();
         files.extend(self.walls.files(folder));
         files.extend(more);
-        let names: Vec<String> = (files.iter())
-            .filter_map(|file| file.path.strip_prefix(folder).ok())
-            .map(|name| name.display().to_string())
-            .collect();
+        let names_of = |files: &[ExportFile]| -> Vec<String> {
+            (files.iter())
+                .filter_map(|file| file.path.strip_prefix(folder).ok())
+                .map(|name| name.display().to_string())
+                .collect()
+        };
+        let tables = names_of(&files);
+        let columns = columns_md(&tables.iter().map(String::as_str).collect::<Vec<_>>());
+        files.push(ExportFile::text(folder, "columns.md", columns));
+        let names = names_of(&files);
         if let Value::Object(object) = &mut self.summary {
             object.insert("files".to_owned(), json!(names));
         }
-        let text =
-            serde_json::to_string_pretty(&self.summary).map_err(|error| error.to_string())?;
-        files.push(ExportFile::text(folder, "summary.json", text + "\n"));
+        let text = pretty_json(&self.summary).map_err(|error| error.to_string())?;
+        files.push(ExportFile::text(folder, "summary.json", text));
         Ok((files, self.summary))
     }
 }
@@ -214,35 +211,6 @@ fn told_apart(
         outcome.deformation_map().cloned()
     })?;
     Ok((map, classes))
-}
-
-fn tables(
-    study: &Study,
-    measures: &[SubjectMeasures],
-    maps: &[(&str, Arc<PoseMap>)],
-    told: Option<&(Arc<DeformationMap>, Arc<Classes>)>,
-) -> Vec<(String, String)> {
-    let distances = &maps[0].1.distances;
-    // `measures.csv` is what `subjects.csv` is to `measure`: one table, under the name that a whole
-    // analysis promises beside it.
-    let subjects = subjects_csv(study, measures);
-    let mut tables = vec![
-        ("frames.csv".to_owned(), frames_csv(study, measures)),
-        ("subjects.csv".to_owned(), subjects.clone()),
-        ("measures.csv".to_owned(), subjects),
-        ("distances.csv".to_owned(), distances_csv(study, distances)),
-    ];
-    for (word, map) in maps {
-        let table = poses_csv(study, &distances.poses, &map.embedding);
-        tables.push((format!("poses_{word}.csv"), table));
-    }
-    if let Some((map, _)) = told {
-        tables.push((
-            "deformations_lle.csv".to_owned(),
-            deformations_csv(study, map),
-        ));
-    }
-    tables
 }
 
 fn answered<T>(

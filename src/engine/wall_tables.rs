@@ -12,11 +12,11 @@ use crate::engine::outcome::AnalysisOutcome;
 use crate::engine::request::{AnalysisError, AnalysisRequest};
 use crate::engine::run::run;
 use crate::engine::verdicts::{VerdictSettings, examined};
-use crate::io::{
-    AssessedWall, atoms_csv, atoms_csv_header, patches_csv, patches_csv_header, segments_csv,
-    segments_csv_header, thickening_params_json, unassessed_wall_json, wall_json,
-};
 use crate::progress::{Progress, Stopped};
+use crate::report::{
+    AssessedWall, AtomRow, PatchRow, SegmentRow, csv_header, csv_rows, thickening_params_json,
+    unassessed_wall_json, wall_json,
+};
 use crate::study::Study;
 
 /// A heart whose wall could not be assessed.
@@ -65,14 +65,14 @@ impl WallTables {
         let mut tables = Self {
             atoms: PassingFile::create(folder.join("atoms.csv"))
                 .map_err(AnalysisError::Unanswerable)?,
-            patches: patches_csv_header(),
-            segments: segments_csv_header(),
+            patches: csv_header::<PatchRow>(),
+            segments: csv_header::<SegmentRow>(),
             summary: Value::Null,
             unassessed: Vec::new(),
             examined: Vec::with_capacity(study.subjects.len()),
             paths: StudyPaths::with_capacity(study.subjects.len()),
         };
-        tables.add_atoms(&atoms_csv_header())?;
+        tables.add_atoms(&csv_header::<AtomRow>())?;
         let count = study.subjects.len().max(1) as f32;
         let mut hearts = Vec::with_capacity(study.subjects.len());
         for subject in 0..study.subjects.len() {
@@ -128,10 +128,10 @@ impl WallTables {
         };
         for frame in 0..found.beat.frames.len() {
             progress.check()?;
-            self.add_atoms(&atoms_csv(&wall, frame))?;
+            self.add_atoms(&csv_rows(&AtomRow::of_frame(&wall, frame)))?;
         }
-        self.patches += &patches_csv(&wall);
-        self.segments += &segments_csv(&wall);
+        self.patches += &csv_rows(&PatchRow::of_wall(&wall));
+        self.segments += &csv_rows(&SegmentRow::of_wall(&wall));
         Ok(wall_json(&wall))
     }
 

@@ -17,11 +17,14 @@ pub struct MeshFile {
 /// Why a mesh file cannot be read; shown after the file's name.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReadMeshError {
-    /// The ending and the first bytes fit no format.
-    #[error("not a mesh format that can be read (OBJ, PLY, STL, VTK, VTP, glTF, GLB, CSV)")]
-    UnknownFormat,
+    /// Neither the extension nor the first bytes fit a format.
+    #[error("not a mesh format that can be read ({known})")]
+    UnknownFormat {
+        /// Names of those that can.
+        known: String,
+    },
     /// The file is larger than the limit.
-    #[error("{size} bytes; at most {most} are read")]
+    #[error("{size} bytes; the limit is {most}")]
     TooLarge {
         /// Its size.
         size: u64,
@@ -29,7 +32,7 @@ pub enum ReadMeshError {
         most: u64,
     },
     /// It declares or holds more items than the limit.
-    #[error("{count} {what}; at most {most} are read")]
+    #[error("{count} {what}; the limit is {most}")]
     TooMany {
         /// `vertices`, `faces`, …
         what: &'static str,

@@ -85,7 +85,7 @@ pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
     }
     if curved > 0 {
         draft.notice(Notice::warning(format!(
-            "{curved} curves or curved surfaces left out"
+            "{curved} curves or curved surfaces ignored"
         )));
     }
     draft.finish()

@@ -58,7 +58,7 @@ fn read_binary(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
     }
     if !cursor.rest().is_empty() {
         let text = format!(
-            "{} bytes after the last triangle left out",
+            "{} bytes after the last triangle ignored",
             cursor.rest().len()
         );
         weld.draft.notice(Notice::warning(text));
@@ -139,8 +139,7 @@ impl Weld {
     fn finish(mut self) -> Result<MeshFile, ReadMeshError> {
         let vertices = self.draft.point_count();
         self.draft.notice(Notice::info(format!(
-            "STL has no shared vertices: corners with exactly equal coordinates were joined, \
-             which makes {vertices} vertices, numbered by first occurrence"
+            "STL has no shared vertices: corners with exactly equal coordinates are merged into {vertices} vertices, numbered by first occurrence"
         )));
         self.draft.finish()
     }

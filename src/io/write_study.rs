@@ -4,42 +4,11 @@ use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 
-use super::{write_obj, write_ply, write_pvd, write_vtp};
-use crate::mesh::TriMesh;
+use super::MeshFormat;
+use super::formats::SeriesWriter;
 use crate::progress::{Progress, Stopped};
 use crate::study::{Anatomy, MeshSequence, Study, Subject, SurfaceKind};
 use crate::units::LengthUnit;
-
-/// The format that meshes are written in.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum MeshFormat {
-    /// Wavefront OBJ, text.
-    #[default]
-    Obj,
-    /// Stanford PLY, binary.
-    Ply,
-    /// VTK XML polygons, with a `.pvd` per surface that lists them by time.
-    Vtp,
-}
-
-impl MeshFormat {
-    /// The ending of its files, without the dot.
-    pub fn ending(self) -> &'static str {
-        match self {
-            Self::Obj => "obj",
-            Self::Ply => "ply",
-            Self::Vtp => "vtp",
-        }
-    }
-
-    fn write(self, out: &mut impl Write, mesh: &TriMesh) -> io::Result<()> {
-        match self {
-            Self::Obj => write_obj(out, mesh),
-            Self::Ply => write_ply(out, mesh),
-            Self::Vtp => write_vtp(out, mesh, &[]),
-        }
-    }
-}
 
 /// Why a study could not be written.
 #[derive(Debug, thiserror::Error)]
@@ -48,7 +17,7 @@ pub enum WriteStudyError {
     #[error(transparent)]
     Stopped(#[from] Stopped),
     /// A file would be taken for one of the study's when it is read again.
-    #[error("it would be read as a frame of {subject}; choose an empty folder: {}", path.display())]
+    #[error("this file would be read as a frame of {subject}; choose an empty folder: {}", path.display())]
     InTheWay {
         /// The subject.
         subject: String,
@@ -101,13 +70,13 @@ pub fn write_study(
         for surface in subject.sequence.surfaces() {
             for (frame, mesh) in surface.frames().iter().enumerate() {
                 let path = place.join(frame_file(surface.kind(), frame, format));
-                write_whole(&path, |out| format.write(out, mesh))?;
+                write_whole(&path, |out| (format.writer.mesh)(out, mesh))?;
                 progress.step()?;
             }
-            if format == MeshFormat::Vtp {
-                let path = place.join(format!("{}.pvd", key(surface.kind())));
-                let entries = series_entries(subject, surface.kind());
-                write_whole(&path, |out| write_pvd(out, &entries))?;
+            if let Some(SeriesWriter { extension, write }) = format.writer.series {
+                let path = place.join(format!("{}.{extension}", key(surface.kind())));
+                let entries = series_entries(subject, surface.kind(), format);
+                write_whole(&path, |out| write(out, &entries))?;
             }
         }
     }
@@ -148,16 +117,16 @@ fn key(kind: SurfaceKind) -> &'static str {
 }
 
 fn frame_file(kind: SurfaceKind, frame: usize, format: MeshFormat) -> String {
-    format!("{}_{frame:03}.{}", key(kind), format.ending())
+    format!("{}_{frame:03}.{}", key(kind), format.extension())
 }
 
 /// Each frame's file with its time in seconds, or with its number where times are not known.
-fn series_entries(subject: &Subject, kind: SurfaceKind) -> Vec<(f64, String)> {
+fn series_entries(subject: &Subject, kind: SurfaceKind, format: MeshFormat) -> Vec<(f64, String)> {
     let times = subject.timing.frame_times_s.as_deref();
     (0..subject.sequence.frame_count())
         .map(|frame| {
             let time = times.and_then(|times| times.get(frame).copied());
-            let file = frame_file(kind, frame, MeshFormat::Vtp);
+            let file = frame_file(kind, frame, format);
             (time.unwrap_or(frame as f64), file)
         })
         .collect()
@@ -177,7 +146,7 @@ fn nothing_in_the_way(
         for surface in subject.sequence.surfaces() {
             let kind = surface.kind();
             let looks_like_a_frame = name.starts_with(&format!("{}_", key(kind)))
-                && name.ends_with(&format!(".{}", format.ending()));
+                && name.ends_with(&format!(".{}", format.extension()));
             let is_ours = (0..surface.frames().len()).any(|f| name == frame_file(kind, f, format));
             if looks_like_a_frame && !is_ours {
                 return Err(WriteStudyError::InTheWay {
@@ -254,7 +223,7 @@ fn subject_fields(subject: &Subject, folder: &str, format: MeshFormat) -> String
     }
     for surface in subject.sequence.surfaces() {
         let key = key(surface.kind());
-        text += &format!("{key} = \"{folder}/{key}_*.{}\"\n", format.ending());
+        text += &format!("{key} = \"{folder}/{key}_*.{}\"\n", format.extension());
     }
     if let Some(times) = &subject.timing.frame_times_s {
         let times: Vec<String> = times.iter().map(|&t| number(milliseconds(t))).collect();

@@ -62,8 +62,8 @@ impl ColourLegend {
             Quantity::Displacement => ("Displacement from end-diastole", unit.length_symbol()),
             Quantity::AreaRatio => ("Area relative to end-diastole", ""),
             Quantity::ThicknessRatio => ("PT, thickness ratio to end-diastole", ""),
-            Quantity::Contribution => ("Difference", "× mean"),
-            Quantity::CarriedDistance => ("From own beat", unit.length_symbol()),
+            Quantity::Contribution => ("Contribution to the distance", "relative to the mean"),
+            Quantity::CarriedDistance => ("Difference from own motion", unit.length_symbol()),
         };
         Some(Self {
             title: title.to_owned(),

@@ -10,6 +10,8 @@ mod heart_frame;
 mod legend;
 mod limits;
 mod medial;
+mod medial_noise_plot;
+mod noise_plot;
 mod numbers;
 mod openings;
 pub mod page;
@@ -19,13 +21,14 @@ mod quantity;
 pub mod report;
 mod scale_bar;
 mod scene;
+mod scene_settings;
 mod ticks;
 mod tokens;
 mod wall_rim;
 
 pub use axes::{AnatomicalView, CubeFace, HeartAxes};
 pub use bulls_eye::{
-    BullsEyeQuantity, BullsEyeScale, FlatValues, FlatWall, ink_on, sector_line, sector_outline,
+    BullsEyeQuantity, BullsEyeScale, PolarMap, PolarValues, ink_on, sector_line, sector_outline,
     sector_strip,
 };
 pub use colour_map::ColourMap;
@@ -35,7 +38,9 @@ pub use heart_frame::HeartFrame;
 pub use legend::{ColourLegend, Tick};
 pub use limits::{CohortLimits, reference_frame};
 pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPart, facing_patch};
-pub use numbers::{HeartNumbers, relative_density};
+pub use medial_noise_plot::medial_noise_page;
+pub use noise_plot::noise_page;
+pub use numbers::{SurfaceScalars, relative_density};
 pub use patch_words::{
     PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,
     sentence, smallest_words,
@@ -43,6 +48,7 @@ pub use patch_words::{
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;
-pub use scene::{HeartExtras, HeartScene, SceneSettings, heart_scene, subject_scene};
+pub use scene::{HeartExtras, HeartScene, heart_scene, subject_scene};
+pub use scene_settings::SceneSettings;
 pub use ticks::{logarithmic_ticks, nice_ceiling, nice_floor, nice_ticks, tick_text};
 pub use tokens::{PictureTheme, srgb};

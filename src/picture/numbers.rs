@@ -9,13 +9,13 @@ use crate::render::VertexScalars;
 
 /// Numbers on every surface of one prepared heart.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HeartNumbers {
+pub struct SurfaceScalars {
     /// What they stand for.
     pub quantity: Quantity,
     surfaces: Vec<(SurfaceRole, Arc<VertexScalars>)>,
 }
 
-impl HeartNumbers {
+impl SurfaceScalars {
     /// Divides numbers over the surfaces of a heart. `lists` has one list for all poses or one per
     /// pose, each with a number per vertex of all surfaces, one surface after the other. `None`
     /// where counts do not fit.
@@ -173,9 +173,9 @@ mod tests {
         assert_eq!(relative_density(faces, [points, points], &[1.0]), None);
         let heart = PreparedSubject::new(&wall(), 0);
         let quantity = Quantity::Contribution;
-        assert_eq!(HeartNumbers::of_heart(&heart, quantity, &[]), None);
+        assert_eq!(SurfaceScalars::of_heart(&heart, quantity, &[]), None);
         assert_eq!(
-            HeartNumbers::of_heart(&heart, quantity, &[vec![0.0; 5]]),
+            SurfaceScalars::of_heart(&heart, quantity, &[vec![0.0; 5]]),
             None
         );
     }
@@ -186,7 +186,7 @@ mod tests {
         let heart = PreparedSubject::new(&subject, 0);
         let count = subject.sequence.vertex_count();
         let list: Vec<f32> = (0..count).map(|vertex| vertex as f32).collect();
-        let numbers = HeartNumbers::of_heart(&heart, Quantity::Contribution, &[list]).unwrap();
+        let numbers = SurfaceScalars::of_heart(&heart, Quantity::Contribution, &[list]).unwrap();
         let settings = SceneSettings {
             quantity: Quantity::Contribution,
             ..SceneSettings::default()
@@ -200,7 +200,10 @@ mod tests {
         };
         let drawn = scene(Some(&numbers));
         let legend = drawn.legend.unwrap();
-        assert_eq!(legend.heading(), "Difference, × mean");
+        assert_eq!(
+            legend.heading(),
+            "Contribution to the distance, relative to the mean"
+        );
         assert!(legend.above, "vertex numbers go beyond four");
         let SurfaceColour::Scalars { scalars, .. } = &drawn.scene.surfaces[0].colour else {
             panic!("the inner side carries the numbers");

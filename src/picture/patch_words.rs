@@ -4,20 +4,22 @@ use crate::analysis::segments::{Level, Segment};
 use crate::analysis::thickening::{Extent, Patch, Thickening};
 use crate::analysis::verdicts::{Finding, NotAssessed, Verdict};
 use crate::picture::medial::PatchLook;
+use crate::report::PatchRow;
+use crate::units::LengthUnit;
 
-/// Share of a patch below which a segment goes without saying.
+/// Share of a patch below which a segment is not named.
 const LEAST_OF_PATCH: f64 = 0.05;
-/// What parts of the wall that do not thicken may be called. They are found in every heart where the wall thickens
-/// unevenly; only the verdict on the whole heart says that they are abnormal.
+/// What regions of low thickening are called. They are detected in every heart with heterogeneous thickening; only the
+/// verdict on the whole heart makes them abnormal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum PatchStanding {
-    /// Not judged yet.
+    /// There is no verdict yet.
     #[default]
-    Untold,
+    NoVerdict,
     /// The verdict on the heart is an abnormal patch.
     Abnormal,
-    /// It is something else: they are places that thicken little.
-    ThickensLittle,
+    /// It is something else: they are regions of low thickening.
+    LowThickening,
 }
 
 impl PatchStanding {
@@ -25,25 +27,25 @@ impl PatchStanding {
     /// heart has one.
     pub fn of(verdict: Option<&Result<Verdict, NotAssessed>>) -> Self {
         match verdict {
-            None => Self::Untold,
+            None => Self::NoVerdict,
             Some(Ok(verdict)) if verdict.finding == Finding::Patch => Self::Abnormal,
-            Some(_) => Self::ThickensLittle,
+            Some(_) => Self::LowThickening,
         }
     }
 
     /// How the borders of these parts are drawn.
     pub fn look(self) -> PatchLook {
         match self {
-            Self::ThickensLittle => PatchLook::Faint,
-            Self::Untold | Self::Abnormal => PatchLook::Found,
+            Self::LowThickening => PatchLook::Faint,
+            Self::NoVerdict | Self::Abnormal => PatchLook::Found,
         }
     }
 
     /// What one of them is called.
     pub fn part(self) -> &'static str {
         match self {
-            Self::Untold | Self::Abnormal => "Patch",
-            Self::ThickensLittle => "Place",
+            Self::NoVerdict | Self::Abnormal => "Patch",
+            Self::LowThickening => "Region",
         }
     }
 }
@@ -51,14 +53,16 @@ impl PatchStanding {
 /// "1 abnormal patch · 31 % of the LV", or what else the verdict lets it be called.
 pub fn patch_heading(found: &Thickening, standing: PatchStanding) -> String {
     match (found.extent, found.patches.as_slice()) {
-        (Extent::HardlyAnywhere, _) => "Hardly any thickening anywhere".to_owned(),
+        (Extent::HardlyAnywhere, _) => "Global hypokinesia".to_owned(),
         (_, []) => "No patch".to_owned(),
         (_, patches) => {
             let share: f64 = patches.iter().map(|patch| patch.share).sum();
             let [one, more] = match standing {
-                PatchStanding::Untold => ["patch", "patches"],
+                PatchStanding::NoVerdict => ["patch", "patches"],
                 PatchStanding::Abnormal => ["abnormal patch", "abnormal patches"],
-                PatchStanding::ThickensLittle => ["place thickens little", "places thicken little"],
+                PatchStanding::LowThickening => {
+                    ["region of low thickening", "regions of low thickening"]
+                }
             };
             let count = patches.len();
             let what = if count == 1 { one } else { more };
@@ -67,38 +71,36 @@ pub fn patch_heading(found: &Thickening, standing: PatchStanding) -> String {
     }
 }
 
-/// What could have been missed: "Patches from 2.1 cm² on (2 % of the LV) would have been found"; empty where nothing
-/// is known of it.
+/// "Smallest detectable area 2.1 cm² (2.0 % of the LV)"; empty where nothing is known of it.
 pub fn smallest_words(found: &Thickening) -> String {
-    let Some(least) = found.smallest else {
+    let Some(smallest) = found.smallest else {
         return String::new();
     };
-    let share = format!("{:.1} % of the LV", 100.0 * least.share);
-    match least.area_cm2 {
-        Some(area) => format!(
-            "Patches from {} on ({share}) would have been found",
-            area_text(area)
-        ),
-        None => format!("Patches from {share} on would have been found"),
+    let share = format!("{:.1} % of the LV", 100.0 * smallest.share);
+    match smallest.area_cm2 {
+        Some(area) => format!("Smallest detectable area {} ({share})", area_text(area)),
+        None => format!("Smallest detectable area {share}"),
     }
 }
 
-/// "Patch 1", "Place 1": a part of the wall by its place in the list.
+/// "Patch 1", "Region 1": by its place in the list.
 pub fn part_name(standing: PatchStanding, index: usize) -> String {
     format!("{} {}", standing.part(), index + 1)
 }
 
-/// What the whole wall does, in a sentence.
+/// How much the wall thickens, in a sentence.
 pub fn extent_words(found: &Thickening) -> String {
-    let well = percent(found.well.exp() - 1.0);
+    let remote = percent(found.well.exp() - 1.0);
     match found.extent {
         Extent::HardlyAnywhere => {
             format!(
-                "Even the part that works best thickens by {well}: no part stands out as a patch"
+                "Even the region of highest thickening reaches only {remote}: no patch is reported"
             )
         }
-        Extent::Everywhere => format!("All of the wall thickens, where it works well by {well}"),
-        Extent::AllButPatches => format!("The rest of the wall thickens by {well}"),
+        Extent::Everywhere => {
+            format!("No region of low thickening; remote myocardium thickens by {remote}")
+        }
+        Extent::AllButPatches => format!("Remote myocardium thickens by {remote}"),
     }
 }
 
@@ -106,8 +108,8 @@ pub fn extent_words(found: &Thickening) -> String {
 /// anteroseptal, apical septal and inferior, apex".
 pub fn segment_words(patch: &Patch) -> String {
     let mut walls: Vec<(&str, Vec<Level>)> = Vec::new();
-    let told = (patch.segments.iter()).filter(|part| part.of_patch >= LEAST_OF_PATCH);
-    for part in told {
+    let named = (patch.segments.iter()).filter(|part| part.of_patch >= LEAST_OF_PATCH);
+    for part in named {
         let wall = wall_of(part.segment);
         let level = part.segment.level();
         match walls.iter_mut().find(|(other, _)| *other == wall) {
@@ -165,13 +167,14 @@ fn wall_of(segment: Segment) -> &'static str {
     name.split_once(' ').map_or(name, |(_, wall)| wall)
 }
 
-/// No more digits than an area deserves.
+/// "4.3 cm²", with the digits of the column of areas.
 pub fn area_text(area_cm2: f64) -> String {
-    if area_cm2 < 9.95 {
-        format!("{area_cm2:.1} cm²")
-    } else {
-        format!("{area_cm2:.0} cm²")
-    }
+    let column = PatchRow::AREA_CM2;
+    format!(
+        "{} {}",
+        column.digits.shown(area_cm2),
+        column.unit.symbol(LengthUnit::Millimetre)
+    )
 }
 
 /// "31 %".

@@ -6,18 +6,18 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
-    /// The colour of tissue; no number.
+    /// Colour of tissue; no number.
     #[default]
     Tissue,
     /// Distance from the vertex's place at end-diastole.
     Displacement,
     /// Area around the vertex relative to end-diastole; 1 is unchanged.
     AreaRatio,
-    /// PT: thickness of the wall relative to end-diastole, told by its medial surface; 1 is unchanged.
+    /// PT: thickness of the wall relative to end-diastole, from its medial surface; 1 is unchanged.
     ThicknessRatio,
     /// Share in the squared distance of the two poses side by side, per area, relative to the mean.
     Contribution,
-    /// Distance of a carried beat from the heart's own beat at the same phase.
+    /// Difference of a transported motion from the subject's own motion at the same phase.
     CarriedDistance,
 }
 
@@ -40,8 +40,8 @@ impl Quantity {
             Self::Displacement => "Displacement",
             Self::AreaRatio => "Area ratio",
             Self::ThicknessRatio => "Thickness ratio",
-            Self::Contribution => "Difference to the other heart",
-            Self::CarriedDistance => "Distance from its own beat",
+            Self::Contribution => "Contribution to the distance",
+            Self::CarriedDistance => "Difference from the subject's own motion",
         }
     }
 

@@ -4,68 +4,19 @@ use std::sync::Arc;
 
 use crate::picture::fit::blended;
 use crate::picture::legend::{ColourLegend, colour_map};
-use crate::picture::limits::CohortLimits;
-use crate::picture::medial::{HeartMedial, MedialSettings, add_marks, atom_legend};
-use crate::picture::numbers::HeartNumbers;
+use crate::picture::medial::{HeartMedial, add_marks, atom_legend};
+use crate::picture::numbers::SurfaceScalars;
 use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 use crate::picture::quantity::Quantity;
+use crate::picture::scene_settings::SceneSettings;
 use crate::picture::tokens::{
-    ENDOCARDIUM, EPICARDIUM, EPICARDIUM_OPACITY, OTHER_SURFACE, PictureTheme, SILHOUETTE,
-    TRANSLUCENT_SILHOUETTE, WALL_CUT,
+    ENDOCARDIUM, EPICARDIUM, EPICARDIUM_OPACITY, OTHER_SURFACE, SILHOUETTE, TRANSLUCENT_SILHOUETTE,
+    WALL_CUT,
 };
 use crate::render::{
-    ColourLimits, GeometryPose, Points, Scene, Shading, Surface, SurfaceColour, VertexScalars,
-    Wireframe,
+    ColourLimits, GeometryPose, Points, Scene, Surface, SurfaceColour, VertexScalars, Wireframe,
 };
 use crate::study::SurfaceKind;
-
-/// How a heart is drawn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SceneSettings {
-    /// What colours stand for.
-    pub quantity: Quantity,
-    /// The study's fixed ranges.
-    pub cohort_limits: CohortLimits,
-    /// Typed limits in their place.
-    pub typed_limits: Option<[f64; 2]>,
-    /// Whether the inner side of the wall is drawn.
-    pub inner: bool,
-    /// Whether the outer side is drawn.
-    pub outer: bool,
-    /// Whether the cut at the base is drawn, so that the wall reads as one.
-    pub rim: bool,
-    /// Whether edges are drawn.
-    pub wireframe: bool,
-    /// Whether vertices are drawn as discs.
-    pub vertices: bool,
-    /// Smooth or flat.
-    pub shading: Shading,
-    /// What of the middle of the wall is drawn.
-    pub medial: MedialSettings,
-    /// Colours around the heart.
-    pub theme: PictureTheme,
-    /// Whether nothing is drawn behind it.
-    pub transparent: bool,
-}
-
-impl Default for SceneSettings {
-    fn default() -> Self {
-        Self {
-            quantity: Quantity::default(),
-            cohort_limits: CohortLimits::default(),
-            typed_limits: None,
-            inner: true,
-            outer: true,
-            rim: true,
-            wireframe: false,
-            vertices: false,
-            shading: Shading::default(),
-            medial: MedialSettings::default(),
-            theme: PictureTheme::DARK,
-            transparent: false,
-        }
-    }
-}
 
 /// A scene and what its colours mean.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,7 +33,7 @@ pub struct HeartScene {
 #[derive(Clone, Copy, Debug, Default)]
 pub struct HeartExtras<'a> {
     /// Numbers from an analysis.
-    pub numbers: Option<&'a HeartNumbers>,
+    pub numbers: Option<&'a SurfaceScalars>,
     /// The middle of its wall.
     pub medial: Option<HeartMedial<'a>>,
 }
@@ -196,7 +147,7 @@ fn is_coloured(surface: &PreparedSurface, settings: &SceneSettings) -> bool {
 
 fn scalars<'a>(
     surface: &'a PreparedSurface,
-    numbers: Option<&'a HeartNumbers>,
+    numbers: Option<&'a SurfaceScalars>,
     quantity: Quantity,
 ) -> Option<&'a Arc<VertexScalars>> {
     surface.scalars(quantity).or_else(|| {
@@ -220,7 +171,7 @@ fn limits(settings: &SceneSettings) -> ColourLimits {
 
 fn limits_note(settings: &SceneSettings) -> &'static str {
     match (settings.typed_limits, settings.quantity) {
-        (Some(_), _) => "limits typed",
+        (Some(_), _) => "limits set by the user",
         (None, Quantity::AreaRatio | Quantity::ThicknessRatio) => "fixed limits, log scale",
         (None, Quantity::Contribution) => "fixed limits, at the nearest frames",
         (None, _) => "one range for the cohort",
@@ -229,7 +180,7 @@ fn limits_note(settings: &SceneSettings) -> &'static str {
 
 fn drawn(
     surface: &PreparedSurface,
-    numbers: Option<&HeartNumbers>,
+    numbers: Option<&SurfaceScalars>,
     settings: &SceneSettings,
     limits: ColourLimits,
     pose: GeometryPose,
@@ -365,7 +316,7 @@ mod tests {
         };
         let legend = subject_scene(&heart(), &settings, pose).legend.unwrap();
         assert_eq!(legend.limits.high, 2.5);
-        assert_eq!(legend.note, "limits typed");
+        assert_eq!(legend.note, "limits set by the user");
         assert!(legend.above && !legend.below);
     }
 }

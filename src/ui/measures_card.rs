@@ -3,11 +3,13 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, RichText, Ui};
 
+use crate::report::{Column, NO_VALUE, SubjectRow};
 use crate::ui::command::Command;
 use crate::ui::controls::{chooser_ui, empty_pane_ui};
 use crate::ui::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE};
 use crate::ui::style::{medium, note, note_font, text_font, title_font};
 use crate::ui::theme::{colours, space};
+use crate::units::LengthUnit;
 
 /// What the measures card shows.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -16,24 +18,8 @@ pub struct MeasuresView<'a> {
     pub subject: Option<&'a str>,
     /// Whether measures are still to come.
     pub computing: bool,
-    /// Ejection fraction as a fraction.
-    pub ejection_fraction: Option<f64>,
-    /// End-diastolic volume in `volume_unit`.
-    pub end_diastolic_volume: Option<f64>,
-    /// End-systolic volume in `volume_unit`.
-    pub end_systolic_volume: Option<f64>,
-    /// Stroke volume in `volume_unit`.
-    pub stroke_volume: Option<f64>,
-    /// `ml`, or `units³` where the files do not say their unit.
-    pub volume_unit: &'a str,
-    /// Mass of the muscle in grams.
-    pub mass_g: Option<f64>,
-    /// Frame of end-diastole.
-    pub end_diastole: Option<usize>,
-    /// Frame of end-systole.
-    pub end_systole: Option<usize>,
-    /// Whether these frames were stated rather than found.
-    pub phases_stated: bool,
+    /// Its measures; empty where they are not known.
+    pub measures: SubjectRow,
     /// The frame that is shown now.
     pub current_frame: usize,
 }
@@ -57,21 +43,18 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
                 ui.spacing_mut().item_spacing.y = 1.0;
                 ejection_fraction_ui(ui, view);
                 ui.add_space(space::MEDIUM);
-                let pair = format!(
-                    "{} · {}",
-                    number(view.end_diastolic_volume),
-                    number(view.end_systolic_volume)
-                );
-                value_ui(ui, "EDV · ESV", &pair, view.volume_unit, NO_VOLUME_RANGE);
-                value_ui(
-                    ui,
-                    "Stroke volume",
-                    &number(view.stroke_volume),
-                    view.volume_unit,
-                    NO_VOLUME_RANGE,
-                );
-                if view.volume_unit == "ml" {
-                    value_ui(ui, "Mass", &number(view.mass_g), "g", NO_VOLUME_RANGE);
+                let row = &view.measures;
+                let volumes = [SubjectRow::EDV, SubjectRow::ESV];
+                let heading = volumes.each_ref().map(|column| column.heading).join(" · ");
+                let pair = volumes
+                    .each_ref()
+                    .map(|column| column.shown(row))
+                    .join(" · ");
+                value_ui(ui, &heading, &pair, row.unit.volume_symbol());
+                column_ui(ui, &SubjectRow::SV, row);
+                // A mass needs a volume in ml.
+                if row.unit == LengthUnit::Millimetre {
+                    column_ui(ui, &SubjectRow::MASS_G, row);
                 }
                 ui.add_space(space::SMALL);
                 phases_ui(ui, view, commands);
@@ -81,10 +64,10 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
 
 fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     ui.add(egui::Label::new(note("Ejection fraction")).truncate());
-    let text = match view.ejection_fraction {
-        Some(ef) => format!("{:.0}", 100.0 * ef),
+    let row = &view.measures;
+    let text = match row.ef {
         None if view.computing => "…".to_owned(),
-        None => "–".to_owned(),
+        _ => SubjectRow::EF.shown(row),
     };
     let colours = colours(ui);
     let format = |font_id, color| TextFormat {
@@ -95,7 +78,8 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     };
     let mut line = LayoutJob::default();
     line.append(&text, 0.0, format(title_font(), colours.strong));
-    line.append("%", space::SMALL, format(text_font(), colours.muted));
+    let percent = SubjectRow::EF.unit.symbol(row.unit);
+    line.append(percent, space::SMALL, format(text_font(), colours.muted));
     if ui.available_width() > 150.0 {
         line.append(
             EJECTION_FRACTION.short,
@@ -109,38 +93,39 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     }
 }
 
-fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str, hover: &str) {
+fn column_ui(ui: &mut Ui, column: &Column<SubjectRow>, row: &SubjectRow) {
+    let unit = column.unit.symbol(row.unit);
+    value_ui(ui, column.heading, &column.shown(row), unit);
+}
+
+/// A volume or a mass.
+fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str) {
     ui.add(egui::Label::new(note(name)).truncate());
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
         ui.spacing_mut().interact_size.y = 16.0;
         ui.label(medium(value));
-        if value != "–" {
+        if value != NO_VALUE {
             ui.label(RichText::new(unit).weak());
         }
     })
     .response
-    .on_hover_text(hover);
+    .on_hover_text(NO_VOLUME_RANGE);
     ui.add_space(6.0);
 }
 
-/// No more digits than a volume deserves: whole numbers, one place below ten.
-fn number(value: Option<f64>) -> String {
-    match value {
-        None => "–".to_owned(),
-        Some(value) if value.abs() < 9.95 => format!("{value:.1}"),
-        Some(value) => format!("{value:.0}"),
-    }
-}
-
 fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
-    let frame = |frame: Option<usize>| frame.map_or("–".to_owned(), |frame| frame.to_string());
-    let stated = if view.phases_stated { " · stated" } else { "" };
-    let shown = format!(
-        "ED {} · ES {}{stated}",
-        frame(view.end_diastole),
-        frame(view.end_systole)
-    );
+    let row = &view.measures;
+    let source = if row.phases_stated {
+        " · set by user or study"
+    } else {
+        ""
+    };
+    let frames = [SubjectRow::END_DIASTOLE, SubjectRow::END_SYSTOLE];
+    let frames = frames
+        .each_ref()
+        .map(|column| format!("{} {}", column.heading, column.shown(row)));
+    let shown = frames.join(" · ") + source;
     chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
         let here = view.current_frame;
         if ui.button(format!("Frame {here} is end-diastole")).clicked() {
@@ -165,14 +150,6 @@ mod tests {
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     #[test]
-    fn numbers_carry_no_more_digits_than_they_deserve() {
-        assert_eq!(number(Some(104.36)), "104");
-        assert_eq!(number(Some(4.31)), "4.3");
-        assert_eq!(number(Some(9.97)), "10");
-        assert_eq!(number(None), "–");
-    }
-
-    #[test]
     fn the_current_frame_can_be_stated_as_end_systole() {
         let mut harness = Harness::builder()
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
@@ -180,12 +157,15 @@ mod tests {
                 |ui, commands: &mut Vec<Command>| {
                     let view = MeasuresView {
                         subject: Some("P-041"),
-                        ejection_fraction: Some(0.363),
-                        end_diastolic_volume: Some(104.0),
-                        end_systolic_volume: Some(66.2),
-                        volume_unit: "ml",
-                        end_diastole: Some(0),
-                        end_systole: Some(3),
+                        measures: SubjectRow {
+                            ef: Some(0.363),
+                            edv: Some(104.0),
+                            esv: Some(66.2),
+                            unit: LengthUnit::Millimetre,
+                            end_diastole: Some(0),
+                            end_systole: Some(3),
+                            ..SubjectRow::default()
+                        },
                         current_frame: 4,
                         ..Default::default()
                     };

@@ -70,7 +70,7 @@ pub use medial_map::{
 };
 pub use menu_bar::{MenuBarView, menu_bar_ui};
 pub use metric_panel::{MetricPanelView, metric_panel_ui};
-pub use patch_panel::{PatchPanelView, PatchRow, WallState, patch_panel_ui};
+pub use patch_panel::{PatchLine, PatchPanelView, WallState, patch_panel_ui};
 pub use pose_map::{
     MapPoint, PoseMapView, PosePhase, pose_map_choosers_ui, pose_map_header_ui, pose_map_ui,
 };

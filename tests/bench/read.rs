@@ -83,8 +83,8 @@ fn read(criterion: &mut Criterion) {
         eprintln!("skipped: the built-in heart could not be made");
         return;
     };
-    for format in [MeshFormat::Obj, MeshFormat::Ply, MeshFormat::Vtp] {
-        let ending = format.ending();
+    for format in MeshFormat::all() {
+        let ending = format.extension();
         let folder = folder.path().join(ending);
         if let Err(error) = write_study(&study, &folder, format, &Progress::default()) {
             eprintln!("skipped {ending}: {error}");

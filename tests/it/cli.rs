@@ -1,6 +1,8 @@
 //! The headless door from outside: options, exit codes, columns, keys, and the same bytes for any number of threads.
 
 #[cfg(test)]
+mod columns;
+#[cfg(test)]
 mod figures;
 #[cfg(test)]
 mod medial;

@@ -7,6 +7,8 @@ mod cli;
 #[cfg(test)]
 mod clinical_oracles;
 #[cfg(test)]
+mod formats;
+#[cfg(test)]
 mod golden;
 #[cfg(test)]
 mod medial_noise;

@@ -119,7 +119,7 @@ fn cine_mri_opens_with_all_frames_in_millimetres() {
     for subject in &opened.study.subjects {
         assert_eq!(kinds(subject), SHEETS);
         assert_eq!(subject.unit, LengthUnit::Millimetre);
-        assert!(says(&subject.notices, "coordinates taken as mm"));
+        assert!(says(&subject.notices, "unit mm assumed"));
         assert!(says(
             &subject.notices,
             "boundary loops of 48 and 24 vertices"
@@ -204,7 +204,7 @@ fn the_population_mean_opens_as_a_wall_cut_in_two() {
         assert_eq!(mean.sequence.face_count(), 43_840);
         assert_eq!(mean.unit, LengthUnit::Millimetre);
         assert_eq!(mean.end_diastole, Some(0));
-        assert!(says(&mean.notices, "taken as a wall"));
+        assert!(says(&mean.notices, "identified as a wall"));
         assert!(says(
             &mean.notices,
             "two separate pieces of 25,549 faces and 18,291 faces"

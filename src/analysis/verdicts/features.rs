@@ -98,26 +98,6 @@ impl Feature {
         }
     }
 
-    /// As a column of a table.
-    pub fn column(self) -> &'static str {
-        match self {
-            Self::StillShare => "still_share",
-            Self::Median => "median_ln_pt",
-            Self::Spread => "spread_ln_pt",
-            Self::RelativeSpread => "relative_spread",
-            Self::WeakestTenth => "weakest_tenth_ln_pt",
-            Self::Well => "well_ln_pt",
-            Self::Reach => "reach_ln_pt",
-            Self::PatchShare => "patch_share",
-            Self::Confidence => "patch_confidence",
-            Self::PatchThickening => "patch_relative_thickening",
-            Self::Compactness => "patch_compactness",
-            Self::Closeness => "pose_distance",
-            Self::NormalSpread => "normal_spread_rad",
-            Self::Gap => "gap_sizes",
-        }
-    }
-
     /// Its unit; empty for a share or ratio.
     pub fn unit(self) -> &'static str {
         match self {

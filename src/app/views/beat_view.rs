@@ -1,9 +1,10 @@
 //! The beat of the selected heart: time bar, volume curves and measures.
 
-use crate::analysis::measures::{FrameMeasures, PhaseSource};
+use crate::analysis::measures::FrameMeasures;
 use crate::app::document::phase_of;
 use crate::app::in_betweens::{BetweenWords, between_words, geodesic_params};
 use crate::app::state::State;
+use crate::report::SubjectRow;
 use crate::ui::{BeatAxis, Curve, CurveKind, CurvesView, MeasuresView, TimeBarView};
 
 /// Numbers of the selected heart's beat.
@@ -155,23 +156,20 @@ pub fn measures_view(state: &State, computing: bool) -> MeasuresView<'_> {
     };
     let measures = state.measures_of(document.subject);
     let (end_diastole, end_systole) = state.phases_of(document.subject);
+    let row = measures.map_or_else(SubjectRow::default, |measured| {
+        SubjectRow::new(subject.id.clone(), subject.label.clone(), measured)
+    });
+    let stated = subject.end_diastole.is_some() || subject.end_systole.is_some();
     MeasuresView {
         subject: Some(&subject.id),
         computing,
-        ejection_fraction: measures.and_then(|measures| measures.ef),
-        end_diastolic_volume: measures.and_then(|measures| measures.edv),
-        end_systolic_volume: measures.and_then(|measures| measures.esv),
-        stroke_volume: measures.and_then(|measures| measures.sv),
-        volume_unit: subject.unit.volume_symbol(),
-        mass_g: measures
-            .and_then(|measures| measures.mass)
-            .map(|mass| mass.0),
-        end_diastole,
-        end_systole,
-        phases_stated: measures
-            .is_some_and(|measures| measures.phase_source == PhaseSource::Stated)
-            || subject.end_diastole.is_some()
-            || subject.end_systole.is_some(),
+        measures: SubjectRow {
+            unit: subject.unit,
+            end_diastole,
+            end_systole,
+            phases_stated: row.phases_stated || stated,
+            ..row
+        },
         current_frame: document.frame(),
     }
 }

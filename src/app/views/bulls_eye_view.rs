@@ -7,7 +7,7 @@ use crate::app::state::State;
 use crate::app::views::overlay_view::phase_name;
 use crate::engine::SubjectThickening;
 use crate::picture::{
-    BullsEyeScale, CohortLimits, FlatValues, FlatWall, PatchStanding, WallPart, part_name, percent,
+    BullsEyeScale, CohortLimits, PatchStanding, PolarMap, PolarValues, WallPart, part_name, percent,
 };
 use crate::ui::{BullsEyePatch, BullsEyeView, WallState};
 
@@ -15,8 +15,8 @@ use crate::ui::{BullsEyePatch, BullsEyeView, WallState};
 #[derive(Debug, Default)]
 pub struct BullsEyeData {
     made_from: Option<Arc<SubjectThickening>>,
-    flat: FlatWall,
-    shown: FlatValues,
+    flat: PolarMap,
+    shown: PolarValues,
     patches: Vec<BullsEyePatch>,
     moment: String,
     without_axis: Option<String>,
@@ -30,9 +30,9 @@ fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) 
         .get(index)
         .map_or(0.0, |patch| patch.share);
     let what = match standing {
-        PatchStanding::Untold => "",
+        PatchStanding::NoVerdict => "",
         PatchStanding::Abnormal => " · abnormal",
-        PatchStanding::ThickensLittle => " · thickens little",
+        PatchStanding::LowThickening => " · low thickening",
     };
     let part = part_name(standing, index);
     format!("{part}{what} · {} of the LV", percent(share))
@@ -59,7 +59,7 @@ impl BullsEyeData {
             *self = Self {
                 made_from: Some(Arc::clone(found)),
                 without_axis: found.without_axis.clone(),
-                flat: FlatWall::of(found).unwrap_or_default(),
+                flat: PolarMap::of(found).unwrap_or_default(),
                 ..Self::default()
             };
         }
@@ -78,7 +78,7 @@ impl BullsEyeData {
             .map(|(index, borders)| BullsEyePatch {
                 borders: borders.clone(),
                 name: patch_name(found, standing, index),
-                faint: standing == PatchStanding::ThickensLittle,
+                faint: standing == PatchStanding::LowThickening,
                 selected: selected == Some(index),
             })
             .collect();

@@ -10,7 +10,9 @@ use crate::picture::{
     smallest_words,
 };
 use crate::render::Camera;
-use crate::ui::{PatchPanelView, PatchRow, WallState};
+use crate::report::PatchRow;
+use crate::study::Subject;
+use crate::ui::{PatchLine, PatchPanelView, WallState};
 
 /// A framed patch has this much of the heart around it, as a share of the heart's size.
 const LEAST_HALF_HEIGHT: f64 = 0.42;
@@ -22,7 +24,7 @@ pub struct PatchData {
     standing: PatchStanding,
     heading: String,
     note: String,
-    rows: Vec<PatchRow>,
+    rows: Vec<PatchLine>,
     noise: Option<f64>,
     tolerance: Option<f64>,
     well: Option<f64>,
@@ -34,7 +36,7 @@ impl PatchData {
         let document = &state.document;
         let known = state.wall_of(document.subject);
         let wall = wall_state(state, engine);
-        let Some((Ok(found), _)) = known else {
+        let (Some((Ok(found), _)), Some(subject)) = (known, document.selected()) else {
             return Self {
                 state: wall,
                 ..Self::default()
@@ -57,10 +59,10 @@ impl PatchData {
             ]
             .join(""),
             rows: rows
-                .map(|(index, patch)| PatchRow {
+                .map(|(index, patch)| PatchLine {
                     selected: selected == Some(index),
                     camera: shown.and_then(|shown| patch_camera(found, patch, shown)),
-                    ..row(found, patch)
+                    ..line(found, subject, index, patch)
                 })
                 .collect(),
             noise: Some(thickening.noise),
@@ -121,18 +123,15 @@ pub fn wall_state(state: &State, engine: &Engine) -> WallState {
     }
 }
 
-fn row(found: &SubjectThickening, patch: &Patch) -> PatchRow {
-    PatchRow {
-        area_cm2: patch.area_cm2,
-        share: patch.share,
-        thickening: patch.thickening.exp() - 1.0,
-        confidence: patch.confidence,
+fn line(found: &SubjectThickening, subject: &Subject, index: usize, patch: &Patch) -> PatchLine {
+    PatchLine {
+        row: PatchRow::new(&subject.id, subject.unit, index, patch),
         segments: if patch.segments.is_empty() {
             without_segments(found)
         } else {
             segment_words(patch)
         },
-        ..PatchRow::default()
+        ..PatchLine::default()
     }
 }
 

@@ -6,7 +6,9 @@ use crate::app::state::State;
 use crate::picture::{
     PatchStanding, WallPart, area_text, part_name, patch_heading, percent, segment_words,
 };
+use crate::report::PatchRow;
 use crate::ui::PatchNote;
+use crate::units::LengthUnit;
 
 /// Why the parts are called so; empty where there are none, or where they are abnormal.
 pub fn standing_note(state: &State, found: &Thickening) -> String {
@@ -19,12 +21,14 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
         .and_then(|told| told.as_ref().ok());
     let why = match (state.patch_standing(subject), verdict.map(|v| v.finding)) {
         (PatchStanding::Abnormal, _) => return String::new(),
-        (PatchStanding::Untold, _) => "Whether that is abnormal is not told yet",
+        (PatchStanding::NoVerdict, _) => "There is no verdict yet",
         (_, Some(Finding::Nothing)) => {
-            "The verdict is no abnormal patch: the wall works as in normal hearts"
+            "Verdict: no abnormal patch, the wall thickens as in normal subjects"
         }
-        (_, Some(Finding::GlobalFailure)) => "The verdict is global failure: no part stands out",
-        _ => "The verdict is no abnormal patch",
+        (_, Some(Finding::GlobalFailure)) => {
+            "Verdict: global hypokinesia without a regional abnormality"
+        }
+        _ => "Verdict: no abnormal patch",
     };
     format!(". {why}")
 }
@@ -64,11 +68,17 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
             lines.push(segment_words(patch));
         }
         let area = patch.area_cm2.map(|area| format!("{} · ", area_text(area)));
+        let ratio = PatchRow::THICKNESS_RATIO;
+        let shown = |value: f64| {
+            let symbol = ratio.unit.symbol(LengthUnit::default());
+            format!("{} {symbol}", ratio.digits.shown(value))
+        };
         lines.push(format!(
-            "{}PT {:.2} × · elsewhere {:.2} ×",
+            "{}{} {} · remote {}",
             area.unwrap_or_default(),
-            patch.thickening.exp(),
-            thickening.well.exp()
+            ratio.heading,
+            shown(patch.thickening.exp()),
+            shown(thickening.well.exp())
         ));
     } else {
         for patch in thickening.patches.iter().take(3) {
@@ -84,6 +94,6 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
     Some(PatchNote {
         heading,
         lines,
-        found: !thickening.patches.is_empty() && standing != PatchStanding::ThickensLittle,
+        found: !thickening.patches.is_empty() && standing != PatchStanding::LowThickening,
     })
 }

@@ -50,7 +50,7 @@ pub(super) fn read_animations(
             check_count("frames", sampler.input().count() as u64, limits.frames)?;
             let times_s = accessors.scalars(&sampler.input())?;
             if times_s.windows(2).any(|pair| pair[0] >= pair[1]) {
-                return Err(in_item(item, "times do not grow from key to key"));
+                return Err(in_item(item, "times do not increase from key to key"));
             }
             let weights = accessors.scalars(&sampler.output())?;
             let interpolation = sampler.interpolation();

@@ -90,15 +90,14 @@ fn load_uri(
         || name.contains([':', '\\'])
         || name.split('/').any(|part| part == "..");
     if outside {
-        let reason = format!("{} is not a file beside this one", shown(uri.as_bytes()));
+        let reason = format!("{} is not a file in the same folder", shown(uri.as_bytes()));
         return Err(in_item(item, reason));
     }
     sibling(&name).ok_or_else(|| {
         in_item(
             item,
             format!(
-                "the file {} beside this one is needed and cannot be read; \
-                 a .glb file holds everything in one",
+                "the file {} in the same folder is needed and cannot be read; a .glb file holds everything",
                 shown(name.as_bytes())
             ),
         )

@@ -158,7 +158,7 @@ fn add_faces(
     match &part.corners {
         Corners::Triangles(corners) => {
             if corners.len() % 3 != 0 {
-                let reason = format!("{} corners make no whole triangles", corners.len());
+                let reason = format!("{} corners are not a multiple of three", corners.len());
                 return Err(in_item(&part.item, reason));
             }
             for three in corners.chunks_exact(3) {

@@ -34,14 +34,13 @@ pub(crate) fn read_gltf(
     }
     if scene.skinned > 0 {
         draft.notice(Notice::warning(format!(
-            "{} skinned meshes shown at rest: skins are not read",
+            "{} skinned meshes in their rest pose: skins are not read",
             scene.skinned
         )));
     }
     if animations.left_out > 0 {
         draft.notice(Notice::warning(format!(
-            "{} animation channels left out: only the first animation's weights of morph targets \
-             are read",
+            "{} animation channels ignored: only the first animation's weights of morph targets are read",
             animations.left_out
         )));
     }

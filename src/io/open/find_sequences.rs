@@ -9,7 +9,8 @@ use super::natural_order::natural_order;
 use super::plan::{SeriesTimes, StudyPlan};
 use super::read_file::{name_of, read_bytes, read_mesh_at, read_text};
 use super::series_files::{is_series, read_series};
-use crate::io::{Limits, OpenError, mesh_file_endings};
+use crate::io::formats::{MANIFEST_EXTENSION, format_of_extension};
+use crate::io::{Limits, OpenError, openable_extensions};
 use crate::progress::{Progress, Stopped};
 use crate::study::SurfaceKind;
 use crate::study::checks::counted;
@@ -48,27 +49,27 @@ pub(super) fn role(path: &Path) -> FileRole {
     let Some(ending) = path.extension().and_then(|ending| ending.to_str()) else {
         return FileRole::Other;
     };
-    let ending = ending.to_ascii_lowercase();
     if name_of(path).eq_ignore_ascii_case("study.toml") {
         FileRole::Manifest
     } else if is_series(path) {
         FileRole::Series
-    } else if ending == "csv" {
-        FileRole::Table
-    } else if mesh_file_endings().contains(&ending.as_str()) {
-        FileRole::Mesh
     } else {
-        FileRole::Other
+        match format_of_extension(ending) {
+            Some(format) if format.often_other => FileRole::Table,
+            Some(_) => FileRole::Mesh,
+            None => FileRole::Other,
+        }
     }
 }
 
 /// Whether opening this path can bring anything: a folder, or a file with an ending that is read.
 pub fn looks_openable(path: &Path) -> bool {
-    path.is_dir()
-        || role(path) != FileRole::Other
-        || path
-            .extension()
-            .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"))
+    path.is_dir() || role(path) != FileRole::Other || is_manifest(path)
+}
+
+fn is_manifest(path: &Path) -> bool {
+    path.extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case(MANIFEST_EXTENSION))
 }
 
 impl<'a> Search<'a> {
@@ -87,9 +88,6 @@ impl<'a> Search<'a> {
         let mut loose: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
         for path in paths {
             self.progress.step()?;
-            let is_toml = path
-                .extension()
-                .is_some_and(|ending| ending.eq_ignore_ascii_case("toml"));
             if path.is_dir() {
                 if self.was_seen(path) {
                     continue;
@@ -99,7 +97,7 @@ impl<'a> Search<'a> {
                 if self.found() == before {
                     self.fail(None, path, nothing_here(self.images));
                 }
-            } else if is_toml {
+            } else if is_manifest(path) {
                 self.manifest(path)?;
             } else {
                 let folder = path.parent().unwrap_or(Path::new("")).to_owned();
@@ -306,10 +304,10 @@ fn is_image(path: &Path) -> bool {
 }
 
 fn nothing_here(images: usize) -> String {
-    let endings = mesh_file_endings().join(", ");
+    let endings = openable_extensions().join(", ");
     let images = match images {
         0 => String::new(),
         count => format!("; {} not read", counted(count, "image is", "images are")),
     };
-    format!("no meshes found ({endings}, pvd, series, study.toml){images}")
+    format!("no meshes found ({endings}){images}")
 }

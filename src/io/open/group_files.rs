@@ -118,7 +118,7 @@ fn subject(id: &str, folder: &Path, members: Vec<Named>) -> Result<SubjectPlan, 
             let first = file_name(&pair[0].file.path);
             return Err((
                 pair[1].file.path.clone(),
-                format!("{first} has the same surface and frame by its name"),
+                format!("{first} has the same surface and frame in its name"),
             ));
         }
         frames_of.push((kind, members.iter().filter_map(|m| m.frame).collect()));
@@ -180,7 +180,7 @@ fn one_ending(members: Vec<Named>, notices: &mut Vec<Notice>) -> Vec<Named> {
             kept = Some(members);
         } else {
             notices.push(Notice::info(format!(
-                "{} with the ending .{ending} hold the same frames and were not read",
+                "{} with the extension .{ending} hold the same frames and are not read",
                 counted(members.len(), "file", "files")
             )));
         }
@@ -245,7 +245,7 @@ fn numbering_notice(frames: &[FrameName]) -> Option<Notice> {
     match steps.first() {
         None | Some(1) if steps.len() <= 1 => None,
         Some(step) if steps.len() == 1 && numbers.len() > 2 => Some(Notice::info(format!(
-            "files are numbered {first} to {last} in steps of {step}: {} frames, taken as evenly spaced",
+            "files are numbered {first} to {last} in steps of {step}: {} frames, assumed evenly spaced",
             numbers.len()
         ))),
         _ => {
@@ -267,10 +267,10 @@ fn name_phases(frames: &[FrameName], stated: &mut Stated, notices: &mut Vec<Noti
     stated.end_systole = place(FrameName::EndSystole);
     let text = match (stated.end_diastole, stated.end_systole) {
         (Some(diastole), Some(systole)) => format!(
-            "end-diastole (frame {diastole}) and end-systole (frame {systole}) are told by the file names; times between them are not known"
+            "end-diastole (frame {diastole}) and end-systole (frame {systole}) from the file names; times between them are not known"
         ),
-        (Some(_), None) => "end-diastole only, as the file name says".to_owned(),
-        (None, Some(_)) => "end-systole only, as the file name says".to_owned(),
+        (Some(_), None) => "end-diastole only, by its file name".to_owned(),
+        (None, Some(_)) => "end-systole only, by its file name".to_owned(),
         (None, None) => return,
     };
     notices.push(Notice::info(text));

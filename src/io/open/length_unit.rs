@@ -29,7 +29,7 @@ pub(super) fn length_unit(
             let absurd = is_heart && !(4.0..=500.0).contains(&side);
             let notice = absurd.then(|| {
                 Notice::warning(format!(
-                    "stated as mm, but its longest side is {}: volumes in ml are then implausible",
+                    "unit mm, but the longest side is {}: volumes in ml are implausible",
                     millimetres(side)
                 ))
             });
@@ -39,14 +39,14 @@ pub(super) fn length_unit(
         None if all_known(sequence) && PLAUSIBLE_MM.contains(&side) => (
             LengthUnit::Millimetre,
             Some(Notice::info(format!(
-                "coordinates taken as mm, because the longest side is {}, as of a left ventricle; no file says so",
+                "unit mm assumed, because the longest side is {}, as of a left ventricle; no file gives a unit",
                 millimetres(side)
             ))),
         ),
         None if all_known(sequence) => (
             LengthUnit::FileUnit,
             Some(Notice::info(format!(
-                "unit of length not stated; a longest side of {side:.1} would be too {} for a left ventricle in mm, so sizes are in file units, not in ml",
+                "no unit of length given; a longest side of {side:.1} is too {} for a left ventricle in mm, so sizes are in file units, not in ml",
                 if side < *PLAUSIBLE_MM.start() {
                     "short"
                 } else {
@@ -57,7 +57,7 @@ pub(super) fn length_unit(
         None => (
             LengthUnit::FileUnit,
             Some(Notice::info(format!(
-                "unit of length not stated (the longest side is {side:.2}): sizes are in file units"
+                "no unit of length given (the longest side is {side:.2}): sizes are in file units"
             ))),
         ),
     }

@@ -82,7 +82,7 @@ impl Search<'_> {
             for pattern in &patterns {
                 match files_of_pattern(folder, pattern) {
                     Ok(found) if found.is_empty() => {
-                        let reason = format!("line {line}: no file is named by {pattern:?}");
+                        let reason = format!("line {line}: no file matches {pattern:?}");
                         self.fail(Some(id), manifest, reason);
                         return Ok(());
                     }
@@ -170,7 +170,7 @@ impl Search<'_> {
             (None, _) if failed => {}
             (_, others) => {
                 let reason = format!(
-                    "line {line}: the folder {id:?} holds {} hearts, not one",
+                    "line {line}: the folder {id:?} holds {} subjects, not one",
                     if others == 0 { 0 } else { others + 1 }
                 );
                 self.fail(Some(id), manifest, reason);

@@ -132,7 +132,7 @@ fn make_ids_unique(plans: &mut [SubjectPlan]) {
         }
         if plan.id != id {
             plan.notices.push(Notice::warning(format!(
-                "another subject is called {id:?} too: this one is shown as {:?}",
+                "another subject has the id {id:?} too: this one is shown as {:?}",
                 plan.id
             )));
         }
@@ -151,7 +151,7 @@ fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
     }
     if groups.len() == 1 {
         notices.push(Notice::info(format!(
-            "{} have the same faces: their vertices are taken to correspond",
+            "{} have the same faces: their vertices correspond",
             all_of(subjects.len(), "subjects")
         )));
     } else {
@@ -163,7 +163,7 @@ fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
                 .to_owned()
         } else {
             format!(
-                "subjects have {} kinds of meshes (the commonest in {}): poses are compared only within a kind",
+                "subjects have {} different meshes (the most frequent in {}): poses are compared only where the mesh is the same",
                 sizes.len(),
                 counted(sizes[0], "subject", "subjects")
             )

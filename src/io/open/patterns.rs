@@ -25,7 +25,7 @@ pub(super) fn files_of_pattern(folder: &Path, pattern: &str) -> Result<Vec<PathB
     };
     let mut budget = MOST_ENTRIES;
     collect(start, &parts, &mut found, &mut budget)
-        .ok_or_else(|| format!("the pattern {pattern:?} leads through too many files"))?;
+        .ok_or_else(|| format!("the pattern {pattern:?} matches too many files and folders"))?;
     found.sort_by(|a, b| {
         let key = |path: &Path| path.to_string_lossy().into_owned();
         let phase = |path: &Path| {

@@ -100,7 +100,7 @@ pub(super) fn read_mesh_at(path: &Path, bytes: &[u8], limits: &Limits) -> Result
 /// all the others that are read beside it.
 fn unless_it_panics<T>(read: impl FnOnce() -> T) -> Result<T, String> {
     catch_unwind(AssertUnwindSafe(read))
-        .map_err(|_| "so damaged that its reader gave up (a fault of this program)".to_owned())
+        .map_err(|_| "too damaged to read (a fault of this program)".to_owned())
 }
 
 /// An error of the system, as it is said here.

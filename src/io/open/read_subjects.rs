@@ -128,7 +128,7 @@ fn join_surface(
 ) -> Result<JoinedSurface, (Option<PathBuf>, String)> {
     let mut frames: Vec<TriMesh> = Vec::new();
     let mut file_of_frame = Vec::new();
-    let mut told: Vec<(Notice, Vec<usize>)> = Vec::new();
+    let mut counted: Vec<(Notice, Vec<usize>)> = Vec::new();
     let mut times_s = None;
     let file_count = files.len();
     for (index, file) in files.into_iter().enumerate() {
@@ -138,9 +138,9 @@ fn join_surface(
             times_s = file.times_s;
         }
         for notice in file.notices {
-            match told.iter_mut().find(|(known, _)| *known == notice) {
+            match counted.iter_mut().find(|(known, _)| *known == notice) {
                 Some((_, in_files)) => in_files.push(index),
-                None => told.push((notice, vec![index])),
+                None => counted.push((notice, vec![index])),
             }
         }
     }
@@ -154,7 +154,7 @@ fn join_surface(
     }
     let (kind, assumed) = kind_of(plan.kind, &frames);
     let mut notices: Vec<Notice> = assumed.into_iter().collect();
-    for (notice, in_files) in told {
+    for (notice, in_files) in counted {
         let text = format!(
             "{}: {}",
             with_frames(kind.name(), &in_files, file_count),
@@ -166,7 +166,7 @@ fn join_surface(
         && let Some((seconds, unit)) = times_in_seconds(&times.0)
     {
         notices.push(Notice::info(format!(
-            "times of the series file taken as {unit}, because they end at {}",
+            "times of the series file assumed to be in {unit}, because they end at {}",
             times.0.last().copied().unwrap_or_default()
         )));
         times_s = Some(seconds);
@@ -204,7 +204,7 @@ fn kind_of(plan: KindPlan, frames: &[TriMesh]) -> (SurfaceKind, Option<Notice>) 
             (kind, Some(notice))
         }
         (KindPlan::Ventricle | KindPlan::Unnamed, _) => {
-            let text = "nothing says which part of a heart this is: it has no blood or muscle volume (names with endo, epi, wall or cavity say so, or a study.toml)";
+            let text = "surface not identified: no blood or muscle volume (file names with endo, epi, wall or cavity identify it, or a study.toml)";
             (SurfaceKind::Other, Some(Notice::info(text)))
         }
     }
@@ -229,7 +229,7 @@ fn with_facts(
                 ..anatomy
             });
             notices.push(Notice::info(format!(
-                "coordinates multiplied by {factor} to make them mm, as study.toml states their unit"
+                "coordinates multiplied by {factor} to convert them to mm (unit in study.toml)"
             )));
             scaled(sequence, factor)
         }
@@ -261,14 +261,14 @@ fn usable_times(
     let times = times?;
     if times.len() != frame_count {
         notices.push(Notice::warning(format!(
-            "{} times for {frame_count} frames: times are left out",
+            "{} times for {frame_count} frames: times are ignored",
             times.len()
         )));
         return None;
     }
     if times.windows(2).any(|pair| pair[0] >= pair[1]) {
         notices.push(Notice::warning(
-            "times of the frames do not ascend: they are left out",
+            "times of the frames do not increase: they are ignored",
         ));
         return None;
     }

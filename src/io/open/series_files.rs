@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use crate::io::formats::SERIES_EXTENSIONS;
+
 /// Files in the order of time.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Series {
@@ -17,7 +19,8 @@ pub(super) struct Series {
 /// Whether a file lists other files.
 pub(super) fn is_series(path: &Path) -> bool {
     path.extension().is_some_and(|ending| {
-        ending.eq_ignore_ascii_case("pvd") || ending.eq_ignore_ascii_case("series")
+        let mut known = SERIES_EXTENSIONS.iter();
+        known.any(|known| ending.eq_ignore_ascii_case(known))
     })
 }
 

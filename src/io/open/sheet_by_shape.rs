@@ -15,10 +15,11 @@ pub(super) fn sheet_by_shape(mesh: &TriMesh) -> (SurfaceKind, Notice) {
     let turns = winding_number(mesh, &middle).abs();
     // Openings at the base take up to a third of the view from the middle.
     if turns < 0.4 {
-        let text = "taken as a wall: the surface goes around the muscle, with an inner and an outer side; the file does not say";
+        let text =
+            "identified as a wall by its shape: one closed surface with an inner and an outer side";
         (SurfaceKind::Wall, Notice::info(text))
     } else {
-        let text = "taken as a cavity: one surface around one space; the file does not say whether that is the blood or the whole heart";
+        let text = "identified as a cavity by its shape: one surface around one space; it may be the blood or the whole heart";
         (SurfaceKind::Cavity, Notice::warning(text))
     }
 }

@@ -131,7 +131,7 @@ fn unknown_keys(fields: &Fields) -> Vec<Notice> {
         .into_iter()
         .map(|(line, key)| {
             Notice::warning(format!(
-                "study.toml, line {line}: {key:?} is not known and was passed over"
+                "study.toml, line {line}: unknown key {key:?}, ignored"
             ))
         })
         .collect()
@@ -206,7 +206,7 @@ fn anatomy(fields: &mut Fields, notices: &mut Vec<Notice>) -> Result<Option<Anat
     let anatomy = Anatomy::from_landmarks(apex, base, septum, anterior);
     if anatomy.is_none() {
         notices.push(Notice::warning(
-            "the orientation landmarks lie on one line or coincide: anatomical names are left out",
+            "the orientation landmarks lie on one line or coincide: no anatomical names",
         ));
     }
     Ok(anatomy)

@@ -59,7 +59,7 @@ impl<'t> Fields<'t> {
 
     /// One text, or a list of texts.
     pub(super) fn strings(&mut self, key: &'static str) -> Result<Option<Vec<String>>, String> {
-        self.read(key, "a text in quotes or a list of such", |value| {
+        self.read(key, "a text in quotes or a list of texts", |value| {
             if let Some(one) = value.as_str() {
                 return Some(vec![one.to_owned()]);
             }

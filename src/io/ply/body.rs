@@ -53,7 +53,7 @@ impl Body for TextBody<'_> {
                 return Ok(());
             }
         }
-        let reason = format!("the file ends where an element \"{name}\" should come");
+        let reason = format!("the file ends where an element \"{name}\" is expected");
         Err(self.place().error(reason))
     }
 
@@ -100,7 +100,7 @@ impl<'a> BinaryBody<'a> {
 impl Body for BinaryBody<'_> {
     fn begin(&mut self, name: &str) -> Result<(), ReadMeshError> {
         if self.cursor.rest().is_empty() {
-            let reason = format!("the file ends where an element \"{name}\" should come");
+            let reason = format!("the file ends where an element \"{name}\" is expected");
             return Err(self.place().error(reason));
         }
         Ok(())

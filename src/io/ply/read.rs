@@ -46,10 +46,7 @@ fn read_elements(
         }
     }
     if body.bytes_left() > 0 {
-        let text = format!(
-            "{} bytes after the last element left out",
-            body.bytes_left()
-        );
+        let text = format!("{} bytes after the last element ignored", body.bytes_left());
         draft.notice(Notice::warning(text));
     }
     draft.finish()

@@ -32,10 +32,10 @@ fn nothing_is_reshaped_without_a_notice() {
     assert_eq!(
         file.notices,
         [
-            Notice::warning("2 triangles with a repeated corner left out"),
-            Notice::warning("1 face of fewer than three corners left out"),
-            Notice::info("1 polygon split into triangles, as a fan from the first corner"),
-            Notice::info("1 point or line beside the faces left out"),
+            Notice::warning("2 triangles with a repeated corner removed"),
+            Notice::warning("1 face with fewer than three corners ignored"),
+            Notice::info("1 polygon triangulated as a fan from the first corner"),
+            Notice::info("1 point or line beside the faces ignored"),
             Notice::info("1 vertex used by no face (kept)"),
         ]
     );

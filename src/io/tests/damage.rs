@@ -369,6 +369,8 @@ fn limits_are_errors_that_say_the_limit() {
     );
     assert_eq!(
         read_mesh("a.txt", b"hello", &small),
-        Err(ReadMeshError::UnknownFormat)
+        Err(ReadMeshError::UnknownFormat {
+            known: "OBJ, PLY, STL, VTK, VTP, glTF, CSV".to_owned()
+        })
     );
 }

@@ -101,8 +101,8 @@ fn what_is_split_or_left_out_is_reported() {
     assert_eq!(
         texts(&mixed),
         [
-            "1 polygon split into triangles, as a fan from the first corner",
-            "2 points or lines beside the faces left out",
+            "1 polygon triangulated as a fan from the first corner",
+            "2 points or lines beside the faces ignored",
             "1 vertex used by no face (kept)",
         ]
     );

@@ -83,7 +83,7 @@ impl<'a> LegacyCursor<'a> {
         let rest = self.rest();
         let place = self.place();
         if rest.is_empty() {
-            return Err(place.error(format!("the file ends where {what} should come")));
+            return Err(place.error(format!("the file ends where {what} is expected")));
         }
         let end = rest.iter().position(u8::is_ascii_whitespace);
         self.at += end.unwrap_or(rest.len());

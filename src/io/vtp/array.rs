@@ -127,7 +127,7 @@ impl VtpFile<'_> {
             place,
         )?;
         if bytes.len() % size != 0 {
-            let reason = format!("{} bytes are no whole number of values", bytes.len());
+            let reason = format!("{} bytes are not a whole number of values", bytes.len());
             return Err(place.error(reason));
         }
         Ok(Numbers {

@@ -6,9 +6,13 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::io::{Limits, Opened, open_paths};
-use crate::mesh::{Point3, phantom};
+use crate::mesh::{Point3, TriMesh, phantom};
 use crate::study::{LabelRoles, SurfaceSequence};
 use crate::units::Seconds;
+
+fn format(extension: &str) -> MeshFormat {
+    MeshFormat::of_extension(extension).unwrap()
+}
 
 fn read_back(folder: &Path) -> Opened {
     open_paths(
@@ -106,7 +110,7 @@ proptest! {
         name in "[a-z \"\\\\]{0,8}",
         normal in prop::collection::vec("[A-Z]{1,4}", 0..3),
         subjects in prop::collection::vec(subject(), 1..4),
-        format in prop_oneof![Just(MeshFormat::Obj), Just(MeshFormat::Ply), Just(MeshFormat::Vtp)],
+        format in prop::sample::select(MeshFormat::all().collect::<Vec<_>>()),
     ) {
         let mut subjects = subjects;
         for (index, subject) in subjects.iter_mut().enumerate() {
@@ -147,7 +151,7 @@ fn frames_of_another_study_are_never_mixed_in_or_deleted() {
         write_study(
             &small_study(frames),
             folder.path(),
-            MeshFormat::Obj,
+            format("obj"),
             &Progress::default(),
         )
     };
@@ -173,7 +177,7 @@ fn the_series_files_of_a_study_open_by_themselves() {
     let mut subject = (*study.subjects[0]).clone();
     subject.timing.frame_times_s = Some(vec![0.0, 0.35]);
     study.subjects = vec![Arc::new(subject)];
-    write_study(&study, folder.path(), MeshFormat::Vtp, &Progress::default()).unwrap();
+    write_study(&study, folder.path(), format("vtp"), &Progress::default()).unwrap();
     for path in [folder.path().join("a/cavity.pvd"), folder.path().join("a")] {
         let opened = read_back(&path);
         assert!(opened.errors.is_empty(), "{:?}", opened.errors);
@@ -191,7 +195,7 @@ fn a_stopped_writer_stops() {
     let outcome = write_study(
         &small_study(&[1.0]),
         folder.path(),
-        MeshFormat::Obj,
+        format("obj"),
         &progress,
     );
     assert!(matches!(outcome, Err(WriteStudyError::Stopped(_))));
@@ -214,7 +218,7 @@ fn a_folder_that_cannot_be_made_is_named() {
     let error = write_study(
         &small_study(&[1.0]),
         &blocked,
-        MeshFormat::Obj,
+        format("obj"),
         &Progress::default(),
     )
     .unwrap_err();

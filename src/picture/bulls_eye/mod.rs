@@ -1,9 +1,9 @@
-//! The wall laid flat as plain shapes and numbers: what the bull's-eye of the window and that of figures share.
+//! The bull's-eye of the window and of figures: polar map, colour scale, shapes.
 
-mod flat_wall;
+mod polar_map;
 mod scale;
 mod shapes;
 
-pub use flat_wall::{FlatValues, FlatWall};
+pub use polar_map::{PolarMap, PolarValues};
 pub use scale::{BullsEyeQuantity, BullsEyeScale};
 pub use shapes::{ink_on, sector_line, sector_outline, sector_strip};

@@ -161,11 +161,13 @@ impl BullsEyeScale {
     pub fn title(&self, moment: &str) -> String {
         match self.quantity {
             BullsEyeQuantity::Thickening => "thickening ED to ES, %".to_owned(),
-            BullsEyeQuantity::Ratio => format!("PT, × end-diastole · {moment}"),
-            BullsEyeQuantity::AreaRatio => format!("inner area, × end-diastole · {moment}"),
+            BullsEyeQuantity::Ratio => format!("thickness ratio PT to end-diastole · {moment}"),
+            BullsEyeQuantity::AreaRatio => {
+                format!("endocardial area relative to end-diastole · {moment}")
+            }
             BullsEyeQuantity::Displacement => {
                 format!(
-                    "from end-diastole, {} · {moment}",
+                    "displacement from end-diastole, {} · {moment}",
                     self.unit.length_symbol()
                 )
             }
@@ -178,7 +180,7 @@ impl BullsEyeScale {
         match self.quantity {
             BullsEyeQuantity::Thickening => format!("thickening {text} %, ED to ES"),
             BullsEyeQuantity::Ratio => format!("PT {text} × at {moment}"),
-            BullsEyeQuantity::AreaRatio => format!("inner area {text} × at {moment}"),
+            BullsEyeQuantity::AreaRatio => format!("endocardial area {text} × at {moment}"),
             BullsEyeQuantity::Displacement => {
                 format!(
                     "{text} {} from end-diastole at {moment}",

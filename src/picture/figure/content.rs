@@ -4,6 +4,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::picture::axes::CubeFace;
 use crate::picture::frame_words::frame_words;
 use crate::picture::legend::ColourLegend;
+use crate::report::{Column, SubjectRow};
 use crate::study::Subject;
 use crate::units::LengthUnit;
 
@@ -42,15 +43,29 @@ pub struct FigureContent {
 impl FigureContent {
     /// Gathers what is known. A subject carries a pseudonym; nothing else names a person.
     pub fn of(shown: FigureSubject<'_>, legends: Vec<ColourLegend>, cube: Vec<CubeFace>) -> Self {
-        let measures = shown.measures;
-        let ejection_fraction = measures
-            .and_then(|measures| measures.ef)
-            .map_or_else(String::new, |ef| format!("EF {:.0} %", 100.0 * ef));
-        let volumes = measures
-            .and_then(|measures| measures.edv.zip(measures.esv))
-            .map_or_else(String::new, |(edv, esv)| {
-                let symbol = shown.subject.unit.volume_symbol();
-                format!("EDV {} · ESV {} {symbol}", rounded(edv), rounded(esv))
+        let unit = shown.subject.unit;
+        let row = shown
+            .measures
+            .map(|measured| SubjectRow::new(String::new(), None, measured));
+        let named = |row: &SubjectRow, column: Column<SubjectRow>| {
+            format!("{} {}", column.heading, column.shown(row))
+        };
+        let ejection_fraction =
+            (row.as_ref())
+                .filter(|row| row.ef.is_some())
+                .map_or_else(String::new, |row| {
+                    format!(
+                        "{} {}",
+                        named(row, SubjectRow::EF),
+                        SubjectRow::EF.unit.symbol(unit)
+                    )
+                });
+        let volumes = (row.as_ref())
+            .filter(|row| row.edv.is_some() && row.esv.is_some())
+            .map_or_else(String::new, |row| {
+                let [edv, esv] =
+                    [SubjectRow::EDV, SubjectRow::ESV].map(|column| named(row, column));
+                format!("{edv} · {esv} {}", unit.volume_symbol())
             });
         Self {
             title: shown.subject.id.clone(),
@@ -98,15 +113,6 @@ fn moment(shown: FigureSubject<'_>) -> String {
         parts.push(format!("{:.0} % R-R", 100.0 * phase));
     }
     parts.join(" · ")
-}
-
-/// As many digits as a volume deserves: none from 20 on, one below.
-fn rounded(volume: f64) -> String {
-    if volume.abs() >= 20.0 {
-        format!("{volume:.0}")
-    } else {
-        format!("{volume:.1}")
-    }
 }
 
 #[cfg(test)]

@@ -11,7 +11,8 @@ use crate::picture::figure::saved_view::{SavedCamera, SavedView};
 use crate::picture::heart_frame::HeartFrame;
 use crate::picture::page::{FigureFonts, FigureSettings, Page, VIEW_KEY};
 use crate::picture::prepared::PreparedSubject;
-use crate::picture::scene::{HeartExtras, HeartScene, SceneSettings, heart_scene};
+use crate::picture::scene::{HeartExtras, HeartScene, heart_scene};
+use crate::picture::scene_settings::SceneSettings;
 use crate::render::{Camera, GeometryPose, Headless, RenderError};
 
 /// Where a figure is taken from.

@@ -8,7 +8,7 @@ use crate::picture::bulls_eye::BullsEyeQuantity;
 use crate::picture::heart_frame::HeartFrame;
 use crate::picture::medial::WallPart;
 use crate::picture::quantity::Quantity;
-use crate::picture::scene::SceneSettings;
+use crate::picture::scene_settings::SceneSettings;
 use crate::render::{Camera, Shading};
 use crate::study::{Study, Subject};
 
@@ -30,7 +30,7 @@ pub struct SavedView {
     pub position: f64,
     /// From where it is seen.
     pub camera: SavedCamera,
-    /// What colours stand for.
+    /// Quantity shown in colour.
     pub quantity: Quantity,
     /// Typed limits of its colours.
     #[serde(default)]
@@ -114,7 +114,7 @@ pub enum SavedViewError {
     Later(String),
     /// A number that no view has.
     #[error(
-        "the description of the view inside the picture has a camera or a place that is no number"
+        "the description of the view inside the picture has a camera or a position that is not a number"
     )]
     NotFinite,
     /// The heart is not open.

@@ -10,7 +10,7 @@ use crate::picture::legend::{ColourLegend, colour_map};
 use crate::picture::limits::THICKNESS_RATIO;
 use crate::picture::prepared::{PreparedSubject, SurfaceRole};
 use crate::picture::quantity::Quantity;
-use crate::picture::scene::SceneSettings;
+use crate::picture::scene_settings::SceneSettings;
 use crate::render::{
     ColourLimits, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface, SurfaceColour,
 };
@@ -40,7 +40,7 @@ pub(in crate::picture) fn atom_legend(
     settings: &SceneSettings,
 ) -> Option<ColourLegend> {
     let note = if settings.medial.limits.is_some() {
-        "limits typed"
+        "limits set by the user"
     } else {
         "fixed limits, log scale"
     };

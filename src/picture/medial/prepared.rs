@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::medial::MedialBeat;
 use crate::mesh::Point3;
-use crate::picture::numbers::HeartNumbers;
+use crate::picture::numbers::SurfaceScalars;
 use crate::picture::prepared::PreparedSubject;
 use crate::picture::quantity::Quantity;
 use crate::render::{Geometry, GeometryPose, VertexScalars};
@@ -96,7 +96,7 @@ impl PreparedMedial {
     }
 
     /// PT on all surfaces of a heart at all of its poses: between frames in proportion.
-    pub fn numbers(&self, prepared: &PreparedSubject) -> Option<HeartNumbers> {
+    pub fn numbers(&self, prepared: &PreparedSubject) -> Option<SurfaceScalars> {
         let at_frames: Vec<Vec<f32>> = (0..self.beat.frames.len())
             .map(|frame| {
                 let every = self.atom_of.iter().flatten();
@@ -118,7 +118,7 @@ impl PreparedMedial {
                 Some(between.map(|(a, b)| a + place.blend * (b - a)).collect())
             })
             .collect::<Option<_>>()?;
-        HeartNumbers::of_heart(prepared, Quantity::ThicknessRatio, &lists)
+        SurfaceScalars::of_heart(prepared, Quantity::ThicknessRatio, &lists)
     }
 
     /// Corners of an atom's disc at a place between frames, in order; none where it has no disc.

@@ -15,7 +15,7 @@ pub enum PngError {
     #[error(transparent)]
     Encoding(#[from] png::EncodingError),
     /// The file is no PNG picture, or is damaged.
-    #[error("this is no PNG picture: {0}")]
+    #[error("not a PNG picture: {0}")]
     Decoding(#[from] png::DecodingError),
 }
 

@@ -1,38 +1,43 @@
-//! What the report says, as texts.
+//! The content of the report, as texts.
 
 use crate::analysis::verdicts::{Finding, RuleSource, Verdicts};
 use crate::picture::patch_words::{percent, probability_words, sentence};
 use crate::picture::report::ReportOrder;
+use crate::report::{NO_VALUE, PatchRow, SubjectRow, VerdictRow};
+use crate::units::LengthUnit;
 
 /// Subject, label, EF, EDV, verdict, probability, patch, note.
 pub(super) type Row = [String; 8];
 
-/// Heads of the table, with units.
-pub(super) fn heads(volume: &str) -> Row {
+/// Heads of the table, with the unit of volumes.
+pub(super) fn heads(unit: LengthUnit) -> Row {
     [
-        "Subject",
-        "Label",
-        "EF",
-        &format!("EDV, {volume}"),
-        "Verdict",
-        "Probability",
-        "Patch, of the LV",
-        "",
+        SubjectRow::SUBJECT.heading.to_owned(),
+        SubjectRow::LABEL.heading.to_owned(),
+        SubjectRow::EF.heading.to_owned(),
+        SubjectRow::EDV.heading_with_unit(unit),
+        VerdictRow::FINDING.heading.to_owned(),
+        VerdictRow::PROBABILITY.short_heading.to_owned(),
+        format!("Patch, {}", PatchRow::SHARE.heading),
+        String::new(),
     ]
-    .map(str::to_owned)
 }
 
 /// One row per subject.
 pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
+    let measures = SubjectRow::of_study(order.study, order.measures);
+    let verdicts = VerdictRow::of_study(order.study, order.verdicts);
     let subjects = order.study.subjects.iter().enumerate();
     subjects
         .map(|(index, subject)| {
-            let measures = order.measures.get(index);
-            let none = || "–".to_owned();
-            let told = order.verdicts.subjects.get(index);
-            let [verdict, probability, share, note] = match told {
+            let none = || NO_VALUE.to_owned();
+            let row = measures.get(index);
+            let assessed = order.verdicts.subjects.get(index);
+            let verdict = verdicts.get(index);
+            let finding = verdict.map_or_else(none, |row| VerdictRow::FINDING.shown(row));
+            let [finding, probability, share, note] = match assessed {
                 Some(Ok(verdict)) => [
-                    verdict.finding.name().to_owned(),
+                    finding,
                     probability_words(verdict.probability),
                     if verdict.finding == Finding::Patch {
                         percent(verdict.patched)
@@ -49,12 +54,13 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
                 ],
                 None => [none(), none(), none(), String::new()],
             };
+            let unit = subject.unit;
             [
                 subject.id.clone(),
-                subject.label.clone().unwrap_or_else(none),
-                measures.and_then(|m| m.ef).map_or_else(none, percent),
-                (measures.and_then(|m| m.edv)).map_or_else(none, |edv| format!("{edv:.0}")),
-                verdict,
+                row.map_or_else(none, |row| SubjectRow::LABEL.shown(row)),
+                row.map_or_else(none, |row| SubjectRow::EF.shown_with_unit(row, unit)),
+                row.map_or_else(none, |row| SubjectRow::EDV.shown(row)),
+                finding,
                 probability,
                 share,
                 note,
@@ -63,11 +69,13 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
         .collect()
 }
 
-/// How many hearts have what.
+/// How many subjects have which verdict.
 pub(super) fn counts(verdicts: &Verdicts) -> String {
     let count = |finding: Finding| {
-        let told = verdicts.subjects.iter().flatten();
-        told.filter(|verdict| verdict.finding == finding).count()
+        let assessed = verdicts.subjects.iter().flatten();
+        assessed
+            .filter(|verdict| verdict.finding == finding)
+            .count()
     };
     let mut parts: Vec<String> = [
         Finding::Patch,
@@ -83,7 +91,7 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
     let not = verdicts
         .subjects
         .iter()
-        .filter(|told| told.is_err())
+        .filter(|assessed| assessed.is_err())
         .count();
     if not > 0 {
         parts.push(format!("not assessed: {not}"));
@@ -91,31 +99,31 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
     sentence(&parts.join(" · "))
 }
 
-/// What the rule is worth.
-pub(super) fn rule(verdicts: &Verdicts) -> String {
+/// Which classifier the verdicts come from, and its accuracy.
+pub(super) fn classifier(verdicts: &Verdicts) -> String {
     let (normal, abnormal) = match verdicts.rule {
         RuleSource::Uncalibrated { normal, abnormal } => {
             return format!(
-                "The rule was fixed beforehand, since only {normal} normal and {abnormal} abnormal hearts with a \
-                 label could be assessed: its number is an order, no probability."
+                "Verdicts by default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a \
+                 label can be assessed: the number is an uncalibrated score, not a probability."
             );
         }
         RuleSource::Cohort { normal, abnormal } => (normal, abnormal),
     };
     let mut words = format!(
-        "The rule was learnt from {normal} normal and {abnormal} abnormal hearts with a label; each of them was \
-         judged by a rule made without it."
+        "Linear classifier, trained on {normal} normal and {abnormal} abnormal subjects with a label; each of them is \
+         classified leave-one-out (it is not in the training set)."
     );
     if let Some(quality) = &verdicts.quality {
-        let told = quality.accuracy;
+        let accuracy = quality.accuracy;
         words += &format!(
-            " It is right in {} of {} ({}; by chance {}, p = {:.3}), calls {} normal hearts abnormal and {} abnormal ones \
-             normal. Area under the ROC curve {:.2}, by chance {:.2}, p = {:.3}.",
-            told.correct,
-            told.of,
-            percent(told.share()),
-            percent(told.baseline),
-            told.p_value,
+            " Accuracy {} of {} ({}; permutation mean {}, p = {:.3}), false positives {}, false negatives {}. Area \
+             under the ROC curve {:.2}, permutation mean {:.2}, p = {:.3}.",
+            accuracy.correct,
+            accuracy.of,
+            percent(accuracy.share()),
+            percent(accuracy.baseline),
+            accuracy.p_value,
             quality.false_alarms,
             quality.missed,
             quality.auc,

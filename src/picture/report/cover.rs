@@ -1,10 +1,11 @@
-//! The first pages: what was found, in whom, and by which rule.
+//! The first pages: verdicts of the subjects, and the classifier that they come from.
 
 use crate::picture::figure::Pen;
 use crate::picture::page::{Anchor, FigureFonts, Page, Weight};
 use crate::picture::report::ReportOrder;
-use crate::picture::report::content::{Row, counts, heads, rows, rule};
+use crate::picture::report::content::{Row, classifier, counts, heads, rows};
 use crate::picture::report::sheet::{BOTTOM, LINE, MARGIN, SIZE, TEXT, THEME, pen, sheet};
+use crate::units::LengthUnit;
 
 /// Left edges of the columns; numbers end before the next one begins.
 const COLUMNS: [f32; 8] = [0.0, 170.0, 300.0, 390.0, 520.0, 770.0, 900.0, 1080.0];
@@ -18,7 +19,7 @@ pub(super) fn cover_pages(order: &ReportOrder<'_>, fonts: &FigureFonts) -> Vec<P
     let mut pages = vec![sheet()];
     let mut base = summary(&mut pen(&mut pages[0], fonts), order);
     let unit = order.study.subjects.first().map(|subject| subject.unit);
-    let heads = heads(unit.map_or("ml", |unit| unit.volume_symbol()));
+    let heads = heads(unit.unwrap_or(LengthUnit::Millimetre));
     let rows = rows(order);
     let mut begun = false;
     for row in &rows {
@@ -65,7 +66,7 @@ fn summary(pen: &mut Pen<'_>, order: &ReportOrder<'_>) -> f32 {
     let poses: usize = (study.subjects.iter())
         .map(|subject| subject.sequence.frame_count())
         .sum();
-    let size = format!("{} hearts, {poses} poses", study.subjects.len());
+    let size = format!("{} subjects, {poses} poses", study.subjects.len());
     let muted = pen.regular(THEME.muted);
     pen.write(&size, muted, Anchor::Start, [MARGIN, base]);
     base += 1.8 * LINE;
@@ -77,7 +78,8 @@ fn summary(pen: &mut Pen<'_>, order: &ReportOrder<'_>) -> f32 {
         pen.write(&words, found, Anchor::Start, [MARGIN, base]);
         base += 1.2 * LINE;
     }
-    let paragraphs = std::iter::once(rule(order.verdicts)).chain(order.parameters.iter().cloned());
+    let paragraphs =
+        std::iter::once(classifier(order.verdicts)).chain(order.parameters.iter().cloned());
     for (index, paragraph) in paragraphs.enumerate() {
         let set = if index == 0 {
             pen.regular(THEME.text)

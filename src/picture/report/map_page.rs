@@ -59,7 +59,7 @@ fn pose_plot(order: &ReportOrder<'_>) -> Option<Plot> {
     Some(Plot {
         title: "Poses",
         note: stress.map_or_else(String::new, |stress| {
-            format!("MDS, stress {stress:.2}; axes have no unit; the large mark is the first frame")
+            format!("Classical MDS, stress {stress:.2}; axes have no unit; the large mark is the first frame")
         }),
         paths,
     })
@@ -79,7 +79,7 @@ fn deformation_plot(order: &ReportOrder<'_>) -> Option<Plot> {
         });
     Some(Plot {
         title: "Deformations",
-        note: "LLE, each heart from the others nearest to it; axes have no unit".to_owned(),
+        note: "Locally linear embedding (LLE) of whole motions; axes have no unit".to_owned(),
         paths: paths.collect(),
     })
 }

@@ -1,4 +1,4 @@
-//! The report of a whole analysis as pages: what was found in whom, the maps, and the patch figures behind them.
+//! The report of a whole analysis as pages: verdicts, maps, and behind them the patch figures.
 
 mod content;
 mod cover;

@@ -10,6 +10,7 @@ use egui::{Margin, RichText, ScrollArea, Ui};
 use crate::engine::{ThickeningSettings, WorkKind};
 use crate::picture::PatchStanding;
 use crate::render::Camera;
+use crate::report::PatchRow;
 use crate::ui::command::Command;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::{medium, note};
@@ -36,20 +37,14 @@ pub enum WallState {
 
 /// One patch.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct PatchRow {
-    /// Area at end-diastole; `None` where the unit of coordinates is not known.
-    pub area_cm2: Option<f64>,
-    /// Share of the medial surface, 0..=1.
-    pub share: f64,
-    /// Mean thickening from end-diastole to end-systole, 0.1 for 10 %.
-    pub thickening: f64,
-    /// Share of redraws of the noise in which it is found again.
-    pub confidence: f64,
+pub struct PatchLine {
+    /// Its numbers.
+    pub row: PatchRow,
     /// Segments in words, or why there are none.
     pub segments: String,
     /// Whether it is selected.
     pub selected: bool,
-    /// From where it is seen, in the heart's axes; `None` while the heart is not on screen.
+    /// The camera that looks at it, in the heart's axes; `None` while the heart is not on screen.
     pub camera: Option<Camera>,
 }
 
@@ -67,7 +62,7 @@ pub struct PatchPanelView<'a> {
     /// What the whole wall does.
     pub note: &'a str,
     /// The patches, by falling area.
-    pub rows: &'a [PatchRow],
+    pub rows: &'a [PatchLine],
     /// The thresholds.
     pub settings: ThickeningSettings,
     /// Standard deviation of the noise of ln r.
@@ -111,7 +106,7 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
         return;
     }
     if !view.heading.is_empty() {
-        let little = view.standing == PatchStanding::ThickensLittle;
+        let little = view.standing == PatchStanding::LowThickening;
         let colour = if view.rows.is_empty() || little {
             colours(ui).strong
         } else {

@@ -3,36 +3,22 @@
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
 use crate::picture::{PatchStanding, WallPart};
+use crate::report::{Column, PatchRow};
 use crate::ui::command::Command;
 use crate::ui::controls::focus_ring;
-use crate::ui::patch_panel::PatchRow;
+use crate::ui::patch_panel::PatchLine;
 use crate::ui::style::{note_font, text_font};
 use crate::ui::theme::{colours, line, radius, space};
+use crate::units::LengthUnit;
 
 /// Height of the line with the numbers.
 const LINE: f32 = 20.0;
-/// Columns: heading in a narrow and in a wide pane, and what it means.
-const COLUMNS: [[&str; 3]; 4] = [
-    [
-        "cm²",
-        "area, cm²",
-        "Area on the medial surface at end-diastole",
-    ],
-    [
-        "% LV",
-        "share, % of LV",
-        "Share of the medial surface of the ventricle",
-    ],
-    [
-        "thick.",
-        "thickening, %",
-        "Mean thickening from end-diastole to end-systole, in percent",
-    ],
-    [
-        "conf.",
-        "confidence, %",
-        "Share of redraws of the noise in which the patch is found again, in percent",
-    ],
+/// The columns; the last has no room in a narrow pane.
+const COLUMNS: [Column<PatchRow>; 4] = [
+    PatchRow::AREA_CM2,
+    PatchRow::SHARE,
+    PatchRow::THICKENING,
+    PatchRow::STABILITY,
 ];
 /// Width below which three columns have room.
 const NARROW: f32 = 160.0;
@@ -42,7 +28,7 @@ const WIDE: f32 = 330.0;
 /// Draws the table over the whole width.
 pub(super) fn table_ui(
     ui: &mut Ui,
-    rows: &[PatchRow],
+    rows: &[PatchLine],
     standing: PatchStanding,
     commands: &mut Vec<Command>,
 ) {
@@ -70,42 +56,31 @@ fn ends(area: Rect) -> Vec<f32> {
 fn headings_ui(ui: &mut Ui) {
     let (area, _) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
     let colours = colours(ui);
-    let wide = usize::from(area.width() > WIDE);
+    let wide = area.width() > WIDE;
     let mut left = area.left();
-    for (column, right) in ends(area).into_iter().enumerate() {
+    for (column, right) in COLUMNS.iter().zip(ends(area)) {
         let at = pos2(right, area.center().y);
-        let text = COLUMNS[column][wide];
+        let text = match wide {
+            // All of these units are the same for every subject.
+            true => column.heading_with_unit(LengthUnit::default()),
+            false => column.short_heading.to_owned(),
+        };
         ui.painter()
             .text(at, Align2::RIGHT_CENTER, text, note_font(), colours.muted);
         let cell = Rect::from_x_y_ranges(left..=right, area.y_range());
-        let id = ui.scope_id().with(("patch column", column));
+        let id = ui.scope_id().with(("patch column", column.key));
         ui.interact(cell, id, Sense::hover())
-            .on_hover_text(COLUMNS[column][2]);
+            .on_hover_text(column.explanation);
         left = right;
     }
     let stroke = (line::THIN, colours.line);
     ui.painter().hline(area.x_range(), area.bottom(), stroke);
 }
 
-/// The numbers of a row, without units.
-fn numbers(row: &PatchRow) -> [String; COLUMNS.len()] {
-    let area = row.area_cm2.map_or("–".to_owned(), |area| {
-        if area < 9.95 {
-            format!("{area:.1}")
-        } else {
-            format!("{area:.0}")
-        }
-    });
-    let whole = |share: f64| format!("{:.0}", 100.0 * share);
-    // A minus sign, and no minus zero.
-    let thickening = whole(row.thickening).replace("-0", "0").replace('-', "−");
-    [area, whole(row.share), thickening, whole(row.confidence)]
-}
-
 fn row_ui(
     ui: &mut Ui,
     index: usize,
-    row: &PatchRow,
+    row: &PatchLine,
     standing: PatchStanding,
     commands: &mut Vec<Command>,
 ) {
@@ -119,14 +94,20 @@ fn row_ui(
     );
     let height = LINE + words.size().y + space::SMALL;
     let (area, response) = ui.allocate_exact_size(vec2(width, height), Sense::click());
-    let numbers = numbers(row);
     response.widget_info(|| {
-        let [area, share, thickening, confidence] = &numbers;
+        let unit = LengthUnit::default();
+        let numbers = COLUMNS.each_ref().map(|column| {
+            format!(
+                "{} {}",
+                column.heading,
+                column.shown_with_unit(&row.row, unit)
+            )
+        });
         let name = format!(
-            "{} {}: {area} cm², {share} % of the LV, thickening {thickening} %, confidence \
-             {confidence} %, {}",
+            "{} {}: {}, {}",
             standing.part(),
             index + 1,
+            numbers.join(", "),
             row.segments
         );
         WidgetInfo::selected(Role::Row, true, row.selected, name)
@@ -144,12 +125,12 @@ fn row_ui(
         (index + 1).to_string(),
         note_font(),
         match standing {
-            PatchStanding::ThickensLittle => colours.muted,
+            PatchStanding::LowThickening => colours.muted,
             _ => colours.selection,
         },
     );
-    for (text, right) in numbers.iter().zip(ends(area)) {
-        let at = pos2(right, middle);
+    for (column, right) in COLUMNS.iter().zip(ends(area)) {
+        let (at, text) = (pos2(right, middle), column.shown(&row.row));
         painter.text(at, Align2::RIGHT_CENTER, text, text_font(), colours.text);
     }
     let at = pos2(area.left() + space::SMALL + 14.0, area.top() + LINE);
@@ -165,30 +146,7 @@ fn row_ui(
         });
     }
     response.on_hover_text(match standing {
-        PatchStanding::ThickensLittle => "Select this place and look at it",
+        PatchStanding::LowThickening => "Select this region and look at it",
         _ => "Select this patch and look at it",
     });
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_carry_no_more_digits_than_they_deserve_and_a_true_minus() {
-        let row = PatchRow {
-            area_cm2: Some(4.26),
-            share: 0.312,
-            thickening: -0.034,
-            confidence: 0.98,
-            ..PatchRow::default()
-        };
-        assert_eq!(numbers(&row), ["4.3", "31", "−3", "98"]);
-        let still = PatchRow {
-            thickening: -0.001,
-            ..PatchRow::default()
-        };
-        assert_eq!(numbers(&still)[0], "–");
-        assert_eq!(numbers(&still)[2], "0");
-    }
 }

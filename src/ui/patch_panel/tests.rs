@@ -7,14 +7,14 @@ use crate::picture::WallPart;
 
 struct Shown {
     state: WallState,
-    rows: Vec<PatchRow>,
+    rows: Vec<PatchLine>,
     settings: ThickeningSettings,
     heading: &'static str,
     standing: PatchStanding,
 }
 
 impl Shown {
-    fn with(state: WallState, heading: &'static str, rows: Vec<PatchRow>) -> Self {
+    fn with(state: WallState, heading: &'static str, rows: Vec<PatchLine>) -> Self {
         Self {
             state,
             rows,
@@ -25,14 +25,17 @@ impl Shown {
     }
 }
 
-fn patch() -> PatchRow {
-    PatchRow {
-        area_cm2: Some(21.3),
-        share: 0.31,
-        thickening: 0.04,
-        confidence: 0.98,
+fn patch() -> PatchLine {
+    PatchLine {
+        row: PatchRow {
+            area_cm2: Some(21.3),
+            share: 0.31,
+            thickness_ratio: 1.04,
+            stability: 0.98,
+            ..PatchRow::default()
+        },
         segments: "basal and mid anteroseptal, apical septal".to_owned(),
-        ..PatchRow::default()
+        ..PatchLine::default()
     }
 }
 
@@ -47,7 +50,7 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
                     state: &shown.state,
                     standing: shown.standing,
                     heading: shown.heading,
-                    note: "The rest of the wall thickens by 52 %",
+                    note: "Remote myocardium thickens by 52 %",
                     rows: &shown.rows,
                     settings: shown.settings,
                     noise: Some(0.012),
@@ -65,12 +68,14 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
 #[test]
 fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
     let mut shown = harness(Shown::with(WallState::Ready, "1 patch", vec![patch()]));
-    shown.get_by_label_contains("Patch 1: 21 cm², 31 %").click();
+    shown
+        .get_by_label_contains("Patch 1: Area 21 cm², LV share 31 %, Thickening 4 %")
+        .click();
     shown.run();
     let wanted = Command::SelectPart(Some(WallPart::Patch(0)));
     assert_eq!(*shown.state(), [wanted]);
     let camera = Camera::default();
-    let framed = PatchRow {
+    let framed = PatchLine {
         camera: Some(camera),
         ..patch()
     };
@@ -81,12 +86,12 @@ fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
 }
 
 #[test]
-fn a_place_that_only_thickens_little_is_not_called_a_patch() {
-    let heading = "1 place thickens little";
+fn a_region_of_low_thickening_without_a_verdict_of_a_patch_is_not_called_one() {
+    let heading = "1 region of low thickening";
     let mut shown = Shown::with(WallState::Ready, heading, vec![patch()]);
-    shown.standing = PatchStanding::ThickensLittle;
+    shown.standing = PatchStanding::LowThickening;
     let shown = harness(shown);
-    shown.get_by_label_contains("Place 1: 21 cm²");
+    shown.get_by_label_contains("Region 1: Area 21 cm²");
     assert!(shown.query_by_label_contains("Patch 1").is_none());
 }
 

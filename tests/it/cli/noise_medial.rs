@@ -37,6 +37,9 @@ fn noisy_medial_surfaces_are_told_apart_and_patches_are_placed() {
     let places = out.join("localisation.csv");
     assert_eq!(rows(&places).len(), 10 * 9);
     assert_eq!(header(&places)[..3], ["patches", "patch_percent", "family"]);
+    for table in [&noise, &places] {
+        super::columns::check(table);
+    }
     let figure = std::fs::read_to_string(out.join("noise_medial.svg")).unwrap();
     assert!(figure.ends_with("</svg>\n"));
     let (_, again) = run("second");

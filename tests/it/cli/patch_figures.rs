@@ -47,7 +47,7 @@ fn a_patch_figure_names_the_heart_the_patch_and_how_it_was_told() {
         "EDV ",
         "ES",
         "Abnormal patch",
-        "Probability of being abnormal",
+        "Predicted probability of abnormal",
         "anteroseptal",
         "inferolateral",
         " cm²",

@@ -255,6 +255,9 @@ fn a_small_noise_study_says_its_protocol_and_writes_tables_and_a_figure() {
             .unwrap()
             .ends_with("</svg>\n")
     );
+    for name in ["noise.csv", "transfer.csv", "interpolation.csv"] {
+        super::columns::check(&out.join(name));
+    }
     for name in ["transfer.csv", "interpolation.csv", "summary.json"] {
         assert!(out.join(name).exists(), "{name}");
     }
@@ -286,6 +289,7 @@ fn every_metric_is_compared_on_a_labelled_study_beside_ejection_fraction_and_dis
         );
     }
     assert_eq!(super::rows(&out.join("metrics.csv")).len(), rows.len());
+    super::columns::check(&out.join("metrics.csv"));
 }
 
 /// Folder `from` of the built-in cohort under another name, so that it opens as a subject of that id.
@@ -326,6 +330,7 @@ fn partners_with_one_motion_are_nearest_by_every_metric_and_are_refused_where_th
         assert_eq!(row["mean_rank"], 1.0, "{row}");
     }
     assert_eq!(super::rows(&out.join("partners.csv")).len(), rows.len());
+    super::columns::check(&out.join("partners.csv"));
     assert!(out.join("summary.json").exists());
     let none = cardiomorph(&["experiment", "partners", text(demo()), "--out", text(&out)]);
     assert_eq!(code(&none), 1);

@@ -4,9 +4,11 @@ use std::sync::Arc;
 
 use cardiomorph::engine::WorkKind;
 use cardiomorph::picture::Quantity;
+use cardiomorph::report::SubjectRow;
 use cardiomorph::study::LabelRole;
 use cardiomorph::ui::theme::{colours, space};
 use cardiomorph::ui::*;
+use cardiomorph::units::LengthUnit;
 use egui::{Frame, Margin, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
 
 use super::example::Example;
@@ -216,14 +218,17 @@ pub fn measures(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
     );
     let view = MeasuresView {
         subject: Some("P-050"),
-        ejection_fraction: Some(0.365),
-        end_diastolic_volume: Some(104.0),
-        end_systolic_volume: Some(66.0),
-        stroke_volume: Some(38.0),
-        volume_unit: "ml",
-        mass_g: Some(92.4),
-        end_diastole: Some(0),
-        end_systole: Some(4),
+        measures: SubjectRow {
+            ef: Some(0.365),
+            edv: Some(104.0),
+            esv: Some(66.0),
+            sv: Some(38.0),
+            mass_g: Some(92.4),
+            unit: LengthUnit::Millimetre,
+            end_diastole: Some(0),
+            end_systole: Some(4),
+            ..SubjectRow::default()
+        },
         current_frame: 2,
         ..Default::default()
     };

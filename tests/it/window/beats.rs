@@ -183,11 +183,11 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
         harness.state().state().document.quantity,
         Quantity::CarriedDistance
     );
-    assert!(shows(&harness, "From own beat, mm"));
+    assert!(shows(&harness, "Difference from own motion, mm"));
     // Without colours the bar goes; undo brings them, and then the view before, back.
     give(&mut harness, Command::SetQuantity(Quantity::Tissue));
     harness.run();
-    assert!(!shows(&harness, "From own beat, mm"));
+    assert!(!shows(&harness, "Difference from own motion, mm"));
     harness.get_by_label("Show its own beat").click();
     harness.run();
     assert_eq!(harness.state().state().document.carried, None);
@@ -263,14 +263,17 @@ fn two_hearts_show_where_they_differ() {
         &harness,
         "A difference needs two hearts side by side"
     ));
-    assert!(!shows(&harness, "× mean"));
+    assert!(!shows(&harness, "relative to the mean"));
     give(&mut harness, Command::SetViewMode(ViewMode::SideBySide));
     give(&mut harness, Command::CompareWith(Some(12)));
     wait(&mut harness, "the difference", |app| {
         app.state().results.differences.shown().is_some() && app.hearts_on_screen().len() == 2
     });
     harness.run();
-    assert!(shows(&harness, "Difference, × mean"));
+    assert!(shows(
+        &harness,
+        "Contribution to the distance, relative to the mean"
+    ));
     let at_rest = harness
         .state()
         .state()

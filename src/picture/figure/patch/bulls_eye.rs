@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::segments::{RING_RADII, Segment, ring};
-use crate::picture::bulls_eye::{BullsEyeScale, FlatValues, FlatWall, ink_on, sector_line};
+use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues, ink_on, sector_line};
 use crate::picture::figure::patch::content::PatchContent;
 use crate::picture::figure::pen::Pen;
 use crate::picture::legend::{ColourLegend, Tick};
@@ -17,7 +17,7 @@ const BETWEEN: [f32; 3] = [0.09, 0.10, 0.12];
 const NO_VALUE: [u8; 3] = [0x80, 0x85, 0x8c];
 /// Borders of patches: seen on pale and on deep colours, above a dark line.
 const BORDER: [f32; 3] = [1.0, 0.82, 0.40];
-/// And of places that only thicken little.
+/// And of regions of low thickening without a verdict of a patch.
 const FAINT: [f32; 3] = [0.78, 0.80, 0.83];
 /// Walls by their angle, from the right against the clock.
 const WALLS: [(f64, &str); 6] = [
@@ -104,8 +104,8 @@ pub(super) fn draw_bulls_eye(
         }
     }
     let colour = match content.standing {
-        PatchStanding::ThickensLittle => FAINT,
-        PatchStanding::Untold | PatchStanding::Abnormal => BORDER,
+        PatchStanding::LowThickening => FAINT,
+        PatchStanding::NoVerdict | PatchStanding::Abnormal => BORDER,
     };
     for border in flat.borders.iter().flatten() {
         let points: Vec<[f32; 2]> = border.iter().map(|&point| disc.at(point)).collect();
@@ -136,11 +136,11 @@ pub(super) fn draw_bulls_eye(
 
 fn title(content: &PatchContent) -> String {
     let title = sentence(&content.scale.title(&content.heart.moment));
-    format!("{title} (grey: none told)")
+    format!("{title} (grey: no value)")
 }
 
 /// The colours with numbers.
-fn legend(scale: &BullsEyeScale, shown: &FlatValues) -> ColourLegend {
+fn legend(scale: &BullsEyeScale, shown: &PolarValues) -> ColourLegend {
     let ticks = scale.ticks(5).into_iter().map(|(value, text)| Tick {
         value,
         position: scale.share(value) as f32,
@@ -163,7 +163,7 @@ fn legend(scale: &BullsEyeScale, shown: &FlatValues) -> ColourLegend {
 fn numbers(
     pen: &mut Pen<'_>,
     scale: &BullsEyeScale,
-    shown: &FlatValues,
+    shown: &PolarValues,
     disc: &Disc,
     borders: &[[f32; 2]],
 ) {
@@ -231,7 +231,7 @@ fn names_of_walls(pen: &mut Pen<'_>, disc: &Disc) {
 }
 
 /// Every place its own colour, on transparent ground; twice as fine as the page, for smooth edges.
-fn colours(flat: &FlatWall, shown: &FlatValues, scale: &BullsEyeScale, radius: f32) -> Picture {
+fn colours(flat: &PolarMap, shown: &PolarValues, scale: &BullsEyeScale, radius: f32) -> Picture {
     let side = (4.0 * radius).ceil().clamp(2.0, 4096.0) as u32;
     let mut rgba = vec![0; side as usize * side as usize * 4];
     let half = 0.5 * f64::from(side);

@@ -1,39 +1,41 @@
-//! What a patch figure says: numbers and words, ready to be laid out.
+//! The content of a patch figure: numbers and words, ready for the layout.
 
 use crate::analysis::thickening::Patch;
 use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
 use crate::engine::{SubjectThickening, thickening_words};
-use crate::picture::bulls_eye::{BullsEyeScale, FlatValues, FlatWall};
+use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues};
 use crate::picture::figure::content::FigureContent;
-use crate::picture::figure::patch::make::PatchOrder;
+use crate::picture::figure::patch::order::PatchOrder;
 use crate::picture::page::FigureSettings;
 use crate::picture::patch_words::{
-    PatchStanding, area_text, extent_words, percent, probability_words, segment_words, sentence,
+    PatchStanding, extent_words, percent, probability_words, segment_words, sentence,
     smallest_words,
 };
 use crate::picture::quantity::Quantity;
+use crate::report::{Column, PatchRow};
+use crate::study::Subject;
 
 /// Patches in the table; more are counted below it.
 const MOST_ROWS: usize = 4;
 /// Segments without this many words say that the orientation is not known.
 const NO_SEGMENTS: &str = "orientation not known";
 
-/// What is said above a patch figure.
+/// The verdict above a patch figure.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VerdictLines {
     /// "Abnormal patch"; "Not assessed".
     pub heading: String,
-    /// Whether the heading names something ill.
+    /// Whether the heading names something abnormal.
     pub abnormal: bool,
-    /// Probability and where it comes from, or why nothing is said.
+    /// Probability and where it comes from, or why there is none.
     pub evidence: String,
 }
 
 impl VerdictLines {
-    /// What is said of a subject; with `None` for verdicts, what thickening alone tells.
+    /// Of one subject; with `None` for verdicts, thickening alone.
     pub fn of(found: &SubjectThickening, verdicts: Option<&Verdicts>, subject: usize) -> Self {
-        let told = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
-        match told {
+        let classified = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
+        match classified {
             _ if found.not_assessed.is_some() => Self::not_assessed(found.not_assessed.as_ref()),
             None => Self {
                 heading: String::new(),
@@ -69,22 +71,22 @@ impl VerdictLines {
 fn evidence(verdicts: &Verdicts, probability: f64) -> String {
     match verdicts.rule {
         RuleSource::Uncalibrated { normal, abnormal } => format!(
-            "By a rule fixed beforehand, since only {normal} normal and {abnormal} abnormal hearts with a label \
-             could be assessed: no probability"
+            "Default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a label can be \
+             assessed: no probability"
         ),
         RuleSource::Cohort { normal, abnormal } => {
             let mut words = format!(
-                "Probability of being abnormal {}, by a rule learnt without this heart from {normal} normal and \
-                 {abnormal} abnormal ones",
+                "Predicted probability of abnormal {}, leave-one-out (this subject is not in the training set of \
+                 {normal} normal and {abnormal} abnormal subjects)",
                 probability_words(probability)
             );
             if let Some(quality) = &verdicts.quality {
-                let told = quality.accuracy;
+                let accuracy = quality.accuracy;
                 words += &format!(
-                    "; with each heart left out it is right in {} of {}, by chance in {:.0} %",
-                    told.correct,
-                    told.of,
-                    100.0 * told.baseline
+                    "; accuracy (leave-one-out) {} of {}, permutation mean {}",
+                    accuracy.correct,
+                    accuracy.of,
+                    percent(accuracy.baseline)
                 );
             }
             words
@@ -92,10 +94,18 @@ fn evidence(verdicts: &Verdicts, probability: f64) -> String {
     }
 }
 
+/// The columns of numbers in the table.
+pub const PATCH_COLUMNS: [Column<PatchRow>; 4] = [
+    PatchRow::AREA_CM2,
+    PatchRow::SHARE,
+    PatchRow::THICKNESS_RATIO,
+    PatchRow::STABILITY,
+];
+
 /// One patch in the table.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PatchLine {
-    /// Area, share of the LV, PT, confidence, as texts.
+    /// Its numbers with units, by [`PATCH_COLUMNS`].
     pub cells: [String; 4],
     /// Where it lies.
     pub segments: String,
@@ -106,19 +116,19 @@ pub struct PatchLine {
 pub struct PatchContent {
     /// Name, moment, volumes, legend, cube.
     pub heart: FigureContent,
-    /// What is said of it.
+    /// Its verdict.
     pub verdict: VerdictLines,
     /// What its patches may be called.
     pub standing: PatchStanding,
-    /// The wall laid flat; `None` without a long axis.
-    pub flat: Option<(FlatWall, FlatValues)>,
-    /// Why it is not laid flat.
+    /// The polar map of the wall; `None` without a long axis.
+    pub flat: Option<(PolarMap, PolarValues)>,
+    /// Why there is no polar map.
     pub without_flat: String,
     /// What the bull's-eye shows, in which colours and words.
     pub scale: BullsEyeScale,
     /// Patches, largest first.
     pub rows: Vec<PatchLine>,
-    /// Said in place of rows, or below them.
+    /// A sentence in place of rows, or below them.
     pub note: String,
     /// How it was made.
     pub parameters: String,
@@ -137,39 +147,38 @@ impl PatchContent {
         };
         let subject = figure.shown.subject;
         let scale = BullsEyeScale::of(quantity, &scene.cohort_limits, typed, subject.unit);
-        let told = &found.thickening;
+        let thickening = &found.thickening;
         let assessed = found.not_assessed.is_none();
-        let flat = FlatWall::of(found).map(|mut flat| {
+        let flat = PolarMap::of(found).map(|mut flat| {
             let values = flat.values(found, subject, quantity, figure.shown.frame);
             if !assessed {
                 flat.borders.clear();
             }
             (flat, values)
         });
-        let rows: Vec<PatchLine> = (told.patches.iter())
+        let rows: Vec<PatchLine> = (thickening.patches.iter())
             .filter(|_| assessed)
+            .enumerate()
             .take(MOST_ROWS)
-            .map(|patch| line(found, patch))
+            .map(|(index, patch)| line(found, subject, index, patch))
             .collect();
-        let more = told.patches.len().saturating_sub(rows.len());
+        let more = thickening.patches.len().saturating_sub(rows.len());
         let note = match (assessed, more) {
-            (false, _) => {
-                "What is found in a wall that is not resolved may be blur or noise".to_owned()
-            }
-            (true, 0) => said(&[extent_words(told), smallest_words(told)]),
-            (true, more) => said(&[
-                extent_words(told),
+            (false, _) => "Regions in a wall that is not resolved may be blur or noise".to_owned(),
+            (true, 0) => sentences(&[extent_words(thickening), smallest_words(thickening)]),
+            (true, more) => sentences(&[
+                extent_words(thickening),
                 format!("{more} more in patches.csv"),
-                smallest_words(told),
+                smallest_words(thickening),
             ]),
         };
         Self {
             without_flat: found.without_axis.clone().unwrap_or_default(),
             parameters: format!(
-                "Medial surface {}. Tolerance used ± {:.3} ln PT, noise of one atom {:.3} ln r",
+                "Medial surface {}. Tolerance ± {:.3} ln PT, noise of one atom {:.3} ln r",
                 thickening_words(&figure.thickening),
-                told.tolerance,
-                told.noise
+                thickening.tolerance,
+                thickening.noise
             ),
             heart,
             verdict: VerdictLines::of(found, order.verdicts, order.subject),
@@ -183,26 +192,24 @@ impl PatchContent {
 }
 
 /// Sentences one after the other.
-fn said(parts: &[String]) -> String {
-    let told: Vec<&str> = (parts.iter().map(String::as_str))
+fn sentences(parts: &[String]) -> String {
+    let present: Vec<&str> = (parts.iter().map(String::as_str))
         .filter(|part| !part.is_empty())
         .collect();
-    told.join(". ")
+    present.join(". ")
 }
 
-fn line(found: &SubjectThickening, patch: &Patch) -> PatchLine {
+fn line(found: &SubjectThickening, subject: &Subject, index: usize, patch: &Patch) -> PatchLine {
     let segments = match (patch.segments.is_empty(), &found.without_axis) {
         (false, _) => segment_words(patch),
         (true, Some(why)) => why.clone(),
         (true, None) => NO_SEGMENTS.to_owned(),
     };
+    let row = PatchRow::new(&subject.id, subject.unit, index, patch);
     PatchLine {
-        cells: [
-            patch.area_cm2.map_or_else(|| "–".to_owned(), area_text),
-            percent(patch.share),
-            format!("{:.2} ×", patch.thickening.exp()),
-            percent(patch.confidence),
-        ],
+        cells: PATCH_COLUMNS
+            .each_ref()
+            .map(|column| column.shown_with_unit(&row, subject.unit)),
         segments,
     }
 }
@@ -215,12 +222,11 @@ pub fn patch_settings(content: &PatchContent) -> FigureSettings {
         ("Parameters", content.parameters.clone()),
     ];
     for row in &content.rows {
-        let [area, share, ratio, confidence] = &row.cells;
-        let words = format!(
-            "{area}, {share} of the LV, PT {ratio}, confidence {confidence}, {}",
-            row.segments
-        );
-        settings.push(("Patch", words));
+        let cells = PATCH_COLUMNS.iter().zip(&row.cells);
+        let words: Vec<String> = (cells.map(|(column, cell)| format!("{} {cell}", column.heading)))
+            .chain([row.segments.clone()])
+            .collect();
+        settings.push(("Patch", words.join(", ")));
     }
     settings
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::picture::figure::cube::draw_cube;
 use crate::picture::figure::layout::imprint;
 use crate::picture::figure::patch::bulls_eye::draw_bulls_eye;
-use crate::picture::figure::patch::content::PatchContent;
+use crate::picture::figure::patch::content::{PATCH_COLUMNS, PatchContent};
 use crate::picture::figure::patch::frame::PatchFrame;
 use crate::picture::figure::pen::Pen;
 use crate::picture::page::{Anchor, FigureFonts, Page};
@@ -13,9 +13,6 @@ use crate::picture::patch_words::PatchStanding;
 use crate::picture::scale_bar::ScaleBar;
 use crate::picture::tokens::PictureTheme;
 use crate::render::{Camera, Picture};
-
-/// Heads of the table's columns.
-const HEADS: [&str; 5] = ["Area", "of the LV", "PT", "Confidence", "Segments"];
 
 /// A whole figure around a heart's picture, which has the size that `frame` says and is taken with `camera`.
 pub fn drawn_patch_figure(
@@ -146,7 +143,9 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
         _ => (Anchor::End, columns[column + 1] - gap),
     };
     if !content.rows.is_empty() {
-        let heads = std::iter::once(content.standing.part()).chain(HEADS);
+        let heads = std::iter::once(content.standing.part())
+            .chain(PATCH_COLUMNS.iter().map(|column| column.heading))
+            .chain(["Segments"]);
         for (column, head) in heads.enumerate() {
             let (anchor, x) = place(column);
             pen.write(head, muted, anchor, [x, base]);
@@ -159,8 +158,8 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
     }
     for (index, (row, segments)) in content.rows.iter().zip(&frame.segments).enumerate() {
         let colour = match content.standing {
-            PatchStanding::ThickensLittle => theme.muted,
-            PatchStanding::Untold | PatchStanding::Abnormal => theme.selection,
+            PatchStanding::LowThickening => theme.muted,
+            PatchStanding::NoVerdict | PatchStanding::Abnormal => theme.selection,
         };
         let number = pen.strong(colour, pen.text);
         let name = (index + 1).to_string();

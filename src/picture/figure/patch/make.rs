@@ -2,37 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::analysis::verdicts::Verdicts;
-use crate::engine::SubjectThickening;
-use crate::picture::figure::make::{Figure, FigureOrder, FigureView};
+use crate::picture::figure::make::{Figure, FigureView};
 use crate::picture::figure::patch::content::{PatchContent, patch_settings};
 use crate::picture::figure::patch::draw::drawn_patch_figure;
 use crate::picture::figure::patch::frame::PatchFrame;
+use crate::picture::figure::patch::order::PatchOrder;
 use crate::picture::medial::facing_patch;
 use crate::picture::page::FigureFonts;
-use crate::picture::patch_words::PatchStanding;
 use crate::picture::scene::heart_scene;
 use crate::render::{Headless, RenderError};
-
-/// A patch figure: a figure, and what is said beside the heart.
-#[derive(Clone, Copy, Debug)]
-pub struct PatchOrder<'a> {
-    /// The heart and how it looks; the middle of its wall is among its extras where it is drawn.
-    pub figure: FigureOrder<'a>,
-    /// What was found in its wall.
-    pub found: &'a SubjectThickening,
-    /// What is said of all hearts; `None` where that is not known.
-    pub verdicts: Option<&'a Verdicts>,
-    /// Which of them this one is.
-    pub subject: usize,
-}
-
-impl PatchOrder<'_> {
-    /// What the patches may be called.
-    pub(super) fn standing(&self) -> PatchStanding {
-        PatchStanding::of((self.verdicts).and_then(|told| told.subjects.get(self.subject)))
-    }
-}
 
 /// Renders a patch figure, by default from where the largest patch is seen best.
 ///

@@ -5,5 +5,7 @@ mod content;
 mod draw;
 mod frame;
 mod make;
+mod order;
 
-pub use make::{PatchOrder, rendered_patch_figure};
+pub use make::rendered_patch_figure;
+pub use order::PatchOrder;

@@ -1,4 +1,4 @@
-//! Experiments as one JSON object each; shares are in 0 to 1.
+//! Experiments on deformations as one JSON object each; shares are 0 to 1.
 
 use serde_json::{Value, json};
 
@@ -6,7 +6,7 @@ use crate::analysis::experiments::{
     MetricComparison, NoiseDeformationResult, PartnerStudy, RuleShare,
 };
 
-use super::experiment_csv::reference_word;
+use super::experiments::reference_word;
 
 /// The noise study with its protocol.
 pub fn noise_json(result: &NoiseDeformationResult) -> Value {
@@ -32,7 +32,7 @@ pub fn noise_json(result: &NoiseDeformationResult) -> Value {
 
 /// The comparison of metrics, a row per level and method.
 pub fn comparison_json(comparison: &MetricComparison) -> Value {
-    let rule = |rule: RuleShare| {
+    let accuracy = |rule: RuleShare| {
         json!({
             "accuracy": rule.share,
             "standard_error": rule.standard_error,
@@ -45,16 +45,16 @@ pub fn comparison_json(comparison: &MetricComparison) -> Value {
             "noise_percent": row.percent,
             "copies": row.copies,
             "labelled": row.labelled,
-            "nearest_neighbour": rule(row.nearest_neighbour),
-            "linear_rule": rule(row.linear_rule),
-            "plane_rule": rule(row.plane_rule),
-            "tau": rule(row.tau),
+            "nearest_neighbour": accuracy(row.nearest_neighbour),
+            "linear_rule": accuracy(row.linear_rule),
+            "plane_rule": accuracy(row.plane_rule),
+            "tau": accuracy(row.tau),
         })
     });
     json!({ "classification": Value::Array(rows.collect()) })
 }
 
-/// The study of partners, a row per way of carrying and method.
+/// Ranks of the other sequence of the same patient, a row per transport and method.
 pub fn partners_json(study: &PartnerStudy) -> Value {
     let rows = study.rows.iter().map(|row| {
         let ranks = &row.ranks;

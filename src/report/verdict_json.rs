@@ -1,11 +1,12 @@
-//! Verdicts as part of a summary: the rule, how good it is, and how many hearts it found what in.
+//! Verdicts as part of a summary: the classifier, its accuracy, and how many subjects it classifies as what.
 
 use serde_json::{Value, json};
 
 use crate::analysis::verdicts::{Feature, RuleSource, VerdictParams, Verdicts};
 
-/// `rule` is `"learnt"` from the labelled hearts or `"fixed"` where they are too few; `quality` is null then. Counts are
-/// hearts; `accuracy` and `auc` come from rules that had not seen the heart, beside those of permuted labels.
+/// `rule` is `"learnt"` for a classifier trained on the labelled subjects, `"fixed"` for default thresholds where they
+/// are too few; `quality` is null then. Counts are subjects; accuracy and AUC are leave-one-out, beside their
+/// permutation means.
 pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
     let (rule, normal, abnormal) = match verdicts.rule {
         RuleSource::Cohort { normal, abnormal } => ("learnt", normal, abnormal),

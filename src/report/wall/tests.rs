@@ -7,8 +7,10 @@ use nalgebra::Vector3;
 use super::*;
 use crate::analysis::medial::{Atom, MedialSurface};
 use crate::analysis::thickening::{Extent, Patch, PatchSegment, TemporalConsistency};
-use crate::io::wall_json;
 use crate::mesh::{Faces, Point3};
+use crate::report::SegmentRow;
+use crate::report::wall_json::wall_json;
+use crate::report::{csv, csv_header, csv_rows};
 use crate::study::SurfaceKind;
 
 /// Four atoms on a square of 10 × 10 in two frames; the left pair stays 4 and 6 thick, the others become half as
@@ -96,7 +98,9 @@ fn with_wall<T>(
 #[test]
 fn atoms_have_the_columns_that_scripts_rely_on() {
     let text = with_wall(LengthUnit::Millimetre, None, |wall| {
-        atoms_csv_header() + &atoms_csv(wall, 0) + &atoms_csv(wall, 1)
+        csv_header::<AtomRow>()
+            + &csv_rows(&AtomRow::of_frame(wall, 0))
+            + &csv_rows(&AtomRow::of_frame(wall, 1))
     });
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(
@@ -110,18 +114,19 @@ fn atoms_have_the_columns_that_scripts_rely_on() {
 
 #[test]
 fn patches_have_the_columns_that_scripts_rely_on() {
-    let table = |unit| with_wall(unit, None, |wall| patches_csv_header() + &patches_csv(wall));
+    let table = |unit| with_wall(unit, None, |wall| csv(&PatchRow::of_wall(wall)));
     let text = table(LengthUnit::Millimetre);
     let lines: Vec<&str> = text.lines().collect();
     assert_eq!(
         lines[0],
-        "subject,patch,area_cm2,share,segments,x,y,z,confidence,segment_shares,area,area_unit,atoms,pt"
+        "subject,patch,area_cm2,share,segments,x,y,z,confidence,segment_shares,area,area_unit,atoms,pt,thickening_percent"
     );
     assert_eq!(
         lines[1],
         format!(
-            "\"P, \"\"1\"\"\",0,0.5,0.45,8 7,-1,5,0.25,0.98,0.75 0.25,0.5,cm²,2,{}",
-            0.25_f64.exp()
+            "\"P, \"\"1\"\"\",0,0.5,0.45,8 7,-1,5,0.25,0.98,0.75 0.25,0.5,cm²,2,{},{}",
+            0.25_f64.exp(),
+            100.0 * (0.25_f64.exp() - 1.0)
         )
     );
     let of_unknown_size = table(LengthUnit::FileUnit);
@@ -137,7 +142,7 @@ fn segments_tell_what_was_put_into_them() {
     let oriented = LongAxis::oriented(apex, base, -Vector3::x(), Vector3::y());
     let table = |axis| {
         with_wall(LengthUnit::Millimetre, axis, |wall| {
-            segments_csv_header() + &segments_csv(wall)
+            csv(&SegmentRow::of_wall(wall))
         })
     };
     let text = table(oriented);

@@ -1,15 +1,15 @@
-//! Thickening of every heart in the summary of an analysis.
+//! Thickening of every subject in the summary of an analysis.
 
 use serde_json::{Value, json};
 
+use super::table::json_cells;
+use super::wall::{AssessedWall, PatchRow};
 use crate::analysis::medial::MedialParams;
 use crate::analysis::medial_space::RatioForm;
 use crate::analysis::thickening::{Extent, HalfBeat, Patch, ThickeningParams};
 
-use super::thickening_csv::AssessedWall;
-
 /// The settings, with the names of their options on the command line; angles are in degrees, and a
-/// tolerance of `null` is told from noise.
+/// tolerance of `null` is estimated from noise.
 pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) -> Value {
     json!({
         "medial_smoothing": medial.smoothing,
@@ -31,7 +31,7 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
     })
 }
 
-/// What is said of one heart.
+/// One assessed subject.
 pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
     let found = wall.thickening;
     let regular = wall.beat.regular.iter().filter(|&&regular| regular).count();
@@ -67,16 +67,19 @@ pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
         "smallest_patch": found.smallest.map(|least| {
             json!({ "share": least.share, "area_cm2": least.area_cm2 })
         }),
-        "patches": found.patches.iter().map(patch_json).collect::<Vec<Value>>(),
+        "patches": (PatchRow::of_wall(wall).iter().zip(&found.patches))
+            .map(|(row, patch)| patch_json(row, patch))
+            .collect::<Vec<Value>>(),
     })
 }
 
-/// What is said of a heart whose wall could not be assessed.
+/// One subject whose wall is not assessed.
 pub fn unassessed_wall_json(subject: &str, reason: &str) -> Value {
     json!({ "subject": subject, "assessed": false, "reason": reason })
 }
 
-fn patch_json(patch: &Patch) -> Value {
+/// The columns of `patches.csv` that are single numbers, then what only the summary has.
+fn patch_json(row: &PatchRow, patch: &Patch) -> Value {
     let segments: Vec<Value> = (patch.segments.iter())
         .map(|part| {
             json!({
@@ -87,16 +90,25 @@ fn patch_json(patch: &Patch) -> Value {
             })
         })
         .collect();
-    json!({
-        "area_cm2": patch.area_cm2,
-        "share": patch.share,
-        "confidence": patch.confidence,
-        "pt": patch.thickening.exp(),
-        "segments": segments,
-        "centroid": [patch.centroid.x, patch.centroid.y, patch.centroid.z],
-        "normal_spread_rad": patch.temporal_consistency.normal_spread_rad,
-        "position_spread": patch.temporal_consistency.position_spread,
-        "gap": patch.temporal_consistency.gap,
-        "pose_distance": patch.temporal_consistency.pose_distance,
-    })
+    let columns = [
+        PatchRow::AREA_CM2,
+        PatchRow::SHARE,
+        PatchRow::STABILITY,
+        PatchRow::THICKNESS_RATIO,
+    ];
+    let mut object = json_cells(row, &columns);
+    let consistency = patch.temporal_consistency;
+    let further = [
+        ("segments", json!(segments)),
+        (
+            "centroid",
+            json!([patch.centroid.x, patch.centroid.y, patch.centroid.z]),
+        ),
+        ("normal_spread_rad", json!(consistency.normal_spread_rad)),
+        ("position_spread", json!(consistency.position_spread)),
+        ("gap", json!(consistency.gap)),
+        ("pose_distance", json!(consistency.pose_distance)),
+    ];
+    object.extend(further.map(|(key, value)| (key.to_owned(), value)));
+    Value::Object(object)
 }

@@ -1,4 +1,4 @@
-//! Noise on medial surfaces and the finding of patches as one JSON object; shares are in 0 to 1.
+//! The experiment on medial surfaces as one JSON object; shares are 0 to 1.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! One heart's wall on the bull's-eye: laid flat once, with values of any pose.
+//! Polar map of one heart's wall: its atoms on the unit disc, with values of any pose.
 
 use crate::analysis::segments::{
     Polar, Segment, flat_map, plot_point, polar, segment_means, vertex_areas,
@@ -11,7 +11,7 @@ use crate::study::Subject;
 
 /// The medial surface at end-diastole in the unit disc, x to the right (lateral) and y up (anterior).
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct FlatWall {
+pub struct PolarMap {
     /// Where atoms lie.
     pub points: Vec<[f64; 2]>,
     /// Faces over atoms.
@@ -26,15 +26,15 @@ pub struct FlatWall {
 
 /// Numbers on the bull's-eye: ratios, 1 for unchanged, or lengths.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct FlatValues {
+pub struct PolarValues {
     /// Of each atom; not a number where it does not take part.
     pub values: Vec<f32>,
     /// Mean of each segment; `None` where the orientation is not known.
     pub segments: [Option<f64>; Segment::COUNT],
 }
 
-impl FlatWall {
-    /// Lays the wall of a heart flat; `None` where it has no long axis.
+impl PolarMap {
+    /// Of one heart; `None` where it has no long axis.
     pub fn of(found: &SubjectThickening) -> Option<Self> {
         let beat = &found.beat;
         let rest = beat.frames.get(found.thickening.end_diastole)?;
@@ -73,8 +73,8 @@ impl FlatWall {
         subject: &Subject,
         quantity: BullsEyeQuantity,
         frame: usize,
-    ) -> FlatValues {
-        let (beat, told) = (&found.beat, &found.thickening);
+    ) -> PolarValues {
+        let (beat, thickening) = (&found.beat, &found.thickening);
         let taking_part = |numbers: Vec<f64>| -> Vec<f32> {
             let every = numbers.iter().zip(&beat.regular);
             every
@@ -86,9 +86,9 @@ impl FlatWall {
             BullsEyeQuantity::Ratio => {
                 let atoms =
                     |frame: usize| beat.frames.get(frame).map_or(&[][..], |pose| &pose.atoms);
-                let (now, rest) = (atoms(frame), atoms(told.end_diastole));
+                let (now, rest) = (atoms(frame), atoms(thickening.end_diastole));
                 if now.len() != self.weights.len() {
-                    return FlatValues::default();
+                    return PolarValues::default();
                 }
                 let ratios = (now.iter().zip(rest)).map(|(now, rest)| now.thickness_ratio(rest));
                 // The ratio of means, in which thin places do not weigh more.
@@ -96,25 +96,25 @@ impl FlatWall {
                     let radii: Vec<f64> = atoms.iter().map(|atom| atom.radius).collect();
                     means(&radii)
                 });
-                FlatValues {
+                PolarValues {
                     values: taking_part(ratios.collect()),
                     segments: std::array::from_fn(|index| Some(now[index]? / rest[index]?)),
                 }
             }
-            BullsEyeQuantity::Thickening => FlatValues {
-                values: taking_part(told.thickening.iter().map(|ln| ln.exp()).collect()),
-                segments: means(&told.thickening).map(|mean| mean.map(f64::exp)),
+            BullsEyeQuantity::Thickening => PolarValues {
+                values: taking_part(thickening.thickening.iter().map(|ln| ln.exp()).collect()),
+                segments: means(&thickening.thickening).map(|mean| mean.map(f64::exp)),
             },
             BullsEyeQuantity::Displacement => {
                 let places = |frame| self.template_places(found, subject, frame);
-                let (now, rest) = (places(frame), places(told.end_diastole));
+                let (now, rest) = (places(frame), places(thickening.end_diastole));
                 if now.len() != self.weights.len() || rest.len() != now.len() {
-                    return FlatValues::default();
+                    return PolarValues::default();
                 }
                 let ways: Vec<f64> = (now.iter().zip(&rest))
                     .map(|(now, rest)| (now - rest).norm())
                     .collect();
-                FlatValues {
+                PolarValues {
                     segments: means(&ways),
                     values: taking_part(ways),
                 }
@@ -125,8 +125,8 @@ impl FlatWall {
                     let places = self.template_places(found, subject, frame);
                     (places.len() == self.weights.len()).then(|| vertex_areas(&places, triangles))
                 };
-                let (Some(now), Some(rest)) = (areas(frame), areas(told.end_diastole)) else {
-                    return FlatValues::default();
+                let (Some(now), Some(rest)) = (areas(frame), areas(thickening.end_diastole)) else {
+                    return PolarValues::default();
                 };
                 let even: Vec<f64> = (self.weights.iter())
                     .map(|&weight| f64::from(weight > 0.0))
@@ -134,7 +134,7 @@ impl FlatWall {
                 let ratios = now.iter().zip(&rest).map(|(now, rest)| now / rest);
                 let [sum, before] =
                     [&now, &rest].map(|areas| segment_means(&found.segments, &even, areas));
-                FlatValues {
+                PolarValues {
                     values: taking_part(ratios.collect()),
                     segments: std::array::from_fn(|index| Some(sum[index]? / before[index]?)),
                 }
@@ -184,7 +184,7 @@ mod tests {
         let outcome = run(&study, &request, &Cache::default(), &Progress::default()).unwrap();
         let found: Arc<SubjectThickening> = Arc::clone(outcome.thickening().unwrap());
         let subject = &study.subjects[0];
-        let flat = FlatWall::of(&found).unwrap();
+        let flat = PolarMap::of(&found).unwrap();
         assert!(flat.oriented);
         let [diastole, systole] = [found.thickening.end_diastole, found.thickening.end_systole];
         let at = |quantity, frame| flat.values(&found, subject, quantity, frame);
@@ -216,6 +216,6 @@ mod tests {
             subject.unit,
         );
         let none = flat.values(&found, &other, BullsEyeQuantity::Displacement, systole);
-        assert_eq!(none, FlatValues::default());
+        assert_eq!(none, PolarValues::default());
     }
 }

@@ -1,0 +1,125 @@
+//! Everything that an analysis of a study says: its tables by the names of their files, and its summary.
+
+use serde_json::{Value, json};
+
+use super::maps::{DeformationRow, MedialPoseRow, PoseRow, distances_csv, distances_json};
+use super::measures::{FrameRow, SubjectRow, subjects_json};
+use super::summary::{classification_json, deformations_json, map_json, medial_map_json};
+use super::table::{csv, named_csv, pretty_json};
+use super::verdict_json::verdicts_json;
+use super::verdicts::VerdictRow;
+use crate::analysis::classification::Classes;
+use crate::analysis::deformations::DeformationMap;
+use crate::analysis::embedding::Embedding;
+use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::medial_map::MedialMap;
+use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
+use crate::analysis::verdicts::{VerdictParams, Verdicts};
+use crate::study::{LabelRole, Study};
+
+/// What an analysis of a study found, all but the walls themselves, of which there are too many for memory.
+#[derive(Clone, Debug)]
+pub struct AnalysisReport<'a> {
+    /// The subjects.
+    pub study: &'a Study,
+    /// Their measures.
+    pub measures: &'a [SubjectMeasures],
+    /// Distances of their poses.
+    pub distances: &'a PoseDistances,
+    /// How poses are compared.
+    pub distance_params: &'a PoseDistanceParams,
+    /// The same in a sentence.
+    pub metric: &'a str,
+    /// Maps of poses, each with the word for its method.
+    pub maps: Vec<(&'static str, &'a Embedding)>,
+    /// The map of deformations and the classification on it, where there is one.
+    pub deformations: Option<(&'a DeformationMap, &'a Classes)>,
+    /// Verdicts on the subjects.
+    pub verdicts: &'a Verdicts,
+    /// How they are made.
+    pub verdict_params: &'a VerdictParams,
+    /// The map of medial poses, or why there is none.
+    pub medial_map: Result<&'a MedialMap, &'a str>,
+    /// Thickening of every wall, see [`wall_json`](super::wall_json()).
+    pub thickening: &'a Value,
+}
+
+impl AnalysisReport<'_> {
+    /// Name of each file and what it holds.
+    ///
+    /// # Errors
+    /// If a number cannot be written as JSON, which no result of an analysis is.
+    pub fn tables(&self) -> Result<Vec<(String, String)>, serde_json::Error> {
+        let study = self.study;
+        let mut tables: Vec<(String, String)> = Vec::new();
+        tables.extend(named_csv(&FrameRow::of_study(study, self.measures)));
+        tables.extend(named_csv(&SubjectRow::of_study(study, self.measures)));
+        let distances = distances_csv(study, self.distances);
+        tables.push(("distances.csv".to_owned(), distances));
+        for (word, map) in &self.maps {
+            let rows = PoseRow::of_map(study, &self.distances.poses, map);
+            tables.push((format!("poses_{word}.csv"), csv(&rows)));
+        }
+        if let Some((map, _)) = self.deformations {
+            tables.extend(named_csv(&DeformationRow::of_map(study, map)));
+        }
+        tables.extend(named_csv(&VerdictRow::of_study(study, self.verdicts)));
+        let poses = MedialPoseRow::of_map(study, self.medial_map.ok());
+        tables.extend(named_csv(&poses));
+        let metric = distances_json(study, self.distance_params, self.metric);
+        tables.push(("distances.json".to_owned(), pretty_json(&metric)?));
+        Ok(tables)
+    }
+
+    /// `summary.json`, without the list of files.
+    pub fn summary(&self) -> Value {
+        let study = self.study;
+        let count = |role| {
+            let subjects = study.subjects.iter();
+            subjects
+                .filter(|subject| study.role(subject) == role)
+                .count()
+        };
+        let left_out = self.distances.left_out.iter().map(|left_out| {
+            let id = study.subjects.get(left_out.subject).map(|s| &s.id);
+            json!({ "subject": id, "reason": left_out.reason })
+        });
+        let maps = self.maps.iter();
+        let maps = maps.map(|(method, map)| ((*method).to_owned(), map_json(map)));
+        let mut summary = json!({
+            "program": "Cardiomorph",
+            "version": env!("CARGO_PKG_VERSION"),
+            "note": "research use, not for diagnosis",
+            "study": study.name,
+            "labels": {
+                "normal": count(LabelRole::Normal),
+                "abnormal": count(LabelRole::Abnormal),
+                "other": count(LabelRole::Unknown),
+            },
+            "subjects": subjects_json(&SubjectRow::of_study(study, self.measures)),
+            "poses": self.distances.poses.len(),
+            "metric": self.metric,
+            "left_out": left_out.collect::<Vec<Value>>(),
+            "maps": maps.collect::<serde_json::Map<String, Value>>(),
+        });
+        let mut further = Vec::new();
+        if let Some((map, classes)) = self.deformations {
+            further.push(("deformations", deformations_json(map)));
+            further.push(("classification", classification_json(classes)));
+        }
+        further.push(("thickening", self.thickening.clone()));
+        further.push((
+            "verdicts",
+            verdicts_json(self.verdicts, self.verdict_params),
+        ));
+        further.push(("medial_map", medial_map_json(study, self.medial_map)));
+        if let Value::Object(object) = &mut summary {
+            object.extend(
+                further
+                    .into_iter()
+                    .map(|(key, value)| (key.to_owned(), value)),
+            );
+        }
+        summary
+    }
+}

@@ -1,0 +1,355 @@
+//! Distances of poses, and places of poses, deformations and medial poses on their maps.
+
+use serde_json::{Value, json};
+
+use super::column::{Column, ColumnWords, Digits, Unit};
+use super::table::{Row, TableWords, records};
+use crate::analysis::deformations::DeformationMap;
+use crate::analysis::embedding::Embedding;
+use crate::analysis::medial_map::MedialMap;
+use crate::analysis::metrics::{Corners, Form, Regulariser};
+use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
+use crate::analysis::transport::Reference;
+use crate::study::Study;
+
+/// Columns that stand before those of the poses.
+const POSE_COLUMNS: [ColumnWords; 2] = [
+    ColumnWords {
+        key: "subject",
+        unit: "",
+        explanation: "Pseudonym of the pose's subject",
+    },
+    ColumnWords {
+        key: "frame",
+        unit: "",
+        explanation: "Frame of the pose, numbered from 0",
+    },
+];
+
+/// The square matrix of distances: a row per pose, with a column per pose behind its name.
+pub(super) fn distances_csv(study: &Study, distances: &PoseDistances) -> String {
+    let name = |pose: &PoseId| format!("{}:{}", subject_id(study, pose.subject), pose.frame);
+    let header = (POSE_COLUMNS.iter().map(|column| column.key.to_owned()))
+        .chain(distances.poses.iter().map(name));
+    let matrix = &distances.distances;
+    let rows = distances.poses.iter().enumerate().map(|(i, pose)| {
+        let mut row = vec![subject_id(study, pose.subject), pose.frame.to_string()];
+        row.extend((0..matrix.size()).map(|j| matrix.get(i, j).to_string()));
+        row
+    });
+    records(std::iter::once(header.collect::<Vec<String>>()).chain(rows))
+}
+
+pub(super) fn distances_described() -> TableWords {
+    TableWords {
+        files: &["distances.csv"],
+        row: "Distances of all poses, a row per pose; distances.json says by which metric",
+        columns: POSE_COLUMNS.to_vec(),
+        further: Some(
+            "a column per pose, named subject:frame, with the distance; without unit where the metric is \
+             scale-invariant",
+        ),
+    }
+}
+
+/// By which metric the distances of `distances.csv` are: the words of the command line's options, and one
+/// sentence. It stands in a file of its own, since scripts read all columns of the matrix behind the second.
+pub(super) fn distances_json(study: &Study, params: &PoseDistanceParams, words: &str) -> Value {
+    let metric = &params.metric;
+    let transport = params.transport.map(|transport| match transport.reference {
+        Reference::Mean => "mean".to_owned(),
+        Reference::Subject(index) => subject_id(study, index),
+    });
+    json!({
+        "table": "distances.csv",
+        "in_words": words,
+        "metric": metric.kind.words().id,
+        "form": match metric.form {
+            Form::Printed => "printed",
+            Form::Bilinear => "bilinear",
+            Form::Frozen => "frozen",
+            Form::Additive => "additive",
+        },
+        "corners": match metric.corners {
+            Corners::Raw => "raw",
+            Corners::ScaleFree => "scale-free",
+        },
+        "area_weights": metric.area_weights,
+        "mu": metric.mu,
+        "curvature_rings": metric.curvature_rings,
+        "lambda": metric.lambda,
+        "regulariser": match metric.regulariser {
+            Regulariser::Uniform => "uniform",
+            Regulariser::Area => "area",
+        },
+        "smoothing": params.smoothing,
+        "transfer": transport.unwrap_or_else(|| "none".to_owned()),
+    })
+}
+
+/// Coordinates of items on a map of any number of dimensions, a row per item.
+pub fn coordinates_csv(map: &Embedding) -> String {
+    let rows = (0..map.len()).map(|item| map.point(item).iter().map(f64::to_string).collect());
+    records(std::iter::once(axis_names(map.dimensions)).chain(rows))
+}
+
+/// x, y, z, then x4, x5, …
+fn axis_names(dimensions: usize) -> Vec<String> {
+    (0..dimensions)
+        .map(|axis| match axis {
+            0 => "x".to_owned(),
+            1 => "y".to_owned(),
+            2 => "z".to_owned(),
+            more => format!("x{}", more + 1),
+        })
+        .collect()
+}
+
+/// Place of one pose on a map.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PoseRow {
+    /// Pseudonym.
+    pub subject: String,
+    /// From 0.
+    pub frame: usize,
+    /// Its place.
+    pub place: [Option<f64>; 2],
+}
+
+impl PoseRow {
+    /// One row per pose of the map.
+    pub fn of_map(study: &Study, poses: &[PoseId], map: &Embedding) -> Vec<Self> {
+        let poses = poses.iter().enumerate().take(map.len());
+        poses
+            .map(|(item, pose)| Self {
+                subject: subject_id(study, pose.subject),
+                frame: pose.frame,
+                place: place(map, item),
+            })
+            .collect()
+    }
+}
+
+impl Row for PoseRow {
+    const FILES: &'static [&'static str] =
+        &["poses_mds.csv", "poses_smacof.csv", "poses_isomap.csv"];
+    const ROW: &'static str =
+        "Poses on a map of their distances (classical MDS, SMACOF, Isomap), a row per pose";
+    const COLUMNS: &'static [Column<Self>] = &[
+        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
+            (&row.subject).into()
+        }),
+        Column::plain("frame", "Frame", "Frame, numbered from 0", |row| {
+            row.frame.into()
+        }),
+        coordinate("x", "First coordinate on the map", |row| {
+            row.place[0].into()
+        }),
+        coordinate("y", "Second coordinate on the map", |row| {
+            row.place[1].into()
+        }),
+    ];
+}
+
+/// Place of one subject's deformation over the beat on the map of deformations.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DeformationRow {
+    /// Pseudonym.
+    pub subject: String,
+    /// What the study says.
+    pub label: Option<String>,
+    /// Its place.
+    pub place: [Option<f64>; 2],
+}
+
+impl DeformationRow {
+    /// One row per subject of the map.
+    pub fn of_map(study: &Study, map: &DeformationMap) -> Vec<Self> {
+        let subjects = map.subjects.iter().enumerate().take(map.embedding.len());
+        subjects
+            .map(|(row, &index)| Self {
+                subject: subject_id(study, index),
+                label: study.subjects.get(index).and_then(|s| s.label.clone()),
+                place: place(&map.embedding, row),
+            })
+            .collect()
+    }
+}
+
+impl Row for DeformationRow {
+    const FILES: &'static [&'static str] = &["deformations_lle.csv"];
+    const ROW: &'static str =
+        "Deformations over the beat on their map (locally linear embedding), a row per subject";
+    const COLUMNS: &'static [Column<Self>] = &[
+        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
+            (&row.subject).into()
+        }),
+        Column::plain(
+            "label",
+            "Label",
+            "Label that the study gives the subject; empty without one",
+            |row| row.label.clone().into(),
+        ),
+        coordinate(
+            "x",
+            "First coordinate on the map, whose columns have length 1",
+            |row| row.place[0].into(),
+        ),
+        coordinate("y", "Second coordinate on the map", |row| {
+            row.place[1].into()
+        }),
+    ];
+}
+
+/// Place of one step of a path in the medial shape space.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MedialPoseRow {
+    /// Pseudonym.
+    pub subject: String,
+    /// First frame of the step.
+    pub step_from: usize,
+    /// Last frame of the step.
+    pub step_to: usize,
+    /// Number of the patch, from 0; `None` for all still atoms together.
+    pub patch: Option<usize>,
+    /// Its place.
+    pub place: [Option<f64>; 2],
+}
+
+impl MedialPoseRow {
+    /// One row per step of all paths; none without a map.
+    pub fn of_map(study: &Study, map: Option<&MedialMap>) -> Vec<Self> {
+        let Some(map) = map else {
+            return Vec::new();
+        };
+        let poses = map.poses.iter().enumerate();
+        poses
+            .map(|(row, pose)| Self {
+                subject: subject_id(study, pose.subject),
+                step_from: pose.step_from,
+                step_to: pose.step_to,
+                patch: pose.part.patch(),
+                place: place(&map.embedding, row),
+            })
+            .collect()
+    }
+}
+
+impl Row for MedialPoseRow {
+    const FILES: &'static [&'static str] = &["medial_mds.csv"];
+    const ROW: &'static str = "Still parts of the wall in the medial shape space on a map (classical MDS), a row per step of a path";
+    const COLUMNS: &'static [Column<Self>] = &[
+        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
+            (&row.subject).into()
+        }),
+        Column::plain(
+            "step_from",
+            "From",
+            "First frame of the step, numbered from 0",
+            |row| row.step_from.into(),
+        ),
+        Column::plain(
+            "step_to",
+            "To",
+            "Last frame of the step, numbered from 0",
+            |row| row.step_to.into(),
+        ),
+        Column::plain(
+            "patch",
+            "Patch",
+            "Number of the patch as in patches.csv; empty for all still atoms together",
+            |row| row.patch.into(),
+        ),
+        coordinate("x", "First coordinate on the map", |row| {
+            row.place[0].into()
+        }),
+        coordinate("y", "Second coordinate on the map", |row| {
+            row.place[1].into()
+        }),
+    ];
+}
+
+/// Coordinates on a map have no unit.
+const fn coordinate<R>(
+    key: &'static str,
+    explanation: &'static str,
+    cell: fn(&R) -> super::column::Cell,
+) -> Column<R> {
+    Column::new(key, key, Unit::None, Digits::Places(3), explanation, cell)
+}
+
+fn place(map: &Embedding, item: usize) -> [Option<f64>; 2] {
+    let point = map.point(item);
+    [0, 1].map(|axis| point.get(axis).copied())
+}
+
+fn subject_id(study: &Study, index: usize) -> String {
+    let subject = study.subjects.get(index);
+    subject.map_or_else(String::new, |subject| subject.id.clone())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::table::csv;
+    use super::*;
+    use crate::analysis::pose_distances::DistanceMatrix;
+    use crate::mesh::phantom;
+    use crate::report::testing;
+
+    fn study() -> Study {
+        testing::study(&[("P, \"1\"", "MINF")], vec![phantom::sphere(1, 30.0)])
+    }
+
+    #[test]
+    fn deformations_stand_a_row_per_heart_with_its_label() {
+        let map = DeformationMap {
+            subjects: vec![0],
+            curves: vec![vec![[0.0; 3]]],
+            time_weight: 1.0,
+            embedding: Embedding {
+                dimensions: 2,
+                coordinates: vec![-0.25, 0.1 + 0.2],
+                ..Embedding::default()
+            },
+        };
+        let table = csv(&DeformationRow::of_map(&study(), &map));
+        assert_eq!(
+            table,
+            "subject,label,x,y\n\"P, \"\"1\"\"\",MINF,-0.25,0.30000000000000004\n"
+        );
+    }
+
+    #[test]
+    fn the_matrix_is_square_and_symmetric() {
+        let pose = |frame| PoseId { subject: 0, frame };
+        let distances = PoseDistances {
+            poses: vec![pose(0), pose(1)],
+            distances: DistanceMatrix::from_upper(2, vec![0.1 + 0.2]).unwrap(),
+            left_out: Vec::new(),
+        };
+        let table = distances_csv(&study(), &distances);
+        let mut reader = csv::Reader::from_reader(table.as_bytes());
+        assert_eq!(&reader.headers().unwrap()[3], "P, \"1\":1");
+        let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+        assert_eq!(rows.len(), 2);
+        assert_eq!(&rows[0][3], &rows[1][2]);
+        assert_eq!(rows[0][3].parse::<f64>().unwrap(), 0.1 + 0.2);
+        assert_eq!(&rows[0][2], "0");
+    }
+
+    #[test]
+    fn distances_name_the_metric_by_the_words_of_its_options() {
+        let params = PoseDistanceParams::default();
+        let said = distances_json(&study(), &params, "in one sentence");
+        assert_eq!(said["metric"], "quasi-conformal");
+        assert_eq!(said["form"], "additive");
+        assert_eq!(said["in_words"], "in one sentence");
+        assert_eq!(said["transfer"], "none");
+        assert_eq!(said["mu"], params.metric.mu);
+    }
+
+    #[test]
+    fn axes_beyond_the_third_are_numbered() {
+        assert_eq!(axis_names(5), ["x", "y", "z", "x4", "x5"]);
+    }
+}

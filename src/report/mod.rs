@@ -1,0 +1,37 @@
+//! Results as rows with columns: tables, JSON and a dictionary of columns for scripts; headings, units and digits for
+//! panes, figures and the report.
+
+mod analysis;
+mod column;
+mod dictionary;
+mod experiment_json;
+mod experiments;
+mod maps;
+mod measures;
+mod medial_atoms;
+mod medial_experiment_json;
+mod medial_experiments;
+mod segments;
+mod summary;
+mod table;
+#[cfg(test)]
+mod testing;
+mod verdict_json;
+mod verdicts;
+mod wall;
+mod wall_json;
+
+pub use analysis::AnalysisReport;
+pub use column::{Cell, Column, ColumnWords, Digits, NO_VALUE, Unit};
+pub use dictionary::{all_tables, columns_md};
+pub use experiment_json::{comparison_json, noise_json, partners_json};
+pub use experiments::NoiseRow;
+pub use maps::{DeformationRow, MedialPoseRow, PoseRow, coordinates_csv};
+pub use measures::{FrameRow, SubjectRow, subjects_json};
+pub use medial_atoms::MedialAtomRow;
+pub use medial_experiment_json::noise_medial_json;
+pub use segments::SegmentRow;
+pub use table::{Row, TableWords, csv, csv_header, csv_rows, pretty_json};
+pub use verdicts::VerdictRow;
+pub use wall::{AssessedWall, AtomRow, PatchRow};
+pub use wall_json::{thickening_params_json, unassessed_wall_json, wall_json};

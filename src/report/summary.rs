@@ -1,0 +1,136 @@
+//! Parts of the summary of an analysis: maps and classification.
+
+use serde_json::{Value, json};
+
+use crate::analysis::classification::{Accuracy, Classes};
+use crate::analysis::deformations::DeformationMap;
+use crate::analysis::embedding::Embedding;
+use crate::analysis::medial_map::MedialMap;
+use crate::study::Study;
+
+/// How well a map of poses keeps distances.
+pub(super) fn map_json(map: &Embedding) -> Value {
+    json!({
+        "stress": map.stress,
+        "iterations": map.iterations,
+        "neighbours": map.neighbours,
+        "reconstruction_error": map.reconstruction_error,
+    })
+}
+
+/// The map of medial poses: its stress, in which axes subjects are compared, and who is not on it; without a map, why.
+pub(super) fn medial_map_json(study: &Study, map: Result<&MedialMap, &str>) -> Value {
+    let map = match map {
+        Ok(map) => map,
+        Err(reason) => return json!({ "reason": reason }),
+    };
+    let id = |subject: usize| study.subjects.get(subject).map(|subject| &subject.id);
+    let paths: Vec<Value> = (map.spreads.iter())
+        .map(|spread| {
+            json!({
+                "subject": id(spread.subject),
+                "patch": spread.part.patch(),
+                "mean_distance": spread.mean_distance,
+            })
+        })
+        .collect();
+    let left_out: Vec<Value> = (map.left_out.iter())
+        .map(|(subject, reason)| json!({ "subject": id(*subject), "reason": reason }))
+        .collect();
+    json!({
+        "poses": map.poses.len(),
+        "stress": map.embedding.stress,
+        "frame": map.frame.words(),
+        "paths": paths,
+        "left_out": left_out,
+    })
+}
+
+/// How the map of deformations is made, and its reconstruction error.
+pub(super) fn deformations_json(map: &DeformationMap) -> Value {
+    json!({
+        "count": map.subjects.len(),
+        "time_weight": map.time_weight,
+        "samples": map.curves.first().map_or(0, Vec::len),
+        "neighbours": map.embedding.neighbours,
+        "parts": map.embedding.parts,
+        "reconstruction_error": map.embedding.reconstruction_error,
+    })
+}
+
+/// Accuracies of the classifiers (leave-one-out), each beside its permutation mean. `null` where fewer than
+/// two classes have labels.
+pub(super) fn classification_json(classes: &Classes) -> Value {
+    let counts: serde_json::Map<String, Value> = (classes.names.iter().enumerate())
+        .map(|(class, name)| {
+            let of_class = classes.of_row.iter().filter(|row| **row == Some(class));
+            (name.clone(), json!(of_class.count()))
+        })
+        .collect();
+    json!({
+        "classes": counts,
+        "tau": classes.tau.as_ref().map(accuracy_json),
+        "nearest_neighbour": classes.nearest_neighbour.as_ref().map(accuracy_json),
+        "linear_rule": classes.linear_rule.as_ref().map(accuracy_json),
+        "plane_rule": classes.plane_rule.as_ref().map(accuracy_json),
+        "clusters": classes.clustering.clusters,
+        "inertia": classes.clustering.inertia,
+    })
+}
+
+/// Shares are in 0 to 1.
+fn accuracy_json(accuracy: &Accuracy) -> Value {
+    json!({
+        "accuracy": accuracy.share(),
+        "correct": accuracy.correct,
+        "of": accuracy.of,
+        "baseline": accuracy.baseline,
+        "p_value": accuracy.p_value,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_accuracy_stands_beside_that_of_permuted_labels() {
+        let classes = Classes {
+            names: vec!["abnormal".to_owned(), "normal".to_owned()],
+            of_row: vec![Some(1), Some(0), None, Some(1)],
+            tau: Some(Accuracy {
+                correct: 2,
+                of: 3,
+                baseline: 0.5,
+                p_value: 0.25,
+            }),
+            ..Classes::default()
+        };
+        let value = classification_json(&classes);
+        assert_eq!(value["classes"], json!({ "abnormal": 1, "normal": 2 }));
+        let expected = json!({
+            "accuracy": 2.0 / 3.0, "correct": 2, "of": 3, "baseline": 0.5, "p_value": 0.25
+        });
+        assert_eq!(value["tau"], expected);
+        assert_eq!(value["plane_rule"], Value::Null);
+    }
+
+    #[test]
+    fn the_map_says_from_how_many_neighbours_and_how_well() {
+        let map = DeformationMap {
+            subjects: vec![0, 2],
+            curves: vec![vec![[0.0; 3]; 64]; 2],
+            time_weight: 0.75,
+            embedding: Embedding {
+                neighbours: Some(5),
+                reconstruction_error: Some(1e-3),
+                ..Embedding::default()
+            },
+        };
+        let value = deformations_json(&map);
+        assert_eq!(value["neighbours"], 5);
+        assert_eq!(value["reconstruction_error"], 1e-3);
+        assert_eq!(value["time_weight"], 0.75);
+        assert_eq!(value["samples"], 64);
+    }
+}

@@ -1,0 +1,148 @@
+//! Columns of verdicts: each feature under its own name, reasons for those not assessed.
+
+use super::*;
+use crate::analysis::measures::measure_subject;
+use crate::analysis::medial::{MedialParams, medial_beat};
+use crate::analysis::thickening::{ThickeningParams, thickening};
+use crate::analysis::verdicts::{
+    Familiarity, Features, Finding, NotAssessed, VerdictInput, VerdictParams, examine, verdicts,
+};
+use crate::mesh::phantom;
+use crate::progress::Progress;
+use crate::report::{csv, testing};
+use crate::study::built_in::{BuiltInParams, cohort};
+use std::sync::Arc;
+
+fn study() -> Study {
+    let frames = vec![phantom::sphere(1, 30.0)];
+    testing::study(&[("P, 1", "MINF"), ("N1", "NOR")], frames)
+}
+
+/// A heart's features, nearly all different: each stands in the column of its own name.
+#[test]
+fn features_stand_in_the_columns_that_scripts_rely_on() {
+    let progress = Progress::default();
+    let params = BuiltInParams {
+        vertices: 600,
+        ..BuiltInParams::default()
+    };
+    let whole = cohort(&params).unwrap().study;
+    let ill = whole
+        .subjects
+        .iter()
+        .find(|s| s.id.starts_with('P'))
+        .unwrap();
+    let medial = MedialParams::default().check().unwrap();
+    let beat = medial_beat(ill, &medial, &progress).unwrap();
+    let params = ThickeningParams::default().check().unwrap();
+    let found = thickening(&beat, &measure_subject(ill), None, &params, &progress).unwrap();
+    let heart = VerdictInput {
+        beat: &beat,
+        thickening: &found,
+    };
+    let params = VerdictParams::default().check().unwrap();
+    let examined = examine(&heart, &params).unwrap();
+    let alone = Study {
+        subjects: vec![Arc::clone(ill)],
+        ..whole
+    };
+    let features = examined.features.clone();
+    let judged = verdicts(&alone, &[Ok(examined)], &params, &progress).unwrap();
+    let table = csv(&VerdictRow::of_study(&alone, &judged));
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let columns = reader.headers().unwrap().clone();
+    let row = reader.records().next().unwrap().unwrap();
+    let names = [
+        (Feature::StillShare, "still_share"),
+        (Feature::Median, "median_ln_pt"),
+        (Feature::Spread, "spread_ln_pt"),
+        (Feature::RelativeSpread, "relative_spread"),
+        (Feature::WeakestTenth, "weakest_tenth_ln_pt"),
+        (Feature::Well, "well_ln_pt"),
+        (Feature::Reach, "reach_ln_pt"),
+        (Feature::PatchShare, "patch_share"),
+        (Feature::Confidence, "patch_confidence"),
+        (Feature::PatchThickening, "patch_relative_thickening"),
+        (Feature::Compactness, "patch_compactness"),
+        (Feature::Closeness, "pose_distance"),
+        (Feature::NormalSpread, "normal_spread_rad"),
+        (Feature::Gap, "gap_sizes"),
+    ];
+    assert_eq!(columns.len(), 12 + names.len());
+    for (place, (feature, name)) in (12_usize..).zip(names) {
+        assert_eq!(&columns[place], name);
+        let told = features.get(feature).unwrap();
+        assert_eq!(row[place].parse::<f64>().unwrap(), told, "{name}");
+    }
+    // Confidence and compactness of a round patch are both 1; all others differ.
+    let told: std::collections::HashSet<&str> = row.iter().skip(12).collect();
+    assert!(told.len() + 1 >= names.len(), "{row:?}");
+}
+
+#[test]
+fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
+    let verdict = Verdict {
+        finding: Finding::Patch,
+        abnormal: true,
+        probability: 0.1 + 0.2,
+        features: Features::default(),
+        patched: 0.31,
+        alike_normal: vec![1],
+        alike_abnormal: vec![0, 1],
+        familiarity: Some(Familiarity {
+            distance: 0.5,
+            usual: 0.25,
+            as_far: 0.1,
+        }),
+    };
+    let reason = NotAssessed::WallNotResolved { share: 0.61 };
+    let verdicts = Verdicts {
+        subjects: vec![Ok(verdict), Err(reason.clone())],
+        rule: RuleSource::Cohort {
+            normal: 9,
+            abnormal: 9,
+        },
+        quality: None,
+    };
+    let table = csv(&VerdictRow::of_study(&study(), &verdicts));
+    let mut reader = csv::Reader::from_reader(table.as_bytes());
+    let columns: Vec<String> = reader
+        .headers()
+        .unwrap()
+        .iter()
+        .map(str::to_owned)
+        .collect();
+    assert_eq!(
+        columns[..6],
+        [
+            "subject",
+            "label",
+            "verdict",
+            "probability",
+            "assessed",
+            "reason"
+        ]
+    );
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let cell = |row: usize, name: &str| {
+        let place = columns.iter().position(|column| column == name).unwrap();
+        rows[row][place].to_owned()
+    };
+    assert_eq!(
+        rows[0].iter().take(6).collect::<Vec<_>>().join("|"),
+        "P, 1|MINF|abnormal|0.30000000000000004|yes|"
+    );
+    assert_eq!(cell(0, "finding"), "abnormal patch");
+    assert_eq!(
+        (cell(0, "alike_abnormal"), cell(0, "distance_from_seen")),
+        ("P, 1 N1".to_owned(), "0.5".to_owned())
+    );
+    let further = ["calibrated", "alike_normal", "usual_distance"];
+    assert_eq!(further.map(|name| cell(0, name)), ["yes", "N1", "0.25"]);
+    assert_eq!(
+        (cell(1, "verdict"), cell(1, "assessed")),
+        (String::new(), "no".to_owned())
+    );
+    assert_eq!(cell(1, "reason"), reason.to_string());
+    assert_eq!(cell(1, "still_share"), "");
+}

@@ -1,0 +1,293 @@
+//! The wall of each subject as tables: its atoms over the beat, and its patches.
+//!
+//! Rows are made of one subject after the other, so that a cohort never is in memory as a whole.
+
+use super::column::{Cell, Column, Digits, Unit};
+use super::table::Row;
+use crate::analysis::medial::MedialBeat;
+use crate::analysis::segments::{LongAxis, Segment};
+use crate::analysis::thickening::{Patch, PatchSegment, Thickening};
+use crate::mesh::Point3;
+use crate::units::LengthUnit;
+
+/// One subject whose wall is assessed.
+#[derive(Clone, Copy, Debug)]
+pub struct AssessedWall<'a> {
+    /// Its pseudonym.
+    pub subject: &'a str,
+    /// What one unit of its coordinates is.
+    pub unit: LengthUnit,
+    /// Its atoms over the beat.
+    pub beat: &'a MedialBeat,
+    /// How they thicken.
+    pub thickening: &'a Thickening,
+    /// Its long axis at end-diastole, where it is known.
+    pub axis: Option<&'a LongAxis>,
+    /// Per atom, its segment at end-diastole.
+    pub segments: &'a [Option<Segment>],
+}
+
+/// One atom of one frame.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct AtomRow {
+    /// Pseudonym.
+    pub subject: String,
+    /// From 0.
+    pub frame: usize,
+    /// Vertex of the endocardium or of the inner side of a wall.
+    pub vertex: u32,
+    /// Centre of its sphere in coordinates.
+    pub position: Point3,
+    /// Radius of its sphere in coordinates.
+    pub radius: f64,
+    /// Radius over that at end-diastole.
+    pub thickness_ratio: f64,
+    /// Whether it takes part: it never lies where the medial surface ends.
+    pub regular: bool,
+    /// Number of its patch, from 0.
+    pub patch: Option<usize>,
+}
+
+impl AtomRow {
+    /// All atoms of one frame.
+    pub fn of_frame(wall: &AssessedWall<'_>, frame: usize) -> Vec<Self> {
+        let (beat, found) = (wall.beat, wall.thickening);
+        let mut patch_of: Vec<Option<usize>> = vec![None; beat.vertices.len()];
+        for (number, patch) in found.patches.iter().enumerate() {
+            for &atom in &patch.atoms {
+                patch_of[atom as usize] = Some(number);
+            }
+        }
+        let end_diastole = &beat.frames[found.end_diastole].atoms;
+        let atoms = beat.frames[frame].atoms.iter().enumerate();
+        atoms
+            .map(|(place, atom)| Self {
+                subject: wall.subject.to_owned(),
+                frame,
+                vertex: beat.vertices[place],
+                position: atom.position,
+                radius: atom.radius,
+                thickness_ratio: atom.thickness_ratio(&end_diastole[place]),
+                regular: beat.regular[place],
+                patch: patch_of[place],
+            })
+            .collect()
+    }
+}
+
+impl Row for AtomRow {
+    const FILES: &'static [&'static str] = &["atoms.csv"];
+    const ROW: &'static str =
+        "Atoms of the medial surface, a row per vertex of the endocardium and frame";
+    const COLUMNS: &'static [Column<Self>] = &[
+        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
+            (&row.subject).into()
+        }),
+        Column::plain("frame", "Frame", "Frame, numbered from 0", |row| {
+            row.frame.into()
+        }),
+        Column::plain(
+            "vertex",
+            "Vertex",
+            "Vertex of the endocardium, numbered from 0",
+            |row| row.vertex.into(),
+        ),
+        Column::length("x", "x of the centre of the inscribed sphere", |row| {
+            row.position.x.into()
+        }),
+        Column::length("y", "y of the centre", |row| row.position.y.into()),
+        Column::length("z", "z of the centre", |row| row.position.z.into()),
+        Column::length(
+            "r",
+            "Radius of the inscribed sphere, half of the wall thickness",
+            |row| row.radius.into(),
+        ),
+        Column::thickness_ratio("pt", "PT: radius relative to end-diastole", |row| {
+            row.thickness_ratio.into()
+        }),
+        Column::plain(
+            "in_patch",
+            "In patch",
+            "1 if the atom lies in a patch, else 0",
+            |row| row.patch.is_some().into(),
+        ),
+        Column::plain(
+            "regular",
+            "Regular",
+            "1 if the atom takes part; 0 if the medial surface ends there in any frame",
+            |row| row.regular.into(),
+        ),
+        Column::plain(
+            "patch",
+            "Patch",
+            "Number of the patch as in patches.csv",
+            |row| row.patch.into(),
+        ),
+    ];
+}
+
+/// One patch.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PatchRow {
+    /// Pseudonym.
+    pub subject: String,
+    /// Number in the list by falling area, from 0.
+    pub patch: usize,
+    /// Area at end-diastole; `None` where the unit of coordinates is not known.
+    pub area_cm2: Option<f64>,
+    /// Share of the regular medial surface at end-diastole.
+    pub share: f64,
+    /// Segments by falling share of the patch; empty where the orientation is not known.
+    pub segments: Vec<PatchSegment>,
+    /// Centroid at end-diastole in coordinates.
+    pub centroid: Point3,
+    /// Share of noise redraws in which it is detected again.
+    pub stability: f64,
+    /// Area in the shown unit of the subject.
+    pub area: f64,
+    /// Unit of coordinates.
+    pub unit: LengthUnit,
+    /// How many atoms it has.
+    pub atoms: usize,
+    /// Geometric mean of r(ES) / r(ED).
+    pub thickness_ratio: f64,
+}
+
+impl PatchRow {
+    /// Its area in cm².
+    pub const AREA_CM2: Column<Self> = Column::<Self>::new(
+        "area_cm2",
+        "Area",
+        Unit::Symbol("cm²"),
+        Digits::OneBelowTen,
+        "Area on the medial surface at end-diastole; empty where coordinates are not in mm",
+        |row| row.area_cm2.into(),
+    )
+    .or_short("cm²");
+    /// Its share of the wall.
+    pub const SHARE: Column<Self> = Column::<Self>::new(
+        "share",
+        "LV share",
+        Unit::Share,
+        Digits::Places(0),
+        "Share of the medial surface of the left ventricle at end-diastole",
+        |row| row.share.into(),
+    )
+    .or_short("% LV");
+    /// How stable its detection is.
+    pub const STABILITY: Column<Self> = Column::<Self>::new(
+        "confidence",
+        "Stability",
+        Unit::Share,
+        Digits::Places(0),
+        "Detection stability: share of noise redraws in which the patch is detected again",
+        |row| row.stability.into(),
+    )
+    .or_short("stab.");
+    /// Its thickness ratio.
+    pub const THICKNESS_RATIO: Column<Self> = Column::new(
+        "pt",
+        "PT",
+        Unit::Symbol("×"),
+        Digits::Places(2),
+        "PT: thickness at end-systole relative to end-diastole, geometric mean over the patch",
+        |row| row.thickness_ratio.into(),
+    );
+    /// Its thickening.
+    pub const THICKENING: Column<Self> = Column::<Self>::new(
+        "thickening_percent",
+        "Thickening",
+        Unit::Percent,
+        Digits::Places(0),
+        "Thickening from end-diastole to end-systole, 100 (PT − 1)",
+        |row| (100.0 * (row.thickness_ratio - 1.0)).into(),
+    )
+    .or_short("thick.");
+
+    /// All patches of one wall, by falling area.
+    pub fn of_wall(wall: &AssessedWall<'_>) -> Vec<Self> {
+        let patches = wall.thickening.patches.iter().enumerate();
+        patches
+            .map(|(index, patch)| Self::new(wall.subject, wall.unit, index, patch))
+            .collect()
+    }
+
+    /// One of them.
+    pub fn new(subject: &str, unit: LengthUnit, index: usize, patch: &Patch) -> Self {
+        Self {
+            subject: subject.to_owned(),
+            patch: index,
+            area_cm2: patch.area_cm2,
+            share: patch.share,
+            segments: patch.segments.clone(),
+            centroid: patch.centroid,
+            stability: patch.confidence,
+            area: patch.area * unit.area_from_square(),
+            unit,
+            atoms: patch.atoms.len(),
+            thickness_ratio: patch.thickening.exp(),
+        }
+    }
+
+    /// One value per segment, with spaces between.
+    fn listed(&self, value: impl Fn(&PatchSegment) -> String) -> Cell {
+        let values: Vec<String> = self.segments.iter().map(value).collect();
+        values.join(" ").into()
+    }
+}
+
+impl Row for PatchRow {
+    const FILES: &'static [&'static str] = &["patches.csv"];
+    const ROW: &'static str =
+        "Patches: regions of low wall thickening, by falling area, a row per patch";
+    const COLUMNS: &'static [Column<Self>] = &[
+        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
+            (&row.subject).into()
+        }),
+        Column::plain("patch", "Patch", "Number of the patch, from 0", |row| {
+            row.patch.into()
+        }),
+        Self::AREA_CM2,
+        Self::SHARE,
+        Column::plain(
+            "segments",
+            "Segments",
+            "AHA segments that the patch touches, by falling share of the patch",
+            |row| row.listed(|part| part.segment.number().to_string()),
+        ),
+        Column::length("x", "x of the centroid at end-diastole", |row| {
+            row.centroid.x.into()
+        }),
+        Column::length("y", "y of the centroid", |row| row.centroid.y.into()),
+        Column::length("z", "z of the centroid", |row| row.centroid.z.into()),
+        Self::STABILITY,
+        Column::plain(
+            "segment_shares",
+            "Shares of segments",
+            "Share of the patch in each of these segments, 0 to 1",
+            |row| row.listed(|part| part.of_patch.to_string()),
+        ),
+        Column::new(
+            "area",
+            "Area",
+            Unit::Area,
+            Digits::OneBelowTen,
+            "Area on the medial surface at end-diastole, in area_unit",
+            |row| row.area.into(),
+        ),
+        Column::plain(
+            "area_unit",
+            "Unit",
+            "Unit of area: cm² where coordinates are in mm, else units²",
+            |row| row.unit.area_symbol().into(),
+        ),
+        Column::plain("atoms", "Atoms", "Number of atoms of the patch", |row| {
+            row.atoms.into()
+        }),
+        Self::THICKNESS_RATIO,
+        Self::THICKENING,
+    ];
+}
+
+#[cfg(test)]
+mod tests;
