@@ -24,7 +24,10 @@ const MAY_USE: &[(&str, &[&str])] = &[
         &["units", "progress", "numeric", "mesh", "study"],
     ),
     ("io", &["units", "progress", "mesh", "study"]),
-    ("report", &["units", "mesh", "study", "analysis"]),
+    (
+        "report",
+        &["units", "progress", "mesh", "study", "analysis"],
+    ),
     (
         "engine",
         &[

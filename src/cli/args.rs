@@ -48,7 +48,7 @@ pub enum Command {
     Medial(MedialArgs),
     /// Computes one distance between two meshes in correspondence
     Metric(MetricArgs),
-    /// Computes the poses between two meshes in correspondence
+    /// Computes interpolated (geodesic) poses between two meshes in correspondence
     Interpolate(InterpolateArgs),
     /// Transports the motion of one subject onto another (parallel transport)
     Transfer(TransferArgs),

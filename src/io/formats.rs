@@ -55,11 +55,14 @@ pub(super) struct Writer {
     pub series: Option<SeriesWriter>,
 }
 
-/// Writes a list of files with their times.
+/// Writes a list of files, each after its time in seconds.
+type WriteSeries = fn(&mut dyn Write, &[(f64, String)]) -> io::Result<()>;
+
+/// Lists of files with their times.
 #[derive(Clone, Copy)]
 pub(super) struct SeriesWriter {
     pub extension: &'static str,
-    pub write: fn(&mut dyn Write, &[(f64, String)]) -> io::Result<()>,
+    pub write: WriteSeries,
 }
 
 /// All of them. STL, OBJ and CSV have no first bytes that are surely theirs, as "solid" can begin a comment of any text.

@@ -17,6 +17,9 @@ pub struct Tick {
     pub text: String,
 }
 
+/// The note of a legend whose limits the user has set.
+pub const USER_LIMITS: &str = "limits set by the user";
+
 /// A colour bar, ready to be drawn by a panel or into a figure.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ColourLegend {

@@ -35,7 +35,7 @@ pub use colour_map::ColourMap;
 pub use fit::fitted_camera;
 pub use frame_words::frame_words;
 pub use heart_frame::HeartFrame;
-pub use legend::{ColourLegend, Tick};
+pub use legend::{ColourLegend, Tick, USER_LIMITS};
 pub use limits::{CohortLimits, reference_frame};
 pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPart, facing_patch};
 pub use medial_noise_plot::medial_noise_page;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::picture::fit::blended;
-use crate::picture::legend::{ColourLegend, colour_map};
+use crate::picture::legend::{ColourLegend, USER_LIMITS, colour_map};
 use crate::picture::medial::{HeartMedial, add_marks, atom_legend};
 use crate::picture::numbers::SurfaceScalars;
 use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
@@ -171,7 +171,7 @@ fn limits(settings: &SceneSettings) -> ColourLimits {
 
 fn limits_note(settings: &SceneSettings) -> &'static str {
     match (settings.typed_limits, settings.quantity) {
-        (Some(_), _) => "limits set by the user",
+        (Some(_), _) => USER_LIMITS,
         (None, Quantity::AreaRatio | Quantity::ThicknessRatio) => "fixed limits, log scale",
         (None, Quantity::Contribution) => "fixed limits, at the nearest frames",
         (None, _) => "one range for the cohort",
@@ -316,7 +316,7 @@ mod tests {
         };
         let legend = subject_scene(&heart(), &settings, pose).legend.unwrap();
         assert_eq!(legend.limits.high, 2.5);
-        assert_eq!(legend.note, "limits set by the user");
+        assert_eq!(legend.note, USER_LIMITS);
         assert!(legend.above && !legend.below);
     }
 }

@@ -290,11 +290,10 @@ fn subject_id(study: &Study, index: usize) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::table::csv;
     use super::*;
     use crate::analysis::pose_distances::DistanceMatrix;
     use crate::mesh::phantom;
-    use crate::report::testing;
+    use crate::report::{csv, testing};
 
     fn study() -> Study {
         testing::study(&[("P, \"1\"", "MINF")], vec![phantom::sphere(1, 30.0)])

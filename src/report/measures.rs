@@ -299,11 +299,11 @@ impl Row for FrameRow {
 
 #[cfg(test)]
 mod tests {
-    use super::super::table::csv;
     use super::*;
     use crate::analysis::measures::measure_study;
     use crate::mesh::phantom;
     use crate::progress::Progress;
+    use crate::report::csv;
     use crate::report::testing::study;
 
     #[test]

@@ -270,10 +270,10 @@ mod tests {
 
     #[test]
     fn a_difference_can_be_chosen_where_there_is_one() {
-        let names = ["Colour: Tissue", "Difference to the other heart"];
+        let names = ["Colour: Tissue", "Contribution to the distance"];
         let wanted = [Command::SetQuantity(Quantity::Contribution)];
         assert_eq!(clicked(800.0, &names), wanted);
-        let names = ["Colour: Tissue", "Distance from its own beat"];
+        let names = ["Colour: Tissue", "Difference from the subject's own motion"];
         assert_eq!(clicked(800.0, &names), []);
     }
 

@@ -157,7 +157,7 @@ fn mesa_opens_with_its_phases_and_says_that_frames_were_aligned() {
             (Some(0), Some(1))
         );
         assert_eq!(subject.unit, LengthUnit::Millimetre);
-        assert!(says(&subject.notices, "told by the file names"));
+        assert!(says(&subject.notices, "from the file names"));
         assert!(
             warnings(&subject.notices).is_empty(),
             "{:?}",
@@ -178,10 +178,7 @@ fn the_horse_opens_and_is_no_heart() {
     );
     assert_eq!(horse.sequence.frame_count(), 12);
     assert_eq!(horse.unit, LengthUnit::FileUnit);
-    assert!(says(
-        &horse.notices,
-        "nothing says which part of a heart this is"
-    ));
+    assert!(says(&horse.notices, "surface not identified"));
     assert!(says(&horse.notices, "numbered 0 to 44 in steps of 4"));
     assert_eq!(
         warnings(&horse.notices),

@@ -8,7 +8,9 @@ use crate::app::stage::OnStage;
 use crate::app::state::State;
 use crate::app::views::patch_words::patch_note;
 use crate::app::views::straight_because;
-use crate::picture::{ColourLegend, HeartAxes, HeartScene, PreparedSubject, Quantity, frame_words};
+use crate::picture::{
+    ColourLegend, HeartAxes, HeartScene, PreparedSubject, Quantity, USER_LIMITS, frame_words,
+};
 use crate::render::Camera;
 use crate::study::{LabelRole, Subject};
 use crate::ui::{
@@ -184,7 +186,7 @@ fn colour_bar(legend: &ColourLegend) -> ColourBarView<'_> {
         below: bytes(legend.map.below),
         above: bytes(legend.map.above),
         note: legend.note,
-        typed: legend.note.contains("typed"),
+        typed: legend.note == USER_LIMITS,
     }
 }
 

@@ -106,7 +106,7 @@ mod tests {
         assert_eq!(unit, LengthUnit::Millimetre);
         assert_eq!(
             notice.unwrap().text,
-            "coordinates taken as mm, because the longest side is 80 mm, as of a left ventricle; no file says so"
+            "unit mm assumed, because the longest side is 80 mm, as of a left ventricle; no file gives a unit"
         );
     }
 

@@ -127,7 +127,7 @@ mod tests {
         };
         assert_eq!(
             read_bytes(&path, &limits).unwrap_err(),
-            "11 bytes; at most 10 are read"
+            "11 bytes; the limit is 10"
         );
         assert_eq!(
             read_bytes(folder.path(), &limits).unwrap_err(),
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn a_reader_that_panics_costs_one_file() {
         let outcome = unless_it_panics(|| -> u8 { panic!("unforeseen") });
-        assert!(outcome.unwrap_err().starts_with("so damaged"));
+        assert!(outcome.unwrap_err().starts_with("too damaged"));
         assert_eq!(unless_it_panics(|| 3), Ok(3));
     }
 

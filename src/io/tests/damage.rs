@@ -97,7 +97,7 @@ fn ply_errors_name_line_or_byte() {
         ),
         (
             "0 0 0\n1 0 0",
-            "line 11: the file ends where an element \"vertex\" should come",
+            "line 11: the file ends where an element \"vertex\" is expected",
         ),
     ];
     for (body, expected) in cases {
@@ -110,7 +110,7 @@ fn ply_errors_name_line_or_byte() {
     );
     assert_eq!(
         error("a.ply", header.replace("vertex 3", "vertex 4000000000")),
-        "4000000000 vertices; at most 5000000 are read"
+        "4000000000 vertices; the limit is 5000000"
     );
     let binary = fixture("ply_vtk_binary.ply");
     let cut = binary.len() - 2;
@@ -349,13 +349,13 @@ fn limits_are_errors_that_say_the_limit() {
         if !name.ends_with(".stl") {
             assert_eq!(
                 error_with(name, &bytes, &small),
-                "6 vertices; at most 5 are read",
+                "6 vertices; the limit is 5",
                 "{name}"
             );
         }
         let text = error_with(name, &bytes, &few_faces);
         assert!(
-            text == "8 faces; at most 7 are read" || text == "3 frames; at most 2 are read",
+            text == "8 faces; the limit is 7" || text == "3 frames; the limit is 2",
             "{name}: {text}"
         );
     }

@@ -109,7 +109,7 @@ fn what_is_split_or_left_out_is_reported() {
     assert_eq!(texts(&read("vtp_ascii.vtp")), texts(&mixed));
     let stl = read("stl_vtk_binary.stl");
     assert_eq!(stl.frames[0].vertices().len(), 6);
-    assert!(texts(&stl)[0].contains("joined, which makes 6 vertices"));
+    assert!(texts(&stl)[0].contains("merged into 6 vertices"));
 }
 
 #[test]
@@ -147,7 +147,7 @@ fn numbers_in_files_beside_a_gltf_are_asked_for() {
     assert!(
         error
             .to_string()
-            .starts_with("buffers[0]: the file \"gltf_buffer_0.bin\" beside this one"),
+            .starts_with("buffers[0]: the file \"gltf_buffer_0.bin\" in the same folder"),
         "{error}"
     );
 }

@@ -6,7 +6,7 @@ use crate::analysis::medial::MedialSurface;
 use crate::analysis::medial_space::PoseDescriptor;
 use crate::analysis::segments::Segment;
 use crate::mesh::{Point3, Vector3};
-use crate::picture::legend::{ColourLegend, colour_map};
+use crate::picture::legend::{ColourLegend, USER_LIMITS, colour_map};
 use crate::picture::limits::THICKNESS_RATIO;
 use crate::picture::prepared::{PreparedSubject, SurfaceRole};
 use crate::picture::quantity::Quantity;
@@ -40,7 +40,7 @@ pub(in crate::picture) fn atom_legend(
     settings: &SceneSettings,
 ) -> Option<ColourLegend> {
     let note = if settings.medial.limits.is_some() {
-        "limits set by the user"
+        USER_LIMITS
     } else {
         "fixed limits, log scale"
     };

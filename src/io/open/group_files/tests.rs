@@ -61,7 +61,7 @@ fn cases_of_one_folder_are_subjects_of_their_own() {
         (plans[0].stated.end_diastole, plans[0].stated.end_systole),
         (Some(0), Some(1))
     );
-    assert!(texts(&plans[0])[0].contains("told by the file names"));
+    assert!(texts(&plans[0])[0].contains("from the file names"));
 }
 
 #[test]
@@ -69,7 +69,7 @@ fn numbers_in_even_steps_are_a_remark_and_gaps_a_warning() {
     assert_eq!(
         one(&["horse_00.obj", "horse_04.obj", "horse_08.obj"]).notices,
         [Notice::info(
-            "files are numbered 0 to 8 in steps of 4: 3 frames, taken as evenly spaced"
+            "files are numbered 0 to 8 in steps of 4: 3 frames, assumed evenly spaced"
         )]
     );
     assert_eq!(
@@ -96,13 +96,13 @@ fn two_files_for_one_frame_are_an_error_and_two_formats_are_not() {
     let (_, errors) = grouped(&["endo_1.obj", "endo_01.obj"]);
     assert_eq!(
         errors[0].to_string(),
-        "endo_01.obj has the same surface and frame by its name: in/endo_1.obj"
+        "endo_01.obj has the same surface and frame in its name: in/endo_1.obj"
     );
     let plan = one(&["endo_1.obj", "endo_2.obj", "endo_1.ply"]);
     assert_eq!(names(&plan.surfaces[0]), ["endo_1.obj", "endo_2.obj"]);
     assert_eq!(
         texts(&plan),
-        ["1 file with the ending .ply hold the same frames and were not read"]
+        ["1 file with the extension .ply hold the same frames and are not read"]
     );
 }
 

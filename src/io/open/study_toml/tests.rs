@@ -134,7 +134,7 @@ fn a_subject_without_an_id_and_an_unknown_key_are_told() {
     assert_eq!(
         manifest.notices,
         [Notice::warning(
-            "study.toml, line 1: \"colour\" is not known and was passed over"
+            "study.toml, line 1: unknown key \"colour\", ignored"
         )]
     );
 }

@@ -54,13 +54,13 @@ fn limits_are_errors_and_name_their_file() {
         frames: 2,
         ..Limits::default()
     });
-    assert_eq!(few_frames.errors[0].reason, "3 frames; at most 2 are read");
+    assert_eq!(few_frames.errors[0].reason, "3 frames; the limit is 2");
     let few_bytes = opened(Limits {
         file_bytes: 100,
         ..Limits::default()
     });
     assert_eq!(few_bytes.errors.len(), 3);
-    assert!(few_bytes.errors[0].reason.ends_with("at most 100 are read"));
+    assert!(few_bytes.errors[0].reason.ends_with("the limit is 100"));
 }
 
 #[test]

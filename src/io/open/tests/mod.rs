@@ -74,7 +74,7 @@ fn a_folder_of_folders_is_a_cohort_and_other_files_are_passed_over() {
     assert_eq!(
         opened.notices,
         [Notice::info(
-            "both subjects have the same faces: their vertices are taken to correspond"
+            "both subjects have the same faces: their vertices correspond"
         )]
     );
 }
@@ -109,7 +109,7 @@ fn a_manifest_rules_its_folder() {
         assert_eq!(
             opened.errors[0].to_string(),
             format!(
-                "line 11: no file is named by \"n03/*.obj\": {}",
+                "line 11: no file matches \"n03/*.obj\": {}",
                 manifest.display()
             )
         );
@@ -129,7 +129,7 @@ fn a_manifest_rules_its_folder() {
         assert_eq!(
             warnings,
             [
-                "2 times for 3 frames: times are left out",
+                "2 times for 3 frames: times are ignored",
                 "end-systole is set to frame 7, but the last frame is 2; it is computed from the volumes"
             ]
         );

@@ -76,8 +76,8 @@ fn evidence(verdicts: &Verdicts, probability: f64) -> String {
         ),
         RuleSource::Cohort { normal, abnormal } => {
             let mut words = format!(
-                "Predicted probability of abnormal {}, leave-one-out (this subject is not in the training set of \
-                 {normal} normal and {abnormal} abnormal subjects)",
+                "Predicted probability of abnormal {}, leave-one-out over {normal} normal and {abnormal} abnormal \
+                 subjects (this subject was not in the training set)",
                 probability_words(probability)
             );
             if let Some(quality) = &verdicts.quality {
