@@ -67,13 +67,13 @@ pub enum ClassesParamError {
     /// No start.
     #[error("at least 1 start of k-means is needed")]
     Restarts,
-    /// Not a share.
+    /// The tolerance is no share of the stress.
     #[error("shrinkage must be above 0 and at most 1, not {0}")]
     Shrinkage(f64),
 }
 
 impl ClassesParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If there are no clusters, starts or permutations, or the shrinkage is not in 0..=1 or is 0.

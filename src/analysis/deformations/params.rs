@@ -72,7 +72,7 @@ impl std::ops::Deref for CheckedDeformationMapParams {
 }
 
 impl DeformationMapParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If a weight or a count is out of range.

@@ -38,7 +38,7 @@ pub enum LleParamError {
 }
 
 impl LleParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If there is no neighbour, or the regularisation is not in 0..=1 or is 0: then the local

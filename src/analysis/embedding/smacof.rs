@@ -43,13 +43,13 @@ pub struct CheckedSmacofParams(SmacofParams);
 /// Why settings cannot be used.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum SmacofParamError {
-    /// Not a share.
+    /// The tolerance is no share of the stress.
     #[error("tolerance must be at least 0 and below 1, not {0}")]
     Tolerance(f64),
 }
 
 impl SmacofParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If the tolerance is not in 0..1.

@@ -121,7 +121,7 @@ pub struct ComparisonRow {
 /// By level, then by method, EF alone last.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MetricComparison {
-    /// What was run.
+    /// The settings with which it was run.
     pub params: MetricComparisonParams,
     /// The table.
     pub rows: Vec<ComparisonRow>,

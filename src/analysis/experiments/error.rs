@@ -34,7 +34,7 @@ pub enum ExperimentError {
     /// Jitter is a share.
     #[error("{name} must be at least 0 and less than 0.9, not {value}")]
     Jitter {
-        /// Which.
+        /// Name of the setting that is refused.
         name: &'static str,
         /// What was asked for.
         value: f64,
@@ -92,7 +92,7 @@ pub enum ExperimentError {
     /// A step of the method failed.
     #[error("{step}: {reason}")]
     Step {
-        /// Which.
+        /// Name of the step that failed.
         step: &'static str,
         /// What it said.
         reason: String,

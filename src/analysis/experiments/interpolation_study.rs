@@ -35,7 +35,7 @@ impl Default for InterpolationStudyParams {
 pub struct InterpolationCase {
     /// What moves.
     pub object: ObjectKind,
-    /// How.
+    /// How the object is deformed.
     pub motion: Motion,
     /// Energy of the path over that of the straight line.
     pub energy_ratio: f64,
@@ -55,7 +55,7 @@ pub struct InterpolationCase {
 /// All paths.
 #[derive(Clone, Debug, PartialEq)]
 pub struct InterpolationStudy {
-    /// What was run.
+    /// The settings with which it was run.
     pub params: InterpolationStudyParams,
     /// By object, then motion.
     pub cases: Vec<InterpolationCase>,

@@ -35,7 +35,7 @@ pub struct LocalisationParams {
     pub redraws: u16,
     /// The search for patches.
     pub thickening: ThickeningParams,
-    /// Of everything random.
+    /// Seed of every random number that is drawn.
     pub seed: u64,
 }
 

@@ -7,7 +7,7 @@ use super::{MedialMethod, MedialNoiseParams, NoiseFamily};
 /// All cells of the study, and the settings that they came from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MedialNoiseResult {
-    /// What was run.
+    /// The settings with which it was run.
     pub params: MedialNoiseParams,
     /// By method; for each the clean data first, then by family and level.
     pub cells: Vec<MedialNoiseCell>,

@@ -27,11 +27,11 @@ pub struct NoiseDeformationParams {
     pub map: MapMethod,
     /// How curves become a plane.
     pub deformations: DeformationMapParams,
-    /// Starts of k-means.
+    /// Random starts of k-means, the best of which counts.
     pub restarts: u16,
     /// Permutations of the labels of each draw, for the baseline.
     pub permutations: u16,
-    /// Of everything random.
+    /// Seed of every random number that is drawn.
     pub seed: u64,
 }
 

@@ -6,7 +6,7 @@ use super::{Motion, NoiseDeformationParams, NoiseFamily, NoiseReference, ObjectK
 /// All cells of the study, and the settings that they came from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct NoiseDeformationResult {
-    /// What was run.
+    /// The settings with which it was run.
     pub params: NoiseDeformationParams,
     /// By method; for each the clean data first, then by reading, family and level.
     pub cells: Vec<NoiseCell>,

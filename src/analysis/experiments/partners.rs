@@ -118,7 +118,7 @@ pub struct PartnerRow {
 /// By transport, then by method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartnerStudy {
-    /// What was run.
+    /// The settings with which it was run.
     pub params: PartnerParams,
     /// The table.
     pub rows: Vec<PartnerRow>,

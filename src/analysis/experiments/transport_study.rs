@@ -44,7 +44,7 @@ pub struct TransportCase {
     pub object: ObjectKind,
     /// What followed: an ellipsoid, or a deformed torus.
     pub target: &'static str,
-    /// How.
+    /// How the object is deformed.
     pub motion: Motion,
     /// ‖transported − true‖ / ‖true‖ of the last displacement, the truth being the same motion applied
     /// to the target itself, after rigid alignment.
@@ -62,7 +62,7 @@ pub struct TransportCase {
 /// All cases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TransportStudy {
-    /// What was run.
+    /// The settings with which it was run.
     pub params: TransportStudyParams,
     /// By kind of object, then class.
     pub cases: Vec<TransportCase>,

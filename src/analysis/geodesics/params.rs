@@ -69,7 +69,7 @@ impl CheckedGeodesicParams {
 }
 
 impl GeodesicParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// Forms without a least path are refused: from two in-betweens on and without regulariser
     /// (λ = 0), raw corners cost nothing at size 0, since they grow with the eighth power of size:

@@ -159,7 +159,7 @@ fn what_cannot_be_told_is_said_with_its_reason() {
             &branching,
             "1 edges have more than two faces",
         ),
-        (SurfaceKind::Other, &ball, "no surface is said"),
+        (SurfaceKind::Other, &ball, "no surface is labelled"),
     ] {
         let subject = of_one(kind, mesh);
         let found = measure_subject(&subject);

@@ -43,7 +43,7 @@ pub enum UnknownVolume {
         sheets: usize,
     },
     /// No surface is said to be part of a subject.
-    #[error("no surface is said to be endocardium, epicardium, cavity or wall")]
+    #[error("no surface is labelled endocardium, epicardium, cavity or wall")]
     NoHeart,
 }
 

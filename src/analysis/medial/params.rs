@@ -86,7 +86,7 @@ pub enum MedialParamError {
     /// Out of range.
     #[error("smoothing must be between 0 and {most} thicknesses, not {value}")]
     Smoothing {
-        /// What it was.
+        /// The value that was given.
         value: f64,
         /// The limit.
         most: f64,
@@ -104,7 +104,7 @@ pub enum MedialParamError {
 }
 
 impl MedialParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If smoothing is negative, not a number or above 2, or angles do not fulfil 0 < separation ≤ end < π.

@@ -137,7 +137,7 @@ impl std::ops::Deref for CheckedMetricParams {
 const MAX_RINGS: u32 = 100;
 
 impl MetricParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If μ or λ is negative or not finite, or there are more than 100 rings.
@@ -165,7 +165,7 @@ pub enum ParamError {
     Weight {
         /// Name of the weight.
         name: &'static str,
-        /// What it was.
+        /// The value that was given.
         value: f64,
     },
     /// Averages over so many rings are not computed.

@@ -34,7 +34,7 @@ pub enum PairError {
     /// A frame that is not there.
     #[error("{subject} has {frames} frames, so there is no frame {frame}")]
     NoFrame {
-        /// Whose.
+        /// Id of the subject concerned.
         subject: String,
         /// The frame named.
         frame: usize,
@@ -44,7 +44,7 @@ pub enum PairError {
     /// A subject has no size that could be normalised.
     #[error("the size of {subject} at end-diastole is not measurable")]
     NoSize {
-        /// Whose.
+        /// Id of the subject concerned.
         subject: String,
     },
     /// The poses cannot be aligned with each other.

@@ -69,7 +69,7 @@ pub enum PoseDistanceParamError {
 }
 
 impl PoseDistanceParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If those of the metric or of the transport are not, or the radius is out of range.

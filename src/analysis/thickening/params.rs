@@ -32,7 +32,7 @@ pub struct ThickeningParams {
     pub smoothing: f64,
     /// Redraws of the noise from which detection stability is estimated; 0: none, stability 1.
     pub redraws: u32,
-    /// Of the redraws.
+    /// Seed of the noise that is drawn again.
     pub seed: u64,
 }
 
@@ -78,13 +78,13 @@ pub enum ThickeningParamError {
     /// A number out of range.
     #[error("{name} must be between {least} and {most}, not {value}")]
     Range {
-        /// Which.
+        /// Name of the setting that is refused.
         name: &'static str,
-        /// What it was.
+        /// The value that was given.
         value: f64,
-        /// Its limits.
+        /// The smallest value that is accepted.
         least: f64,
-        /// And the upper one.
+        /// The largest value that is accepted.
         most: f64,
     },
     /// The border must take in the core.
@@ -98,7 +98,7 @@ pub enum ThickeningParamError {
 }
 
 impl ThickeningParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If a number is out of range or not a number, or the border lies below the core.

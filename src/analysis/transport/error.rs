@@ -38,7 +38,7 @@ pub enum TransportError {
     /// A subject has no size that could be normalised.
     #[error("the size of {subject} at end-diastole (frame {frame}) is not measurable")]
     NoSize {
-        /// Whose.
+        /// Id of the subject concerned.
         subject: String,
         /// Its end-diastolic frame.
         frame: usize,
@@ -46,7 +46,7 @@ pub enum TransportError {
     /// End-diastole is said to be where no frame is.
     #[error("end-diastole of {subject} is set to frame {frame}, but there are {frames} frames")]
     EndDiastole {
-        /// Whose.
+        /// Id of the subject concerned.
         subject: String,
         /// The frame named.
         frame: usize,

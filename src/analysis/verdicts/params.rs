@@ -49,19 +49,19 @@ pub enum VerdictParamError {
     /// A number out of range.
     #[error("{name} must be between {least} and {most}, not {value}")]
     Range {
-        /// Which.
+        /// Name of the setting that is refused.
         name: &'static str,
-        /// What it was.
+        /// The value that was given.
         value: f64,
-        /// Its limits.
+        /// The smallest value that is accepted.
         least: f64,
-        /// And the upper one.
+        /// The largest value that is accepted.
         most: f64,
     },
 }
 
 impl VerdictParams {
-    /// Makes settings usable.
+    /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
     /// If a number is out of range or not a number.

@@ -149,7 +149,7 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_map_before() {
 
 #[test]
 fn a_study_without_map_says_why() {
-    let reason = "0 poses of 0 hearts whose wall can be assessed: a map needs at least three";
+    let reason = "0 poses of 0 subjects whose wall can be assessed: a map needs at least three";
     let mut shown = harness(MapState::Failed(reason.to_owned()), false);
     shown.run();
     shown.get_by_label("No map");

@@ -100,7 +100,7 @@ fn medial_without_a_second_side_is_wrong_usage_and_an_open_wall_is_unusable() {
     ]);
     assert_eq!(code(&same), 1);
     assert!(
-        said(&same).contains("have no ball between the sides"),
+        said(&same).contains("have no inscribed sphere between the sides"),
         "{}",
         said(&same)
     );

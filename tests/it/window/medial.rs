@@ -156,7 +156,7 @@ fn a_blood_pool_alone_has_neither_medial_map_nor_thickness_and_is_told_why() {
     give(&mut harness, Command::ShowPane(Pane::MedialMap));
     give(&mut harness, Command::ShowPane(Pane::Thickness));
     wait(&mut harness, "rest", |app| !app.busy());
-    harness.get_by_label_contains("0 poses of 0 hearts whose wall can be assessed");
+    harness.get_by_label_contains("0 poses of 0 subjects whose wall can be assessed");
     assert!(
         harness
             .get_all_by_label_contains("Does not apply: no wall")

@@ -72,8 +72,8 @@ fn noise_as_large_as_the_wall_gives_no_answer_or_finite_atoms() {
             Ok(found) => assert!(all_finite(&found)),
             Err(error) => {
                 let words = error.to_string();
-                let told =
-                    words.starts_with("noise: vertices are off by") || words.contains("no ball");
+                let told = words.starts_with("noise: vertices are off by")
+                    || words.contains("no inscribed sphere");
                 assert!(told, "{words}");
             }
         }

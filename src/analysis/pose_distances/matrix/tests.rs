@@ -144,7 +144,7 @@ fn subjects_of_another_connectivity_or_without_size_are_left_out_with_a_reason()
         [
             "its vertices (162 with 320 faces) do not correspond with those of a (73 with 132 faces)",
             "its size at end-diastole (frame 0) is not measurable",
-            "end-diastole is said to be frame 7, but there are 2 frames",
+            "end-diastole is set to frame 7, but there are 2 frames",
         ]
     );
 }

@@ -112,7 +112,7 @@ fn hearts_that_do_not_fit_are_refused_with_both_names() {
     };
     assert_eq!(
         error(&heart(0.0, 2), &late),
-        "end-diastole of heart 0 is said to be frame 9, but there are 2 frames"
+        "end-diastole of heart 0 is set to frame 9, but there are 2 frames"
     );
     let point = changed(&heart(0.0, 2), |_| Point3::new(1.0, 2.0, 3.0));
     assert_eq!(
@@ -224,7 +224,7 @@ fn who_cannot_take_part_is_left_out_with_a_reason() {
     assert!(
         there.left_out[0]
             .reason
-            .starts_with("its motion cannot be carried")
+            .starts_with("its motion cannot be transported")
     );
     assert_eq!(there.members.len(), 2);
     let onto_ball = CohortTransportParams {
@@ -233,9 +233,9 @@ fn who_cannot_take_part_is_left_out_with_a_reason() {
     };
     let error = transport_cohort(&cohort, &metric, &onto_ball, &Progress::default()).unwrap_err();
     assert!(
-        error.to_string().starts_with(
-            "the reference is to be subject 2 of 4, which cannot be used: its vertices"
-        )
+        error
+            .to_string()
+            .starts_with("subject 2 of 4 cannot be used as the reference: its vertices")
     );
     let nobody = CohortTransportParams {
         reference: Reference::Subject(9),

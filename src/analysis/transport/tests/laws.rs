@@ -221,7 +221,7 @@ fn damaged_input_is_refused_by_number() {
     };
     assert_eq!(
         error(&[], &field),
-        "there are no poses to carry a motion along"
+        "there are no poses to transport a motion along"
     );
     assert_eq!(
         error(&path, &field[..7]),
