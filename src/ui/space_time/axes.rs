@@ -2,9 +2,10 @@
 
 use egui::{Align2, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 
-use crate::ui::space_time::eye::Eye;
 use crate::ui::style::note_font;
 use crate::ui::theme::{Colours, line};
+
+use super::eye::Eye;
 
 /// Draws edges of the box, the floor's grid and the ticks of time behind the curves.
 pub fn draw_axes(painter: &Painter, eye: &Eye, colours: &Colours) {

@@ -1,4 +1,4 @@
-//! How a map stands, and what is said of it where it is not that of the settings.
+//! How a map stands, and what is said where it is not that of the settings.
 
 use egui::{Rect, Ui, vec2};
 
@@ -8,6 +8,8 @@ use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::status_bar::progress_text;
 use crate::ui::style::note;
 use crate::ui::theme::{colours, space};
+
+use super::view::ScatterView;
 
 /// How a map stands.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -32,27 +34,10 @@ pub enum MapState {
     Unanswerable(String),
 }
 
-/// The words of one map, and the work that makes it.
-#[derive(Clone, Copy, Debug)]
-pub struct MapWords {
-    /// What Cancel and Retry mean.
-    pub job: WorkKind,
-    /// Heading where there is nothing to map.
-    pub empty: &'static str,
-    /// What would fill the pane.
-    pub what: &'static str,
-    /// Heading where it could not be computed.
-    pub none: &'static str,
-}
-
 /// Draws a pane that has no map to show.
-pub fn without_map_ui(
-    ui: &mut Ui,
-    state: &MapState,
-    words: &MapWords,
-    commands: &mut Vec<Command>,
-) {
-    match state {
+pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
+    let (words, job) = (view.words, view.job);
+    match &view.state {
         MapState::Empty | MapState::Ready => empty_pane_ui(ui, words.empty, words.what, |_| {}),
         MapState::Computing {
             fraction,
@@ -61,12 +46,12 @@ pub fn without_map_ui(
             empty_pane_ui(
                 ui,
                 "Computing the map",
-                "Hearts can be looked at meanwhile.",
+                "All other views can be used meanwhile.",
                 |ui| {
                     let width = 200f32.min(ui.available_width());
                     progress_bar_ui(ui, width, *fraction, "Computing the map");
                     ui.label(note(progress_text(*fraction, *seconds_left)));
-                    cancel_ui(ui, "Cancel", words.job, commands);
+                    cancel_ui(ui, "Cancel", job, commands);
                 },
             );
         }
@@ -74,10 +59,10 @@ pub fn without_map_ui(
             ui,
             "The map was stopped",
             "It can be computed again at any time.",
-            |ui| retry_ui(ui, "Compute the map", words.job, commands),
+            |ui| retry_ui(ui, "Compute the map", job, commands),
         ),
         MapState::Failed(why) => empty_pane_ui(ui, words.none, why, |ui| {
-            retry_ui(ui, "Retry", words.job, commands);
+            retry_ui(ui, "Retry", job, commands);
         }),
         MapState::Unanswerable(why) => empty_pane_ui(ui, words.none, why, |_| {}),
     }
@@ -101,11 +86,11 @@ fn retry_ui(ui: &mut Ui, name: &str, job: WorkKind, commands: &mut Vec<Command>)
     }
 }
 
-/// What is said over a map that is not that of the settings: it is the one before.
+/// Draws a card over a map that is not that of the settings: the previous map is shown below.
 pub fn over_map_ui(
     ui: &mut Ui,
     state: &MapState,
-    words: &MapWords,
+    job: WorkKind,
     rect: Rect,
     commands: &mut Vec<Command>,
 ) {
@@ -129,19 +114,19 @@ pub fn over_map_ui(
                 let width = (width - 190.0).max(30.0);
                 progress_bar_ui(ui, width, *fraction, "Computing the map");
                 ui.label(note(progress_text(*fraction, *seconds_left)));
-                cancel_ui(ui, note("Cancel"), words.job, commands);
+                cancel_ui(ui, note("Cancel"), job, commands);
             }
             MapState::Failed(why) => {
                 let colour = colours(ui).error;
-                retry_ui(ui, "Retry", words.job, commands);
+                retry_ui(ui, "Retry", job, commands);
                 ui.add(egui::Label::new(egui::RichText::new(why).small().color(colour)).truncate());
             }
             MapState::Unanswerable(why) => {
                 ui.add(egui::Label::new(note(why)).truncate());
             }
-            _ => {
-                ui.label(note("Stopped; this is the map before"));
-                retry_ui(ui, "Retry", words.job, commands);
+            MapState::Stopped | MapState::Ready | MapState::Empty => {
+                ui.label(note("Stopped; the previous map is shown"));
+                retry_ui(ui, "Retry", job, commands);
                 ui.add_space(space::SMALL);
             }
         });

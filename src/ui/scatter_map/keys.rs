@@ -1,19 +1,18 @@
-//! The keyboard on the map of deformations: arrows go from heart to heart, Enter plays one.
+//! The keyboard on a map: arrows go from point to point, Enter does what a click does.
 
-use egui::{EventFilter, Key, Ui};
+use egui::{EventFilter, Key, Response, Role, Ui, WidgetInfo};
 
 use crate::ui::command::Command;
-use crate::ui::deformation_map::{DeformationMapView, play};
-use crate::ui::map_ground::Ground;
 
-/// The heart that the keyboard is on, while the map has it.
+use super::view::{ScatterPoint, ScatterView};
+
+/// The point that the keyboard is on, while the map has it.
 pub fn step(
     ui: &Ui,
-    view: &DeformationMapView,
-    ground: &Ground,
+    view: &ScatterView,
+    response: &Response,
     commands: &mut Vec<Command>,
 ) -> Option<usize> {
-    let response = &ground.response;
     if !response.has_focus() {
         return None;
     }
@@ -25,10 +24,8 @@ pub fn step(
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
     let id = response.id.with("on key");
     let kept: Option<usize> = ui.data(|data| data.get_temp(id));
-    let selected = view
-        .points
-        .iter()
-        .position(|point| Some(point.subject) == view.selected);
+    let mut points = view.points.iter();
+    let selected = points.position(|point| Some(point.subject) == view.selected);
     let mut here = kept
         .filter(|index| *index < view.points.len())
         .or(selected)
@@ -40,26 +37,29 @@ pub fn step(
         (Key::ArrowDown, [0.0, -1.0]),
     ] {
         if ui.input(|input| input.key_pressed(key)) {
-            let places = view.points.iter().map(|point| point.at);
-            here = next(places, here, direction).unwrap_or(here);
+            here = next(view.points, here, direction).unwrap_or(here);
         }
     }
     ui.data_mut(|data| data.insert_temp(id, here));
+    let point = view.points.get(here)?;
     if ui.input(|input| input.key_pressed(Key::Enter)) {
-        commands.push(play(&view.points[here]));
+        commands.push((view.words.command)(point));
     }
+    response.widget_info(|| {
+        let mut info = WidgetInfo::labeled(Role::Canvas, true, view.words.name);
+        info.current_text_value = Some(view.title(point));
+        info
+    });
     Some(here)
 }
 
-/// The nearest place on one side: what lies aside counts twice, so that steps go where the arrow
+/// The nearest point on one side: what lies aside counts twice, so that steps go where the arrow
 /// points. `None` where nothing lies on that side.
-fn next(
-    places: impl Iterator<Item = [f64; 2]> + Clone,
-    here: usize,
-    direction: [f64; 2],
-) -> Option<usize> {
-    let from = places.clone().nth(here)?;
-    places
+fn next(points: &[ScatterPoint], here: usize, direction: [f64; 2]) -> Option<usize> {
+    let from = points.get(here)?.at;
+    points
+        .iter()
+        .map(|point| point.at)
         .enumerate()
         .filter(|(index, _)| *index != here)
         .filter_map(|(index, place)| {
@@ -78,9 +78,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn arrows_go_to_the_nearest_heart_on_their_side() {
+    fn arrows_go_to_the_nearest_point_on_their_side() {
         let places = [[0.0, 0.0], [1.0, 0.1], [3.0, 0.0], [0.0, 2.0], [-1.0, 5.0]];
-        let go = |from, direction| next(places.into_iter(), from, direction);
+        let points = places.map(|at| ScatterPoint {
+            at,
+            ..ScatterPoint::default()
+        });
+        let go = |from, direction| next(&points, from, direction);
         assert_eq!(go(0, [1.0, 0.0]), Some(1));
         assert_eq!(go(1, [1.0, 0.0]), Some(2));
         assert_eq!(go(0, [0.0, 1.0]), Some(3));

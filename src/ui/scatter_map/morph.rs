@@ -5,7 +5,7 @@ use std::hash::Hash;
 
 use crate::ui::theme::MORPH_S;
 
-/// Where points come from, and since when they are under way.
+/// Where points come from, and when they began to move.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Morph {
     from: Vec<[f64; 2]>,
@@ -13,9 +13,9 @@ pub struct Morph {
 }
 
 impl Morph {
-    /// Sets out from where points are shown now. A map of another scale is met half-way: the old
-    /// places are taken at the spread that the new ones have, as the pane shows both alike. Points
-    /// that the old map lacks are there at once.
+    /// Starts from where points are shown now. The old places are scaled to the spread of the new
+    /// ones, as the pane shows both at the same size. Points that the old map lacks are at their new
+    /// places at once.
     pub fn between<K: Eq + Hash>(
         shown: impl Iterator<Item = (K, [f64; 2])>,
         targets: &[(K, [f64; 2])],
@@ -50,7 +50,7 @@ impl Morph {
         }
     }
 
-    /// Whether points were under way when they were last asked.
+    /// Whether points were moving when they were last asked.
     pub fn is_under_way(&self) -> bool {
         self.began_s.is_some()
     }
@@ -63,7 +63,7 @@ impl Morph {
         self.began_s.is_some()
     }
 
-    /// Where a point is now, on its way to `target`: slowly off, slowly in.
+    /// Where a point is now, on its way to `target`: it starts and ends slowly.
     pub fn place(&self, index: usize, target: [f64; 2], now_s: f64) -> [f64; 2] {
         let (Some(from), Some(began_s)) = (self.from.get(index), self.began_s) else {
             return target;
