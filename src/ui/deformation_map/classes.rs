@@ -97,6 +97,7 @@ struct Column {
     text: fn(&ClassifierView) -> String,
 }
 
+/// Width of the names.
 const NAME: f32 = 158.0;
 
 /// Columns from left to right, each aligned to its right end.

@@ -61,9 +61,7 @@ impl<M: PartialEq, D: PartialEq> ScatterData<M, D> {
         }
         if !same_map {
             self.morph = if motion && same_opening {
-                let keyed = |point: &ScatterPoint| (point.key(), point.at);
-                let to: Vec<_> = targets.iter().map(keyed).collect();
-                Morph::between(self.points.iter().map(keyed), &to, now_s)
+                Morph::between(&self.points, &targets, now_s)
             } else {
                 Morph::default()
             };

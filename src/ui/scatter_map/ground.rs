@@ -1,10 +1,11 @@
 //! The ground of a plane map: dragging moves it, scrolling and pinching zoom, a double click shows all.
 
-use egui::{Key, Pos2, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::picture::nice_floor;
 use crate::ui::theme::{colours, line};
 
+use super::input::{key_zoom, pointer_zoom};
 use super::lens::{Lens, Moved};
 use super::view::{ScatterPoint, ScatterView};
 
@@ -12,7 +13,7 @@ use super::view::{ScatterPoint, ScatterView};
 const REACH: f32 = 12.0;
 
 /// Air around the points, for marks and their names.
-const AIR: egui::Vec2 = vec2(34.0, 26.0);
+const AIR: Vec2 = vec2(34.0, 26.0);
 
 /// A piece of ground on screen, as it lies in this frame.
 pub struct Ground {
@@ -101,19 +102,10 @@ fn turn_lens(ui: &Ui, response: &Response, rect: Rect, lens: &mut Lens) -> bool 
     if response.dragged() {
         lens.drag(response.drag_delta());
     }
-    if response.contains_pointer()
-        && let Some(pointer) = response.hover_pos()
-    {
-        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-        let factor = pinch * (scroll * 0.004).exp();
-        lens.zoom_about(pointer - rect.center(), f64::from(factor));
+    if let Some(pointer) = response.hover_pos() {
+        let factor = f64::from(pointer_zoom(ui, response));
+        lens.zoom_about(pointer - rect.center(), factor);
     }
-    if response.has_focus() {
-        for (key, factor) in [(Key::Plus, 1.25), (Key::Equals, 1.25), (Key::Minus, 0.8)] {
-            if ui.input(|input| input.key_pressed(key)) {
-                lens.zoom_about(vec2(0.0, 0.0), factor);
-            }
-        }
-    }
+    lens.zoom_about(Vec2::ZERO, f64::from(key_zoom(ui, response)));
     before != *lens
 }

@@ -1,9 +1,10 @@
 //! The keyboard on a map: arrows go from point to point, Enter does what a click does.
 
-use egui::{EventFilter, Key, Response, Role, Ui, WidgetInfo};
+use egui::{Key, Response, Role, Ui, Vec2, WidgetInfo};
 
 use crate::ui::command::Command;
 
+use super::input::pressed_arrows;
 use super::view::{ScatterPoint, ScatterView};
 
 /// The point that the keyboard is on, while the map has it.
@@ -16,12 +17,6 @@ pub fn step(
     if !response.has_focus() {
         return None;
     }
-    let arrows = EventFilter {
-        horizontal_arrows: true,
-        vertical_arrows: true,
-        ..EventFilter::default()
-    };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
     let id = response.id.with("on key");
     let kept: Option<usize> = ui.data(|data| data.get_temp(id));
     let mut points = view.points.iter();
@@ -30,15 +25,8 @@ pub fn step(
         .filter(|index| *index < view.points.len())
         .or(selected)
         .unwrap_or(0);
-    for (key, direction) in [
-        (Key::ArrowRight, [1.0, 0.0]),
-        (Key::ArrowLeft, [-1.0, 0.0]),
-        (Key::ArrowUp, [0.0, 1.0]),
-        (Key::ArrowDown, [0.0, -1.0]),
-    ] {
-        if ui.input(|input| input.key_pressed(key)) {
-            here = next(view.points, here, direction).unwrap_or(here);
-        }
+    for arrow in pressed_arrows(ui, response) {
+        here = next(view.points, here, arrow).unwrap_or(here);
     }
     ui.data_mut(|data| data.insert_temp(id, here));
     let point = view.points.get(here)?;
@@ -55,8 +43,10 @@ pub fn step(
 
 /// The nearest point on one side: what lies aside counts twice, so that steps go where the arrow
 /// points. `None` where nothing lies on that side.
-fn next(points: &[ScatterPoint], here: usize, direction: [f64; 2]) -> Option<usize> {
+fn next(points: &[ScatterPoint], here: usize, arrow: Vec2) -> Option<usize> {
     let from = points.get(here)?.at;
+    // The map's second axis points up, that of the screen down.
+    let direction = [f64::from(arrow.x), f64::from(-arrow.y)];
     points
         .iter()
         .map(|point| point.at)
@@ -84,10 +74,10 @@ mod tests {
             at,
             ..ScatterPoint::default()
         });
-        let go = |from, direction| next(&points, from, direction);
+        let go = |from, arrow: [f32; 2]| next(&points, from, arrow.into());
         assert_eq!(go(0, [1.0, 0.0]), Some(1));
         assert_eq!(go(1, [1.0, 0.0]), Some(2));
-        assert_eq!(go(0, [0.0, 1.0]), Some(3));
+        assert_eq!(go(0, [0.0, -1.0]), Some(3));
         assert_eq!(go(2, [1.0, 0.0]), None);
     }
 }

@@ -7,6 +7,7 @@ mod data;
 mod draw;
 mod ground;
 mod hover;
+mod input;
 mod keys;
 mod labels;
 mod legend;
@@ -24,6 +25,8 @@ mod view;
 
 pub use data::ScatterData;
 pub use draw::{Projection, draw_points};
+pub use input::{key_zoom, pointer_zoom, pressed_arrows};
+pub use lens::bounds;
 pub use map::scatter_map_ui;
 pub use method::method_choices_ui;
 pub use path::{paths, places_between};

@@ -2,7 +2,7 @@
 
 use egui::{Pos2, Rect, Vec2, pos2};
 
-use crate::ui::scatter_map::{Projection, ScatterPoint};
+use crate::ui::scatter_map::{Projection, ScatterPoint, bounds};
 
 /// From where the box is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,18 +66,8 @@ pub struct Eye {
 impl Eye {
     /// Sees all points in a pane; both axes of the map have one scale.
     pub fn new(turn: Turn, rect: Rect, points: &[ScatterPoint]) -> Self {
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for point in points {
-            for axis in 0..2 {
-                if point.at[axis].is_finite() {
-                    low[axis] = low[axis].min(point.at[axis]);
-                    high[axis] = high[axis].max(point.at[axis]);
-                }
-            }
-        }
-        if !(low[0] <= high[0] && low[1] <= high[1]) {
-            (low, high) = ([0.0; 2], [0.0; 2]);
-        }
+        let places = points.iter().map(|point| point.at);
+        let [low, high] = bounds(places).unwrap_or_default();
         let spans = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));
         let widest = spans[0].max(spans[1]);
         let scale = if widest > 0.0 { 1.0 / widest } else { 1.0 };

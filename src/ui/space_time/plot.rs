@@ -1,12 +1,12 @@
 //! What the pointer and the keyboard do with the spatiotemporal plot.
 
-use egui::{Color32, EventFilter, Key, Pos2, Response, Role, Sense, Ui, WidgetInfo, vec2};
+use egui::{Color32, Pos2, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use crate::engine::WorkKind;
 use crate::ui::command::Command;
 use crate::ui::scatter_map::{
-    MapWords, Projection, ScatterView, draw_points, paths, play, pointed_at, respond_ui,
-    without_map_ui,
+    MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play, pointed_at,
+    pointer_zoom, pressed_arrows, respond_ui, without_map_ui,
 };
 use crate::ui::theme::colours;
 
@@ -85,43 +85,15 @@ fn turned(ui: &Ui, response: &Response) -> Turn {
     if response.dragged() {
         turn.drag(response.drag_delta());
     }
-    if response.contains_pointer() {
-        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-        turn.zoom_by(pinch * (scroll * 0.004).exp());
-    }
-    if response.has_focus() {
-        let arrows = EventFilter {
-            horizontal_arrows: true,
-            vertical_arrows: true,
-            ..EventFilter::default()
-        };
-        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
-        turn_by_keys(ui, &mut turn);
+    turn.zoom_by(pointer_zoom(ui, response) * key_zoom(ui, response));
+    for arrow in pressed_arrows(ui, response) {
+        // One press turns by about six degrees.
+        turn.drag(16.0 * arrow);
     }
     if turn != before {
         ui.data_mut(|data| data.insert_temp(id, turn));
     }
     turn
-}
-
-fn turn_by_keys(ui: &Ui, turn: &mut Turn) {
-    // One press turns by about six degrees.
-    let step = 16.0;
-    for (key, delta) in [
-        (Key::ArrowLeft, vec2(-step, 0.0)),
-        (Key::ArrowRight, vec2(step, 0.0)),
-        (Key::ArrowUp, vec2(0.0, -step)),
-        (Key::ArrowDown, vec2(0.0, step)),
-    ] {
-        if ui.input(|input| input.key_pressed(key)) {
-            turn.drag(delta);
-        }
-    }
-    for (key, factor) in [(Key::Plus, 1.25), (Key::Equals, 1.25), (Key::Minus, 0.8)] {
-        if ui.input(|input| input.key_pressed(key)) {
-            turn.zoom_by(factor);
-        }
-    }
 }
 
 /// The pose nearest to a place on screen on the curve nearest to it, if that is within reach; of
