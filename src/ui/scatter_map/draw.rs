@@ -68,6 +68,12 @@ pub fn draw_points(
     for (at, _) in current {
         labels.keep_free(Rect::from_center_size(*at, vec2(14.0, 14.0)));
     }
+    for path in canvas.of(view.selected).chain(canvas.of(view.compared)) {
+        if path.len() == 1 {
+            let at = canvas.seen[path.start].0;
+            labels.keep_free(Rect::from_center_size(at, vec2(20.0, 20.0)));
+        }
+    }
     for (subject, colour) in [selected, compared] {
         canvas
             .of(subject)
@@ -247,9 +253,6 @@ impl<P: Projection> Canvas<'_, P> {
         let around: Vec<Pos2> = self.seen[around].iter().map(|seen| seen.0).collect();
         for index in path {
             let at = self.seen[index].0;
-            if single {
-                labels.keep_free(Rect::from_center_size(at, vec2(20.0, 20.0)));
-            }
             if let Some(text) = self.view.label(&self.view.points[index]) {
                 let gap = if single { 14.0 } else { 9.0 };
                 labels.beside(at, gap, text, colour, &around);

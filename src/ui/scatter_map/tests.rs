@@ -80,6 +80,8 @@ type Shown = Harness<'static, Vec<Command>>;
 fn harness(count: usize, change: impl Fn(&mut Map, &mut MapState) + 'static) -> Shown {
     let mut harness = Harness::builder()
         .with_size([400.0, 300.0 * count as f32])
+        .with_step_dt(1.0 / 30.0)
+        .with_max_steps(64)
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
         .build_ui_state(
             move |ui, commands: &mut Vec<Command>| {
