@@ -108,7 +108,7 @@ fn deformation_state(state: &State, engine: &Engine) -> (MapState, WorkKind) {
     (own, WorkKind::DeformationMap)
 }
 
-/// Whether the map of poses holds so many hearts that their deformations can be mapped.
+/// Whether the map of poses holds so many subjects that their deformations can be mapped.
 pub fn enough_subjects(state: &State) -> bool {
     state.map().is_some_and(|map| {
         let poses = &map.distances.poses;

@@ -85,29 +85,20 @@ mod tests {
     #[test]
     fn labels_neither_overlap_nor_leave_the_pane_nor_hide_what_is_kept_free() {
         let ctx = egui::Context::default();
+        crate::ui::style::apply(&ctx, true);
         let output = ctx.run_ui(egui::RawInput::default(), |ui| {
             let pane = Rect::from_min_size(pos2(10.0, 10.0), vec2(160.0, 90.0));
             let painter = ui.painter().clone();
             let mut labels = Labels::new(&painter, pane, Color32::BLACK);
-            let free = Rect::from_center_size(pos2(60.0, 50.0), vec2(14.0, 14.0));
+            let point = pos2(90.0, 50.0);
+            let free = Rect::from_center_size(point, vec2(14.0, 14.0));
             labels.keep_free(free);
-            for _ in 0..12 {
-                labels.beside(
-                    pos2(60.0, 50.0),
-                    9.0,
-                    "P05 ED".to_owned(),
-                    Color32::WHITE,
-                    &[],
-                );
-            }
+            let mut write = |at: Pos2| {
+                labels.beside(at, 9.0, "P05 ED".to_owned(), Color32::WHITE, &[]);
+            };
+            (0..12).for_each(|_| write(point));
             // Beside a point at the rim there is room on one side only.
-            labels.beside(
-                pos2(168.0, 95.0),
-                9.0,
-                "P07 ES".to_owned(),
-                Color32::WHITE,
-                &[],
-            );
+            write(pos2(168.0, 95.0));
             assert_eq!(labels.taken[0], free);
             assert!(labels.taken.len() > 3, "{}", labels.taken.len());
             for (index, rect) in labels.taken.iter().enumerate() {

@@ -124,7 +124,7 @@ impl Projection for Eye {
 
     /// What is far fades into the pane.
     fn fade(&self, depth: f32) -> f32 {
-        (1.1 - 0.4 * depth).clamp(0.4, 1.6)
+        (1.2 - 0.45 * depth).clamp(0.4, 1.7)
     }
 }
 
