@@ -6,7 +6,7 @@ use crate::ui::style::medium_note_font;
 use crate::ui::theme::{colours, line};
 
 use super::ground::Ground;
-use super::view::ScatterPoint;
+use super::point::ScatterPoint;
 
 /// How far the ground of a cluster reaches beyond its points, in points of the screen.
 const REACH: f32 = 13.0;

@@ -3,7 +3,7 @@
 
 use super::morph::Morph;
 use super::orientation::Turn;
-use super::view::ScatterPoint;
+use super::point::ScatterPoint;
 
 /// Points of a map with what they were made from: the map `M` and further details `D`, such as classes.
 #[derive(Debug)]

@@ -10,7 +10,8 @@ use crate::ui::theme::{Colours, colours, line};
 
 use super::labels::Labels;
 use super::path::paths;
-use super::view::{PosePhase, ScatterView};
+use super::point::PosePhase;
+use super::view::ScatterView;
 
 /// How places of a map come onto the screen.
 pub trait Projection {

@@ -7,7 +7,8 @@ use crate::ui::theme::{colours, line};
 
 use super::input::{key_zoom, pointer_zoom};
 use super::lens::{Lens, Moved};
-use super::view::{ScatterPoint, ScatterView};
+use super::point::ScatterPoint;
+use super::view::ScatterView;
 
 /// How near to a point, in points of the screen, the pointer counts as on it.
 const REACH: f32 = 12.0;

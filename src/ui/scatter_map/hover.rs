@@ -7,7 +7,8 @@ use crate::ui::normal_ranges::EJECTION_FRACTION;
 use crate::ui::style::note;
 
 use super::clusters::cluster_name;
-use super::view::{ScatterPoint, ScatterView};
+use super::point::ScatterPoint;
+use super::view::ScatterView;
 
 /// Shows a hand and, beside it, the card of the point under the pointer.
 pub fn hover_ui(response: Response, view: &ScatterView, pointed: Option<usize>) {

@@ -5,7 +5,8 @@ use egui::{Key, Response, Role, Ui, Vec2, WidgetInfo};
 use crate::ui::command::Command;
 
 use super::input::pressed_arrows;
-use super::view::{ScatterPoint, ScatterView};
+use super::point::ScatterPoint;
+use super::view::ScatterView;
 
 /// The point that the keyboard is on, while the map has it.
 pub fn step(

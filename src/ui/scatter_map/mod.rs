@@ -17,6 +17,7 @@ mod method;
 mod morph;
 mod orientation;
 mod path;
+mod point;
 mod respond;
 mod state;
 #[cfg(test)]
@@ -30,6 +31,7 @@ pub use lens::bounds;
 pub use map::scatter_map_ui;
 pub use method::method_choices_ui;
 pub use path::{paths, places_between};
+pub use point::{PosePhase, ScatterPoint};
 pub use respond::{pointed_at, respond_ui};
-pub use state::{MapState, without_map_ui};
-pub use view::{MapSubject, MapWords, PosePhase, ScatterPoint, ScatterView, play};
+pub use state::without_map_ui;
+pub use view::{MapState, MapSubject, MapWords, ScatterView, play};

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use crate::ui::theme::MORPH_S;
 
-use super::view::{PointKey, ScatterPoint};
+use super::point::{PointKey, ScatterPoint};
 
 /// Where points come from, and when they began to move.
 #[derive(Clone, Debug, Default, PartialEq)]

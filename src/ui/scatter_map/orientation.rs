@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::view::{PointKey, ScatterPoint};
+use super::point::{PointKey, ScatterPoint};
 
 /// A motion of the plane that keeps distances, possibly with a mirror.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::view::ScatterPoint;
+use super::point::ScatterPoint;
 
 /// Where each path lies in the list of points.
 pub fn paths(points: &[ScatterPoint]) -> impl Iterator<Item = Range<usize>> {

@@ -9,30 +9,7 @@ use crate::ui::status_bar::progress_text;
 use crate::ui::style::note;
 use crate::ui::theme::{colours, space};
 
-use super::view::ScatterView;
-
-/// How a map stands.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum MapState {
-    /// Nothing to map.
-    #[default]
-    Empty,
-    /// The points are those of the settings.
-    Ready,
-    /// A new map is being computed; the points are those of the one before, if any.
-    Computing {
-        /// Done share in `0..=1`.
-        fraction: f32,
-        /// Estimated seconds left, once they can be told.
-        seconds_left: Option<f64>,
-    },
-    /// The user stopped it.
-    Stopped,
-    /// It could not be computed, and why.
-    Failed(String),
-    /// This study has no such map, and why; trying again would change nothing.
-    Unanswerable(String),
-}
+use super::view::{MapState, ScatterView};
 
 /// Draws a pane that has no map to show.
 pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
