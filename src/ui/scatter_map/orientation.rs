@@ -4,6 +4,9 @@ use std::collections::HashMap;
 
 use super::point::{PointKey, ScatterPoint};
 
+/// Where a point is on the new map and on the previous one.
+type Pair = ([f64; 2], [f64; 2]);
+
 /// A motion of the plane that keeps distances, possibly with a mirror.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Turn {
@@ -38,7 +41,7 @@ impl Turn {
             .iter()
             .map(|point| (point.key(), point.at))
             .collect();
-        let pairs: Vec<([f64; 2], [f64; 2])> = points
+        let pairs: Vec<Pair> = points
             .iter()
             .filter_map(|point| Some((point.at, *place.get(&point.key())?)))
             .collect();
@@ -46,10 +49,10 @@ impl Turn {
             return Self::default();
         }
         let count = pairs.len() as f64;
-        let mean = |places: &dyn Fn(&([f64; 2], [f64; 2])) -> [f64; 2]| {
-            [0, 1].map(|axis| pairs.iter().map(|pair| places(pair)[axis]).sum::<f64>() / count)
+        let mean = |side: fn(&Pair) -> [f64; 2]| {
+            [0, 1].map(|axis| pairs.iter().map(|pair| side(pair)[axis]).sum::<f64>() / count)
         };
-        let (from, to) = (mean(&|pair| pair.0), mean(&|pair| pair.1));
+        let (from, to) = (mean(|pair| pair.0), mean(|pair| pair.1));
         let gain = |mirror: f64| {
             let (mut dot, mut cross) = (0.0, 0.0);
             for (p, q) in &pairs {
