@@ -346,8 +346,7 @@ impl App {
         let motion = ctx.global_style().animation_time > 0.0;
         let poses = self.map.refresh(&self.state, now_s, motion);
         let deformations = self.deformations.refresh(&self.state, now_s, motion);
-        let subjects = self.map.subjects();
-        let medial = (self.medial_map).refresh(&self.state, subjects, now_s, motion);
+        let medial = self.medial_map.refresh(&self.state, now_s, motion);
         if poses || deformations || medial {
             ctx.request_repaint();
         }

@@ -18,7 +18,6 @@ use super::background_walls::{AskedVerdicts, AskedWalls};
 use super::dialogs::{AskPaths, Dialogs};
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
-use super::map_orientation::{deformations_like, oriented_like};
 use super::pictures::Pictures;
 use super::saved_views::SavedViews;
 use super::state::{Fresh, State};
@@ -199,7 +198,6 @@ impl Background {
             state.results.measures = Some(Fresh {
                 revision,
                 opening,
-                source: Arc::clone(value),
                 value: Arc::clone(value),
             });
         }
@@ -207,15 +205,10 @@ impl Background {
             && let Some(value) = outcome.pose_map()
             && !is_same(state.results.map.as_ref(), value)
         {
-            let turned = match state.map() {
-                Some(shown) => Arc::new(oriented_like((**value).clone(), shown)),
-                None => Arc::clone(value),
-            };
             state.results.map = Some(Fresh {
                 revision,
                 opening,
-                source: Arc::clone(value),
-                value: turned,
+                value: Arc::clone(value),
             });
         }
     }
@@ -227,15 +220,10 @@ impl Background {
             && let Some(value) = outcome.deformation_map()
             && !is_same(state.results.deformations.as_ref(), value)
         {
-            let turned = match state.deformations() {
-                Some(shown) => Arc::new(deformations_like((**value).clone(), shown)),
-                None => Arc::clone(value),
-            };
             state.results.deformations = Some(Fresh {
                 revision,
                 opening,
-                source: Arc::clone(value),
-                value: turned,
+                value: Arc::clone(value),
             });
         }
         if let Showing::Ready(outcome) = self.engine.showing(WorkKind::Classes)
@@ -245,7 +233,6 @@ impl Background {
             state.results.classes = Some(Fresh {
                 revision,
                 opening,
-                source: Arc::clone(value),
                 value: Arc::clone(value),
             });
         }
@@ -303,7 +290,7 @@ where
 
 /// Whether a result is the one that was taken in last.
 fn is_same<T>(taken: Option<&Fresh<T>>, value: &Arc<T>) -> bool {
-    taken.is_some_and(|fresh| Arc::ptr_eq(&fresh.source, value))
+    taken.is_some_and(|fresh| Arc::ptr_eq(&fresh.value, value))
 }
 
 fn take_opened(state: &mut State, opened: &Opened) {

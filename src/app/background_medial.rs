@@ -6,7 +6,6 @@ use std::sync::Arc;
 use crate::engine::{AnalysisRequest, Engine, MedialMapParams, Showing, WorkKind};
 use crate::ui::Pane;
 
-use super::map_orientation::medial_like;
 use super::state::{Fresh, State};
 
 /// What of the window is looked at: work for panes that nobody sees waits.
@@ -35,7 +34,7 @@ pub fn request(state: &State, engine: &mut Engine, seen: &Seen) {
     }
 }
 
-/// Takes in a new map, turned to agree with the one on screen.
+/// Takes in a new map.
 pub fn take(state: &mut State, engine: &Engine) {
     let Showing::Ready(outcome) = engine.showing(WorkKind::MedialMap) else {
         return;
@@ -44,17 +43,12 @@ pub fn take(state: &mut State, engine: &Engine) {
         return;
     };
     let taken = state.results.medial_map.as_ref();
-    if taken.is_some_and(|fresh| Arc::ptr_eq(&fresh.source, value)) {
+    if taken.is_some_and(|fresh| Arc::ptr_eq(&fresh.value, value)) {
         return;
     }
-    let turned = match state.medial_map() {
-        Some(shown) => Arc::new(medial_like((**value).clone(), shown)),
-        None => Arc::clone(value),
-    };
     state.results.medial_map = Some(Fresh {
         revision: state.document.study().revision,
         opening: state.document.study.opening,
-        source: Arc::clone(value),
-        value: turned,
+        value: Arc::clone(value),
     });
 }

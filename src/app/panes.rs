@@ -44,7 +44,7 @@ pub struct Panes<'a> {
     pub medial_map: MedialMapView<'a>,
     /// Thickness in several ways.
     pub thickness: ThicknessPanelView<'a>,
-    /// Poses through time.
+    /// The spatiotemporal plot.
     pub space_time: SpaceTimeView<'a>,
     /// Settings of metric and maps.
     pub metric: MetricPanelView<'a>,

@@ -43,9 +43,7 @@ pub struct Fresh<T> {
     pub revision: Revision,
     /// Which opening that study came from; subjects' indices mean the same within one.
     pub opening: u64,
-    /// The result as the engine gave it.
-    pub source: Arc<T>,
-    /// The result as it is shown.
+    /// The result.
     pub value: Arc<T>,
 }
 
@@ -54,9 +52,9 @@ pub struct Fresh<T> {
 pub struct Results {
     /// Clinical measures of every subject.
     pub measures: Option<Fresh<Vec<SubjectMeasures>>>,
-    /// The map of all poses, turned to agree with the map before it.
+    /// The map of all poses.
     pub map: Option<Fresh<PoseMap>>,
-    /// The map of whole deformations, turned likewise.
+    /// The map of whole deformations.
     pub deformations: Option<Fresh<DeformationMap>>,
     /// How well classes can be told apart.
     pub classes: Option<Fresh<Classes>>,
@@ -72,7 +70,7 @@ pub struct Results {
     pub walls: WallStore,
     /// What is said of all hearts.
     pub verdicts: VerdictStore,
-    /// The map of the medial shape space, turned to agree with the map before it.
+    /// The map of the medial shape space.
     pub medial_map: Option<Fresh<MedialMap>>,
     /// Thickness of walls in several ways of measuring it.
     pub thickness: ThicknessStore,

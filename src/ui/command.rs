@@ -35,7 +35,7 @@ pub enum Pane {
     PoseMap,
     /// The map of whole deformations.
     DeformationMap,
-    /// Poses through time, in three dimensions.
+    /// The spatiotemporal plot: poses and time in three dimensions.
     SpaceTime,
     /// How poses and deformations are compared and mapped.
     Metric,

@@ -1,11 +1,44 @@
 //! Shapes that stand for labels, phases and actions; drawn, so that they need no font.
 
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
 
 use crate::study::LabelRole;
 use crate::ui::theme::line;
 
 /// The shape of a label's role: a circle, a cross or a square, so that colour is never alone.
+pub fn role_shape(
+    centre: Pos2,
+    radius: f32,
+    role: LabelRole,
+    colour: Color32,
+    filled: bool,
+) -> Shape {
+    let stroke = Stroke::new(line::MARK, colour);
+    match (role, filled) {
+        (LabelRole::Normal, true) => Shape::circle_filled(centre, radius, colour),
+        (LabelRole::Normal, false) => {
+            Shape::circle_stroke(centre, radius - 0.5 * line::MARK, stroke)
+        }
+        (LabelRole::Abnormal, filled) => {
+            let arm = radius * 0.85;
+            let width = if filled { line::STRONG } else { line::MARK };
+            let across = |arm: Vec2| {
+                Shape::line_segment([centre - arm, centre + arm], Stroke::new(width, colour))
+            };
+            Shape::Vec(vec![across(vec2(arm, arm)), across(vec2(arm, -arm))])
+        }
+        (LabelRole::Unknown, filled) => {
+            let square = Rect::from_center_size(centre, Vec2::splat(1.8 * radius));
+            if filled {
+                Shape::rect_filled(square, 1.0, colour)
+            } else {
+                Shape::rect_stroke(square, 1.0, stroke, egui::StrokeKind::Inside)
+            }
+        }
+    }
+}
+
+/// Draws the shape of a label's role.
 pub fn role_mark(
     painter: &Painter,
     centre: Pos2,
@@ -14,31 +47,7 @@ pub fn role_mark(
     colour: Color32,
     filled: bool,
 ) {
-    let stroke = Stroke::new(line::MARK, colour);
-    match (role, filled) {
-        (LabelRole::Normal, true) => {
-            painter.circle_filled(centre, radius, colour);
-        }
-        (LabelRole::Normal, false) => {
-            painter.circle_stroke(centre, radius - 0.5 * line::MARK, stroke);
-        }
-        (LabelRole::Abnormal, filled) => {
-            let arm = radius * 0.85;
-            let width = if filled { line::STRONG } else { line::MARK };
-            let stroke = Stroke::new(width, colour);
-            painter.line_segment([centre - vec2(arm, arm), centre + vec2(arm, arm)], stroke);
-            painter.line_segment([centre - vec2(arm, -arm), centre + vec2(arm, -arm)], stroke);
-        }
-        (LabelRole::Unknown, filled) => {
-            let side = 1.8 * radius;
-            let square = Rect::from_center_size(centre, vec2(side, side));
-            if filled {
-                painter.rect_filled(square, 1.0, colour);
-            } else {
-                painter.rect_stroke(square, 1.0, stroke, egui::StrokeKind::Inside);
-            }
-        }
-    }
+    painter.add(role_shape(centre, radius, role, colour, filled));
 }
 
 /// What a role is called.

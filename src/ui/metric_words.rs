@@ -89,7 +89,7 @@ pub fn form_sentence(metric: &MetricParams) -> &'static str {
 /// One sentence: what size does.
 pub fn corners_sentence(corners: Corners) -> &'static str {
     match corners {
-        Corners::ScaleFree => "Size does not matter: corners are measured relative to their edges",
+        Corners::ScaleFree => "Scale-invariant: corners are measured relative to their edges",
         Corners::Raw => "As printed: corners count with the fourth power of their size",
     }
 }

@@ -17,7 +17,6 @@ mod empty_state;
 mod error_cards;
 mod fuzzy;
 mod load_report;
-mod map_ground;
 mod marks;
 mod measures_card;
 mod medial_map;
@@ -29,6 +28,7 @@ mod number_field;
 mod patch_panel;
 mod pointer_steps;
 mod pose_map;
+mod scatter_map;
 mod shortcut_sheet;
 mod shortcuts;
 mod space_time;
@@ -56,27 +56,31 @@ pub use command_palette::{CommandPaletteView, command_palette_ui};
 pub use controls::{empty_pane_ui, pane_header_ui, tab_ui};
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};
 pub use deformation_map::{
-    ClassesView, DeformationMapView, DeformationPoint, RuleView, deformation_map_ui,
+    ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, deformation_map_ui,
     deformation_note,
 };
 pub use empty_state::{EmptyStateView, empty_state_ui};
 pub use error_cards::{ErrorCard, error_cards_ui};
 pub use load_report::{ReportSubject, load_report_ui};
-pub use map_ground::{MapState, MapSubject};
 pub use marks::role_name;
 pub use measures_card::{MeasuresView, measures_card_ui};
 pub use medial_map::{
-    MedialMapView, MedialPoint, medial_map_choosers_ui, medial_map_header_ui, medial_map_ui,
+    MEDIAL_MAP, MedialMapView, medial_facts, medial_map_choosers_ui, medial_map_header_ui,
+    medial_map_note, medial_map_ui,
 };
 pub use menu_bar::{MenuBarView, menu_bar_ui};
 pub use metric_panel::{MetricPanelView, metric_panel_ui};
 pub use patch_panel::{PatchLine, PatchPanelView, WallState, patch_panel_ui};
 pub use pose_map::{
-    MapPoint, PoseMapView, PosePhase, pose_map_choosers_ui, pose_map_header_ui, pose_map_ui,
+    POSE_MAP, PoseMapView, pose_map_choosers_ui, pose_map_header_ui, pose_map_note, pose_map_ui,
+};
+pub use scatter_map::{
+    MapState, MapSubject, MapWords, PosePhase, ScatterData, ScatterPoint, ScatterView,
+    places_between,
 };
 pub use shortcut_sheet::shortcut_sheet_ui;
 pub use shortcuts::{claim_tab, pressed_commands, shortcut_text};
-pub use space_time::{SpaceTimeCurve, SpaceTimePoint, SpaceTimeView, space_time_ui};
+pub use space_time::{SPACE_TIME, SpaceTimeView, space_time_ui};
 pub use status_bar::{StatusBarView, StatusJob, status_bar_ui};
 pub use style::{apply, choose, install, medium_font};
 pub use subject_drag::{

@@ -1,85 +1,53 @@
-//! The map of deformations and what is said of classes: from the latest results, kept until they or the study change.
+//! The map of deformations and the accuracy of classifiers: from the latest results, kept until they or the study change.
 
 use std::sync::Arc;
 
 use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::DeformationMap;
-use crate::app::morph::Morph;
 use crate::app::state::State;
-use crate::app::views::map_view::{compared, map_state, plane, same_arc};
 use crate::engine::{Engine, Showing, WorkKind};
-use crate::study::Revision;
+use crate::study::Study;
 use crate::ui::{
-    ClassesView, DeformationMapView, DeformationPoint, MapState, MapSubject, MetricPanelView,
-    RuleView,
+    ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, MapState, MapSubject,
+    MetricPanelView, PosePhase, ScatterData, ScatterPoint, ScatterView,
 };
+
+use super::scatter::{Details, Shared, details, map_state, plane, scatter_view};
 
 /// Fewer deformations have no neighbourhoods.
 pub const FEWEST_DEFORMATIONS: usize = 4;
 
-/// How many of those that move most alike are named.
+/// How many of the subjects with the most similar motion are named.
 const NAMED_NEIGHBOURS: usize = 3;
 
-type MadeFrom = (
-    u64,
-    Revision,
-    Option<Arc<DeformationMap>>,
-    Option<Arc<Classes>>,
-    bool,
-);
-
-/// Points of the map with what they were made from.
+/// Points of the map, and the classifiers.
 #[derive(Debug, Default)]
 pub struct DeformationData {
-    made_from: Option<MadeFrom>,
-    /// Where points belong.
-    targets: Vec<DeformationPoint>,
-    /// Where they are now.
-    points: Vec<DeformationPoint>,
-    rules: Vec<RuleView>,
-    morph: Morph,
+    data: ScatterData<Shared<DeformationMap>, (Details, Shared<Classes>)>,
+    classifiers: Vec<ClassifierView>,
 }
 
 impl DeformationData {
-    /// Makes points again where the study or a result changed, and moves those that are under way;
-    /// whether any still are. Without `motion` they are there at once.
+    /// Makes points again where the study or a result changed, and moves those that are on their
+    /// way; whether any still are. Without `motion` they are there at once.
     pub fn refresh(&mut self, state: &State, now_s: f64, motion: bool) -> bool {
+        let (study, map, classes) = (
+            state.document.study(),
+            state.deformations(),
+            state.classes(),
+        );
         let opening = state.document.study.opening;
-        let revision = state.document.study().revision;
-        let (map, classes) = (state.deformations(), state.classes());
-        let measured = state.measures().is_some();
-        let made = self.made_from.as_ref();
-        let same_opening = made.is_some_and(|made| made.0 == opening);
-        let same_map = same_opening && made.is_some_and(|made| same_arc(made.2.as_ref(), map));
-        let same = same_map
-            && made.is_some_and(|made| {
-                made.1 == revision && same_arc(made.3.as_ref(), classes) && made.4 == measured
-            });
-        if !same {
-            self.targets = map.map_or_else(Vec::new, |map| points(state, map, classes));
-            self.rules = classes.map_or_else(Vec::new, |classes| rules(classes));
-            if !same_map {
-                self.morph = if motion && same_opening {
-                    let targets: Vec<_> = self.targets.iter().map(keyed).collect();
-                    Morph::between(self.points.iter().map(keyed), &targets, now_s)
-                } else {
-                    Morph::default()
-                };
-            }
-            let made = (opening, revision, map.cloned(), classes.cloned(), measured);
-            self.made_from = Some(made);
+        let details = (details(state), Shared::of(classes));
+        let sources = (opening, Shared::of(map), details);
+        let changed = self.data.refresh(sources, now_s, motion, || {
+            let classes = classes.map(Arc::as_ref);
+            let first = |subject| state.phases_of(subject).0.unwrap_or_default();
+            map.map_or_else(Vec::new, |map| points(map, study, classes, first))
+        });
+        if changed {
+            self.classifiers = classes.map_or_else(Vec::new, |classes| classifiers(classes));
         }
-        let moved = self.morph.is_under_way();
-        let moves = self.morph.moves(now_s);
-        if !same {
-            self.points.clone_from(&self.targets);
-        }
-        if moved || !same {
-            for (index, point) in self.points.iter_mut().enumerate() {
-                point.at = self.morph.place(index, self.targets[index].at, now_s);
-            }
-        }
-        moves
+        self.data.advance(now_s)
     }
 
     /// What the pane shows.
@@ -88,45 +56,44 @@ impl DeformationData {
         state: &State,
         engine: &Engine,
         subjects: &'a [MapSubject],
-        left_out: &'a str,
+        left_out: &'a [String],
     ) -> DeformationMapView<'a> {
-        let document = &state.document;
         let map = state.deformations();
         let embedding = map.map(|map| &map.embedding);
         let (map_state, job) = deformation_state(state, engine);
+        let points = self.data.points();
         DeformationMapView {
-            state: map_state,
-            job,
-            subjects,
-            points: &self.points,
-            selected: document.selected().map(|_| document.subject),
-            compared: compared(state),
+            map: ScatterView {
+                job,
+                left_out,
+                ..scatter_view(state, &DEFORMATION_MAP, map_state, subjects, points)
+            },
             neighbours: embedding.and_then(|embedding| embedding.neighbours),
             reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
             time_weight: map.map(|map| map.time_weight),
-            shows_clusters: document.shows_clusters,
             classes: self.classes(engine),
-            left_out,
         }
     }
 
     fn classes(&self, engine: &Engine) -> ClassesView<'_> {
         match engine.showing(WorkKind::Classes) {
-            Showing::Computing { watch, .. } if self.rules.is_empty() => ClassesView::Computing {
-                fraction: watch.fraction(),
-            },
-            Showing::Nothing => ClassesView::Absent,
-            _ if !self.rules.is_empty() => ClassesView::Ready(&self.rules),
-            Showing::Ready(_) => {
-                ClassesView::Unanswerable("not enough labels; hearts of two classes are needed")
+            Showing::Computing { watch, .. } if self.classifiers.is_empty() => {
+                ClassesView::Computing {
+                    fraction: watch.fraction(),
+                }
             }
-            Showing::Failed { .. } => ClassesView::Unanswerable("they could not be told apart"),
-            _ => ClassesView::Absent,
+            Showing::Nothing => ClassesView::Absent,
+            _ if !self.classifiers.is_empty() => ClassesView::Ready(&self.classifiers),
+            Showing::Ready(_) => {
+                ClassesView::Unanswerable("not enough labels; subjects of two classes are needed")
+            }
+            Showing::Failed { .. } => ClassesView::Unanswerable("the classification failed"),
+            Showing::Computing { .. } | Showing::Stopped { .. } => ClassesView::Absent,
         }
     }
 }
 
-/// How the map stands, and which work holds it up: poses are mapped first.
+/// How the map stands, and which work it waits for: poses are mapped first.
 fn deformation_state(state: &State, engine: &Engine) -> (MapState, WorkKind) {
     let poses = map_state(state, &engine.showing(WorkKind::PoseMap));
     if poses != MapState::Ready {
@@ -141,7 +108,7 @@ fn deformation_state(state: &State, engine: &Engine) -> (MapState, WorkKind) {
     (own, WorkKind::DeformationMap)
 }
 
-/// Whether the map of poses holds so many hearts that their deformations can be mapped.
+/// Whether the map of poses holds so many subjects that their deformations can be mapped.
 pub fn enough_subjects(state: &State) -> bool {
     state.map().is_some_and(|map| {
         let poses = &map.distances.poses;
@@ -163,26 +130,36 @@ pub fn metric_panel_view<'a>(state: &State, subjects: &'a [MapSubject]) -> Metri
     }
 }
 
-fn keyed(point: &DeformationPoint) -> (usize, [f64; 2]) {
-    (point.subject, point.at)
-}
-
+/// One point per subject; `first_frame` is where a click plays from.
 fn points(
-    state: &State,
     map: &DeformationMap,
-    classes: Option<&Arc<Classes>>,
-) -> Vec<DeformationPoint> {
+    study: &Study,
+    classes: Option<&Classes>,
+    first_frame: impl Fn(usize) -> usize,
+) -> Vec<ScatterPoint> {
     let clusters = classes
         .map(|classes| &classes.clustering.clusters)
         .filter(|clusters| clusters.len() == map.subjects.len());
     let rows = map.subjects.iter().enumerate();
     rows.filter(|(row, _)| *row < map.embedding.len())
-        .map(|(row, subject)| DeformationPoint {
-            subject: *subject,
-            at: plane(map.embedding.point(row)),
-            first_frame: state.phases_of(*subject).0.unwrap_or_default(),
-            cluster: clusters.map(|clusters| clusters[row]),
-            nearest: nearest(map, row),
+        .map(|(row, subject)| {
+            let nearest = nearest(map, row);
+            let named = nearest
+                .iter()
+                .filter_map(|index| study.subjects.get(*index));
+            let named: Vec<&str> = named.map(|subject| subject.id.as_str()).collect();
+            let similar = format!("Most similar motion: {}", named.join(", "));
+            ScatterPoint {
+                subject: *subject,
+                start_frame: first_frame(*subject),
+                at: plane(map.embedding.point(row)),
+                phase: PosePhase::WholeBeat,
+                label: Some(""),
+                cluster: clusters.map(|clusters| clusters[row]),
+                facts: (!named.is_empty()).then_some(similar).into_iter().collect(),
+                nearest,
+                ..ScatterPoint::default()
+            }
         })
         .collect()
 }
@@ -211,38 +188,39 @@ fn nearest(map: &DeformationMap, row: usize) -> Vec<usize> {
     named.map(|(_, subject)| subject).collect()
 }
 
-fn rules(classes: &Classes) -> Vec<RuleView> {
-    let rule = |name, what, accuracy: Option<Accuracy>| {
-        accuracy.map(|accuracy| RuleView {
+fn classifiers(classes: &Classes) -> Vec<ClassifierView> {
+    let row = |name, what, accuracy: Option<Accuracy>| {
+        accuracy.map(|accuracy| ClassifierView {
             name,
             what,
             correct: accuracy.correct,
             of: accuracy.of,
-            chance: accuracy.baseline * accuracy.of as f64,
+            permutation_mean: accuracy.baseline * accuracy.of as f64,
             p_value: accuracy.p_value,
         })
     };
     [
-        rule(
+        row(
             "Nearest neighbour",
-            "Each heart in turn is given the label of the heart that moves most like it",
+            "Each subject is given the label of the subject with the most similar motion",
             classes.nearest_neighbour,
         ),
-        rule(
-            "Linear rule",
-            "Each heart in turn is judged by a linear rule on the distances of deformations, made \
-             from all others",
+        row(
+            "Linear classifier",
+            "Each subject is classified by a linear classifier on the distances of deformations, \
+             trained on all others (leave-one-out)",
             classes.linear_rule,
         ),
-        rule(
-            "Rule in this plane",
-            "Each heart in turn is judged by a straight line on this map, made from all others",
+        row(
+            "Classifier on 2-D embedding",
+            "Each subject is classified by a straight line on this map, trained on all others \
+             (leave-one-out)",
             classes.plane_rule,
         ),
-        rule(
-            "Clusters, τ",
-            "Share of hearts whose cluster stands for their label, where clusters and labels are \
-             matched as well as can be",
+        row(
+            "Cluster agreement τ",
+            "Share of subjects whose cluster stands for their label, where clusters and labels \
+             are matched as well as can be",
             classes.tau,
         ),
     ]
@@ -255,9 +233,7 @@ fn rules(classes: &Classes) -> Vec<RuleView> {
 mod tests {
     use super::*;
     use crate::analysis::embedding::Embedding;
-    use crate::app::state::Fresh;
-    use crate::app::testing::{state_of, subject_with_frames};
-    use crate::study::Revision;
+    use crate::app::testing::{study_of, subject_with_frames};
 
     fn map(places: [[f64; 2]; 4]) -> DeformationMap {
         DeformationMap {
@@ -274,53 +250,25 @@ mod tests {
         }
     }
 
-    fn show(state: &mut State, map: DeformationMap) {
-        let map = Arc::new(map);
-        state.results.deformations = Some(Fresh {
-            revision: Revision(1),
-            opening: state.document.study.opening,
-            source: Arc::clone(&map),
-            value: map,
-        });
-    }
-
     #[test]
-    fn hearts_know_who_moves_most_like_them() {
+    fn subjects_know_who_moves_most_alike() {
         let map = map([[0.0; 2]; 4]);
         assert_eq!(nearest(&map, 0), [1, 2, 3]);
         assert_eq!(nearest(&map, 2), [1, 0, 3]);
     }
 
     #[test]
-    fn a_new_map_is_met_from_the_old_one_and_reached() {
+    fn points_name_who_moves_most_alike_and_play_from_the_first_frame() {
         let subjects = ["a", "b", "c", "d"].map(|id| subject_with_frames(id, 3));
-        let mut state = state_of(subjects.to_vec());
-        let mut data = DeformationData::default();
-        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
-        show(&mut state, map(square));
-        assert!(
-            !data.refresh(&state, 1.0, true),
-            "the first map is there at once"
-        );
-        assert_eq!(data.points[2].at, [2.0, 2.0]);
-        let turned = [square[1], square[2], square[3], square[0]];
-        show(&mut state, map(turned));
-        assert!(data.refresh(&state, 2.0, true));
-        assert_eq!(data.points[2].at, [2.0, 2.0]);
-        assert!(data.refresh(&state, 2.15, true));
-        assert!(data.points[2].at[0] < 2.0 && data.points[2].at[0] > 0.0);
-        assert!(!data.refresh(&state, 2.31, true));
-        assert_eq!(data.points[2].at, [0.0, 2.0]);
-        show(&mut state, map(square));
-        assert!(
-            !data.refresh(&state, 3.0, false),
-            "no motion where none is wanted"
-        );
-        assert_eq!(data.points[2].at, [2.0, 2.0]);
+        let study = study_of(subjects.to_vec());
+        let points = points(&map([[0.0; 2]; 4]), &study, None, |subject| subject + 5);
+        assert_eq!(points.len(), 4);
+        assert_eq!(points[2].facts, ["Most similar motion: b, a, d"]);
+        assert_eq!((points[2].start_frame, points[2].cluster), (7, None));
     }
 
     #[test]
-    fn rules_are_counted_beside_chance() {
+    fn accuracies_stand_beside_the_permutation_mean() {
         let accuracy = Accuracy {
             correct: 20,
             of: 23,
@@ -331,8 +279,8 @@ mod tests {
             nearest_neighbour: Some(accuracy),
             ..Classes::default()
         };
-        let rules = rules(&classes);
-        assert_eq!(rules.len(), 1);
-        assert!((rules[0].chance - 12.42).abs() < 1e-9);
+        let rows = classifiers(&classes);
+        assert_eq!(rows.len(), 1);
+        assert!((rows[0].permutation_mean - 12.42).abs() < 1e-9);
     }
 }

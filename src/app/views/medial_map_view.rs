@@ -1,87 +1,40 @@
-//! The map of the medial shape space: from the latest map, kept until it or the study changes.
+//! The medial map: from the latest map, kept until it or the study changes.
 
-use std::sync::Arc;
-
-use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::medial_map::{MedialMap, Spread};
-use crate::app::morph::Morph;
-use crate::app::play::pose_at;
+use crate::analysis::medial_map::{MedialMap, MedialPose};
+use crate::app::document::phase_of;
 use crate::app::state::State;
 use crate::engine::{AnalysisError, AnalysisOutcome, Showing};
-use crate::study::Revision;
-use crate::ui::{MapSubject, MedialMapView, MedialPoint, PosePhase};
+use crate::study::Study;
+use crate::ui::{
+    MEDIAL_MAP, MapSubject, MedialMapView, PosePhase, ScatterData, ScatterPoint, ScatterView,
+    medial_facts, medial_map_note,
+};
 
-use super::map_view::{compared, map_state, plane, same_arc};
+use super::scatter::{Details, Shared, details, left_out, map_state, plane, scatter_view};
 
-/// The opening, the study, its map and its measures.
-type MadeFrom = (
-    u64,
-    Revision,
-    Option<Arc<MedialMap>>,
-    Option<Arc<Vec<SubjectMeasures>>>,
-);
-
-/// Points of the map with what they were made from.
+/// Points of the medial map.
 #[derive(Debug, Default)]
 pub struct MedialMapData {
-    made_from: Option<MadeFrom>,
-    /// Those on the map.
-    mapped: Vec<MapSubject>,
-    /// Where points belong.
-    targets: Vec<MedialPoint>,
-    /// Where they are now: on their way, or there.
-    points: Vec<MedialPoint>,
-    morph: Morph,
-    left_out: String,
+    data: ScatterData<Shared<MedialMap>, Details>,
+    left_out: Vec<String>,
 }
 
 impl MedialMapData {
-    /// Makes points again where the study, the map or the measures changed, and moves those that are under way; whether
-    /// any still are. Without `motion` they are there at once. `subjects` are all of the study.
-    pub fn refresh(
-        &mut self,
-        state: &State,
-        subjects: &[MapSubject],
-        now_s: f64,
-        motion: bool,
-    ) -> bool {
+    /// Makes points again where the study, the map or the measures changed, and moves those that
+    /// are on their way; whether any still are. Without `motion` they are there at once.
+    pub fn refresh(&mut self, state: &State, now_s: f64, motion: bool) -> bool {
+        let (study, map) = (state.document.study(), state.medial_map());
         let opening = state.document.study.opening;
-        let revision = state.document.study().revision;
-        let (map, measures) = (state.medial_map(), state.measures());
-        let made = self.made_from.as_ref();
-        let same_map = made.is_some_and(|made| made.0 == opening && same_arc(made.2.as_ref(), map));
-        let same = same_map
-            && made.is_some_and(|made| made.1 == revision && same_arc(made.3.as_ref(), measures));
-        if !same {
-            let same_opening = made.is_some_and(|made| made.0 == opening);
-            self.targets = map.map_or_else(Vec::new, |map| points(state, map));
-            self.left_out = map.map_or_else(String::new, |map| left_out(state, map));
-            let on_map = |index: &usize| self.targets.iter().any(|point| point.subject == *index);
-            self.mapped = (0..subjects.len())
-                .filter(on_map)
-                .map(|index| subjects[index].clone())
-                .collect();
-            if !same_map {
-                self.morph = if motion && same_opening {
-                    let targets: Vec<_> = self.targets.iter().map(keyed).collect();
-                    Morph::between(self.points.iter().map(keyed), &targets, now_s)
-                } else {
-                    Morph::default()
-                };
-            }
-            self.made_from = Some((opening, revision, map.cloned(), measures.cloned()));
+        let sources = (opening, Shared::of(map), details(state));
+        let changed = self.data.refresh(sources, now_s, motion, || {
+            let points = |map| points(map, study, |subject| state.phases_of(subject));
+            map.map_or_else(Vec::new, |map| points(map))
+        });
+        if changed {
+            let missing = map.map(|map| &map.left_out).into_iter().flatten();
+            self.left_out = left_out(study, missing.map(|(subject, why)| (*subject, why)));
         }
-        let moved = self.morph.is_under_way();
-        let moves = self.morph.moves(now_s);
-        if moved || !same {
-            self.points = (self.targets.iter().enumerate())
-                .map(|(index, point)| MedialPoint {
-                    at: self.morph.place(index, point.at, now_s),
-                    ..*point
-                })
-                .collect();
-        }
-        moves
+        self.data.advance(now_s)
     }
 
     /// What the pane shows.
@@ -91,90 +44,56 @@ impl MedialMapData {
         subjects: &'a [MapSubject],
         showing: &Showing<'_, AnalysisOutcome, AnalysisError>,
     ) -> MedialMapView<'a> {
-        let document = &state.document;
         let map = state.medial_map();
+        let [note, explanation] = medial_map_note(
+            map.and_then(|map| map.embedding.stress),
+            map.map_or("", |map| map.frame.words()),
+        );
+        let map_state = map_state(state, showing);
+        let points = self.data.points();
         MedialMapView {
-            state: map_state(state, showing),
-            subjects,
-            mapped: &self.mapped,
-            points: &self.points,
-            selected: document.selected().map(|_| document.subject),
-            current: self.current(state),
-            compared: compared(state),
-            method: document.map.method,
-            stress: map.and_then(|map| map.embedding.stress),
-            frame: map.map_or("", |map| map.frame.words()),
-            left_out_count: map.map_or(0, |map| map.left_out.len()),
-            left_out: &self.left_out,
+            map: ScatterView {
+                note,
+                explanation,
+                left_out: &self.left_out,
+                ..scatter_view(state, &MEDIAL_MAP, map_state, subjects, points)
+            },
+            method: state.document.map.method,
         }
     }
-
-    /// Where the position in the beat lies on each path of the selected heart: between the steps that begin at the
-    /// frames around it, and nowhere where a path has neither.
-    fn current(&self, state: &State) -> Vec<[f64; 2]> {
-        let document = &state.document;
-        let pose = pose_at(document.position, document.frame_count());
-        let share = f64::from(pose.blend);
-        let own = |point: &&MedialPoint| point.subject == document.subject;
-        let mut patches: Vec<Option<usize>> = (self.points.iter().filter(own))
-            .map(|point| point.patch)
-            .collect();
-        patches.dedup();
-        let place = |patch: Option<usize>, frame: usize| {
-            let mut steps = self.points.iter().filter(own);
-            let found = steps.find(|point| (point.patch, point.from) == (patch, frame));
-            found.map(|point| point.at)
-        };
-        let between = |patch: &Option<usize>| {
-            let from = place(*patch, pose.from)?;
-            if share <= 0.0 {
-                return Some(from);
-            }
-            let to = place(*patch, pose.to)?;
-            Some([0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis])))
-        };
-        patches.iter().filter_map(between).collect()
-    }
 }
 
-/// What a point is known by from one map to the next.
-fn keyed(point: &MedialPoint) -> ((usize, Option<usize>, usize), [f64; 2]) {
-    ((point.subject, point.patch, point.from), point.at)
-}
-
-fn points(state: &State, map: &MedialMap) -> Vec<MedialPoint> {
-    let rows = map.poses.iter().enumerate();
-    rows.filter(|(row, _)| *row < map.embedding.len())
-        .map(|(row, pose)| {
-            let (end_diastole, end_systole) = state.phases_of(pose.subject);
-            let same =
-                |spread: &&Spread| (spread.subject, spread.part) == (pose.subject, pose.part);
-            MedialPoint {
+/// One point per step of a path; `phases` gives the frames of end-diastole and end-systole of a
+/// subject.
+fn points(
+    map: &MedialMap,
+    study: &Study,
+    phases: impl Fn(usize) -> (Option<usize>, Option<usize>),
+) -> Vec<ScatterPoint> {
+    let path = |pose: &MedialPose| (pose.subject, pose.part);
+    let poses = map.poses.iter().enumerate();
+    poses
+        .filter(|(row, _)| *row < map.embedding.len())
+        .filter_map(|(row, pose)| {
+            let subject = study.subjects.get(pose.subject)?;
+            let mut spreads = map.spreads.iter();
+            let spread = spreads.find(|spread| (spread.subject, spread.part) == path(pose));
+            let distance = spread.and_then(|spread| spread.mean_distance);
+            let patch = pose.part.patch();
+            let before = row.checked_sub(1).and_then(|before| map.poses.get(before));
+            let begins_path = before.map(path) != Some(path(pose));
+            Some(ScatterPoint {
                 subject: pose.subject,
-                patch: pose.part.patch(),
-                from: pose.step_from,
-                to: pose.step_to,
+                patch,
+                frames: Some([pose.step_from, pose.step_to]),
+                start_frame: pose.step_from,
                 at: plane(map.embedding.point(row)),
-                phase: if end_diastole == Some(pose.step_from) {
-                    PosePhase::EndDiastole
-                } else if end_systole == Some(pose.step_from) {
-                    PosePhase::EndSystole
-                } else {
-                    PosePhase::Between
-                },
-                ratio: pose.descriptor.ratio(),
-                spread: (map.spreads.iter().find(same)).and_then(|spread| spread.mean_distance),
-            }
+                share: phase_of(subject, pose.step_from as f64),
+                phase: PosePhase::of(pose.step_from, phases(pose.subject)),
+                label: begins_path.then_some(""),
+                facts: medial_facts(patch, pose.descriptor.ratio(), distance),
+                ..ScatterPoint::default()
+            })
         })
         .collect()
-}
-
-fn left_out(state: &State, map: &MedialMap) -> String {
-    let lines: Vec<String> = (map.left_out.iter())
-        .filter_map(|(subject, reason)| {
-            let subject = state.subject(*subject)?;
-            Some(format!("{}: {reason}", subject.id))
-        })
-        .collect();
-    lines.join("\n")
 }

@@ -13,6 +13,7 @@ mod overlay_view;
 mod patch_view;
 mod patch_words;
 mod report_view;
+mod scatter;
 mod status_view;
 mod thickness_view;
 mod verdict_view;

@@ -1,42 +1,44 @@
-//! How well classes can be told apart: every accuracy beside what chance reaches.
+//! How well classifiers find the labels: every accuracy beside what shuffled labels reach.
 
-use egui::{Align2, Color32, FontId, Rect, Role, Sense, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{
+    Align2, Color32, FontId, Rect, Role, Sense, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
+};
 
-use crate::ui::style::{medium_note_font, note_font};
+use crate::ui::style::{medium_note_font, note, note_font};
 use crate::ui::theme::{colours, line, space};
 
-/// One rule, tried on hearts that it had not seen.
+/// One classifier, tested on subjects that were not in its training set.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct RuleView {
+pub struct ClassifierView {
     /// "Nearest neighbour".
     pub name: &'static str,
     /// What it does, for the hover.
     pub what: &'static str,
-    /// How many hearts it put into their class.
+    /// How many subjects it puts into their class.
     pub correct: usize,
-    /// How many it was tried on.
+    /// How many it was tested on.
     pub of: usize,
-    /// How many it puts right on average where labels are shuffled.
-    pub chance: f64,
-    /// How often shuffled labels do as well.
+    /// How many it puts into their class on average where labels are permuted.
+    pub permutation_mean: f64,
+    /// Share of permutations that do as well.
     pub p_value: f64,
 }
 
-/// How the classes stand.
+/// How the classification stands.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum ClassesView<'a> {
     /// Not asked for, or the map is not there yet.
     #[default]
     Absent,
-    /// Being tried.
+    /// Being computed.
     Computing {
         /// Done share in `0..=1`.
         fraction: f32,
     },
-    /// Rules cannot be tried, and why: "not enough labels".
+    /// Classifiers cannot be trained, and why: "not enough labels".
     Unanswerable(&'a str),
-    /// What was found.
-    Ready(&'a [RuleView]),
+    /// The classifiers with their accuracies.
+    Ready(&'a [ClassifierView]),
 }
 
 const ROW: f32 = 20.0;
@@ -47,7 +49,7 @@ pub fn height(pane: Vec2, view: &ClassesView) -> f32 {
     let wanted = match view {
         ClassesView::Absent => 0.0,
         ClassesView::Computing { .. } | ClassesView::Unanswerable(_) => HEAD + 4.0,
-        ClassesView::Ready(rules) => HEAD + ROW * rules.len() as f32 + space::MEDIUM,
+        ClassesView::Ready(rows) => HEAD + ROW * rows.len() as f32 + space::MEDIUM,
     };
     if pane.y - wanted < 150.0 { 0.0 } else { wanted }
 }
@@ -55,166 +57,164 @@ pub fn height(pane: Vec2, view: &ClassesView) -> f32 {
 /// Draws the card in the height that [`height`] says.
 pub fn classes_ui(ui: &mut Ui, view: &ClassesView, height: f32) {
     let (card, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
-    let colours = colours(ui);
-    ui.painter()
-        .hline(card.x_range(), card.top(), (line::THIN, colours.line));
+    let thin = (line::THIN, colours(ui).line);
+    ui.painter().hline(card.x_range(), card.top(), thin);
     let inner = card.shrink2(vec2(space::LARGE, 0.0));
     let head = Rect::from_min_size(inner.min, vec2(inner.width(), HEAD));
     match view {
         ClassesView::Absent => {}
         ClassesView::Computing { fraction } => {
-            let text = format!("Trying rules on the labels, {:.0} %", 100.0 * fraction);
-            line_ui(ui, head, &text, "");
+            let text = format!("Training classifiers, {:.0} %", 100.0 * fraction);
+            line_ui(ui, head, &text);
         }
-        ClassesView::Unanswerable(why) => {
-            line_ui(ui, head, &format!("Classes: {why}"), why);
-        }
-        ClassesView::Ready(rules) => {
-            let columns = Columns::within(inner);
-            columns.head_ui(ui, head);
-            for (index, rule) in rules.iter().enumerate() {
+        ClassesView::Unanswerable(why) => line_ui(ui, head, &format!("Classes: {why}")),
+        ClassesView::Ready(rows) => {
+            head_ui(ui, head);
+            for (index, row) in rows.iter().enumerate() {
                 let top = head.bottom() + ROW * index as f32;
-                let row = Rect::from_min_size(pos2(inner.left(), top), vec2(inner.width(), ROW));
-                rule_ui(ui, row, rule, &columns);
+                let size = vec2(inner.width(), ROW);
+                row_ui(ui, Rect::from_min_size(pos2(inner.left(), top), size), row);
             }
         }
     }
 }
 
-fn line_ui(ui: &mut Ui, head: Rect, text: &str, hover: &str) {
-    let mut child = ui.new_child(
-        egui::UiBuilder::new()
-            .max_rect(head)
-            .layout(egui::Layout::left_to_right(egui::Align::Center)),
-    );
-    let label = egui::Label::new(crate::ui::style::note(text)).truncate();
-    let response = child.add(label);
-    if !hover.is_empty() {
-        response.on_hover_text(hover);
-    }
+fn line_ui(ui: &mut Ui, head: Rect, text: &str) {
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let mut child = ui.new_child(UiBuilder::new().max_rect(head).layout(layout));
+    child
+        .add(egui::Label::new(note(text)).truncate())
+        .on_hover_text(text);
 }
 
-/// Where columns end; those without room are left out, from the right.
-struct Columns {
-    name: f32,
-    correct: Option<f32>,
-    share: Option<f32>,
-    chance: Option<f32>,
-    p_value: Option<f32>,
+/// One column of numbers.
+struct Column {
+    heading: &'static str,
+    width: f32,
+    /// Where there is no room, the column with the greatest number goes first.
+    order: usize,
+    strong: bool,
+    text: fn(&ClassifierView) -> String,
 }
 
-const NAME: f32 = 112.0;
-const SHARE: f32 = 46.0;
-const CORRECT: f32 = 66.0;
-const CHANCE: f32 = 56.0;
-const P_VALUE: f32 = 56.0;
+/// Width of the names.
+const NAME: f32 = 158.0;
 
-impl Columns {
-    fn within(inner: Rect) -> Self {
-        let mut free = inner.width() - NAME;
-        let mut take = |width: f32| {
-            let fits = free >= width;
-            free -= width;
-            fits
-        };
-        let shown = [take(CORRECT), take(CHANCE), take(SHARE), take(P_VALUE)];
-        let mut right = inner.right();
-        let mut place = |shown: bool, width: f32| {
-            shown.then(|| {
-                let at = right;
-                right -= width;
-                at
-            })
-        };
-        let p_value = place(shown[3], P_VALUE);
-        let chance = place(shown[1], CHANCE);
-        let share = place(shown[2], SHARE);
-        let correct = place(shown[0], CORRECT);
-        Self {
-            name: inner.left(),
-            correct,
-            share,
-            chance,
-            p_value,
-        }
-    }
+/// Columns from left to right, each aligned to its right end.
+const COLUMNS: [Column; 4] = [
+    Column {
+        heading: "accuracy",
+        width: 60.0,
+        order: 0,
+        strong: true,
+        text: |row| format!("{} of {}", row.correct, row.of),
+    },
+    Column {
+        heading: "",
+        width: 42.0,
+        order: 2,
+        strong: true,
+        text: |row| format!("{:.0} %", 100.0 * row.correct as f64 / row.of.max(1) as f64),
+    },
+    Column {
+        heading: "perm. mean",
+        width: 72.0,
+        order: 1,
+        strong: false,
+        text: |row| format!("{:.1}", row.permutation_mean),
+    },
+    Column {
+        heading: "p",
+        width: 52.0,
+        order: 3,
+        strong: false,
+        text: |row| p_text(row.p_value),
+    },
+];
 
-    fn head_ui(&self, ui: &Ui, head: Rect) {
-        let muted = colours(ui).muted;
-        let y = head.center().y;
-        write(ui, self.name, y, "Told apart by", note_font(), muted, false);
-        for (at, text) in [
-            (self.correct.or(self.share), "right"),
-            (self.chance, "chance"),
-            (self.p_value, "p"),
-        ] {
-            if let Some(x) = at
-                && self.correct.is_some()
-            {
-                write(ui, x, y, text, note_font(), muted, true);
-            }
-        }
-    }
+/// The columns that have room in a line, each with where it ends.
+fn columns(line: Rect) -> Vec<(f32, &'static Column)> {
+    let up_to = |count: usize| COLUMNS.iter().filter(move |column| column.order < count);
+    let width = |count: usize| up_to(count).map(|column| column.width).sum::<f32>();
+    let fits = |count: &usize| NAME + width(*count) <= line.width();
+    let count = (0..=COLUMNS.len()).rev().find(fits).unwrap_or_default();
+    let mut end = line.right() - width(count);
+    up_to(count)
+        .map(|column| {
+            end += column.width;
+            (end, column)
+        })
+        .collect()
 }
 
-fn write(ui: &Ui, x: f32, y: f32, text: &str, font: FontId, colour: Color32, right: bool) {
-    let anchor = if right {
-        Align2::RIGHT_CENTER
-    } else {
-        Align2::LEFT_CENTER
-    };
-    ui.painter().text(pos2(x, y), anchor, text, font, colour);
-}
-
-fn rule_ui(ui: &mut Ui, row: Rect, rule: &RuleView, columns: &Columns) {
-    let id = ui.scope_id().with(("rule", rule.name));
-    let response = ui.interact(row, id, Sense::hover());
-    let said = said(rule);
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &said));
-    let colours = colours(ui);
-    let y = row.center().y;
+fn head_ui(ui: &mut Ui, head: Rect) {
+    let muted = colours(ui).muted;
     write(
         ui,
-        columns.name,
-        y,
-        rule.name,
+        head.left_center(),
+        Align2::LEFT_CENTER,
+        "Classifier",
         note_font(),
-        colours.text,
-        false,
+        muted,
     );
-    let share = 100.0 * rule.correct as f64 / rule.of.max(1) as f64;
-    let cells = [
-        (
-            columns.correct,
-            format!("{} of {}", rule.correct, rule.of),
-            colours.strong,
-        ),
-        (columns.share, format!("{share:.0} %"), colours.strong),
-        (columns.chance, format!("{:.1}", rule.chance), colours.muted),
-        (columns.p_value, p_text(rule.p_value), colours.muted),
-    ];
-    for (at, text, colour) in cells {
-        if let Some(x) = at {
-            let font = if colour == colours.strong {
-                medium_note_font()
-            } else {
-                note_font()
-            };
-            write(ui, x, y, &text, font, colour, true);
-        }
+    for (end, column) in columns(head) {
+        let at = pos2(end, head.center().y);
+        write(
+            ui,
+            at,
+            Align2::RIGHT_CENTER,
+            column.heading,
+            note_font(),
+            muted,
+        );
     }
-    response.on_hover_text(format!("{said}.\n\n{}", rule.what));
+    let id = ui.scope_id().with("classifiers");
+    ui.interact(head, id, Sense::hover()).on_hover_text(
+        "Leave-one-out: each subject in turn is classified by what was trained on all others. \
+         perm. mean: correct on average where labels are permuted; p: share of permutations that \
+         do as well",
+    );
 }
 
-/// "Nearest neighbour: 20 of 23 right, chance 12.4, p 0.001".
-fn said(rule: &RuleView) -> String {
+fn row_ui(ui: &mut Ui, line: Rect, row: &ClassifierView) {
+    let id = ui.scope_id().with(("classifier", row.name));
+    let response = ui.interact(line, id, Sense::hover());
+    let summary = summary(row);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &summary));
+    let colours = colours(ui);
+    write(
+        ui,
+        line.left_center(),
+        Align2::LEFT_CENTER,
+        row.name,
+        note_font(),
+        colours.text,
+    );
+    for (end, column) in columns(line) {
+        let (font, colour) = if column.strong {
+            (medium_note_font(), colours.strong)
+        } else {
+            (note_font(), colours.muted)
+        };
+        let (at, text) = (pos2(end, line.center().y), (column.text)(row));
+        write(ui, at, Align2::RIGHT_CENTER, &text, font, colour);
+    }
+    response.on_hover_text(format!("{summary}.\n\n{}", row.what));
+}
+
+fn write(ui: &Ui, at: egui::Pos2, anchor: Align2, text: &str, font: FontId, colour: Color32) {
+    ui.painter().text(at, anchor, text, font, colour);
+}
+
+/// "Nearest neighbour: 20 of 23 · permutation mean 12.4 · p 0.001".
+fn summary(row: &ClassifierView) -> String {
     format!(
-        "{}: {} of {} · chance {:.1} · p {}",
-        rule.name,
-        rule.correct,
-        rule.of,
-        rule.chance,
-        p_text(rule.p_value)
+        "{}: {} of {} · permutation mean {:.1} · p {}",
+        row.name,
+        row.correct,
+        row.of,
+        row.permutation_mean,
+        p_text(row.p_value)
     )
 }
 
@@ -233,28 +233,36 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_rule_is_told_with_its_chance() {
-        let rule = RuleView {
+    fn an_accuracy_is_reported_with_its_permutation_mean() {
+        let row = ClassifierView {
             name: "Nearest neighbour",
             correct: 20,
             of: 23,
-            chance: 12.43,
+            permutation_mean: 12.43,
             p_value: 0.002,
-            ..RuleView::default()
+            ..ClassifierView::default()
         };
         assert_eq!(
-            said(&rule),
-            "Nearest neighbour: 20 of 23 · chance 12.4 · p 0.002"
+            summary(&row),
+            "Nearest neighbour: 20 of 23 · permutation mean 12.4 · p 0.002"
         );
         assert_eq!(p_text(0.0004), "< 0.001");
         assert_eq!(p_text(0.34), "0.34");
     }
 
     #[test]
-    fn the_map_keeps_its_room_in_a_low_pane() {
-        let rules = vec![RuleView::default(); 4];
-        let ready = ClassesView::Ready(&rules);
+    fn the_map_keeps_its_room_in_a_low_pane_and_columns_go_from_the_least_important() {
+        let rows = vec![ClassifierView::default(); 4];
+        let ready = ClassesView::Ready(&rows);
         assert_eq!(height(vec2(300.0, 200.0), &ready), 0.0);
         assert!(height(vec2(300.0, 420.0), &ready) > 80.0);
+        let shown = |width: f32| -> Vec<&str> {
+            let line = Rect::from_min_size(pos2(0.0, 0.0), vec2(width, ROW));
+            let columns = columns(line).into_iter();
+            columns.map(|(_, column)| column.heading).collect()
+        };
+        assert_eq!(shown(400.0), ["accuracy", "", "perm. mean", "p"]);
+        assert_eq!(shown(300.0), ["accuracy", "perm. mean"]);
+        assert!(shown(160.0).is_empty());
     }
 }

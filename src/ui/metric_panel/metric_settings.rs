@@ -47,7 +47,7 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
         sentence_ui(ui, form_sentence(&view.poses.distances.metric));
     }
     let mut scale_free = metric.corners == Corners::ScaleFree;
-    let size = ui.checkbox(&mut scale_free, "Size does not matter");
+    let size = ui.checkbox(&mut scale_free, "Scale-invariant");
     if size
         .on_hover_text(corners_sentence(metric.corners))
         .clicked()
@@ -58,7 +58,7 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
             Corners::Raw
         };
     }
-    ui.checkbox(&mut metric.area_weights, "Count by area")
+    ui.checkbox(&mut metric.area_weights, "Area-weighted")
         .on_hover_text(
             "Faces, edges and vertices count by their share of the surface, so that finely meshed \
              places do not count more; if not, everything counts once, as printed",

@@ -12,8 +12,8 @@ use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::PoseMapParams;
 use crate::ui::command::Command;
 use crate::ui::controls::{chooser_ui, empty_pane_ui};
-use crate::ui::map_ground::MapSubject;
 use crate::ui::number_field::row_ui;
+use crate::ui::scatter_map::MapSubject;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::space;
 

@@ -2,7 +2,6 @@
 
 use egui::Ui;
 
-use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::Corners;
 use crate::engine::PoseMapParams;
 use crate::ui::command::{Command, Pane};
@@ -10,8 +9,10 @@ use crate::ui::controls::{choice_ui, chooser_ui, pane_header_ui};
 use crate::ui::metric_words::{
     FORMS, METRICS, form_name, has_forms, method_name, metric_name, metric_sentence,
 };
-use crate::ui::pose_map::PoseMapView;
+use crate::ui::scatter_map::method_choices_ui;
 use crate::ui::style::{medium, note};
+
+use super::map::PoseMapView;
 
 /// Draws the name of the pane and the choosers.
 pub fn pose_map_header_ui(ui: &mut Ui, view: &PoseMapView, commands: &mut Vec<Command>) {
@@ -43,14 +44,8 @@ pub fn pose_map_choosers_ui(
 }
 
 fn methods_ui(ui: &mut Ui, params: PoseMapParams, commands: &mut Vec<Command>) {
-    let isomap = match params.method {
-        MapMethod::Isomap { neighbours } => MapMethod::Isomap { neighbours },
-        _ => MapMethod::Isomap { neighbours: 10 },
-    };
-    for method in [MapMethod::ClassicalMds, MapMethod::Smacof, isomap] {
-        if choice_ui(ui, method_name(method), params.method == method) {
-            commands.push(Command::SetPoseMap(PoseMapParams { method, ..params }));
-        }
+    if let Some(method) = method_choices_ui(ui, params.method) {
+        commands.push(Command::SetPoseMap(PoseMapParams { method, ..params }));
     }
 }
 
@@ -76,17 +71,14 @@ fn metric_ui(ui: &mut Ui, params: PoseMapParams, with_method: bool, commands: &m
         });
         ui.separator();
         let mut scale_free = metric.corners == Corners::ScaleFree;
-        if ui
-            .checkbox(&mut scale_free, "Size does not matter")
-            .clicked()
-        {
+        if ui.checkbox(&mut scale_free, "Scale-invariant").clicked() {
             metric.corners = if scale_free {
                 Corners::ScaleFree
             } else {
                 Corners::Raw
             };
         }
-        ui.checkbox(&mut metric.area_weights, "Count by area");
+        ui.checkbox(&mut metric.area_weights, "Area-weighted");
         if with_method {
             ui.separator();
             ui.label(note("Method"));

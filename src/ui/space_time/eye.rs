@@ -2,7 +2,7 @@
 
 use egui::{Pos2, Rect, Vec2, pos2};
 
-use crate::ui::space_time::SpaceTimeCurve;
+use crate::ui::scatter_map::{Projection, ScatterPoint, bounds};
 
 /// From where the box is seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,20 +64,10 @@ pub struct Eye {
 }
 
 impl Eye {
-    /// Sees all curves in a pane; both axes of the map have one scale.
-    pub fn new(turn: Turn, rect: Rect, curves: &[SpaceTimeCurve]) -> Self {
-        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
-        for point in curves.iter().flat_map(|curve| &curve.points) {
-            for axis in 0..2 {
-                if point.at[axis].is_finite() {
-                    low[axis] = low[axis].min(point.at[axis]);
-                    high[axis] = high[axis].max(point.at[axis]);
-                }
-            }
-        }
-        if !(low[0] <= high[0] && low[1] <= high[1]) {
-            (low, high) = ([0.0; 2], [0.0; 2]);
-        }
+    /// Sees all points in a pane; both axes of the map have one scale.
+    pub fn new(turn: Turn, rect: Rect, points: &[ScatterPoint]) -> Self {
+        let places = points.iter().map(|point| point.at);
+        let [low, high] = bounds(places).unwrap_or_default();
         let spans = [0, 1].map(|axis| 0.5 * (high[axis] - low[axis]));
         let widest = spans[0].max(spans[1]);
         let scale = if widest > 0.0 { 1.0 / widest } else { 1.0 };
@@ -99,14 +89,8 @@ impl Eye {
         }
     }
 
-    /// A pose at a share of the beat: its place on screen and its depth, nearer is less, about
-    /// −1 to 1.
-    pub fn see(&self, at: [f64; 2], share: f64) -> (Pos2, f32) {
-        self.see_in_box(self.in_box(at, share))
-    }
-
     /// Where a pose lies in the box: along x, along y, along time.
-    pub fn in_box(&self, at: [f64; 2], share: f64) -> [f32; 3] {
+    fn in_box(&self, at: [f64; 2], share: f64) -> [f32; 3] {
         [
             ((at[0] - self.centre[0]) * self.scale) as f32,
             ((at[1] - self.centre[1]) * self.scale) as f32,
@@ -114,7 +98,7 @@ impl Eye {
         ]
     }
 
-    /// Place on screen and depth of a place in the box.
+    /// Place on screen and depth, about −1 to 1, of a place in the box; nearer is less.
     pub fn see_in_box(&self, [x, y, t]: [f32; 3]) -> (Pos2, f32) {
         let [(sin_yaw, cos_yaw), (sin_pitch, cos_pitch)] = self.sin_cos;
         let right = cos_yaw * x + sin_yaw * y;
@@ -127,24 +111,36 @@ impl Eye {
     }
 }
 
+impl Projection for Eye {
+    const HAS_DEPTH: bool = true;
+
+    fn rect(&self) -> Rect {
+        self.rect
+    }
+
+    fn see(&self, at: [f64; 2], share: f64) -> (Pos2, f32) {
+        self.see_in_box(self.in_box(at, share))
+    }
+
+    /// What is far fades into the pane.
+    fn fade(&self, depth: f32) -> f32 {
+        (1.2 - 0.45 * depth).clamp(0.4, 1.7)
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ui::space_time::SpaceTimePoint;
     use egui::vec2;
 
     fn eye(turn: Turn) -> Eye {
-        let point = |at, share| SpaceTimePoint {
+        let points = [([-2.0, 0.0], 0.0), ([6.0, 3.0], 0.9)].map(|(at, share)| ScatterPoint {
             at,
             share,
-            ..SpaceTimePoint::default()
-        };
-        let curve = SpaceTimeCurve {
-            subject: 0,
-            points: vec![point([-2.0, 0.0], 0.0), point([6.0, 3.0], 0.9)],
-        };
+            ..ScatterPoint::default()
+        });
         let rect = Rect::from_min_size(pos2(10.0, 20.0), vec2(400.0, 300.0));
-        Eye::new(turn, rect, &[curve])
+        Eye::new(turn, rect, &points)
     }
 
     #[test]

@@ -1,57 +1,56 @@
-//! What the plot of poses through time does under the pointer and the keyboard.
+//! What the spatiotemporal plot does under the pointer and the keyboard.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 
-use super::*;
+use egui::{Key, Pos2, vec2};
 
-fn curves() -> Vec<SpaceTimeCurve> {
-    [[-1.0, 0.0], [1.0, 0.5], [0.2, -0.8]]
-        .into_iter()
-        .enumerate()
-        .map(|(subject, start)| SpaceTimeCurve {
+use super::*;
+use crate::engine::WorkKind;
+use crate::ui::command::Command;
+use crate::ui::scatter_map::{MapState, MapSubject, PosePhase, ScatterPoint, ScatterView};
+
+fn points() -> Vec<ScatterPoint> {
+    let starts = [[-1.0, 0.0], [1.0, 0.5], [0.2, -0.8]];
+    let poses = starts.into_iter().enumerate();
+    let poses = poses.flat_map(|start| (0..4).map(move |frame| (start, frame)));
+    poses
+        .map(|((subject, start), frame)| ScatterPoint {
             subject,
-            points: (0..4)
-                .map(|frame| SpaceTimePoint {
-                    frame,
-                    at: [start[0] + 0.1 * frame as f64, start[1]],
-                    share: 0.25 * frame as f64,
-                    phase: match frame {
-                        0 => PosePhase::EndDiastole,
-                        2 => PosePhase::EndSystole,
-                        _ => PosePhase::Between,
-                    },
-                })
-                .collect(),
+            frames: Some([frame, frame]),
+            start_frame: frame,
+            at: [start[0] + 0.1 * frame as f64, start[1]],
+            share: 0.25 * frame as f64,
+            phase: PosePhase::of(frame, (Some(0), Some(2))),
+            ..ScatterPoint::default()
         })
         .collect()
 }
 
 fn harness(state: MapState) -> Harness<'static, Vec<Command>> {
-    let curves = curves();
+    let points = points();
     let subjects: Vec<MapSubject> = (0..3)
         .map(|index| MapSubject {
             id: format!("P{index}"),
             ..MapSubject::default()
         })
         .collect();
-    Harness::builder()
+    let mut harness = Harness::builder()
         .with_size([420.0, 360.0])
         .with_step_dt(1.0 / 30.0)
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
         .build_ui_state(
             move |ui, commands: &mut Vec<Command>| {
-                let view = SpaceTimeView {
+                let map = ScatterView {
                     state: state.clone(),
-                    subjects: &subjects,
-                    curves: &curves,
                     selected: Some(0),
-                    compared: None,
-                    share: 0.4,
+                    ..ScatterView::new(&SPACE_TIME, &subjects, &points)
                 };
-                space_time_ui(ui, &view, commands);
+                space_time_ui(ui, &SpaceTimeView { map, share: 0.4 }, commands);
             },
             Vec::new(),
-        )
+        );
+    harness.run();
+    harness
 }
 
 fn place(harness: &Harness<'_, Vec<Command>>, subject: usize) -> Pos2 {
@@ -62,9 +61,8 @@ fn place(harness: &Harness<'_, Vec<Command>>, subject: usize) -> Pos2 {
 }
 
 #[test]
-fn a_click_on_a_curve_plays_that_heart_from_that_pose() {
+fn a_click_on_a_curve_plays_that_subject_from_that_pose() {
     let mut harness = harness(MapState::Ready);
-    harness.run();
     harness.get_by_label("Curve of P1, other").click();
     harness.run();
     let wanted = Command::SelectPose {
@@ -78,10 +76,9 @@ fn a_click_on_a_curve_plays_that_heart_from_that_pose() {
 #[test]
 fn a_drag_turns_the_plot_and_a_double_click_turns_it_back() {
     let mut harness = harness(MapState::Ready);
-    harness.run();
     let before = place(&harness, 1);
     let ground = harness
-        .get_by_label("Curves through poses and time")
+        .get_by_label("Spatiotemporal plot")
         .rect()
         .right_bottom()
         - vec2(8.0, 8.0);
@@ -105,13 +102,10 @@ fn a_drag_turns_the_plot_and_a_double_click_turns_it_back() {
 #[test]
 fn arrows_turn_and_plus_zooms_while_the_plot_has_the_keyboard() {
     let mut harness = harness(MapState::Ready);
-    harness.run();
     let apart =
         |harness: &Harness<'_, Vec<Command>>| (place(harness, 1) - place(harness, 2)).length();
     let (before, middle) = (place(&harness, 1), apart(&harness));
-    harness
-        .get_by_label("Curves through poses and time")
-        .focus();
+    harness.get_by_label("Spatiotemporal plot").focus();
     harness.run();
     harness.key_press(Key::Plus);
     harness.run();

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use cardiomorph::analysis::deformations::DeformationMapParams;
-use cardiomorph::engine::{PoseMapParams, WorkKind};
+use cardiomorph::engine::PoseMapParams;
 use cardiomorph::study::LabelRole;
 use cardiomorph::ui::*;
 
@@ -11,10 +11,9 @@ use cardiomorph::ui::*;
 pub struct Example {
     pub rows: Vec<CohortRow>,
     pub subjects: Vec<MapSubject>,
-    pub points: Vec<MapPoint>,
-    pub deformations: Vec<DeformationPoint>,
-    pub curves: Vec<SpaceTimeCurve>,
-    pub rules: Vec<RuleView>,
+    pub points: Vec<ScatterPoint>,
+    pub deformations: Vec<ScatterPoint>,
+    pub classifiers: Vec<ClassifierView>,
     pub volumes: Vec<f64>,
     pub outer: Vec<f64>,
     pub shares: Vec<f64>,
@@ -55,24 +54,28 @@ impl Example {
                     let turn = (1.0 - (TAU * frame as f64 / 8.0).cos()) / 2.0;
                     let aside = (TAU * frame as f64 / 8.0).sin() * 0.16;
                     let start = [wobble, 0.8 * (subject as f64 * 1.7).cos()];
-                    points.push(MapPoint {
+                    let phase = PosePhase::of(frame, (Some(0), Some(4)));
+                    points.push(ScatterPoint {
                         subject,
-                        frame,
+                        frames: Some([frame, frame]),
+                        start_frame: frame,
+                        share: frame as f64 / 8.0,
                         at: [
                             start[0] + ef * 4.0 * turn + aside * wobble,
                             start[1] + ef * 2.0 * turn * (0.4 + 0.5 * wobble) + aside,
                         ],
-                        phase: match frame {
-                            0 => PosePhase::EndDiastole,
-                            4 => PosePhase::EndSystole,
-                            _ => PosePhase::Between,
+                        phase,
+                        label: match phase {
+                            PosePhase::EndDiastole => Some("ED"),
+                            PosePhase::EndSystole => Some("ES"),
+                            _ => None,
                         },
+                        ..ScatterPoint::default()
                     });
                 }
             }
         }
         let deformations = deformations(&subjects);
-        let curves = curves(&points);
         let shares: Vec<f64> = (0..8).map(|frame| frame as f64 / 8.0).collect();
         let volumes = shares
             .iter()
@@ -95,8 +98,7 @@ impl Example {
             subjects,
             points,
             deformations,
-            curves,
-            rules: rules(),
+            classifiers: classifiers(),
             volumes,
             outer,
             shares,
@@ -104,30 +106,39 @@ impl Example {
         }
     }
 
+    fn scatter<'a>(
+        &'a self,
+        words: &'static MapWords,
+        points: &'a [ScatterPoint],
+        state: MapState,
+    ) -> ScatterView<'a> {
+        ScatterView {
+            state,
+            selected: Some(9),
+            ..ScatterView::new(words, &self.subjects, points)
+        }
+    }
+
     pub fn deformation_map(&self, state: MapState) -> DeformationMapView<'_> {
         DeformationMapView {
-            state,
-            job: WorkKind::DeformationMap,
-            subjects: &self.subjects,
-            points: &self.deformations,
-            selected: Some(9),
-            compared: Some(2),
+            map: ScatterView {
+                compared: Some(2),
+                shows_clusters: true,
+                ..self.scatter(&DEFORMATION_MAP, &self.deformations, state)
+            },
             neighbours: Some(5),
             reconstruction_error: Some(0.0123),
             time_weight: Some(1.42),
-            shows_clusters: true,
-            classes: ClassesView::Ready(&self.rules),
-            left_out: "",
+            classes: ClassesView::Ready(&self.classifiers),
         }
     }
 
     pub fn space_time(&self, state: MapState) -> SpaceTimeView<'_> {
         SpaceTimeView {
-            state,
-            subjects: &self.subjects,
-            curves: &self.curves,
-            selected: Some(9),
-            compared: Some(2),
+            map: ScatterView {
+                compared: Some(2),
+                ..self.scatter(&SPACE_TIME, &self.points, state)
+            },
             share: 0.3,
         }
     }
@@ -154,18 +165,15 @@ impl Example {
             let (from, to) = (&self.points[9 * 8 + 2], &self.points[9 * 8 + 3]);
             from.at[axis] + 0.4 * (to.at[axis] - from.at[axis])
         };
+        let [note, explanation] = pose_map_note(Some(0.083), None);
         PoseMapView {
-            state,
-            subjects: &self.subjects,
-            points: &self.points,
-            selected: Some(9),
-            selected_frame: 2,
-            current: Some([part(0), part(1)]),
-            compared: None,
+            map: ScatterView {
+                current: vec![[part(0), part(1)]],
+                note,
+                explanation,
+                ..self.scatter(&POSE_MAP, &self.points, state)
+            },
             params: PoseMapParams::default(),
-            stress: Some(0.083),
-            neighbours: None,
-            left_out: "",
         }
     }
 }
@@ -187,7 +195,7 @@ fn verdict(label: &str, wobble: f64) -> CohortVerdict {
 }
 
 /// One point per heart, normal ones apart from the others but for two.
-fn deformations(subjects: &[MapSubject]) -> Vec<DeformationPoint> {
+fn deformations(subjects: &[MapSubject]) -> Vec<ScatterPoint> {
     let places: Vec<[f64; 2]> = (0..subjects.len())
         .map(|subject| {
             let turn = subject as f64 * 2.399;
@@ -207,50 +215,36 @@ fn deformations(subjects: &[MapSubject]) -> Vec<DeformationPoint> {
             let mut nearest: Vec<usize> = (0..subjects.len()).filter(|o| *o != subject).collect();
             nearest.sort_by(|a, b| apart(subject, *a).total_cmp(&apart(subject, *b)));
             nearest.truncate(3);
-            DeformationPoint {
+            ScatterPoint {
                 subject,
                 at: places[subject],
-                first_frame: 0,
+                phase: PosePhase::WholeBeat,
+                label: Some(""),
                 cluster: Some(usize::from(places[subject][0] > -0.2)),
                 nearest,
+                ..ScatterPoint::default()
             }
         })
         .collect()
 }
 
-fn curves(points: &[MapPoint]) -> Vec<SpaceTimeCurve> {
-    points
-        .chunk_by(|a, b| a.subject == b.subject)
-        .map(|run| SpaceTimeCurve {
-            subject: run[0].subject,
-            points: run
-                .iter()
-                .map(|point| SpaceTimePoint {
-                    frame: point.frame,
-                    at: point.at,
-                    share: point.frame as f64 / run.len() as f64,
-                    phase: point.phase,
-                })
-                .collect(),
-        })
-        .collect()
-}
-
-fn rules() -> Vec<RuleView> {
+fn classifiers() -> Vec<ClassifierView> {
     [
         ("Nearest neighbour", 20, 12.4, 0.002),
-        ("Linear rule", 19, 12.1, 0.006),
-        ("Rule in this plane", 18, 12.2, 0.013),
-        ("Clusters, τ", 21, 13.8, 0.0004),
+        ("Linear classifier", 19, 12.1, 0.006),
+        ("Classifier on 2-D embedding", 18, 12.2, 0.013),
+        ("Cluster agreement τ", 21, 13.8, 0.0004),
     ]
     .into_iter()
-    .map(|(name, correct, chance, p_value)| RuleView {
-        name,
-        what: "",
-        correct,
-        of: 21,
-        chance,
-        p_value,
-    })
+    .map(
+        |(name, correct, permutation_mean, p_value)| ClassifierView {
+            name,
+            what: "",
+            correct,
+            of: 21,
+            permutation_mean,
+            p_value,
+        },
+    )
     .collect()
 }

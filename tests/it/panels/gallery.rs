@@ -100,8 +100,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
             };
             let mut view = example.map(state);
             if matches!(name, "map_first" | "map_empty") {
-                view.points = &[];
-                view.stress = None;
+                view.map.points = &[];
             }
             pose_map_header_ui(ui, &view, commands);
             pose_map_ui(ui, &view, commands);
@@ -119,7 +118,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
             };
             let mut view = example.deformation_map(state);
             if name == "deformations_few" {
-                view.points = &[];
+                view.map.points = &[];
             }
             pane_header_ui(
                 ui,

@@ -1,4 +1,4 @@
-//! Maps of deformations, poses through time, and their settings: from a click to what every view shows.
+//! Maps of deformations, the spatiotemporal plot, and their settings: from a click to what every view shows.
 
 use super::*;
 
@@ -25,7 +25,7 @@ fn subject(harness: &Harness<'_, App>) -> usize {
 }
 
 #[test]
-fn every_heart_becomes_a_point_and_classes_are_told_beside_chance() {
+fn every_subject_is_a_point_and_accuracies_stand_beside_the_permutation_mean() {
     let mut harness = with_deformations();
     let state = harness.state().state();
     let map = state.deformations().unwrap();
@@ -33,7 +33,10 @@ fn every_heart_becomes_a_point_and_classes_are_told_beside_chance() {
     assert_eq!(map.embedding.len(), 23);
     let accuracy = state.classes().unwrap().nearest_neighbour.unwrap();
     assert_eq!(accuracy.of, 23);
-    let said = format!("Nearest neighbour: {} of 23 · chance", accuracy.correct);
+    let said = format!(
+        "Nearest neighbour: {} of 23 · permutation mean",
+        accuracy.correct
+    );
     shown(&mut harness, Pane::DeformationMap);
     harness.get_by_label_contains(&said);
     harness.get_by_label_contains(" · error ");
@@ -69,7 +72,7 @@ fn a_click_on_a_deformation_plays_that_heart() {
 fn a_click_on_a_curve_through_time_plays_that_heart() {
     let mut harness = with_deformations();
     shown(&mut harness, Pane::SpaceTime);
-    let canvas = harness.get_by_label("Curves through poses and time").rect();
+    let canvas = harness.get_by_label("Spatiotemporal plot").rect();
     // The uppermost curve at mid-beat is not crossed there by another.
     let study = harness.state().state().document.study().clone();
     let middle = |index: usize| {
@@ -249,7 +252,7 @@ fn a_stopped_map_of_poses_stops_the_map_of_deformations_and_both_come_back() {
     harness.get_by_label("Deformation of N01, normal");
     give(&mut harness, Command::Cancel(WorkKind::PoseMap));
     wait(&mut harness, "the end of the work", |app| !app.busy());
-    harness.get_by_label("Stopped; this is the map before");
+    harness.get_by_label("Stopped; the previous map is shown");
     assert_eq!(harness.state().state().deformations(), Some(&before));
     harness.get_by_label("Retry").click();
     harness.step();
@@ -259,7 +262,7 @@ fn a_stopped_map_of_poses_stops_the_map_of_deformations_and_both_come_back() {
     harness.run();
     assert!(
         harness
-            .query_by_label("Stopped; this is the map before")
+            .query_by_label("Stopped; the previous map is shown")
             .is_none()
     );
 }

@@ -1,4 +1,4 @@
-//! How a map stands, and what is said of it where it is not that of the settings.
+//! How a map stands, and what is said where it is not that of the settings.
 
 use egui::{Rect, Ui, vec2};
 
@@ -9,50 +9,12 @@ use crate::ui::status_bar::progress_text;
 use crate::ui::style::note;
 use crate::ui::theme::{colours, space};
 
-/// How a map stands.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum MapState {
-    /// Nothing to map.
-    #[default]
-    Empty,
-    /// The points are those of the settings.
-    Ready,
-    /// A new map is being computed; the points are those of the one before, if any.
-    Computing {
-        /// Done share in `0..=1`.
-        fraction: f32,
-        /// Estimated seconds left, once they can be told.
-        seconds_left: Option<f64>,
-    },
-    /// The user stopped it.
-    Stopped,
-    /// It could not be computed, and why.
-    Failed(String),
-    /// This study has no such map, and why; trying again would change nothing.
-    Unanswerable(String),
-}
-
-/// The words of one map, and the work that makes it.
-#[derive(Clone, Copy, Debug)]
-pub struct MapWords {
-    /// What Cancel and Retry mean.
-    pub job: WorkKind,
-    /// Heading where there is nothing to map.
-    pub empty: &'static str,
-    /// What would fill the pane.
-    pub what: &'static str,
-    /// Heading where it could not be computed.
-    pub none: &'static str,
-}
+use super::view::{MapState, ScatterView};
 
 /// Draws a pane that has no map to show.
-pub fn without_map_ui(
-    ui: &mut Ui,
-    state: &MapState,
-    words: &MapWords,
-    commands: &mut Vec<Command>,
-) {
-    match state {
+pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
+    let (words, job) = (view.words, view.job);
+    match &view.state {
         MapState::Empty | MapState::Ready => empty_pane_ui(ui, words.empty, words.what, |_| {}),
         MapState::Computing {
             fraction,
@@ -61,12 +23,12 @@ pub fn without_map_ui(
             empty_pane_ui(
                 ui,
                 "Computing the map",
-                "Hearts can be looked at meanwhile.",
+                "All other views can be used meanwhile.",
                 |ui| {
                     let width = 200f32.min(ui.available_width());
                     progress_bar_ui(ui, width, *fraction, "Computing the map");
                     ui.label(note(progress_text(*fraction, *seconds_left)));
-                    cancel_ui(ui, "Cancel", words.job, commands);
+                    cancel_ui(ui, "Cancel", job, commands);
                 },
             );
         }
@@ -74,10 +36,10 @@ pub fn without_map_ui(
             ui,
             "The map was stopped",
             "It can be computed again at any time.",
-            |ui| retry_ui(ui, "Compute the map", words.job, commands),
+            |ui| retry_ui(ui, "Compute the map", job, commands),
         ),
         MapState::Failed(why) => empty_pane_ui(ui, words.none, why, |ui| {
-            retry_ui(ui, "Retry", words.job, commands);
+            retry_ui(ui, "Retry", job, commands);
         }),
         MapState::Unanswerable(why) => empty_pane_ui(ui, words.none, why, |_| {}),
     }
@@ -101,11 +63,11 @@ fn retry_ui(ui: &mut Ui, name: &str, job: WorkKind, commands: &mut Vec<Command>)
     }
 }
 
-/// What is said over a map that is not that of the settings: it is the one before.
+/// Draws a card over a map that is not that of the settings: the previous map is shown below.
 pub fn over_map_ui(
     ui: &mut Ui,
     state: &MapState,
-    words: &MapWords,
+    job: WorkKind,
     rect: Rect,
     commands: &mut Vec<Command>,
 ) {
@@ -129,19 +91,19 @@ pub fn over_map_ui(
                 let width = (width - 190.0).max(30.0);
                 progress_bar_ui(ui, width, *fraction, "Computing the map");
                 ui.label(note(progress_text(*fraction, *seconds_left)));
-                cancel_ui(ui, note("Cancel"), words.job, commands);
+                cancel_ui(ui, note("Cancel"), job, commands);
             }
             MapState::Failed(why) => {
                 let colour = colours(ui).error;
-                retry_ui(ui, "Retry", words.job, commands);
+                retry_ui(ui, "Retry", job, commands);
                 ui.add(egui::Label::new(egui::RichText::new(why).small().color(colour)).truncate());
             }
             MapState::Unanswerable(why) => {
                 ui.add(egui::Label::new(note(why)).truncate());
             }
-            _ => {
-                ui.label(note("Stopped; this is the map before"));
-                retry_ui(ui, "Retry", words.job, commands);
+            MapState::Stopped | MapState::Ready | MapState::Empty => {
+                ui.label(note("Stopped; the previous map is shown"));
+                retry_ui(ui, "Retry", job, commands);
                 ui.add_space(space::SMALL);
             }
         });

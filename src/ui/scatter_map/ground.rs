@@ -1,14 +1,20 @@
 //! The ground of a plane map: dragging moves it, scrolling and pinching zoom, a double click shows all.
 
-use egui::{Key, Pos2, Rect, Response, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::picture::nice_floor;
-use crate::ui::map_ground::lens::Moved;
-use crate::ui::map_ground::{Lens, REACH};
 use crate::ui::theme::{colours, line};
 
+use super::input::{key_zoom, pointer_zoom};
+use super::lens::{Lens, Moved};
+use super::point::ScatterPoint;
+use super::view::ScatterView;
+
+/// How near to a point, in points of the screen, the pointer counts as on it.
+const REACH: f32 = 12.0;
+
 /// Air around the points, for marks and their names.
-const AIR: egui::Vec2 = vec2(34.0, 26.0);
+const AIR: Vec2 = vec2(34.0, 26.0);
 
 /// A piece of ground on screen, as it lies in this frame.
 pub struct Ground {
@@ -20,23 +26,17 @@ pub struct Ground {
     pub lens: Lens,
 }
 
-/// Takes the space above `below` points for a map with these places, and moves its lens. `name` is
-/// what the map is called aloud.
-pub fn ground_ui(
-    ui: &mut Ui,
-    name: &str,
-    places: impl Iterator<Item = [f64; 2]>,
-    below: f32,
-) -> Ground {
+/// Takes the space above `below` points for a map, and moves its lens.
+pub fn ground_ui(ui: &mut Ui, view: &ScatterView, below: f32) -> Ground {
     let size = vec2(
         ui.available_width().max(60.0),
         (ui.available_height() - below).max(40.0),
     );
     let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, name));
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, view.words.name));
     let id = response.id.with("lens");
     let fitted = Lens::fit(
-        places,
+        view.points.iter().map(|point| point.at),
         rect.width() - 2.0 * AIR.x,
         rect.height() - 2.0 * AIR.y,
     );
@@ -62,16 +62,13 @@ impl Ground {
         self.lens.on_screen(self.rect, place)
     }
 
-    /// The place nearest to a pointer, if it is within reach.
-    pub fn nearest(
-        &self,
-        places: impl Iterator<Item = [f64; 2]>,
-        pointer: Option<Pos2>,
-    ) -> Option<usize> {
+    /// The point nearest to a pointer, if it is within reach.
+    pub fn nearest(&self, points: &[ScatterPoint], pointer: Option<Pos2>) -> Option<usize> {
         let pointer = pointer?;
-        places
+        points
+            .iter()
+            .map(|point| (self.on_screen(point.at) - pointer).length())
             .enumerate()
-            .map(|(index, place)| (index, (self.on_screen(place) - pointer).length()))
             .filter(|(_, distance)| *distance <= REACH)
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .map(|(index, _)| index)
@@ -106,19 +103,10 @@ fn turn_lens(ui: &Ui, response: &Response, rect: Rect, lens: &mut Lens) -> bool 
     if response.dragged() {
         lens.drag(response.drag_delta());
     }
-    if response.contains_pointer()
-        && let Some(pointer) = response.hover_pos()
-    {
-        let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
-        let factor = pinch * (scroll * 0.004).exp();
-        lens.zoom_about(pointer - rect.center(), f64::from(factor));
+    if let Some(pointer) = response.hover_pos() {
+        let factor = f64::from(pointer_zoom(ui, response));
+        lens.zoom_about(pointer - rect.center(), factor);
     }
-    if response.has_focus() {
-        for (key, factor) in [(Key::Plus, 1.25), (Key::Equals, 1.25), (Key::Minus, 0.8)] {
-            if ui.input(|input| input.key_pressed(key)) {
-                lens.zoom_about(vec2(0.0, 0.0), factor);
-            }
-        }
-    }
+    lens.zoom_about(Vec2::ZERO, f64::from(key_zoom(ui, response)));
     before != *lens
 }

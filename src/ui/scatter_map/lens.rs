@@ -14,22 +14,12 @@ pub struct Lens {
 impl Lens {
     /// The lens that shows all places in a pane of a size.
     pub fn fit(places: impl Iterator<Item = [f64; 2]>, width: f32, height: f32) -> Self {
-        let mut low = [f64::INFINITY; 2];
-        let mut high = [f64::NEG_INFINITY; 2];
-        for place in places {
-            for axis in 0..2 {
-                if place[axis].is_finite() {
-                    low[axis] = low[axis].min(place[axis]);
-                    high[axis] = high[axis].max(place[axis]);
-                }
-            }
-        }
-        if !(low[0] <= high[0] && low[1] <= high[1]) {
+        let Some([low, high]) = bounds(places) else {
             return Self {
                 centre: [0.0; 2],
                 points_per_unit: 1.0,
             };
-        }
+        };
         let room = [f64::from(width.max(1.0)), f64::from(height.max(1.0))];
         // Points that all lie in one place get a lens of one unit.
         let scales = [0, 1].map(|axis| {
@@ -74,6 +64,19 @@ impl Lens {
         self.centre[1] -= f64::from(offset.y) * shift;
         self.points_per_unit *= factor;
     }
+}
+
+/// The least and greatest coordinates of all places that are finite; `None` where none is.
+pub fn bounds(places: impl Iterator<Item = [f64; 2]>) -> Option<[[f64; 2]; 2]> {
+    places
+        .filter(|place| place.iter().all(|x| x.is_finite()))
+        .map(|place| [place; 2])
+        .reduce(|[low, high], [place, _]| {
+            [
+                [0, 1].map(|axis| f64::min(low[axis], place[axis])),
+                [0, 1].map(|axis| f64::max(high[axis], place[axis])),
+            ]
+        })
 }
 
 /// What the user did to the lens, in terms of the one that shows all: it still fits when the map

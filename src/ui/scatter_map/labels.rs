@@ -1,10 +1,10 @@
-//! Names beside points: inside the pane, beside each other, where they hide least.
+//! Labels beside points: inside the pane, without overlap, where they hide least.
 
 use egui::{Color32, Painter, Pos2, Rect, vec2};
 
 use crate::ui::style::medium_note_font;
 
-/// Places names; those given first choose first.
+/// Places labels; those given first choose first.
 pub struct Labels<'a> {
     painter: &'a Painter,
     inside: Rect,
@@ -13,7 +13,7 @@ pub struct Labels<'a> {
 }
 
 impl<'a> Labels<'a> {
-    /// Names within `rect`, on ground of the colour `behind`.
+    /// Labels within `rect`, on ground of the colour `behind`.
     pub fn new(painter: &'a Painter, rect: Rect, behind: Color32) -> Self {
         Self {
             painter,
@@ -23,7 +23,7 @@ impl<'a> Labels<'a> {
         }
     }
 
-    /// Keeps names away from a place.
+    /// Keeps labels away from a place.
     pub fn keep_free(&mut self, rect: Rect) {
         self.taken.push(rect);
     }
@@ -75,4 +75,38 @@ fn hidden_length(path: &[Pos2], rect: Rect) -> f32 {
         hidden += 2.0 * inside as f32;
     }
     hidden
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::{Color32, pos2};
+
+    #[test]
+    fn labels_neither_overlap_nor_leave_the_pane_nor_hide_what_is_kept_free() {
+        let ctx = egui::Context::default();
+        crate::ui::style::apply(&ctx, true);
+        let output = ctx.run_ui(egui::RawInput::default(), |ui| {
+            let pane = Rect::from_min_size(pos2(10.0, 10.0), vec2(160.0, 90.0));
+            let painter = ui.painter().clone();
+            let mut labels = Labels::new(&painter, pane, Color32::BLACK);
+            let point = pos2(90.0, 50.0);
+            let free = Rect::from_center_size(point, vec2(14.0, 14.0));
+            labels.keep_free(free);
+            let mut write = |at: Pos2| {
+                labels.beside(at, 9.0, "P05 ED".to_owned(), Color32::WHITE, &[]);
+            };
+            (0..12).for_each(|_| write(point));
+            // Beside a point at the rim there is room on one side only.
+            write(pos2(168.0, 95.0));
+            assert_eq!(labels.taken[0], free);
+            assert!(labels.taken.len() > 3, "{}", labels.taken.len());
+            for (index, rect) in labels.taken.iter().enumerate() {
+                assert!(pane.contains_rect(*rect), "{rect:?}");
+                let others = &labels.taken[index + 1..];
+                assert!(others.iter().all(|other| !other.intersects(*rect)));
+            }
+        });
+        output.drop_without_applying_deltas();
+    }
 }

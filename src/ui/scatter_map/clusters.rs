@@ -1,10 +1,12 @@
 //! Clusters as tinted ground below the points, each with a letter: colour is never alone.
 
-use egui::{Color32, Pos2, Shape, Stroke, pos2, vec2};
+use egui::{Align2, Pos2, Shape, Stroke, Ui, pos2, vec2};
 
-use crate::ui::deformation_map::DeformationPoint;
-use crate::ui::map_ground::Ground;
-use crate::ui::theme::{Colours, line};
+use crate::ui::style::medium_note_font;
+use crate::ui::theme::{colours, line};
+
+use super::ground::Ground;
+use super::point::ScatterPoint;
 
 /// How far the ground of a cluster reaches beyond its points, in points of the screen.
 const REACH: f32 = 13.0;
@@ -20,8 +22,8 @@ pub fn cluster_name(cluster: usize) -> String {
         )
 }
 
-/// The clusters that occur with how many hearts each has.
-pub fn cluster_counts(points: &[DeformationPoint]) -> Vec<(usize, usize)> {
+/// The clusters that occur with how many points each has.
+pub fn cluster_counts(points: &[ScatterPoint]) -> Vec<(usize, usize)> {
     let mut counts: Vec<(usize, usize)> = Vec::new();
     for cluster in points.iter().filter_map(|point| point.cluster) {
         match counts.iter_mut().find(|(known, _)| *known == cluster) {
@@ -33,45 +35,26 @@ pub fn cluster_counts(points: &[DeformationPoint]) -> Vec<(usize, usize)> {
     counts
 }
 
-/// The ground of one cluster and where its letter stands.
-pub struct Hull {
-    /// Which cluster.
-    pub cluster: usize,
-    /// What is drawn below the points.
-    pub shape: Shape,
-    /// Above its highest edge.
-    pub letter_at: Pos2,
-}
-
-/// Grounds of all clusters.
-pub fn hulls(points: &[DeformationPoint], ground: &Ground, colours: &Colours) -> Vec<Hull> {
-    cluster_counts(points)
-        .into_iter()
-        .map(|(cluster, _)| {
-            let members = points.iter().filter(|point| point.cluster == Some(cluster));
-            let around = members.flat_map(|point| ring(ground.on_screen(point.at)));
-            let outline = convex_hull(around.collect());
-            let highest = outline
-                .iter()
-                .copied()
-                .min_by(|a, b| a.y.total_cmp(&b.y))
-                .unwrap_or_default();
-            let colour = colours.cluster(cluster);
-            Hull {
-                cluster,
-                letter_at: highest,
-                shape: Shape::convex_polygon(
-                    outline,
-                    tint(colour, 0.10),
-                    Stroke::new(line::THIN, tint(colour, 0.55)),
-                ),
-            }
-        })
-        .collect()
-}
-
-fn tint(colour: Color32, strength: f32) -> Color32 {
-    colour.gamma_multiply(strength)
+/// Draws the ground of each cluster, with its letter above the highest edge.
+pub fn draw_clusters(ui: &Ui, points: &[ScatterPoint], ground: &Ground) {
+    let painter = ui.painter_at(ground.rect);
+    for (cluster, _) in cluster_counts(points) {
+        let members = points.iter().filter(|point| point.cluster == Some(cluster));
+        let around = members.flat_map(|point| ring(ground.on_screen(point.at)));
+        let outline = convex_hull(around.collect());
+        let colour = colours(ui).cluster(cluster);
+        let corners = outline.iter().copied();
+        let top = corners.min_by(|a, b| a.y.total_cmp(&b.y));
+        let top = top.unwrap_or_default();
+        painter.add(Shape::convex_polygon(
+            outline,
+            colour.gamma_multiply(0.10),
+            Stroke::new(line::THIN, colour.gamma_multiply(0.55)),
+        ));
+        let at = pos2(top.x, (top.y - 2.0).max(ground.rect.top() + 16.0));
+        let name = cluster_name(cluster);
+        painter.text(at, Align2::CENTER_BOTTOM, name, medium_note_font(), colour);
+    }
 }
 
 fn ring(centre: Pos2) -> impl Iterator<Item = Pos2> {
@@ -111,7 +94,7 @@ fn convex_hull(mut places: Vec<Pos2>) -> Vec<Pos2> {
         // Each half ends where the other begins.
         hull.pop();
     }
-    hull.iter().map(|place| pos2(place.x, place.y)).collect()
+    hull
 }
 
 #[cfg(test)]
@@ -132,9 +115,9 @@ mod tests {
 
     #[test]
     fn clusters_have_letters_and_counts() {
-        let point = |cluster| DeformationPoint {
+        let point = |cluster| ScatterPoint {
             cluster,
-            ..DeformationPoint::default()
+            ..ScatterPoint::default()
         };
         let points = [point(Some(1)), point(None), point(Some(0)), point(Some(1))];
         assert_eq!(cluster_counts(&points), [(0, 1), (1, 2)]);
