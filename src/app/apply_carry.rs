@@ -40,9 +40,12 @@ fn carry(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Ef
     }
     let (ours, theirs) = (&source.sequence, &target.sequence);
     if ours.correspondence() != theirs.correspondence() {
-        let title = format!("{}’s beat cannot be played on {}", source.id, target.id);
+        let title = format!(
+            "The motion of {} cannot be transported to {}",
+            source.id, target.id
+        );
         let message = format!(
-            "their meshes do not correspond: {} vertices and {} faces, {} vertices and {} faces",
+            "the meshes do not correspond: {} vertices and {} faces, {} vertices and {} faces",
             ours.vertex_count(),
             ours.face_count(),
             theirs.vertex_count(),
@@ -188,7 +191,7 @@ mod tests {
         give(&mut state, Command::CarryBeat { from: 0, onto: 2 });
         assert_eq!(state.document, before);
         let card = &state.errors[0];
-        assert_eq!(card.title, "a’s beat cannot be played on c");
+        assert_eq!(card.title, "The motion of a cannot be transported to c");
         assert!(card.message.contains("42 vertices") && card.message.contains("162 vertices"));
         give(&mut state, Command::CarryBeat { from: 0, onto: 0 });
         give(&mut state, Command::CarryBeat { from: 0, onto: 7 });

@@ -204,7 +204,7 @@ fn files_hover_ui(ui: &Ui, state: &State) {
     painter.text(
         area.center(),
         egui::Align2::CENTER_CENTER,
-        "Let go to open",
+        "Drop to open",
         egui::FontId::proportional(ui::theme::type_size::TITLE),
         colours.strong,
     );

@@ -47,8 +47,8 @@ pub fn activity_ui(ui: &mut Ui, items: &[WorkItem], commands: &mut Vec<Command>)
     if items.is_empty() {
         empty_pane_ui(
             ui,
-            "No work yet",
-            "Reading, measures and maps are listed here with their duration.",
+            "No activity yet",
+            "Files, analyses and exports are listed here with their duration",
             |_| {},
         );
         return;
@@ -93,7 +93,7 @@ fn item_ui(ui: &mut Ui, item: &WorkItem, commands: &mut Vec<Command>) {
                 |ui| {
                     if ui
                         .button(note("Cancel"))
-                        .on_hover_text(format!("Stop: {}", item.title))
+                        .on_hover_text(format!("Cancel: {}", item.title))
                         .clicked()
                     {
                         commands.push(Command::Cancel(item.kind));
@@ -127,7 +127,7 @@ fn again_ui(
         |ui| {
             if ui
                 .button(note("Retry"))
-                .on_hover_text(format!("Again: {}", item.title))
+                .on_hover_text(format!("Retry: {}", item.title))
                 .clicked()
             {
                 commands.push(Command::Retry(item.kind));

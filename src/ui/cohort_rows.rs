@@ -28,13 +28,10 @@ impl CohortVerdict {
         }
     }
 
-    /// What a narrow column has room for, beside the mark: "31 %".
+    /// For a narrow column, beside the mark: "31 %"; empty without an abnormal patch.
     pub fn short(&self) -> String {
-        match (self.share, self.mark) {
-            (Some(share), _) => format!("{:.0} %", 100.0 * share),
-            (None, VerdictMark::NotAssessed) => String::new(),
-            (None, mark) => mark.word().to_owned(),
-        }
+        self.share
+            .map_or_else(String::new, |share| format!("{:.0} %", 100.0 * share))
     }
 }
 
@@ -253,7 +250,7 @@ mod tests {
         rows[2].verdict = verdict(VerdictMark::Nothing, None, Some(0.03));
         let texts = rows.iter().map(|row| row.verdict.as_ref().unwrap().text());
         let texts: Vec<String> = texts.collect();
-        assert_eq!(texts, ["patch 31 %", "not assessed", "none"]);
+        assert_eq!(texts, ["patch 31 %", "not assessed", "no finding"]);
         assert_eq!(visible_rows(&rows, "patch", None), [0]);
         assert_eq!(visible_rows(&rows, "not assessed", None), [1]);
         for (descending, order) in [(false, [2, 0, 1]), (true, [0, 2, 1])] {

@@ -45,7 +45,7 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
         empty_pane_ui(
             ui,
             "No subjects",
-            "Meshes, or a folder of them, fill this list.",
+            "Open mesh files, a folder of them or a study",
             |ui| {
                 if ui.button("Open folder…").clicked() {
                     commands.push(Command::ChooseFolder);
@@ -80,7 +80,7 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
         .show(ui, |ui| {
             let mut text = view.search.to_owned();
             let edit = TextEdit::singleline(&mut text)
-                .hint_text("Filter by name, label, EF, verdict…")
+                .hint_text("Filter by name, label, EF, verdict")
                 .margin(vec2(space::MEDIUM, 3.0))
                 .desired_width(f32::INFINITY);
             let response = ui.add(edit).accessible_name("Filter subjects");
@@ -141,7 +141,7 @@ fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut V
         crate::ui::controls::focus_ring(ui, &response);
         let hint = match column {
             CohortColumn::Verdict => {
-                "Sort by verdict: by the probability that the heart counts as abnormal".to_owned()
+                "Sort by verdict (predicted probability of abnormal)".to_owned()
             }
             _ => format!("Sort by {}", readable[index]),
         };
@@ -296,12 +296,12 @@ fn carry_choices_ui(ui: &mut Ui, view: &CohortView, pair: [usize; 2], commands: 
     let fits = a.correspondence == b.correspondence;
     for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {
         let name = format!(
-            "Play {}’s beat on {}",
+            "Transport motion: {} → {}",
             view.rows[from].id, view.rows[onto].id
         );
         let button = ui
             .add_enabled(fits, egui::Button::new(name))
-            .on_disabled_hover_text("Their meshes do not correspond");
+            .on_disabled_hover_text("No vertex correspondence");
         if button.clicked() {
             commands.push(Command::CarryBeat { from, onto });
         }
@@ -310,22 +310,22 @@ fn carry_choices_ui(ui: &mut Ui, view: &CohortView, pair: [usize; 2], commands: 
 
 fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
     ui.label(RichText::new(&row.id).strong());
-    let label = row.label.as_deref().unwrap_or("no label");
-    ui.label(format!("{label}, counts as {}", role_name(row.role)));
+    let label = row.label.as_deref().unwrap_or("none");
+    ui.label(format!("Label {label}, class {}", role_name(row.role)));
     match row.ejection_fraction {
         Some(ef) => ui.label(format!(
             "Ejection fraction {:.0} %, {}",
             100.0 * ef,
             EJECTION_FRACTION.short
         )),
-        None => ui.label("Ejection fraction not known"),
+        None => ui.label("Ejection fraction unknown"),
     };
     if let Some(verdict) = &row.verdict {
         ui.label(&verdict.words);
     }
     ui.label(note(match row.frame_count {
-        1 => "1 pose".to_owned(),
-        count => format!("{count} poses"),
+        1 => "1 frame".to_owned(),
+        count => format!("{count} frames"),
     }));
     if row.warning_count > 0 {
         ui.colored_label(

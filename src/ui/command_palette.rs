@@ -155,8 +155,8 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         others
             .filter(move |(onto, _)| *onto != from)
             .map(move |(onto, other)| Offer {
-                name: format!("Play this beat on {}", other.id),
-                where_it_stands: format!("Beat of {}", row.id),
+                name: format!("Transport motion: {} → {}", row.id, other.id),
+                where_it_stands: "Transport".to_owned(),
                 keys: String::new(),
                 enabled: other.correspondence == row.correspondence,
                 command: Command::CarryBeat { from, onto },
@@ -182,7 +182,7 @@ fn offers_ui(ui: &mut Ui, offers: &[Offer], place: usize, moved: bool) -> Option
     ui.add_space(space::SMALL);
     ui.spacing_mut().item_spacing.y = 0.0;
     if offers.is_empty() {
-        ui.label(note("No command or subject fits"));
+        ui.label(note("No matching command or subject"));
     }
     ScrollArea::vertical()
         .max_height(12.0 * 26.0)
@@ -310,7 +310,7 @@ mod tests {
     #[test]
     fn a_beat_is_played_on_a_heart_by_its_name() {
         let commands = chosen_by(|harness| {
-            type_text(harness, "beat on n007");
+            type_text(harness, "transport n007");
             harness.key_press(Key::Enter);
         });
         let carried = Command::CarryBeat { from: 0, onto: 1 };

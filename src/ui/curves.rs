@@ -54,9 +54,9 @@ pub struct CurvesView<'a> {
 pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
     let Some((low, high)) = range(view.curves) else {
         let what = if view.computing {
-            "Volumes are being computed."
+            "Volumes are being computed"
         } else {
-            "The volume over the beat appears here for a heart with a closed or capped surface."
+            "The volume curve is shown for subjects with a closed or capped surface"
         };
         empty_pane_ui(ui, "No volumes", what, |_| {});
         return;
@@ -65,7 +65,8 @@ pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
         ui.available_size().max(vec2(80.0, 60.0)),
         Sense::click_and_drag(),
     );
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Volume over the beat"));
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Volume over the cardiac cycle"));
     let plot = Plot::new(rect, numbers_width(ui, low, high), low, high);
     draw_axes(ui, view, &plot);
     draw_phases(ui, view, &plot);

@@ -30,9 +30,9 @@ pub fn empty_state_ui(ui: &mut Ui, view: &EmptyStateView, commands: &mut Vec<Com
     ui.vertical_centered(|ui| {
         ui.add_space((whole.height() * 0.38 - 60.0).max(space::LARGE));
         let heading = match (view.files_hover, view.opening) {
-            (true, _) => "Let go to open",
+            (true, _) => "Drop to open",
             (false, true) => "Opening…",
-            (false, false) => "Open a beating heart",
+            (false, false) => "Open a study",
         };
         ui.label(RichText::new(heading).font(heading_font()).color(colours.strong));
         ui.add_space(space::SMALL);

@@ -90,17 +90,15 @@ pub fn form_sentence(kind: MetricKind, form: Form) -> &'static str {
         Form::Additive if kind == MetricKind::AnglePreserving => {
             "Additive: an inner product everywhere; without curvature the same as bilinear"
         }
-        Form::Additive => {
-            "Additive: an inner product everywhere; terms of angle and, by μ, of curvature add up"
-        }
+        Form::Additive => "Additive: an inner product everywhere; angle term + μ × curvature term",
         Form::Bilinear => {
-            "Bilinear: ignores angles that change where curvature does not; along a path it can vanish"
+            "Bilinear: ignores changes of angles where curvature is constant; can be zero along a path"
         }
         Form::Frozen => {
-            "Frozen weights: ignores how curvature changes on the way; an inner product for each pair"
+            "Frozen weights: ignores how curvature changes along the path; an inner product for each pair"
         }
         Form::Printed => {
-            "As printed: ignores signs, so it is no inner product; for single steps only"
+            "As printed: absolute values, so not an inner product; for single steps only"
         }
     }
 }
@@ -108,8 +106,8 @@ pub fn form_sentence(kind: MetricKind, form: Form) -> &'static str {
 /// One sentence: what size does.
 pub fn corners_sentence(corners: Corners) -> &'static str {
     match corners {
-        Corners::ScaleFree => "Size does not matter: corners are measured relative to their edges",
-        Corners::Raw => "As printed: corners count with the fourth power of their size",
+        Corners::ScaleFree => "Scale-invariant: corners are measured relative to their edges",
+        Corners::Raw => "As printed: a corner has the fourth power of its size as weight",
     }
 }
 

@@ -164,7 +164,7 @@ fn read(text: &str, may_be_empty: bool) -> Result<Option<f64>, String> {
         return if may_be_empty {
             Ok(None)
         } else {
-            Err("A number is needed here".to_owned())
+            Err("Enter a number".to_owned())
         };
     }
     match text.parse::<f64>() {

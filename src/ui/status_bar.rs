@@ -49,7 +49,7 @@ pub fn status_bar_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Comma
         }
         if width > 760.0 && !view.adapter.is_empty() {
             ui.label(note(view.adapter))
-                .on_hover_text("Draws the 3D view");
+                .on_hover_text("Graphics driver of the 3D view");
             ui.add_space(space::MEDIUM);
         }
         notices_ui(ui, view, commands);
@@ -68,8 +68,8 @@ pub fn status_bar_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Comma
 fn notices_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Command>) {
     let (text, colour) = match (view.warning_count, view.notice_count) {
         (0, 0) => return,
-        (0, 1) => ("1 notice".to_owned(), colours(ui).muted),
-        (0, count) => (format!("{count} notices"), colours(ui).muted),
+        (0, 1) => ("1 note".to_owned(), colours(ui).muted),
+        (0, count) => (format!("{count} notes"), colours(ui).muted),
         (1, _) => ("1 warning".to_owned(), colours(ui).warning),
         (count, _) => (format!("{count} warnings"), colours(ui).warning),
     };
@@ -98,7 +98,7 @@ fn job_ui(ui: &mut Ui, job: &StatusJob, more: usize, commands: &mut Vec<Command>
     ui.label(note(progress_text(job.fraction, job.seconds_left)));
     if ui
         .button(note("Cancel"))
-        .on_hover_text(format!("Stop: {}", job.text))
+        .on_hover_text(format!("Cancel: {}", job.text))
         .clicked()
     {
         commands.push(Command::Cancel(job.kind));

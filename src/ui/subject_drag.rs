@@ -78,9 +78,9 @@ pub fn subject_target_ui(
         return;
     }
     let words = if fits {
-        format!("Play {}’s beat on {}", dragged.id, target.id)
+        format!("Transport motion: {} → {}", dragged.id, target.id)
     } else {
-        format!("{} does not correspond with {}", target.id, dragged.id)
+        format!("No vertex correspondence: {}, {}", dragged.id, target.id)
     };
     ui.ctx()
         .data_mut(|data| data.insert_temp(words_id(), words));
@@ -99,7 +99,8 @@ pub fn dragged_subject_ui(ui: &Ui) {
     let Some(at) = ui.input(|input| input.pointer.latest_pos()) else {
         return;
     };
-    let words = over.unwrap_or_else(|| format!("{}’s beat: let go on another heart", dragged.id));
+    let words =
+        over.unwrap_or_else(|| format!("Transport motion of {}: drop on a subject", dragged.id));
     let colours = colours(ui);
     let layer = LayerId::new(Order::Tooltip, Id::unique("dragged subject"));
     let painter = ui.ctx().layer_painter(layer);

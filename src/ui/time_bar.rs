@@ -143,7 +143,7 @@ fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
         None => "100 % R-R".to_owned(),
     };
     if with_between {
-        widest += " · straight in-between";
+        widest += " · linear interpolation";
     }
     let galley = ui
         .painter()
@@ -154,7 +154,7 @@ fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
 /// "412 ms · 53 % R-R · interpolated".
 fn readout_text(view: &TimeBarView) -> String {
     if view.axis.frame_count() == 0 {
-        return "No beat".to_owned();
+        return "No motion".to_owned();
     }
     let percent = 100.0 * view.axis.share_at(view.position);
     let mut text = match view.time_ms {
@@ -171,7 +171,9 @@ fn readout_text(view: &TimeBarView) -> String {
 fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Command>) {
     let (rect, response) = ui.allocate_exact_size(vec2(width, 40.0), Sense::click_and_drag());
     let count = view.axis.frame_count();
-    response.widget_info(|| WidgetInfo::slider(count > 1, view.position, "Position in the beat"));
+    response.widget_info(|| {
+        WidgetInfo::slider(count > 1, view.position, "Position in the cardiac cycle")
+    });
     let rail = Rect::from_center_size(rect.center() - vec2(0.0, 3.0), vec2(width - 16.0, 3.0));
     let x_at = |share: f64| egui::lerp(rail.x_range(), share as f32);
     draw_rail(ui, view, rail, x_at);
@@ -190,7 +192,7 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
     }
     keys(ui, &response, commands);
     response.on_hover_ui_at_pointer(|ui| {
-        ui.label("Drag to move through the beat, click near a mark for its pose");
+        ui.label("Drag to move through the cardiac cycle, click near a mark to show its pose");
         if !view.note.is_empty() {
             ui.label(crate::ui::style::note(view.note));
         }

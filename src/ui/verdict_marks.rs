@@ -24,9 +24,9 @@ impl VerdictMark {
     /// In a word or two, as a narrow column has room for.
     pub fn word(self) -> &'static str {
         match self {
-            Self::Nothing => "none",
-            Self::Elsewhere => "other",
-            Self::Global => "global",
+            Self::Nothing => "no finding",
+            Self::Elsewhere => "abnormal",
+            Self::Global => "hypokinesia",
             Self::Patch => "patch",
             Self::NotAssessed => "not assessed",
         }

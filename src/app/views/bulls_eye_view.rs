@@ -32,7 +32,7 @@ fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) 
     let what = match standing {
         PatchStanding::Untold => "",
         PatchStanding::Abnormal => " · abnormal",
-        PatchStanding::ThickensLittle => " · thickens little",
+        PatchStanding::ThickensLittle => " · low thickening",
     };
     let part = part_name(standing, index);
     format!("{part}{what} · {} of the LV", percent(share))

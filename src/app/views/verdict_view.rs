@@ -106,11 +106,11 @@ fn told_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> ToldVerdict
         probability: Some(verdict.probability),
         calibrated,
         source: match (calibrated, role) {
-            (false, _) => "By a fixed rule: too few hearts with a label",
+            (false, _) => "Default thresholds: too few labelled subjects",
             (true, LabelRole::Unknown) => {
-                "By the rule of the labelled hearts; this one is not of them"
+                "Classifier trained on the labelled subjects; this subject has no class"
             }
-            (true, _) => "By a rule that has not seen this heart",
+            (true, _) => "Leave-one-out: this subject was not in the training set",
         },
         familiar: verdict.familiarity.as_ref().map(familiar),
         evidence: evidence(study, verdicts, &verdict.features),
@@ -135,9 +135,9 @@ fn mark(finding: Finding) -> VerdictMark {
 /// "Abnormal patch · 31 % of the LV".
 fn heading(verdict: &Verdict) -> String {
     match verdict.finding {
-        Finding::Nothing => "No abnormal patch".to_owned(),
+        Finding::Nothing => "No regional abnormality".to_owned(),
         Finding::Patch => format!("Abnormal patch · {} of the LV", percent(verdict.patched)),
-        Finding::GlobalFailure => "Global failure".to_owned(),
+        Finding::GlobalFailure => "Global hypokinesia".to_owned(),
         Finding::Elsewhere => "Abnormal without a patch".to_owned(),
     }
 }
@@ -145,16 +145,18 @@ fn heading(verdict: &Verdict) -> String {
 /// What the finding means, with what could be mistaken for another one.
 fn sentence(verdict: &Verdict) -> String {
     let little = (verdict.patched > 0.0)
-        .then(|| format!("; {} of it thickens little", percent(verdict.patched)));
+        .then(|| format!("; low thickening in {} of the LV", percent(verdict.patched)));
     let little = little.unwrap_or_default();
     match verdict.finding {
-        Finding::Nothing => format!("The wall thickens as in normal hearts{little}"),
-        Finding::Patch => "A part of the wall does not thicken as the rest does".to_owned(),
+        Finding::Nothing => format!("The wall thickens as in the normal subjects{little}"),
+        Finding::Patch => {
+            "Thickening in part of the wall is far below that of remote myocardium".to_owned()
+        }
         Finding::GlobalFailure => {
-            "The whole wall thickens too little, and no part of it stands out".to_owned()
+            "Thickening of the whole wall is low, without a regional abnormality".to_owned()
         }
         Finding::Elsewhere => {
-            "Unlike the normal hearts, but the wall thickens and no part of it stands still"
+            "Features differ from those of the normal subjects, without an akinetic region"
                 .to_owned()
         }
     }
@@ -170,17 +172,30 @@ fn familiar(found: &Familiarity) -> Familiar {
     let unlike = found.as_far < UNLIKE;
     let words = if unlike {
         format!(
-            "Unlike what the rule has seen: {times} the usual distance, farther than {} of its hearts. Take the \
-             verdict with care",
-            percent(1.0 - found.as_far)
+            "Outside the training distribution: {times} the median distance, {} percentile. Interpret the verdict with \
+             caution",
+            ordinal(100.0 * (1.0 - found.as_far))
         )
     } else {
         format!(
-            "Like what the rule has seen: {times} the usual distance; {} of its hearts lie as far from the others",
-            percent(found.as_far)
+            "Within the training distribution: {times} the median distance, {} percentile",
+            ordinal(100.0 * (1.0 - found.as_far))
         )
     };
     Familiar { words, unlike }
+}
+
+/// "74th", of a number that is rounded to an integer.
+fn ordinal(number: f64) -> String {
+    let number = number.round() as u32;
+    let ending = match (number % 100, number % 10) {
+        (11..=13, _) => "th",
+        (_, 1) => "st",
+        (_, 2) => "nd",
+        (_, 3) => "rd",
+        _ => "th",
+    };
+    format!("{number}{ending}")
 }
 
 fn alike(state: &State, subject: usize) -> Option<AlikeHeart> {
@@ -203,11 +218,11 @@ pub fn cohort_verdict(state: &State, subject: usize) -> Option<CohortVerdict> {
         Ok(verdict) => {
             let number = if calibrated {
                 format!(
-                    "{:.0} % probability of being abnormal",
+                    "predicted probability of abnormal {:.0} %",
                     100.0 * verdict.probability
                 )
             } else {
-                format!("score {:.2}, no probability", verdict.probability)
+                format!("uncalibrated score {:.2}", verdict.probability)
             };
             CohortVerdict {
                 mark: mark(verdict.finding),
@@ -235,12 +250,12 @@ fn lower_first(text: &str) -> String {
 fn rule_told(verdicts: &Verdicts) -> RuleTold {
     let source = match verdicts.rule {
         RuleSource::Cohort { normal, abnormal } => format!(
-            "Learnt from the hearts with a label that can be assessed, {normal} normal and {abnormal} abnormal; each \
-             is judged by a rule that has not seen it (leave-one-out)"
+            "Logistic classifier, trained on the labelled subjects that can be assessed ({normal} normal, {abnormal} \
+             abnormal); each of them is classified leave-one-out"
         ),
         RuleSource::Uncalibrated { normal, abnormal } => format!(
-            "Not learnt, uncalibrated: {normal} normal and {abnormal} abnormal hearts with a label can be assessed, \
-             and {} of each are needed. A fixed rule stands in: how much of the wall stands still",
+            "Default thresholds on the share of akinetic wall, uncalibrated: {normal} normal and {abnormal} abnormal \
+             subjects can be assessed; training needs {} of each",
             VerdictParams::default().least_labelled
         ),
     };
@@ -257,8 +272,8 @@ fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [Chance; 4]
     let accuracy = &quality.accuracy;
     [
         Chance {
-            name: "Right answers",
-            what: "Hearts whose label agrees with the verdict of a rule that has not seen them",
+            name: "Accuracy (leave-one-out)",
+            what: "Subjects whose verdict agrees with the class of their label (leave-one-out)",
             value: format!(
                 "{} of {} · {}",
                 accuracy.correct,
@@ -266,31 +281,31 @@ fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [Chance; 4]
                 percent(accuracy.share())
             ),
             chance: format!(
-                "by chance {:.1} · p {}",
+                "permutation mean {:.1} · p {}",
                 accuracy.baseline * accuracy.of as f64,
                 p_text(accuracy.p_value)
             ),
         },
         Chance {
             name: "AUC",
-            what: "Area under the ROC curve: how often an abnormal heart has a higher score than a normal one; \
-                   leaving out pulls chance below one half",
+            what: "Area under the ROC curve: probability that an abnormal subject has a higher score than a normal one; \
+                   leave-one-out lowers its permutation mean below 0.5",
             value: format!("{:.2}", quality.auc),
             chance: format!(
-                "by chance {:.2} · p {}",
+                "permutation mean {:.2} · p {}",
                 quality.auc_baseline,
                 p_text(quality.auc_p_value)
             ),
         },
         Chance {
-            name: "False alarms",
-            what: "Hearts with a normal label that are called abnormal",
+            name: "False positives",
+            what: "Subjects of class normal that are classified as abnormal",
             value: format!("{} of {normal} normal", quality.false_alarms),
             chance: String::new(),
         },
         Chance {
-            name: "Missed",
-            what: "Hearts with an abnormal label that are called normal",
+            name: "False negatives",
+            what: "Subjects of class abnormal that are classified as normal",
             value: format!("{} of {abnormal} abnormal", quality.missed),
             chance: String::new(),
         },

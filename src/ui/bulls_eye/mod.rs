@@ -78,17 +78,17 @@ pub fn bulls_eye_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command
 }
 
 fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
-    let what = "The thickness of the wall, laid flat from apex to base, appears here.";
+    let what = "Wall thickness and thickening by AHA segment are shown here";
     match (view.state, view.without_axis) {
         (WallState::NotAssessed(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
         (WallState::Computing { fraction }, _) => {
-            empty_pane_ui(ui, "Measuring the wall", what, |ui| {
+            empty_pane_ui(ui, "Measuring wall thickness", what, |ui| {
                 let width = 180f32.min(ui.available_width());
-                progress_bar_ui(ui, width, *fraction, "Measuring the wall");
+                progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
             });
         }
-        (WallState::Stopped, _) => empty_pane_ui(ui, "Measuring was stopped", what, |ui| {
-            if ui.button("Measure the wall").clicked() {
+        (WallState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
+            if ui.button("Measure wall thickness").clicked() {
                 commands.push(Command::Retry(WorkKind::Medial));
             }
         }),
@@ -106,13 +106,14 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
                     commands.push(Command::SetBullsEye(quantity));
                 }
             }
-        });
-        let segments = egui::Button::new("17").selected(view.by_segment);
+        })
+        .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
+        let segments = egui::Button::new("Segment values").selected(view.by_segment);
         let response = ui.add(segments);
         response.widget_info(|| {
-            WidgetInfo::selected(Role::Button, true, view.by_segment, "By segment")
+            WidgetInfo::selected(Role::Button, true, view.by_segment, "Segment values")
         });
-        let hint = "One colour for each of the 17 segments";
+        let hint = "One value for each of the 17 AHA segments (Cerqueira et al., Circulation 2002)";
         if response.on_hover_text(hint).clicked() {
             commands.push(Command::ToggleBullsEyeSegments);
         }

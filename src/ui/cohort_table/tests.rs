@@ -198,7 +198,7 @@ fn the_menu_of_a_row_offers_both_directions() {
     harness.run();
     harness.get_by_label("S2").click_secondary();
     harness.run();
-    harness.get_by_label("Play S2’s beat on S0").click();
+    harness.get_by_label("Transport motion: S2 → S0").click();
     harness.run();
     assert_eq!(
         harness.into_state(),

@@ -39,8 +39,8 @@ pub fn metric_panel_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<C
     if view.subjects.is_empty() {
         empty_pane_ui(
             ui,
-            "Nothing to compare",
-            "How hearts are compared is chosen here once a study is open.",
+            "No study open",
+            "The metric and the maps are set here",
             |_| {},
         );
         return;

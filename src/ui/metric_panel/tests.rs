@@ -107,12 +107,12 @@ fn motions_are_carried_onto_the_mean_or_a_subject() {
     harness.run();
     choose(
         &mut harness,
-        "Transfer onto: no heart",
-        "the mean heart of the cohort",
+        "Transport: off",
+        "onto the mean subject of the cohort",
     );
     let transfer = |harness: &Harness<'_, Scene>| harness.state().poses.distances.transfer;
     assert_eq!(transfer(&harness), Some(CohortTransferParams::default()));
-    choose(&mut harness, "Transfer onto: the mean heart", "P2");
+    choose(&mut harness, "Transport: onto the mean subject", "onto P2");
     assert_eq!(
         transfer(&harness).map(|transfer| transfer.reference),
         Some(Reference::Subject(2))
@@ -124,7 +124,7 @@ fn isomap_asks_for_its_neighbours() {
     let mut harness = harness(Scene::default());
     harness.run();
     assert!(harness.query_all_by_label("Neighbours").count() >= 1);
-    choose(&mut harness, "Method: SMACOF", "Isomap: along neighbours");
+    choose(&mut harness, "Method: SMACOF", "Isomap: neighbour graph");
     assert_eq!(
         harness.state().poses.method,
         MapMethod::Isomap { neighbours: 10 }

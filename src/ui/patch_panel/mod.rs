@@ -83,8 +83,8 @@ pub fn patch_panel_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Com
     if view.subject.is_none() {
         empty_pane_ui(
             ui,
-            "No heart selected",
-            "Select a subject to see which part of its wall does not thicken.",
+            "No subject selected",
+            "Select a subject to see its patches (regional wall-thickening abnormalities)",
             |_| {},
         );
         return;
@@ -123,13 +123,13 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
     match view.state {
         WallState::Computing { fraction } => {
             let words = if view.heading.is_empty() {
-                "Measuring the thickness of the wall"
+                "Measuring wall thickness"
             } else {
-                "These are of the thresholds before"
+                "Results of the previous thresholds"
             };
             ui.label(note(words));
             let width = ui.available_width().min(180.0);
-            progress_bar_ui(ui, width, *fraction, "Measuring the thickness of the wall");
+            progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
         }
         WallState::Stopped => {
             ui.label(note("Stopped"));

@@ -96,8 +96,8 @@ pub fn thickness_panel_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut
     if view.subject.is_none() {
         empty_pane_ui(
             ui,
-            "No heart selected",
-            "Select a subject to measure the thickness of its wall in several ways.",
+            "No subject selected",
+            "Select a subject to measure its wall thickness by five methods",
             |_| {},
         );
         return;
@@ -125,7 +125,7 @@ pub fn thickness_panel_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut
 
 fn footnote(view: &ThicknessPanelView) -> String {
     format!(
-        "Median (5–95 % of vertices) in {}; right: mean difference from medial balls ± its standard \
+        "Median (5–95 % of vertices) in {}; right: mean difference from medial spheres ± standard \
          deviation at {}",
         view.unit, view.moment
     )
@@ -136,7 +136,7 @@ fn state_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut Vec<Command>)
         ThicknessState::Computing { fraction, moment } => {
             ui.horizontal(|ui| {
                 let width = (ui.available_width() - 130.0).clamp(30.0, 120.0);
-                progress_bar_ui(ui, width, *fraction, "Measuring thickness");
+                progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
                 ui.label(note(format!("{moment}, {:.0} %", 100.0 * fraction)));
                 if ui.button(note("Cancel")).clicked() {
                     commands.push(Command::Cancel(WorkKind::Thickness));

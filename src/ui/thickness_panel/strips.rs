@@ -80,7 +80,7 @@ pub(super) fn row_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow)
         strip_ui(ui, view, row, strip);
     }
     if let Some(reason) = &row.reason {
-        ui.add(egui::Label::new(note(format!("Does not apply: {reason}"))).wrap());
+        ui.add(egui::Label::new(note(format!("Not applicable: {reason}"))).wrap());
     }
     ui.add_space(space::SMALL);
 }
@@ -148,7 +148,7 @@ fn spoken(view: &ThicknessPanelView, row: &ThicknessRow) -> String {
     }
     if let Some(difference) = &row.difference {
         words += &format!(
-            ", {} {} against medial balls at {} over {} vertices",
+            ", {} {} from medial spheres at {} over {} vertices",
             signed(difference),
             view.unit,
             view.moment,
@@ -156,7 +156,7 @@ fn spoken(view: &ThicknessPanelView, row: &ThicknessRow) -> String {
         );
     }
     if let Some(seconds) = row.seconds {
-        words += &format!(", {} for a pose", seconds_text(seconds));
+        words += &format!(", {} per pose", seconds_text(seconds));
     }
     words
 }

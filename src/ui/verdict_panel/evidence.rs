@@ -16,8 +16,8 @@ pub(super) fn evidence_ui(ui: &mut Ui, rows: &[EvidenceRow]) {
         return;
     }
     ui.label(medium("Evidence"));
-    ui.add(Label::new(note("Bar: from least to greatest of the normal hearts")).wrap());
-    for (heading, read) in [("Read by the rule", true), ("Beside the rule", false)] {
+    ui.add(Label::new(note("Bar: range of the normal subjects")).wrap());
+    for (heading, read) in [("Model features", true), ("Other features", false)] {
         let mut rows = rows.iter().filter(|row| row.read == read).peekable();
         if rows.peek().is_some() {
             ui.add_space(space::SMALL);
@@ -33,7 +33,7 @@ fn row_ui(ui: &mut Ui, row: &EvidenceRow) {
     let normal = if row.normal.is_empty() {
         String::new()
     } else {
-        format!(", normal hearts {}", row.normal)
+        format!(", normal subjects {}", row.normal)
     };
     let words = format!("{}: {}{normal}", row.name, row.value);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.as_str()));
@@ -41,7 +41,7 @@ fn row_ui(ui: &mut Ui, row: &EvidenceRow) {
     let normal = if row.normal.is_empty() {
         String::new()
     } else {
-        format!("\n\nNormal hearts: {}", row.normal)
+        format!("\n\nNormal subjects: {}", row.normal)
     };
     let hover = format!("{}{normal}", row.what);
     response.union(scale).on_hover_text(hover);

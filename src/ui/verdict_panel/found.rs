@@ -8,7 +8,7 @@ use crate::ui::verdict_marks::{VerdictMark, verdict_mark};
 use crate::ui::verdict_panel::{ToldVerdict, pair_ui};
 
 /// What every verdict carries.
-const RESEARCH: &str = "Research use, no diagnosis";
+const RESEARCH: &str = "Research use, not for diagnosis";
 
 /// Draws what was found.
 pub(super) fn found_ui(ui: &mut Ui, told: &ToldVerdict) {
@@ -37,8 +37,8 @@ pub(super) fn found_ui(ui: &mut Ui, told: &ToldVerdict) {
             text
         };
         ui.add(Label::new(text).wrap()).on_hover_text(
-            "Distance to the nearest heart that the rule was made of, in the numbers that it reads, \
-             beside the usual distance among those",
+            "Distance to the nearest training subject in the model features, relative to the median of \
+             that distance among the training subjects",
         );
     }
     ui.add_space(space::SMALL);
@@ -61,13 +61,17 @@ fn probability_ui(ui: &mut Ui, told: &ToldVerdict, probability: f64) {
     let colours = colours(ui);
     ui.add_space(space::SMALL);
     let (name, value, what) = if told.calibrated {
-        let what = "That the heart counts as abnormal, if normal and abnormal were equally likely \
-                    beforehand; above 50 % it is called abnormal";
-        ("Probability, abnormal", percent(probability), what)
+        let what = "Predicted probability of class abnormal, with equal prior probabilities of both \
+                    classes; above 50 % the subject is classified as abnormal";
+        (
+            "Predicted probability of abnormal",
+            percent(probability),
+            what,
+        )
     } else {
-        let what = "An order and no probability: too few hearts with a label for a rule of their \
-                    own; above 0.5 a heart is called abnormal";
-        ("Score, no probability", format!("{probability:.2}"), what)
+        let what = "Not a probability: too few labelled subjects to train a classifier; above 0.5 the \
+                    subject is classified as abnormal";
+        ("Uncalibrated score", format!("{probability:.2}"), what)
     };
     let words = format!("{name}: {value}");
     let response = pair_ui(ui, name, &value);

@@ -147,8 +147,8 @@ pub fn verdict_panel_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec
     if view.subject.is_none() {
         empty_pane_ui(
             ui,
-            "No heart selected",
-            "Select a subject to see whether a part of its wall is abnormal, and why.",
+            "No subject selected",
+            "Select a subject to see its verdict and the evidence",
             |_| {},
         );
         return;
@@ -187,42 +187,42 @@ fn standing_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>
     };
     match view.state {
         VerdictState::Empty | VerdictState::Ready => return,
-        VerdictState::Waiting => lines(ui, "Not judged yet", "Comes after the maps"),
+        VerdictState::Waiting => lines(ui, "Not classified yet", "Starts after the maps"),
         VerdictState::Computing {
             fraction,
             phase,
             seconds_left,
         } => {
             let what = if first {
-                "The walls of all hearts are measured, then a rule is learnt from their labels"
+                "Wall thickness of all subjects is measured, then a classifier is trained on the labels"
             } else {
-                "This is of the thresholds before"
+                "Results of the previous thresholds"
             };
-            lines(ui, "Judging the hearts", what);
+            lines(ui, "Classifying the subjects", what);
             let width = ui.available_width().min(180.0);
-            progress_bar_ui(ui, width, *fraction, "Judging the hearts");
+            progress_bar_ui(ui, width, *fraction, "Classifying the subjects");
             let left = seconds_left.map(|left| format!(" · {}", time_left_text(left)));
             let percent = format!("{:.0} %{}", 100.0 * fraction, left.unwrap_or_default());
             ui.label(note(percent)).on_hover_text(*phase);
             let cancel = ui.button("Cancel");
             cancel.widget_info(|| {
-                egui::WidgetInfo::labeled(egui::Role::Button, true, "Cancel judging")
+                egui::WidgetInfo::labeled(egui::Role::Button, true, "Cancel classification")
             });
             if cancel.clicked() {
                 commands.push(Command::Cancel(WorkKind::Verdicts));
             }
         }
         VerdictState::Stopped => {
-            lines(ui, "Not judged", "Judging was stopped");
-            if ui.button("Judge the hearts").clicked() {
+            lines(ui, "Not classified", "The classification was stopped");
+            if ui.button("Classify the subjects").clicked() {
                 commands.push(Command::Retry(WorkKind::Verdicts));
             }
         }
         VerdictState::Failed(why) => {
             let colour = colours(ui).error;
-            ui.label(medium("The hearts could not be judged").color(colour));
+            ui.label(medium("The subjects could not be classified").color(colour));
             ui.add(egui::Label::new(RichText::new(why.as_str()).weak()).wrap());
-            if ui.button("Judge again").clicked() {
+            if ui.button("Retry").clicked() {
                 commands.push(Command::Retry(WorkKind::Verdicts));
             }
         }
@@ -230,19 +230,16 @@ fn standing_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>
     ui.add_space(space::MEDIUM);
 }
 
-/// A line with a name on the left and a number on the right; the name gives way.
+/// A line with a name on the left and a number on the right; a long name takes a second line.
 fn pair_ui(ui: &mut Ui, name: &str, value: &str) -> egui::Response {
     use crate::ui::style::{medium_note_font, note_font};
     let colours = colours(ui);
     let painter = ui.painter().clone();
     let value = painter.layout_no_wrap(value.to_owned(), medium_note_font(), colours.text);
-    let size = egui::vec2(ui.available_width(), 18.0);
+    let room = (ui.available_width() - value.size().x - space::MEDIUM).max(8.0);
+    let name = painter.layout(name.to_owned(), note_font(), colours.muted, room);
+    let size = egui::vec2(ui.available_width(), name.size().y.max(18.0));
     let (rect, response) = ui.allocate_exact_size(size, egui::Sense::hover());
-    let room = (rect.width() - value.size().x - space::SMALL).max(8.0);
-    let mut job =
-        egui::text::LayoutJob::simple_singleline(name.to_owned(), note_font(), colours.muted);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(room);
-    let name = painter.layout_job(job);
     let y = |height: f32| rect.center().y - 0.5 * height;
     let left = egui::pos2(rect.left(), y(name.size().y));
     painter.galley(left, name, colours.muted);

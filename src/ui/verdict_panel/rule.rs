@@ -12,9 +12,9 @@ pub(super) fn alike_ui(ui: &mut Ui, alike: &[Vec<AlikeHeart>; 2], commands: &mut
     if alike.iter().all(Vec::is_empty) {
         return;
     }
-    ui.label(medium("Most alike"))
-        .on_hover_text("By the numbers that the rule reads, nearest first");
-    for (name, hearts) in ["Normal label", "Abnormal label"].into_iter().zip(alike) {
+    ui.label(medium("Most similar subjects"))
+        .on_hover_text("By the model features, nearest first");
+    for (name, hearts) in ["Class normal", "Class abnormal"].into_iter().zip(alike) {
         if hearts.is_empty() {
             continue;
         }
@@ -31,10 +31,10 @@ pub(super) fn alike_ui(ui: &mut Ui, alike: &[Vec<AlikeHeart>; 2], commands: &mut
 
 fn heart_ui(ui: &mut Ui, heart: &AlikeHeart, commands: &mut Vec<Command>) {
     let button = ui.add(Button::new(heart.id.as_str()));
-    let name = format!("Select {}, most alike", heart.id);
+    let name = format!("Select {}, a similar subject", heart.id);
     button.widget_info(|| WidgetInfo::labeled(Role::Button, true, name.as_str()));
     let hover = format!(
-        "{}, {} · verdict: {}\n\nSelect this heart",
+        "{}, {} · verdict: {}\n\nSelect this subject",
         heart.id, heart.label, heart.verdict
     );
     if button.on_hover_text(hover).clicked() {
@@ -44,7 +44,7 @@ fn heart_ui(ui: &mut Ui, heart: &AlikeHeart, commands: &mut Vec<Command>) {
 
 /// Draws where the rule comes from and how good it is.
 pub(super) fn rule_ui(ui: &mut Ui, rule: &RuleTold) {
-    ui.label(medium("The rule"));
+    ui.label(medium("Classifier"));
     ui.add(Label::new(note(rule.source.as_str())).wrap());
     for result in &rule.results {
         let response = pair_ui(ui, result.name, &result.value);
@@ -61,5 +61,5 @@ pub(super) fn rule_ui(ui: &mut Ui, rule: &RuleTold) {
 }
 
 /// What chance and p are.
-const CHANCE: &str = "Chance: the mean of the same rule learnt from shuffled labels. p: the share of \
-                      shuffles that do at least as well";
+const CHANCE: &str = "Permutation mean: mean over classifiers trained on permuted labels. p: share of \
+                      permutations that reach at least the same value";

@@ -67,9 +67,9 @@ pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Com
         }
     }
     let hint = match pointed {
-        Some(index) if view.known => format!("Look from {}", faces[index].name),
-        _ if view.known => "Which way the heart is turned".to_owned(),
-        _ => "Which way the heart is turned; its anatomical orientation is not known".to_owned(),
+        Some(index) if view.known => format!("View from {}", faces[index].name),
+        _ if view.known => "Orientation of the heart".to_owned(),
+        _ => "Orientation of the heart; anatomical directions unknown".to_owned(),
     };
     response.on_hover_text(hint);
     rect.left()

@@ -217,7 +217,7 @@ mod tests {
         harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
         harness.get_by_label("To value").type_text("8,5");
         harness.run();
-        harness.get_by_label("Use").click();
+        harness.get_by_label("Apply").click();
         harness.run();
         assert_eq!(
             harness.into_state(),

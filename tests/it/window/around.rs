@@ -91,7 +91,7 @@ fn the_palette_and_the_sheets_open_by_key_and_close_by_escape() {
 fn with_nothing_to_open_the_window_says_how_to_begin() {
     let mut harness = window(AppOptions::empty());
     harness.run();
-    harness.get_by_label("Open a beating heart");
+    harness.get_by_label("Open a study");
     assert!(harness.state().hearts_on_screen().is_empty());
 }
 

@@ -160,7 +160,7 @@ fn a_picture_without_a_view_says_so_and_changes_nothing() {
     });
     let card = harness.state().state().errors[0].clone();
     assert!(card.message.contains("holiday.png"), "{card:?}");
-    assert!(card.message.contains("carries no view"), "{card:?}");
+    assert!(card.message.contains("contains no view"), "{card:?}");
     assert_eq!(document(&harness), before);
 }
 

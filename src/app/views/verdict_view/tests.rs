@@ -53,12 +53,12 @@ fn only_the_finding_of_a_patch_is_called_one() {
     assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
     assert_eq!(shown.mark, VerdictMark::Patch);
     assert_eq!(shown.alike[0][0].id, "b");
-    assert_eq!(shown.alike[0][0].verdict, "none");
+    assert_eq!(shown.alike[0][0].verdict, "no finding");
     state.document.subject = 1;
     let shown = told(&state).unwrap();
-    assert_eq!(shown.heading, "No abnormal patch");
-    assert!(shown.sentence.ends_with("31 % of it thickens little"));
-    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "none");
+    assert_eq!(shown.heading, "No regional abnormality");
+    assert!(shown.sentence.ends_with("low thickening in 31 % of the LV"));
+    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "no finding");
     assert_eq!(cohort_verdict(&state, 0).unwrap().text(), "patch 31 %");
 }
 
@@ -89,7 +89,7 @@ fn an_uncalibrated_rule_says_so_everywhere() {
     assert!(rule.source.contains("2 normal and 0 abnormal"));
     assert!(rule.results.is_empty());
     let words = cohort_verdict(&state, 0).unwrap().words;
-    assert!(words.ends_with("score 0.97, no probability"), "{words}");
+    assert!(words.ends_with("uncalibrated score 0.97"), "{words}");
 }
 
 #[test]
@@ -102,9 +102,9 @@ fn a_heart_far_from_all_that_was_seen_is_to_be_taken_with_care() {
         })
     };
     let near = at(0.6, 0.4);
-    assert!(!near.unlike && near.words.contains("1.2 ×") && near.words.contains("40 %"));
+    assert!(!near.unlike && near.words.contains("1.2 ×") && near.words.contains("60th percentile"));
     let far = at(12.0, 0.0);
-    assert!(far.unlike && far.words.contains("24 ×") && far.words.contains("100 %"));
+    assert!(far.unlike && far.words.contains("24 ×") && far.words.contains("100th percentile"));
 }
 
 #[test]
@@ -124,9 +124,9 @@ fn every_result_stands_beside_chance() {
     };
     let rows = results(&quality, 9, 14);
     assert_eq!(rows[0].value, "22 of 23 · 96 %");
-    assert_eq!(rows[0].chance, "by chance 11.5 · p 0.005");
+    assert_eq!(rows[0].chance, "permutation mean 11.5 · p 0.005");
     assert_eq!(rows[1].value, "0.98");
-    assert_eq!(rows[1].chance, "by chance 0.46 · p 0.005");
+    assert_eq!(rows[1].chance, "permutation mean 0.46 · p 0.005");
     assert_eq!(rows[2].value, "0 of 9 normal");
     assert_eq!(rows[3].value, "1 of 14 abnormal");
 }
