@@ -117,7 +117,7 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
                 normal: normal.map_or_else(String::new, |range| range_text(written, range)),
                 place: value.and_then(place),
                 band: normal.and_then(|[least, most]| Some([place(least)?, place(most)?])),
-                read: Feature::OF_RULE.contains(&feature),
+                model_feature: Feature::OF_RULE.contains(&feature),
             }
         })
         .collect()

@@ -1,4 +1,4 @@
-//! What is said of the selected heart in words, with its evidence beside the normal hearts and the rule behind it.
+//! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
     Familiarity, Finding, RuleQuality, RuleSource, Verdict, VerdictParams, Verdicts,
@@ -10,19 +10,19 @@ use crate::engine::{Engine, Showing, WorkKind};
 use crate::picture::percent;
 use crate::study::LabelRole;
 use crate::ui::{
-    AlikeHeart, Chance, CohortVerdict, Familiar, RuleTold, ToldVerdict, VerdictMark,
-    VerdictPanelView, VerdictState,
+    ClassifierReport, ClassifierResult, CohortVerdict, SimilarSubject, TrainingDistance,
+    VerdictMark, VerdictPanelView, VerdictReport, VerdictState,
 };
 
-/// Share of the hearts that a rule has seen that lie as far from the others: below it, a heart is unlike them.
-const UNLIKE: f64 = 0.05;
+/// Share of the training subjects at least as far from the others, below which a subject is outside their distribution.
+const OUTSIDE: f64 = 0.05;
 
 /// Texts of the verdict pane.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VerdictData {
     state: VerdictState,
-    told: Option<ToldVerdict>,
-    rule: Option<RuleTold>,
+    report: Option<VerdictReport>,
+    classifier: Option<ClassifierReport>,
 }
 
 impl VerdictData {
@@ -30,8 +30,8 @@ impl VerdictData {
     pub fn of(state: &State, engine: &Engine) -> Self {
         Self {
             state: verdict_state(state, engine),
-            told: told(state),
-            rule: state.verdicts().map(|(verdicts, _)| rule_told(verdicts)),
+            report: report(state),
+            classifier: (state.verdicts()).map(|(verdicts, _)| classifier_report(verdicts)),
         }
     }
 
@@ -49,8 +49,8 @@ impl VerdictData {
         VerdictPanelView {
             subject: state.document.selected().map(|subject| &*subject.id),
             state: &self.state,
-            told: self.told.as_ref(),
-            rule: self.rule.as_ref(),
+            verdict: self.report.as_ref(),
+            classifier: self.classifier.as_ref(),
         }
     }
 }
@@ -75,19 +75,19 @@ fn verdict_state(state: &State, engine: &Engine) -> VerdictState {
     }
 }
 
-/// What is said of the selected heart. A wall that cannot be assessed says so before all others are judged.
-fn told(state: &State) -> Option<ToldVerdict> {
+/// The verdict on the selected subject. A wall that cannot be assessed says so before all others are classified.
+fn report(state: &State) -> Option<VerdictReport> {
     let subject = state.document.subject;
-    let not_assessed = |why: String| ToldVerdict {
+    let not_assessed = |why: String| VerdictReport {
         mark: VerdictMark::NotAssessed,
         heading: "Not assessed".to_owned(),
         sentence: crate::picture::sentence(&why),
-        ..ToldVerdict::default()
+        ..VerdictReport::default()
     };
     match (state.verdict_of(subject), state.wall_of(subject)) {
         (Some(Ok(verdict)), _) => {
             let (verdicts, _) = state.verdicts()?;
-            Some(told_of(state, verdicts, verdict))
+            Some(report_of(state, verdicts, verdict))
         }
         (Some(Err(reason)), _) => Some(not_assessed(reason.to_string())),
         (None, Some((Err(why), true))) => Some(not_assessed(why.clone())),
@@ -95,11 +95,11 @@ fn told(state: &State) -> Option<ToldVerdict> {
     }
 }
 
-fn told_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> ToldVerdict {
+fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictReport {
     let study = state.document.study();
     let role = (state.document.selected()).map_or(LabelRole::Unknown, |heart| study.role(heart));
     let calibrated = matches!(verdicts.rule, RuleSource::Cohort { .. });
-    ToldVerdict {
+    VerdictReport {
         mark: mark(verdict.finding),
         heading: heading(verdict),
         sentence: sentence(verdict),
@@ -112,12 +112,12 @@ fn told_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> ToldVerdict
             }
             (true, _) => "Leave-one-out: this subject was not in the training set",
         },
-        familiar: verdict.familiarity.as_ref().map(familiar),
+        training_distance: verdict.familiarity.as_ref().map(training_distance),
         evidence: evidence(study, verdicts, &verdict.features),
-        alike: [&verdict.alike_normal, &verdict.alike_abnormal].map(|hearts| {
+        similar: [&verdict.alike_normal, &verdict.alike_abnormal].map(|hearts| {
             hearts
                 .iter()
-                .filter_map(|&heart| alike(state, heart))
+                .filter_map(|&subject| similar(state, subject))
                 .collect()
         }),
     }
@@ -162,15 +162,15 @@ fn sentence(verdict: &Verdict) -> String {
     }
 }
 
-fn familiar(found: &Familiarity) -> Familiar {
+fn training_distance(found: &Familiarity) -> TrainingDistance {
     let times = found.distance / found.usual.max(f64::MIN_POSITIVE);
     let times = if times < 9.95 {
         format!("{times:.1} ×")
     } else {
         format!("{times:.0} ×")
     };
-    let unlike = found.as_far < UNLIKE;
-    let words = if unlike {
+    let outside = found.as_far < OUTSIDE;
+    let words = if outside {
         format!(
             "Outside the training distribution: {times} the median distance, {} percentile. Interpret the verdict with \
              caution",
@@ -182,7 +182,7 @@ fn familiar(found: &Familiarity) -> Familiar {
             ordinal(100.0 * (1.0 - found.as_far))
         )
     };
-    Familiar { words, unlike }
+    TrainingDistance { words, outside }
 }
 
 /// "74th", of a number that is rounded to an integer.
@@ -198,11 +198,11 @@ fn ordinal(number: f64) -> String {
     format!("{number}{ending}")
 }
 
-fn alike(state: &State, subject: usize) -> Option<AlikeHeart> {
+fn similar(state: &State, subject: usize) -> Option<SimilarSubject> {
     let study = state.document.study();
     let heart = state.subject(subject)?;
     let verdict = cohort_verdict(state, subject).map(|verdict| verdict.text());
-    Some(AlikeHeart {
+    Some(SimilarSubject {
         subject,
         id: heart.id.clone(),
         label: heart.label.clone().unwrap_or_else(|| "no label".to_owned()),
@@ -211,7 +211,7 @@ fn alike(state: &State, subject: usize) -> Option<AlikeHeart> {
     })
 }
 
-/// What the cohort table says of one heart.
+/// The verdict on one subject in the cohort table.
 pub fn cohort_verdict(state: &State, subject: usize) -> Option<CohortVerdict> {
     let calibrated = matches!(state.verdicts()?.0.rule, RuleSource::Cohort { .. });
     Some(match state.verdict_of(subject)? {
@@ -247,7 +247,7 @@ fn lower_first(text: &str) -> String {
     })
 }
 
-fn rule_told(verdicts: &Verdicts) -> RuleTold {
+fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
     let source = match verdicts.rule {
         RuleSource::Cohort { normal, abnormal } => format!(
             "Logistic classifier, trained on the labelled subjects that can be assessed ({normal} normal, {abnormal} \
@@ -265,13 +265,13 @@ fn rule_told(verdicts: &Verdicts) -> RuleTold {
         }
         _ => Vec::new(),
     };
-    RuleTold { source, results }
+    ClassifierReport { source, results }
 }
 
-fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [Chance; 4] {
+fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [ClassifierResult; 4] {
     let accuracy = &quality.accuracy;
     [
-        Chance {
+        ClassifierResult {
             name: "Accuracy (leave-one-out)",
             what: "Subjects whose verdict agrees with the class of their label (leave-one-out)",
             value: format!(
@@ -280,34 +280,34 @@ fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [Chance; 4]
                 accuracy.of,
                 percent(accuracy.share())
             ),
-            chance: format!(
+            permutation_test: format!(
                 "permutation mean {:.1} · p {}",
                 accuracy.baseline * accuracy.of as f64,
                 p_text(accuracy.p_value)
             ),
         },
-        Chance {
+        ClassifierResult {
             name: "AUC",
             what: "Area under the ROC curve: probability that an abnormal subject has a higher score than a normal one; \
                    leave-one-out lowers its permutation mean below 0.5",
             value: format!("{:.2}", quality.auc),
-            chance: format!(
+            permutation_test: format!(
                 "permutation mean {:.2} · p {}",
                 quality.auc_baseline,
                 p_text(quality.auc_p_value)
             ),
         },
-        Chance {
+        ClassifierResult {
             name: "False positives",
             what: "Subjects of class normal that are classified as abnormal",
             value: format!("{} of {normal} normal", quality.false_alarms),
-            chance: String::new(),
+            permutation_test: String::new(),
         },
-        Chance {
+        ClassifierResult {
             name: "False negatives",
             what: "Subjects of class abnormal that are classified as normal",
             value: format!("{} of {abnormal} abnormal", quality.missed),
-            chance: String::new(),
+            permutation_test: String::new(),
         },
     ]
 }
