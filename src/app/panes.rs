@@ -61,7 +61,7 @@ pub struct Panes<'a> {
     /// Whether volumes are being computed.
     pub measuring: bool,
     /// Whether verdicts are still to come.
-    pub judging: bool,
+    pub classifying: bool,
     /// Whether something is being opened.
     pub opening: bool,
     /// The 3D view.
@@ -157,7 +157,9 @@ impl Panes<'_> {
     fn content_ui(&mut self, ui: &mut Ui, pane: Pane) {
         match pane {
             Pane::Cohort => {
-                let view = self.cohort.view(self.state, [self.measuring, self.judging]);
+                let view = self
+                    .cohort
+                    .view(self.state, [self.measuring, self.classifying]);
                 cohort_table_ui(ui, &view, self.commands);
             }
             Pane::Activity => activity_ui(ui, self.activity, self.commands),

@@ -1,4 +1,4 @@
-//! The list of subjects: find one, sort them, select one.
+//! The table of subjects: filter, sort, select.
 
 mod columns;
 
@@ -16,7 +16,7 @@ use crate::ui::style::{note, note_font, text_font};
 use crate::ui::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::theme::{colours, space};
 
-use columns::{Columns, Told, cell, verdict_cell};
+use columns::{Columns, VerdictRoom, cell, verdict_cell};
 
 /// What the cohort pane shows.
 #[derive(Clone, Debug)]
@@ -31,12 +31,12 @@ pub struct CohortView<'a> {
     pub sort: Option<CohortSort>,
     /// The selected subject.
     pub selected: Option<usize>,
-    /// The second heart of the side-by-side view.
+    /// The second subject of the side-by-side view.
     pub compared: Option<usize>,
     /// Whether ejection fractions are still to come.
     pub measuring: bool,
     /// Whether verdicts are still to come.
-    pub judging: bool,
+    pub classifying: bool,
 }
 
 /// Draws the filter box and the table.
@@ -97,9 +97,9 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
 
 fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
     let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
-    let verdict = match columns.told {
-        Told::Words | Told::Short => "Verdict",
-        Told::Mark => "",
+    let verdict = match columns.room {
+        VerdictRoom::Words | VerdictRoom::Share => "Verdict",
+        VerdictRoom::Mark => "",
     };
     let names = ["", "Subject", "Label", "EF %", verdict];
     let readable = ["Role", "Subject", "Label", "EF %", "Verdict"];
@@ -250,7 +250,7 @@ fn row_ui(
         text_font(),
         colour,
     );
-    verdict_cell(ui, columns, y, row.verdict.as_ref(), view.judging);
+    verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying);
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
         commands.push(Command::SelectSubject(index));
@@ -285,13 +285,18 @@ fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &
         }
         if let Some(selected) = view.selected.filter(|selected| *selected != index) {
             ui.separator();
-            carry_choices_ui(ui, view, [selected, index], commands);
+            transport_choices_ui(ui, view, [selected, index], commands);
         }
     });
 }
 
-/// One heart's beat on the other, in both directions.
-fn carry_choices_ui(ui: &mut Ui, view: &CohortView, pair: [usize; 2], commands: &mut Vec<Command>) {
+/// Transport of one subject's motion to the other, in both directions.
+fn transport_choices_ui(
+    ui: &mut Ui,
+    view: &CohortView,
+    pair: [usize; 2],
+    commands: &mut Vec<Command>,
+) {
     let [a, b] = pair.map(|index| &view.rows[index]);
     let fits = a.correspondence == b.correspondence;
     for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {

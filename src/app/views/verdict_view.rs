@@ -36,7 +36,7 @@ impl VerdictData {
     }
 
     /// Whether verdicts are still to come.
-    pub fn judging(&self) -> bool {
+    pub fn classifying(&self) -> bool {
         let state = &self.state;
         matches!(
             state,
@@ -125,10 +125,10 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
 
 fn mark(finding: Finding) -> VerdictMark {
     match finding {
-        Finding::Nothing => VerdictMark::Nothing,
+        Finding::Nothing => VerdictMark::NoAbnormality,
         Finding::Patch => VerdictMark::Patch,
-        Finding::GlobalFailure => VerdictMark::Global,
-        Finding::Elsewhere => VerdictMark::Elsewhere,
+        Finding::GlobalFailure => VerdictMark::GlobalHypokinesia,
+        Finding::Elsewhere => VerdictMark::AbnormalWithoutPatch,
     }
 }
 

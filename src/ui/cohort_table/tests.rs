@@ -36,7 +36,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                     selected,
                     compared: None,
                     measuring: false,
-                    judging: false,
+                    classifying: false,
                 };
                 cohort_table_ui(ui, &view, commands);
             },
@@ -92,9 +92,9 @@ fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
             );
         }
     }
-    let told = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).told;
-    assert!(told(300.0) == Told::Words && told(264.0) == Told::Short);
-    assert!(told(240.0) == Told::Mark);
+    let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).room;
+    assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Share);
+    assert!(room(240.0) == VerdictRoom::Mark);
 }
 
 #[test]

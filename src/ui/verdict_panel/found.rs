@@ -19,7 +19,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, report: &VerdictReport) {
         let colour = report.mark.colour(colours);
         verdict_mark(ui.painter(), area.center(), 5.5, report.mark, colour);
         let colour = match report.mark {
-            VerdictMark::Nothing | VerdictMark::NotAssessed => colours.strong,
+            VerdictMark::NoAbnormality | VerdictMark::NotAssessed => colours.strong,
             mark => mark.colour(colours),
         };
         ui.add(Label::new(medium(report.heading.as_str()).color(colour)).wrap());
@@ -85,7 +85,7 @@ fn probability_ui(ui: &mut Ui, report: &VerdictReport, probability: f64) {
     let mut filled = bar;
     filled.set_width(bar.width() * probability.clamp(0.0, 1.0) as f32);
     let colour = match report.mark {
-        VerdictMark::Nothing => colours.normal,
+        VerdictMark::NoAbnormality => colours.normal,
         mark => mark.colour(colours),
     };
     painter.rect_filled(filled, 0.5 * height, colour);

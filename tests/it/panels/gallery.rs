@@ -181,7 +181,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 selected: None,
                 compared: None,
                 measuring: true,
-                judging: true,
+                classifying: true,
             };
             cohort_table_ui(ui, &view, commands);
         }
