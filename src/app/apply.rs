@@ -124,9 +124,9 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
 
         C::TakeUpView(view) => saved_views::apply(state, &view, moment),
 
-        C::CarryBeat { .. }
-        | C::CarryBeatBeside
-        | C::StopCarrying
+        C::TransportMotion { .. }
+        | C::TransportToOther
+        | C::StopTransport
         | C::SetInBetweens(_)
         | C::StepPose(_) => return apply_carry::apply(state, &command, moment),
 

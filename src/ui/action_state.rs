@@ -59,8 +59,8 @@ pub struct ActionState {
     pub in_betweens: u16,
     /// Whether there is another heart to show beside the selected one.
     pub has_other: bool,
-    /// Whether a beat plays on another heart.
-    pub carrying: bool,
+    /// Whether a motion is transported.
+    pub transporting: bool,
     /// Light or dark.
     pub theme: ThemeChoice,
     /// Whether clusters of deformations are shown.
@@ -75,12 +75,12 @@ impl ActionState {
         match command {
             Command::Undo => self.can_undo,
             Command::Redo => self.can_redo,
-            Command::CarryBeatBeside => self.has_other,
-            Command::StopCarrying => self.carrying,
+            Command::TransportToOther => self.has_other,
+            Command::StopTransport => self.transporting,
             Command::SetQuantity(Quantity::Contribution) => {
                 self.has_other && self.view_mode == ViewMode::SideBySide
             }
-            Command::SetQuantity(Quantity::CarriedDistance) => self.carrying,
+            Command::SetQuantity(Quantity::CarriedDistance) => self.transporting,
             Command::ChooseFiles
             | Command::ChooseFolder
             | Command::Open(_)

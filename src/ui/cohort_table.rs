@@ -308,7 +308,7 @@ fn transport_choices_ui(
             .add_enabled(fits, egui::Button::new(name))
             .on_disabled_hover_text("No vertex correspondence");
         if button.clicked() {
-            commands.push(Command::CarryBeat { from, onto });
+            commands.push(Command::TransportMotion { from, onto });
         }
     }
 }

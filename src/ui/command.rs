@@ -101,17 +101,17 @@ pub enum Command {
     StepPose(i32),
     /// How many poses are computed between two frames; 0 blends frames straight.
     SetInBetweens(u16),
-    /// Play one subject's beat on another one's heart, beside the original.
-    CarryBeat {
-        /// Whose motion.
+    /// Transport the motion of one subject to another, and show both side by side.
+    TransportMotion {
+        /// Subject of the motion.
         from: usize,
-        /// On whose heart.
+        /// Subject that it is transported to.
         onto: usize,
     },
-    /// Play the selected subject's beat on the heart beside it.
-    CarryBeatBeside,
-    /// Show the heart beside with its own beat again.
-    StopCarrying,
+    /// Transport the motion of the selected subject to the other one of the side-by-side view.
+    TransportToOther,
+    /// Show the other subject with its own motion again.
+    StopTransport,
     /// Jump to end-diastole.
     GoToEndDiastole,
     /// Jump to end-systole.

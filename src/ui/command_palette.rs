@@ -147,10 +147,10 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         enabled: true,
         command: Command::SelectSubject(index),
     });
-    let beat = view
+    let motion = view
         .selected
         .and_then(|from| Some((from, view.subjects.get(from)?)));
-    let carried = beat.into_iter().flat_map(|(from, row)| {
+    let transports = motion.into_iter().flat_map(|(from, row)| {
         let others = view.subjects.iter().enumerate();
         others
             .filter(move |(onto, _)| *onto != from)
@@ -159,12 +159,12 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
                 where_it_stands: "Transport".to_owned(),
                 keys: String::new(),
                 enabled: other.correspondence == row.correspondence,
-                command: Command::CarryBeat { from, onto },
+                command: Command::TransportMotion { from, onto },
             })
     });
     let mut scored: Vec<(i32, Offer)> = actions
         .chain(subjects)
-        .chain(carried)
+        .chain(transports)
         .filter_map(|offer| Some((fuzzy_score(&offer.name, text)?, offer)))
         .collect();
     if !text.trim().is_empty() {
@@ -308,13 +308,13 @@ mod tests {
     }
 
     #[test]
-    fn a_beat_is_played_on_a_heart_by_its_name() {
+    fn a_motion_is_transported_to_a_subject_by_its_name() {
         let commands = chosen_by(|harness| {
             type_text(harness, "transport n007");
             harness.key_press(Key::Enter);
         });
-        let carried = Command::CarryBeat { from: 0, onto: 1 };
-        assert_eq!(commands, [Command::TogglePalette, carried]);
+        let wanted = Command::TransportMotion { from: 0, onto: 1 };
+        assert_eq!(commands, [Command::TogglePalette, wanted]);
     }
 
     #[test]

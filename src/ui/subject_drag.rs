@@ -71,7 +71,7 @@ pub fn subject_target_ui(
     if ui.input(|input| input.pointer.any_released()) {
         DragAndDrop::take_payload::<DraggedSubject>(ui.ctx());
         // What does not fit is asked for all the same: the answer says why it cannot be done.
-        commands.push(Command::CarryBeat {
+        commands.push(Command::TransportMotion {
             from: dragged.subject,
             onto: target.subject,
         });

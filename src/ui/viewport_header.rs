@@ -36,10 +36,10 @@ pub struct ViewportHeaderView {
     pub free_camera: bool,
     /// Smooth or flat.
     pub shading: Shading,
-    /// Why colours cannot stand for the difference to another heart; `None` if they can.
+    /// Why colours cannot show contributions to the distance; `None` if they can.
     pub no_contribution: Option<&'static str>,
-    /// Why colours cannot stand for the distance of a carried beat; `None` if they can.
-    pub no_carried_distance: Option<&'static str>,
+    /// Why colours cannot show the difference of a transported motion; `None` if they can.
+    pub no_motion_difference: Option<&'static str>,
 }
 
 /// What a quantity is called on buttons.
@@ -137,7 +137,7 @@ fn quantity_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Comman
         ui.separator();
         for (choice, hindrance) in [
             (Quantity::Contribution, view.no_contribution),
-            (Quantity::CarriedDistance, view.no_carried_distance),
+            (Quantity::CarriedDistance, view.no_motion_difference),
         ] {
             ui.add_enabled_ui(hindrance.is_none(), |ui| {
                 if choice_ui(ui, choice.name(), choice == view.quantity) {
@@ -273,7 +273,7 @@ mod tests {
                 |ui, commands: &mut Vec<Command>| {
                     let view = ViewportHeaderView {
                         shows_endocardium: Some(true),
-                        no_carried_distance: Some("No motion is transported"),
+                        no_motion_difference: Some("No motion is transported"),
                         ..Default::default()
                     };
                     viewport_header_ui(ui, &view, commands);

@@ -42,6 +42,6 @@ pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
         free_camera: document.free_camera,
         shading: visible.shading,
         no_contribution: hindrance(document),
-        no_carried_distance: document.carrying().is_none().then_some(NOTHING_CARRIED),
+        no_motion_difference: document.carrying().is_none().then_some(NOTHING_CARRIED),
     }
 }

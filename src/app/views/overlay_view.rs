@@ -71,7 +71,7 @@ impl OverlayData {
     /// Names the heart that plays a carried beat, or will.
     fn beside_its_origin(state: &State, cell: &OnStage, from: &Subject, onto: &Subject) -> Self {
         let role = state.document.study().role(onto);
-        let own = ("Show own motion", Command::StopCarrying);
+        let own = ("Show own motion", Command::StopTransport);
         if cell.carried {
             let count = from.sequence.frame_count();
             let frame = nearest_frame(cell.position, count);
@@ -96,7 +96,7 @@ impl OverlayData {
         let (standing, leave) = match (state.results.carrying, beat) {
             (CarryingState::Stopped, Some(beat)) => {
                 let (from, onto) = (beat.from, beat.onto);
-                let again = ("Transport again", Command::CarryBeat { from, onto });
+                let again = ("Transport again", Command::TransportMotion { from, onto });
                 (
                     format!("transport from {} was stopped", from_id(state, from)),
                     again,

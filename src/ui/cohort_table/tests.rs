@@ -161,18 +161,18 @@ fn drag(harness: &mut Harness<'static, Vec<Command>>, from: &str, onto: &str) {
 }
 
 #[test]
-fn a_row_let_go_on_another_plays_its_beat_there() {
+fn a_row_dropped_on_another_transports_its_motion() {
     let mut harness = harness(5, Some(2));
     harness.run();
     drag(&mut harness, "S1", "S3");
-    let wanted = Command::CarryBeat { from: 1, onto: 3 };
+    let wanted = Command::TransportMotion { from: 1, onto: 3 };
     assert_eq!(harness.state().as_slice(), [wanted]);
-    // Let go where it was taken, it is no drop and no click.
+    // Dropped where the drag began, it is neither a drop nor a click.
     drag(&mut harness, "S1", "S1");
     assert_eq!(harness.state().len(), 1);
-    // A heart that does not correspond is not refused in silence: the window says why.
+    // Without correspondence the command is given all the same: the window says why it is refused.
     drag(&mut harness, "S1", "S4");
-    let refused = Command::CarryBeat { from: 1, onto: 4 };
+    let refused = Command::TransportMotion { from: 1, onto: 4 };
     assert_eq!(harness.state().last(), Some(&refused));
 }
 
@@ -202,6 +202,6 @@ fn the_menu_of_a_row_offers_both_directions() {
     harness.run();
     assert_eq!(
         harness.into_state(),
-        [Command::CarryBeat { from: 2, onto: 0 }]
+        [Command::TransportMotion { from: 2, onto: 0 }]
     );
 }

@@ -216,7 +216,7 @@ fn a_subject_let_go_on_a_picture_plays_on_that_heart() {
     });
     assert!(shows(&harness, "transport from P02 is being computed") || carried(harness.state()));
     // By keyboard: the beat of the selected heart on the one beside it, there and back.
-    give(&mut harness, Command::StopCarrying);
+    give(&mut harness, Command::StopTransport);
     harness.key_press(egui::Key::T);
     harness.run_steps(3);
     assert_eq!(harness.state().state().document.carrying(), beat);
@@ -231,7 +231,7 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
     wait_for_heart(&mut harness);
     give(&mut harness, Command::Cancel(WorkKind::PoseMap));
     give(&mut harness, Command::SetInBetweens(0));
-    give(&mut harness, Command::CarryBeat { from: 9, onto: 3 });
+    give(&mut harness, Command::TransportMotion { from: 9, onto: 3 });
     give(&mut harness, Command::TogglePlay);
     assert!(harness.state().busy());
     give(&mut harness, Command::Cancel(WorkKind::Transfer));
