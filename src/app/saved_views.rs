@@ -67,7 +67,7 @@ impl SavedViews {
         let outcome = self.reading.as_mut()?.poll()?;
         self.reading = None;
         Some(match outcome {
-            Ok(view) => Ok(Command::TakeUpView(Box::new(view))),
+            Ok(view) => Ok(Command::RestoreView(Box::new(view))),
             Err(error) => Err(error.to_string()),
         })
     }

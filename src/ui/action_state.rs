@@ -47,7 +47,7 @@ pub struct ActionState {
     pub full_screen: bool,
     /// Smooth or flat.
     pub shading: Shading,
-    /// One heart, two, or all phases.
+    /// One subject, two, or all frames of one.
     pub view_mode: ViewMode,
     /// What colours stand for.
     pub quantity: Quantity,

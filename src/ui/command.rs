@@ -19,7 +19,7 @@ pub enum ViewMode {
     /// Two hearts with linked cameras and phase.
     SideBySide,
     /// Every pose of one heart.
-    AllPhases,
+    AllFrames,
 }
 
 /// A tile of the window.
@@ -126,7 +126,7 @@ pub enum Command {
     SetSpeed(f32),
     /// Whether playing starts over.
     ToggleLoop,
-    /// One heart, two, or all phases.
+    /// One subject, two, or all frames of one.
     SetViewMode(ViewMode),
     /// Move the camera; `drag` groups the steps of one drag for undo.
     SetCamera {
@@ -138,7 +138,7 @@ pub enum Command {
     /// Look from an anatomical direction.
     ViewFrom(AnatomicalView),
     /// Fit everything into view.
-    FrameAll,
+    FitView,
     /// Turntable, or free rotation.
     ToggleFreeCamera,
     /// Show or hide the inner surface.
@@ -227,7 +227,7 @@ pub enum Command {
     /// Write the figure of the patch: heart, bull's-eye, table, verdict; `None` asks where.
     ExportPatchFigure(Option<PathBuf>),
     /// Show what a picture shows.
-    TakeUpView(Box<SavedView>),
+    RestoreView(Box<SavedView>),
     /// Write all tables; `None` asks where.
     ExportTables(Option<PathBuf>),
     /// Undo the last change of state.

@@ -43,8 +43,8 @@ struct Typed {
     pass: u64,
 }
 
-/// Lines shown at most.
-const MOST: usize = 50;
+/// Greatest number of lines shown.
+const MAX_LINES: usize = 50;
 
 /// Draws the palette. It pushes the chosen command after [`Command::TogglePalette`], which closes it.
 pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut Vec<Command>) {
@@ -173,7 +173,7 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
     scored
         .into_iter()
         .map(|(_, offer)| offer)
-        .take(MOST)
+        .take(MAX_LINES)
         .collect()
 }
 

@@ -174,15 +174,15 @@ fn read(text: &str, may_be_empty: bool) -> Result<Option<f64>, String> {
 }
 
 /// A whole number from a field, or why it is none.
-pub fn whole(value: f64, most: u32) -> Result<u32, String> {
+pub fn whole(value: f64, max: u32) -> Result<u32, String> {
     if value.fract() != 0.0 || value < 0.0 {
         return Err(format!(
             "must be a whole number, not {}",
             number_text(value)
         ));
     }
-    if value > f64::from(most) {
-        return Err(format!("must be at most {most}"));
+    if value > f64::from(max) {
+        return Err(format!("must be at most {max}"));
     }
     Ok(value as u32)
 }

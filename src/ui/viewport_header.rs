@@ -12,7 +12,7 @@ use crate::ui::theme::space;
 /// What the header of the 3D view shows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ViewportHeaderView {
-    /// One heart, two, or all phases.
+    /// One subject, two, or all frames of one.
     pub mode: ViewMode,
     /// What colours stand for.
     pub quantity: Quantity,
@@ -101,7 +101,7 @@ fn modes_ui(ui: &mut Ui, chosen: ViewMode, commands: &mut Vec<Command>) {
     const MODES: [(ViewMode, &str); 3] = [
         (ViewMode::Single, "3D view"),
         (ViewMode::SideBySide, "Side by side"),
-        (ViewMode::AllPhases, "All frames"),
+        (ViewMode::AllFrames, "All frames"),
     ];
     if ui.available_width() > 240.0 {
         for (mode, name) in MODES {

@@ -167,7 +167,7 @@ fn screenshots_are_taken_when_asked_for() {
                 light,
                 pose(4, 3),
                 Command::SetQuantity(Quantity::Displacement),
-                Command::SetViewMode(ViewMode::AllPhases),
+                Command::SetViewMode(ViewMode::AllFrames),
             ],
         },
     ];

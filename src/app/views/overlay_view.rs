@@ -37,7 +37,7 @@ impl OverlayData {
         let count = subject.sequence.frame_count();
         let frame = nearest_frame(cell.position, count);
         let phase = phase_name(state.phases_of(cell.subject), frame);
-        if state.document.view_mode == ViewMode::AllPhases {
+        if state.document.view_mode == ViewMode::AllFrames {
             let label = subject.label.as_deref().unwrap_or("no label");
             return Self {
                 title: subject.id.clone(),

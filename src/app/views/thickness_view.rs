@@ -62,7 +62,7 @@ impl ThicknessData {
             moment: &self.moment,
             unit: subject.map_or("", |subject| subject.unit.length_symbol()),
             rows: &self.rows,
-            most: self.most,
+            max: self.most,
         }
     }
 }

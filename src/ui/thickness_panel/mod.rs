@@ -88,7 +88,7 @@ pub struct ThicknessPanelView<'a> {
     /// The ways, the medial one first.
     pub rows: &'a [ThicknessRow],
     /// Upper end of the axis; it begins at 0.
-    pub most: f64,
+    pub max: f64,
 }
 
 /// Draws the pane.

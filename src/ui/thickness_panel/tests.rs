@@ -53,7 +53,7 @@ fn harness(state: ThicknessState, subject: Option<&'static str>) -> Harness<'sta
                     moment: "ES",
                     unit: "mm",
                     rows: &rows,
-                    most: 16.0,
+                    max: 16.0,
                 };
                 thickness_panel_ui(ui, &view, commands);
             },

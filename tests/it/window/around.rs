@@ -47,7 +47,7 @@ fn the_views_show_one_two_and_all_hearts() {
     let mut harness = cohort_window();
     for (mode, count) in [
         (ViewMode::SideBySide, 2),
-        (ViewMode::AllPhases, 8),
+        (ViewMode::AllFrames, 8),
         (ViewMode::Single, 1),
     ] {
         give(&mut harness, Command::SetViewMode(mode));

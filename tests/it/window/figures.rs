@@ -85,10 +85,10 @@ fn a_patch_figure_dropped_on_the_window_restores_the_view_that_it_shows() {
         Command::ToggleAtoms,
         Command::ToggleWireframe,
         Command::SetQuantity(Quantity::Tissue),
-        Command::FrameAll,
+        Command::FitView,
         Command::ResetThickening,
         Command::SetBullsEye(BullsEyeQuantity::Thickening),
-        Command::SetViewMode(ViewMode::AllPhases),
+        Command::SetViewMode(ViewMode::AllFrames),
     ] {
         give(&mut harness, command);
     }
