@@ -1,4 +1,4 @@
-//! What the program is, whose method it follows, and what it is not for.
+//! About: what the program is, the method, the licences.
 
 use egui::{RichText, Ui};
 

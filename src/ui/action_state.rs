@@ -17,13 +17,13 @@ pub struct ActionState {
     pub can_undo: bool,
     /// Whether an undo can be taken back.
     pub can_redo: bool,
-    /// Whether the beat plays.
+    /// Whether the motion plays.
     pub playing: bool,
     /// Whether playing starts over.
     pub looping: bool,
-    /// Whether the inner surface is shown.
+    /// Whether the endocardium is shown.
     pub shows_endocardium: bool,
-    /// Whether the outer surface or wall is shown.
+    /// Whether the epicardium or the wall is shown.
     pub shows_epicardium: bool,
     /// Whether edges are shown.
     pub shows_wireframe: bool,
@@ -49,7 +49,7 @@ pub struct ActionState {
     pub shading: Shading,
     /// One subject, two, or all frames of one.
     pub view_mode: ViewMode,
-    /// What colours stand for.
+    /// The quantity shown in colour.
     pub quantity: Quantity,
     /// Which metric compares poses.
     pub metric: MetricKind,
@@ -57,7 +57,7 @@ pub struct ActionState {
     pub map_method: MapMethod,
     /// Poses computed between two frames.
     pub in_betweens: u16,
-    /// Whether there is another heart to show beside the selected one.
+    /// Whether there is another subject to show beside the selected one.
     pub has_other: bool,
     /// Whether a motion is transported.
     pub transporting: bool,

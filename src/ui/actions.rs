@@ -1,4 +1,4 @@
-//! Every action once: its name, its key, where it stands; menus, palette and sheet derive from it.
+//! Every action once: its name, its key, its menu; menus, palette and shortcut sheet read this table.
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
@@ -13,11 +13,11 @@ use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
 pub enum Menu {
     /// Opening and leaving.
     File,
-    /// Undo and what is stated by hand.
+    /// Undo and selection.
     Edit,
     /// What is seen, and from where.
     View,
-    /// The beat and what is computed.
+    /// Playback and analyses.
     Analysis,
     /// What leaves the program.
     Export,
@@ -36,7 +36,7 @@ impl Menu {
         Self::Help,
     ];
 
-    /// What the bar says.
+    /// The title in the menu bar.
     pub fn name(self) -> &'static str {
         match self {
             Self::File => "File",
@@ -54,9 +54,9 @@ impl Menu {
 pub struct Action {
     /// Sentence case; ends in `…` when it asks for more.
     pub name: &'static str,
-    /// Where it stands.
+    /// Its menu.
     pub menu: Menu,
-    /// Actions of one group stand together, groups are divided by a line.
+    /// Groups of a menu are divided by a line.
     pub group: u8,
     /// The key that does it.
     pub shortcut: Option<KeyboardShortcut>,

@@ -9,14 +9,14 @@ use crate::ui::status_bar::progress_text;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 
-/// How a piece of work stands.
+/// State of a job.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WorkState {
-    /// It goes on.
+    /// It runs.
     Running {
         /// Done share in `0..=1`.
         fraction: f32,
-        /// Estimated seconds left, once they can be told.
+        /// Estimated seconds left, once there is one.
         seconds_left: Option<f64>,
     },
     /// It brought its result.
@@ -38,7 +38,7 @@ pub struct WorkItem {
     pub parameters: String,
     /// Seconds that it took, or takes so far.
     pub duration_s: f64,
-    /// How it stands.
+    /// Its state.
     pub state: WorkState,
 }
 

@@ -40,7 +40,7 @@ impl CohortVerdict {
 pub struct CohortRow {
     /// Pseudonym.
     pub id: String,
-    /// Free text, as the study says it.
+    /// Free text of the study.
     pub label: Option<String>,
     /// Class of the label.
     pub role: LabelRole,

@@ -33,9 +33,9 @@ pub struct CohortView<'a> {
     pub selected: Option<usize>,
     /// The second subject of the side-by-side view.
     pub compared: Option<usize>,
-    /// Whether ejection fractions are still to come.
+    /// Whether ejection fractions are being computed.
     pub measuring: bool,
-    /// Whether verdicts are still to come.
+    /// Whether verdicts are being computed.
     pub classifying: bool,
 }
 

@@ -20,7 +20,7 @@ pub struct CommandPaletteView<'a> {
     pub actions: &'a ActionState,
     /// All subjects in the order of the study.
     pub subjects: &'a [CohortRow],
-    /// The selected subject, whose beat can be played on others.
+    /// The selected subject, whose motion can be transported.
     pub selected: Option<usize>,
 }
 
@@ -105,7 +105,7 @@ pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut
     }
 }
 
-/// Takes the keys that move through the list before the text field hears them.
+/// Takes the keys that move through the list before the text field gets them.
 fn taken_keys(ctx: &egui::Context) -> [bool; 4] {
     ctx.input_mut(|input| {
         [Key::ArrowUp, Key::ArrowDown, Key::Enter, Key::Escape]

@@ -1,4 +1,4 @@
-//! What the middle of the window says while nothing is open.
+//! The 3D view while no study is open.
 
 use egui::{Button, RichText, Stroke, StrokeKind, Ui};
 
@@ -15,7 +15,7 @@ pub struct EmptyStateView {
     pub opening: bool,
 }
 
-/// Draws what would fill the window, and the ways to fill it.
+/// Draws what can be opened, with buttons.
 pub fn empty_state_ui(ui: &mut Ui, view: &EmptyStateView, commands: &mut Vec<Command>) {
     let colours = colours(ui);
     let whole = ui.available_rect_before_wrap();

@@ -1,4 +1,4 @@
-//! The load report: per subject, what was found and what was assumed; warnings first.
+//! The load report: per subject, what was read and what was assumed; warnings first.
 
 use egui::{CollapsingHeader, RichText, ScrollArea, TextEdit, Ui};
 
@@ -29,7 +29,7 @@ impl ReportSubject {
             .count()
     }
 
-    /// Errors first, then warnings, then remarks, then nothing to say.
+    /// Errors first, then warnings, then notes.
     fn rank(&self) -> u8 {
         if self.error.is_some() {
             0

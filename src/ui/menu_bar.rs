@@ -1,4 +1,4 @@
-//! The top of the window: menus, what is open, and the way to every command.
+//! The top of the window: menus, the open study, and the command palette.
 
 use std::path::{Path, PathBuf};
 

@@ -14,7 +14,7 @@ pub const METRICS: [MetricKind; 4] = [
 /// All forms in the order in which they are offered.
 pub const FORMS: [Form; 4] = [Form::Additive, Form::Bilinear, Form::Frozen, Form::Printed];
 
-/// What a metric is called.
+/// Name of a metric.
 pub fn metric_name(kind: MetricKind) -> &'static str {
     match kind {
         MetricKind::Isometric => "Isometric",
@@ -24,7 +24,7 @@ pub fn metric_name(kind: MetricKind) -> &'static str {
     }
 }
 
-/// What a form is called.
+/// Name of a form.
 pub fn form_name(form: Form) -> &'static str {
     match form {
         Form::Printed => "As printed",
@@ -34,7 +34,7 @@ pub fn form_name(form: Form) -> &'static str {
     }
 }
 
-/// What a method of mapping is called.
+/// Name of an embedding method.
 pub fn method_name(method: MapMethod) -> &'static str {
     match method {
         MapMethod::ClassicalMds => "MDS",
@@ -103,7 +103,7 @@ pub fn form_sentence(kind: MetricKind, form: Form) -> &'static str {
     }
 }
 
-/// One sentence: what size does.
+/// One sentence: the effect of size.
 pub fn corners_sentence(corners: Corners) -> &'static str {
     match corners {
         Corners::ScaleFree => "Scale-invariant: corners are measured relative to their edges",

@@ -5,7 +5,7 @@
 pub struct NormalRange {
     /// For a line of text: "normal 52–74 %".
     pub short: &'static str,
-    /// Who found it, in whom, and how.
+    /// Source, population and imaging.
     pub source: &'static str,
 }
 

@@ -16,7 +16,7 @@ pub struct NumberField<'a> {
     pub what: &'a str,
     /// The number in force; `None` where the program finds it.
     pub value: Option<f64>,
-    /// What stands in an empty field that the program fills: "automatic: 5". Fields without it
+    /// What an empty field shows where the program chooses the value: "automatic: 5". Fields without it
     /// must not be empty.
     pub automatic: Option<&'a str>,
     /// Whether it plays a part now.

@@ -1,4 +1,4 @@
-//! A subject held by the pointer: let go on another one, its beat plays on that heart.
+//! Drag of a subject: dropped on another one, its motion is transported there.
 
 use egui::{Align2, DragAndDrop, Id, LayerId, Order, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
@@ -6,14 +6,14 @@ use crate::ui::command::Command;
 use crate::ui::style::text_font;
 use crate::ui::theme::{colours, line, radius, space};
 
-/// The subject under the pointer, as egui carries it from where it was taken to where it is let go.
+/// The dragged subject, kept by egui from the press to the drop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DraggedSubject {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Pseudonym.
     pub id: String,
-    /// Hearts whose vertices correspond have the same number.
+    /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
 }
 
@@ -22,7 +22,7 @@ pub fn dragged_subject(ui: &Ui) -> Option<DraggedSubject> {
     DragAndDrop::payload::<DraggedSubject>(ui.ctx()).map(|dragged| DraggedSubject::clone(&dragged))
 }
 
-/// A place where a dragged subject can be let go: another subject's row or picture.
+/// Where a dragged subject can be dropped: another subject's row or picture.
 #[derive(Clone, Copy, Debug)]
 pub struct SubjectTarget<'a> {
     /// Where it is.
@@ -31,11 +31,11 @@ pub struct SubjectTarget<'a> {
     pub subject: usize,
     /// Its pseudonym.
     pub id: &'a str,
-    /// Hearts whose vertices correspond have the same number.
+    /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
 }
 
-/// Lights the target up while a subject that fits is held over it, and takes what is let go there.
+/// Highlights the target under a dragged subject, and takes the drop.
 /// `response` is the widget that the target is part of.
 pub fn subject_target_ui(
     ui: &Ui,
@@ -70,7 +70,7 @@ pub fn subject_target_ui(
     }
     if ui.input(|input| input.pointer.any_released()) {
         DragAndDrop::take_payload::<DraggedSubject>(ui.ctx());
-        // What does not fit is asked for all the same: the answer says why it cannot be done.
+        // Without correspondence the command is given all the same: its refusal says why.
         commands.push(Command::TransportMotion {
             from: dragged.subject,
             onto: target.subject,

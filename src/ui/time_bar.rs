@@ -1,4 +1,4 @@
-//! The beat as a line: play it, drag along it, jump to end-diastole and end-systole.
+//! The time bar: play, drag through the cardiac cycle, jump to end-diastole and end-systole.
 
 use egui::{
     Align, Align2, Color32, EventFilter, Key, Layout, Rect, Response, Role, Sense, Stroke, Ui,
@@ -13,30 +13,30 @@ use crate::ui::shortcuts::hint;
 use crate::ui::style::{note_font, text_font};
 use crate::ui::theme::{Colours, colours, line, space};
 
-/// Speeds on offer, in beats per recorded beat.
+/// Speeds on offer, relative to the recorded motion.
 pub const SPEEDS: [f32; 6] = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0];
 
-/// How near to a frame, in points, a click counts as on it.
+/// Distance in points within which a click snaps to a frame.
 const SNAP: f32 = 6.0;
 
 /// What the time bar shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeBarView<'a> {
-    /// Whether the beat plays.
+    /// Whether the motion plays.
     pub playing: bool,
-    /// Beats per recorded beat.
+    /// Speed relative to the recorded motion.
     pub speed: f32,
     /// Whether playing starts over.
     pub looping: bool,
     /// Position in frames, in `0..frame_count`.
     pub position: f64,
-    /// Where the frames lie within the beat.
+    /// Times of the frames within the cycle.
     pub axis: BeatAxis<'a>,
     /// Frame of end-diastole.
     pub end_diastole: Option<usize>,
     /// Frame of end-systole.
     pub end_systole: Option<usize>,
-    /// Time after the R peak, where the study says it.
+    /// Time after the R peak, where the study states it.
     pub time_ms: Option<f64>,
     /// What is shown between frames, such as `interpolated`; `None` on a frame.
     pub between: Option<&'a str>,
@@ -136,7 +136,7 @@ fn speed_text(speed: f32) -> String {
     format!("{speed:.digits$}×")
 }
 
-/// Room for the longest readout, so that the line does not move while the beat plays.
+/// Room for the longest readout, so that the line does not move while the motion plays.
 fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
     let mut widest = match view.time_ms {
         Some(_) => "8888 ms · 100 % R-R".to_owned(),
@@ -199,7 +199,7 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
     });
 }
 
-/// The end of the beat is its start, so positions stay below the number of frames.
+/// The end of the cycle is its start, so positions stay below the number of frames.
 fn position_within(axis: BeatAxis, share: f64) -> f64 {
     let count = axis.frame_count() as f64;
     let position = axis.position_at(share);

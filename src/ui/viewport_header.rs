@@ -1,4 +1,4 @@
-//! The strip above the 3D view: how many hearts, which surfaces, what colours stand for.
+//! The strip above the 3D view: number of subjects, surfaces, quantity shown in colour.
 
 use egui::{Button, Ui};
 
@@ -14,11 +14,11 @@ use crate::ui::theme::space;
 pub struct ViewportHeaderView {
     /// One subject, two, or all frames of one.
     pub mode: ViewMode,
-    /// What colours stand for.
+    /// The quantity shown in colour.
     pub quantity: Quantity,
-    /// Whether the heart has an inner surface of its own; `None` greys its switch.
+    /// Whether the endocardium is shown; `None` where there is none.
     pub shows_endocardium: Option<bool>,
-    /// Whether it has an outer surface or wall.
+    /// Whether the epicardium or the wall is shown; `None` where there is none.
     pub shows_epicardium: Option<bool>,
     /// Whether edges are shown.
     pub shows_wireframe: bool,
@@ -42,7 +42,7 @@ pub struct ViewportHeaderView {
     pub no_motion_difference: Option<&'static str>,
 }
 
-/// What a quantity is called on buttons.
+/// Short name of a quantity, for buttons.
 pub fn quantity_name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Tissue => "Tissue",

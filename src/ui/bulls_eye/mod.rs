@@ -1,4 +1,4 @@
-//! The wall laid flat: the polar map of 17 segments, anterior up and septum left, linked with all views.
+//! The bull's-eye: the polar map of 17 AHA segments, anterior up and septum left, linked with all views.
 
 mod draw;
 mod layout;
@@ -24,7 +24,7 @@ pub struct BullsEyePatch {
     pub name: String,
     /// Whether it is selected.
     pub selected: bool,
-    /// Whether it only thickens little, in a heart of which something else is said: dashed and grey.
+    /// Whether the verdict is not an abnormal patch: dashed and grey.
     pub faint: bool,
 }
 
@@ -33,7 +33,7 @@ pub struct BullsEyePatch {
 pub struct BullsEyeView<'a> {
     /// The selected subject.
     pub subject: Option<&'a str>,
-    /// How its wall stands.
+    /// State of its measurement.
     pub state: &'a WallState,
     /// Why there is no map, where the wall is known and the long axis is not.
     pub without_axis: Option<&'a str>,

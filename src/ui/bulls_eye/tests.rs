@@ -1,4 +1,4 @@
-//! The bull's-eye: clicks, choosers, what is said where nothing is known.
+//! The bull's-eye: clicks, choosers, the empty states.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 

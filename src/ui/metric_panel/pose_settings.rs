@@ -1,4 +1,4 @@
-//! What hearts are carried onto before they are compared, and how distances become a map.
+//! Transport before poses are compared, and the embedding of their distances.
 
 use egui::{ScrollArea, Ui};
 

@@ -1,4 +1,4 @@
-//! The part of the wall that does not thicken: what was found, its table, and the thresholds that found it.
+//! Patches of the selected subject: heading, table and thresholds.
 
 mod settings;
 mod table;
@@ -15,10 +15,10 @@ use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 
-/// How the wall of the selected heart stands.
+/// State of the thickening of the selected subject.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum WallState {
-    /// No heart.
+    /// No subject is selected.
     #[default]
     Empty,
     /// What is shown is that of the settings.
@@ -30,7 +30,7 @@ pub enum WallState {
     },
     /// The user stopped it.
     Stopped,
-    /// The input cannot carry it, and why.
+    /// The wall cannot be assessed, and why.
     NotAssessed(String),
 }
 
@@ -43,13 +43,13 @@ pub struct PatchRow {
     pub share: f64,
     /// Mean thickening from end-diastole to end-systole, 0.1 for 10 %.
     pub thickening: f64,
-    /// Share of redraws of the noise in which it is found again.
+    /// Detection stability: share of noise redraws in which it is detected again.
     pub confidence: f64,
     /// Segments in words, or why there are none.
     pub segments: String,
     /// Whether it is selected.
     pub selected: bool,
-    /// From where it is seen, in the heart's axes; `None` while the heart is not on screen.
+    /// From where it is seen, in the heart's axes; `None` while the subject is not on screen.
     pub camera: Option<Camera>,
 }
 
@@ -58,7 +58,7 @@ pub struct PatchRow {
 pub struct PatchPanelView<'a> {
     /// The selected subject.
     pub subject: Option<&'a str>,
-    /// How its wall stands.
+    /// State of its measurement.
     pub state: &'a WallState,
     /// What the parts may be called.
     pub standing: PatchStanding,
@@ -74,7 +74,7 @@ pub struct PatchPanelView<'a> {
     pub noise: Option<f64>,
     /// Tolerance of |ln PT| in force.
     pub tolerance: Option<f64>,
-    /// Thickening of the part that works well, 0.5 for 50 %.
+    /// Thickening of remote myocardium, 0.5 for 50 %.
     pub well: Option<f64>,
 }
 

@@ -1,4 +1,4 @@
-//! The thresholds of patches as sliders in log scale, with what noise says of them.
+//! The thresholds of patches as sliders in log scale, with the estimated noise.
 
 use std::ops::RangeInclusive;
 
@@ -11,9 +11,9 @@ use crate::ui::patch_panel::PatchPanelView;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::space;
 
-/// Share of the well wall's thickening below which a patch reaches, in percent.
+/// Extent threshold: share of remote thickening below which a patch extends, in percent.
 const BORDERS: RangeInclusive<f64> = 5.0..=90.0;
-/// Deviation of PT from one up to which an atom counts as still, in percent.
+/// Deviation of PT from one up to which an atom is akinetic, in percent.
 const TOLERANCES: RangeInclusive<f64> = 1.0..=50.0;
 
 /// Draws the sliders; every change is one command, and a drag one step of undo.

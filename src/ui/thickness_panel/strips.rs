@@ -1,4 +1,4 @@
-//! One way of measuring: its name and difference, and below it a box strip for each pose.
+//! One method: its name and difference, and below it a box strip for each pose.
 
 use egui::{Align2, Color32, FontId, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
@@ -73,7 +73,7 @@ pub(super) fn axis_ui(ui: &mut Ui, view: &ThicknessPanelView) {
     );
 }
 
-/// One way of measuring.
+/// One method.
 pub(super) fn row_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow) {
     title_ui(ui, view, row);
     for strip in &row.strips {
@@ -118,7 +118,7 @@ fn title_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow) {
     response.on_hover_text(format!("{spoken}. {}", row.hint));
 }
 
-/// "+0.31 ± 0.62 mm" without the unit; what is compared with says so.
+/// "+0.31 ± 0.62 mm" without the unit; the method that others are compared with is marked "reference".
 fn difference_text(row: &ThicknessRow) -> String {
     match (row.reference, row.difference) {
         (true, _) => "reference".to_owned(),

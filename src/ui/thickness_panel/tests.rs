@@ -1,4 +1,4 @@
-//! What the pane says, and what its buttons ask for.
+//! The text of the pane and the commands of its buttons.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 

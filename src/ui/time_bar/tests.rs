@@ -83,7 +83,7 @@ fn a_click_near_a_pose_between_frames_lands_on_it() {
         .get_by_label("Position in the cardiac cycle")
         .rect()
         .shrink2(vec2(8.0, 0.0));
-    // Position 2.5 of four even frames is at five eighths of the beat.
+    // Position 2.5 of four even frames is at five eighths of the cycle.
     for (share, offset, position) in [(0.625, 4.0, 2.5), (0.5625, -3.0, 2.25), (0.5, 4.0, 2.0)] {
         let at = pos2(egui::lerp(rail.x_range(), share) + offset, rail.center().y);
         harness.drag_at(at);

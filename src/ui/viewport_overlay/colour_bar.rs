@@ -1,4 +1,4 @@
-//! What the colours on a heart mean: title, unit, ticks, the colours beyond the ends, and limits to type.
+//! The colour bar: title, unit, ticks, the colours beyond the ends, and limits that can be set.
 
 use std::sync::Arc;
 
@@ -54,7 +54,7 @@ pub fn colour_bar_ui(
     title_ui(ui, inner, bar, view)
 }
 
-/// Draws a bar whose limits cannot be typed.
+/// Draws a bar with fixed limits.
 pub fn fixed_colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView) {
     let bar = plain_bar_ui(ui, inner, view);
     for (index, x) in [(0, bar.left()), (1, bar.right())] {
