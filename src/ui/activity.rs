@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn durations_are_told_with_the_digits_they_deserve() {
+    fn durations_have_few_digits() {
         assert_eq!(duration_text(0.44), "0.4 s");
         assert_eq!(duration_text(12.4), "12 s");
         assert_eq!(duration_text(185.0), "3 min 5 s");

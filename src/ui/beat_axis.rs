@@ -65,7 +65,7 @@ mod tests {
     }
 
     #[test]
-    fn a_beat_without_frames_stays_at_its_start() {
+    fn a_motion_without_frames_stays_at_its_start() {
         let axis = BeatAxis { frame_shares: &[] };
         assert!(axis.position_at(0.7).abs() < 1e-12);
     }

@@ -298,14 +298,14 @@ fn transport_choices_ui(
     commands: &mut Vec<Command>,
 ) {
     let [a, b] = pair.map(|index| &view.rows[index]);
-    let fits = a.correspondence == b.correspondence;
+    let correspond = a.correspondence == b.correspondence;
     for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {
         let name = format!(
             "Transport motion: {} → {}",
             view.rows[from].id, view.rows[onto].id
         );
         let button = ui
-            .add_enabled(fits, egui::Button::new(name))
+            .add_enabled(correspond, egui::Button::new(name))
             .on_disabled_hover_text("No vertex correspondence");
         if button.clicked() {
             commands.push(Command::TransportMotion { from, onto });

@@ -215,7 +215,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn time_left_is_told_in_the_unit_that_fits() {
+    fn time_left_is_shown_in_seconds_or_minutes() {
         assert_eq!(time_left_text(0.2), "1 s left");
         assert_eq!(time_left_text(3.4), "4 s left");
         assert_eq!(time_left_text(130.0), "2 min left");

@@ -123,7 +123,7 @@ mod tests {
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     #[test]
-    fn cancel_stops_the_job_that_is_told_of() {
+    fn cancel_stops_the_job_that_is_shown() {
         let mut harness = Harness::builder()
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
             .build_ui_state(

@@ -47,10 +47,10 @@ pub fn subject_target_ui(
     else {
         return;
     };
-    let fits = dragged.correspondence == target.correspondence;
+    let correspond = dragged.correspondence == target.correspondence;
     let pointer = ui.input(|input| input.pointer.latest_pos());
     let over = response.contains_pointer() && pointer.is_some_and(|at| target.rect.contains(at));
-    if fits {
+    if correspond {
         let colours = colours(ui);
         let colour = if over {
             colours.accent
@@ -77,7 +77,7 @@ pub fn subject_target_ui(
         });
         return;
     }
-    let words = if fits {
+    let words = if correspond {
         format!("Transport motion: {} → {}", dragged.id, target.id)
     } else {
         format!("No vertex correspondence: {}, {}", dragged.id, target.id)

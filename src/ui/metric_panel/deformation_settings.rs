@@ -14,11 +14,11 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
         Err(error) => Err(error.to_string()),
     };
     let mut changed = None;
-    let found = |value: Option<String>| match value {
+    let automatic_text = |value: Option<String>| match value {
         Some(value) => format!("auto: {value}"),
         None => "automatic".to_owned(),
     };
-    let automatic = found(view.neighbours.map(|count| count.to_string()));
+    let automatic = automatic_text(view.neighbours.map(|count| count.to_string()));
     let neighbours = NumberField {
         name: "Neighbours",
         unit: "subjects",
@@ -57,7 +57,7 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
         let scale = 10_f64.powf(1.0 - weight.abs().max(1e-12).log10().floor());
         number_text((weight * scale).round() / scale)
     });
-    let automatic = found(two_figures.filter(|_| params.time_weight.is_none()));
+    let automatic = automatic_text(two_figures.filter(|_| params.time_weight.is_none()));
     let time = NumberField {
         name: "Time weight",
         unit: "/ cycle",

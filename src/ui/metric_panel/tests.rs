@@ -102,7 +102,7 @@ fn a_weight_is_typed_and_a_wrong_one_is_refused_with_a_reason() {
 }
 
 #[test]
-fn motions_are_carried_onto_the_mean_or_a_subject() {
+fn motions_are_transported_onto_the_mean_or_a_subject() {
     let mut harness = harness(Scene::default());
     harness.run();
     choose(
@@ -145,7 +145,7 @@ fn settings_of_the_deformation_map_may_be_left_to_the_program() {
 }
 
 #[test]
-fn the_way_back_is_open_once_something_was_changed() {
+fn reset_is_enabled_once_a_setting_was_changed() {
     let mut harness = harness(Scene::default());
     harness.run();
     harness.get_by_label("Reset to defaults").click();

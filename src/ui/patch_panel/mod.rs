@@ -111,8 +111,8 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
         return;
     }
     if !view.heading.is_empty() {
-        let little = view.standing == PatchStanding::ThickensLittle;
-        let colour = if view.rows.is_empty() || little {
+        let low_thickening = view.standing == PatchStanding::ThickensLittle;
+        let colour = if view.rows.is_empty() || low_thickening {
             colours(ui).strong
         } else {
             colours(ui).selection

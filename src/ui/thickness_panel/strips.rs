@@ -89,8 +89,8 @@ fn title_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow) {
     let (area, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
     let colours = colours(ui);
     let difference = difference_text(row);
-    let spoken = spoken(view, row);
-    response.widget_info(|| WidgetInfo::labeled(Role::Row, true, &spoken));
+    let words = row_words(view, row);
+    response.widget_info(|| WidgetInfo::labeled(Role::Row, true, &words));
     let at = |x: f32| pos2(x, area.center().y);
     let painter = ui.painter();
     let right = painter.layout_no_wrap(difference, note_font(), colours.text);
@@ -115,7 +115,7 @@ fn title_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow) {
             painter.galley(place.min, text, colours.muted);
         }
     }
-    response.on_hover_text(format!("{spoken}. {}", row.hint));
+    response.on_hover_text(format!("{words}. {}", row.hint));
 }
 
 /// "+0.31 ± 0.62 mm" without the unit; the method that others are compared with is marked "reference".
@@ -141,7 +141,7 @@ fn seconds_text(seconds: f64) -> String {
 }
 
 /// The whole row in words.
-fn spoken(view: &ThicknessPanelView, row: &ThicknessRow) -> String {
+fn row_words(view: &ThicknessPanelView, row: &ThicknessRow) -> String {
     let mut words = row.name.clone();
     for strip in &row.strips {
         words += &format!(", {} {} {}", strip.moment, range_text(strip), view.unit);
@@ -239,7 +239,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_carry_a_true_minus_and_times_no_more_digits_than_they_deserve() {
+    fn numbers_have_a_minus_sign_and_times_few_digits() {
         let difference = Difference {
             bias: -0.416,
             deviation: 0.52,

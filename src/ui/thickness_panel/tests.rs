@@ -62,7 +62,7 @@ fn harness(state: ThicknessState, subject: Option<&'static str>) -> Harness<'sta
 }
 
 #[test]
-fn each_way_says_its_numbers_with_their_unit_and_how_it_differs() {
+fn each_method_has_its_numbers_with_their_unit_and_its_difference() {
     let mut shown = harness(ThicknessState::Ready, Some("P05"));
     shown.run();
     shown.get_by_label(
@@ -73,7 +73,7 @@ fn each_way_says_its_numbers_with_their_unit_and_how_it_differs() {
 }
 
 #[test]
-fn a_way_that_does_not_apply_says_why() {
+fn a_method_that_is_not_applicable_says_why() {
     let mut shown = harness(ThicknessState::Ready, Some("P05"));
     shown.run();
     shown.get_by_label("Not applicable: no landmarks");
@@ -99,7 +99,7 @@ fn measuring_can_be_cancelled_and_begun_again() {
 }
 
 #[test]
-fn without_a_heart_the_pane_says_what_would_fill_it() {
+fn without_a_subject_the_pane_says_what_would_fill_it() {
     let mut shown = harness(ThicknessState::Empty, None);
     shown.run();
     shown.get_by_label("No subject selected");

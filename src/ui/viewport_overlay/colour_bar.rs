@@ -283,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn ticks_carry_three_figures_at_most() {
+    fn ticks_have_three_figures_at_most() {
         for (value, text) in [
             (0.7123, "0.712"),
             (1.0, "1"),
