@@ -4,6 +4,9 @@
     reason = "a source file that cannot be read is a failed test"
 )]
 
+#[path = "architecture/cycles.rs"]
+mod cycles;
+
 use std::fs;
 use std::path::{Path, PathBuf};
 

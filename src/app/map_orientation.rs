@@ -5,7 +5,7 @@ use std::hash::Hash;
 
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
-use crate::analysis::medial_map::{MedialMap, StillPart};
+use crate::analysis::medial_map::{AkineticPart, MedialMap};
 use crate::engine::PoseMap;
 
 /// An item on the new map and on the old.
@@ -32,7 +32,7 @@ pub fn deformations_like(map: DeformationMap, previous: &DeformationMap) -> Defo
 
 /// The same for a map of the medial shape space.
 pub fn medial_like(map: MedialMap, previous: &MedialMap) -> MedialMap {
-    let steps = |map: &MedialMap| -> Vec<(usize, StillPart, usize)> {
+    let steps = |map: &MedialMap| -> Vec<(usize, AkineticPart, usize)> {
         let poses = map.poses.iter();
         poses
             .map(|pose| (pose.subject, pose.part, pose.step_from))

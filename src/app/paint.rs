@@ -10,7 +10,7 @@ use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, ScreenDescriptor}
 use crate::render::{Camera, Renderer, Scene, ViewId};
 
 /// The renderer with how many views the last picture had.
-struct Drawing {
+struct PaintResources {
     renderer: Renderer,
     views: u32,
 }
@@ -22,13 +22,13 @@ pub fn install(state: &RenderState) {
         .renderer
         .write()
         .callback_resources
-        .insert(Drawing { renderer, views: 0 });
+        .insert(PaintResources { renderer, views: 0 });
 }
 
 /// What the driver refused of the last picture, if it did.
 pub fn failure(state: &RenderState) -> Option<String> {
     let renderer = state.renderer.read();
-    let drawing: &Drawing = renderer.callback_resources.get()?;
+    let drawing: &PaintResources = renderer.callback_resources.get()?;
     drawing.renderer.failure().map(str::to_owned)
 }
 
@@ -88,7 +88,7 @@ impl CallbackTrait for HeartPaint {
         resources: &mut CallbackResources,
     ) -> Vec<wgpu::CommandBuffer> {
         let begin = Instant::now();
-        if let Some(drawing) = resources.get_mut::<Drawing>() {
+        if let Some(drawing) = resources.get_mut::<PaintResources>() {
             for gone in self.views..drawing.views {
                 drawing.renderer.forget(ViewId(gone));
             }
@@ -115,7 +115,7 @@ impl CallbackTrait for HeartPaint {
         pass: &mut wgpu::RenderPass<'static>,
         resources: &CallbackResources,
     ) {
-        if let Some(drawing) = resources.get::<Drawing>() {
+        if let Some(drawing) = resources.get::<PaintResources>() {
             drawing.renderer.blit(pass, self.view);
         }
     }

@@ -216,11 +216,11 @@ impl State {
             report: Arc::new(report),
         });
         document.map = before.map;
-        if let Some(transfer) = document.map.distances.transfer
+        if let Some(transfer) = document.map.distances.transport
             && matches!(transfer.reference, Reference::Subject(_))
         {
             // That heart is not of this study.
-            document.map.distances.transfer = None;
+            document.map.distances.transport = None;
         }
         document.deformation_map = before.deformation_map;
         document.shows_clusters = before.shows_clusters;

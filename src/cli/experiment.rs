@@ -7,10 +7,10 @@ use serde_json::{Value, json};
 
 use crate::analysis::experiments::{
     InterpolationStudyParams, MetricComparisonParams, NoiseDeformationParams,
-    NoiseDeformationResult, NoiseReference, PartnerParams, TransferStudy, TransferStudyParams,
-    interpolation_study, metric_comparison, noise_deformation, partner_study, transfer_study,
+    NoiseDeformationResult, NoiseReference, PartnerParams, TransportStudy, TransportStudyParams,
+    interpolation_study, metric_comparison, noise_deformation, partner_study, transport_study,
 };
-use crate::analysis::transport::CohortTransferParams;
+use crate::analysis::transport::CohortTransportParams;
 use crate::cli::experiment_args::{
     ExperimentCommand, MetricComparisonArgs, NoiseDeformationArgs, PartnerArgs,
 };
@@ -44,7 +44,7 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
     })?;
     let transfers = run_work(|progress| {
         progress.begin_phase("carrying deformations", 0.0, 1.0);
-        transfer_study(&TransferStudyParams::default(), progress)
+        transport_study(&TransportStudyParams::default(), progress)
     })?;
     let interpolations = run_work(|progress| {
         progress.begin_phase("interpolating deformations", 0.0, 1.0);
@@ -94,7 +94,7 @@ fn noise_params(args: &NoiseDeformationArgs) -> NoiseDeformationParams {
     params
 }
 
-fn followed(study: &TransferStudy) -> usize {
+fn followed(study: &TransportStudy) -> usize {
     study.cases.iter().filter(|case| case.followed).count()
 }
 
@@ -121,7 +121,7 @@ fn noise_table(result: &NoiseDeformationResult) -> String {
 /// Every metric and form on a labelled study and on its noisy copies.
 fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
-    let transfer = (args.transfer == Switch::On).then(CohortTransferParams::default);
+    let transfer = (args.transfer == Switch::On).then(CohortTransportParams::default);
     let params = MetricComparisonParams {
         redraws: args.redraws,
         seed: args.seed,
@@ -172,12 +172,12 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
 /// How near the other sequence of the same patient is, by every metric and form.
 fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
-    let default = CohortTransferParams::default();
-    let transfer = CohortTransferParams {
+    let default = CohortTransportParams::default();
+    let transfer = CohortTransportParams {
         in_betweens: args.in_betweens.unwrap_or(default.in_betweens),
         geodesics: args.geodesics.into(),
-        most_vertices: match args.coarse_vertices {
-            None => default.most_vertices,
+        max_vertices: match args.coarse_vertices {
+            None => default.max_vertices,
             Some(0) => None,
             Some(vertices) => Some(vertices),
         },
@@ -203,7 +203,7 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
         let ranks = &row.ranks;
         format!(
             "| {} | {} | {} of {} | {} | {:.2} | {:.4} |",
-            row.carrying,
+            row.transport,
             row.method,
             ranks.nearer_than_median,
             ranks.pairs,

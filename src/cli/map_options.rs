@@ -5,7 +5,7 @@ use clap::Args;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::pose_distances::PoseDistanceParams;
-use crate::analysis::transport::{CohortTransferParams, Reference};
+use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::engine::{DeformationMapSettings, PoseMapParams};
@@ -48,9 +48,9 @@ impl MapOptions {
         metric.checked()?;
         let transfer = self
             .reference(study)?
-            .map(|reference| CohortTransferParams {
+            .map(|reference| CohortTransportParams {
                 reference,
-                ..CohortTransferParams::default()
+                ..CohortTransportParams::default()
             });
         let map = DeformationMapParams {
             time_weight: self.time_weight,
@@ -62,7 +62,7 @@ impl MapOptions {
             .map_err(|error| CliError::Usage(error.to_string()))?;
         let distances = PoseDistanceParams {
             metric: metric.params(),
-            transfer,
+            transport: transfer,
             smoothing: self.smoothing,
         };
         distances

@@ -9,8 +9,8 @@ use crate::cli::words::{CornersWord, FormWord, MetricWord, RegulariserWord, Swit
 /// Which metric, in which form, with which weights.
 #[derive(Clone, Debug, Args)]
 pub struct MetricOptions {
-    /// What is charged
-    #[arg(long, value_enum, default_value_t = MetricWord::QuasiConformal)]
+    /// What is penalised
+    #[arg(long, value_enum, default_value_t = MetricWord::default())]
     pub metric: MetricWord,
     /// How terms combine, in metrics that have forms
     #[arg(long, value_enum, default_value_t = FormWord::Additive)]

@@ -44,7 +44,7 @@ pub struct PatchOptions {
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().border, allow_negative_numbers = true)]
     pub patch_border: f64,
     /// Least area of a patch, as a share of the wall
-    #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().least_share, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().min_share, allow_negative_numbers = true)]
     pub patch_least_share: f64,
     /// ln PT from end-diastole to end-systole that some of the wall must reach for patches to be looked for [default: ln 1.1]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
@@ -82,8 +82,8 @@ impl PatchOptions {
                 core: self.patch_core,
                 still: self.patch_still.unwrap_or(default.still),
                 border: self.patch_border,
-                least_share: self.patch_least_share,
-                least_thickening: (self.patch_least_thickening).unwrap_or(default.least_thickening),
+                min_share: self.patch_least_share,
+                min_thickening: (self.patch_least_thickening).unwrap_or(default.min_thickening),
                 smoothing: self.patch_averaging,
                 redraws: self.patch_redraws,
                 seed: self.seed,
@@ -160,8 +160,8 @@ mod tests {
                 core: 0.1,
                 still: 0.15,
                 border: 0.2,
-                least_share: 0.03,
-                least_thickening: 0.04,
+                min_share: 0.03,
+                min_thickening: 0.04,
                 smoothing: 0.05,
                 redraws: 6,
                 seed: 7,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-use crate::analysis::transport::{CheckedTransportParams, TransportParams, transfer_deformation};
+use crate::analysis::transport::{CheckedTransportParams, TransportParams, transport_deformation};
 use crate::cli::args::TransferArgs;
 use crate::cli::corresponding::{laying, read};
 use crate::cli::input::opened_study;
@@ -33,7 +33,7 @@ pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
     let (work_faces, work_onto) = (Arc::clone(&faces), onto);
     let poses = run_work(move |progress| {
         progress.begin_phase("carrying the beat", 0.0, 1.0);
-        transfer_deformation(&work_faces, &source, &work_onto, &params, progress)
+        transport_deformation(&work_faces, &source, &work_onto, &params, progress)
     })?;
     write_files(pose_files(&faces, &poses, &args.out)?).map_err(CliError::Unusable)?;
     if args.json {
@@ -49,9 +49,9 @@ fn checked(args: &TransferArgs) -> Result<CheckedTransportParams, CliError> {
         in_betweens: args.in_betweens.unwrap_or(default.in_betweens),
         keep_norm: args.keep_norm == Switch::On,
         geodesics: args.geodesics.into(),
-        most_vertices: match args.coarse_vertices {
+        max_vertices: match args.coarse_vertices {
             Some(vertices) => Some(vertices).filter(|&vertices| vertices > 0),
-            None => default.most_vertices,
+            None => default.max_vertices,
         },
         ..default
     };

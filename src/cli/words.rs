@@ -1,9 +1,10 @@
 //! Words that options take.
 
 use clap::ValueEnum;
+use clap::builder::PossibleValue;
 
 use crate::analysis::medial_space::RatioForm;
-use crate::analysis::metrics::{Corners, Form, MetricKind, Regulariser};
+use crate::analysis::metrics::{Corners, Form, METRICS, MetricKind, Regulariser};
 use crate::analysis::transport::Geodesics;
 use crate::io::MeshFormat;
 use crate::picture::{AnatomicalView, PictureTheme, Quantity};
@@ -19,17 +20,36 @@ pub enum DemoFormat {
     Vtp,
 }
 
-/// Words of `--metric`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum MetricWord {
-    /// Change of edge lengths
-    Isometric,
-    /// Displacement that no rigid motion explains
-    Rigid,
-    /// Change of angles
-    AnglePreserving,
-    /// Change of angles and of Gaussian curvature
-    QuasiConformal,
+/// Words of `--metric`, those of the list of metrics.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct MetricWord(MetricKind);
+
+/// One word per metric, in the order of the list.
+const METRIC_WORDS: [MetricWord; METRICS.len()] = {
+    let mut words = [MetricWord(METRICS[0]); METRICS.len()];
+    let mut index = 0;
+    while index < METRICS.len() {
+        words[index] = MetricWord(METRICS[index]);
+        index += 1;
+    }
+    words
+};
+
+impl Default for MetricWord {
+    fn default() -> Self {
+        Self(MetricKind::default())
+    }
+}
+
+impl ValueEnum for MetricWord {
+    fn value_variants<'a>() -> &'a [Self] {
+        &METRIC_WORDS
+    }
+
+    fn to_possible_value(&self) -> Option<PossibleValue> {
+        let words = self.0.words();
+        Some(PossibleValue::new(words.id).help(words.summary))
+    }
 }
 
 /// Words of `--form`.
@@ -218,12 +238,7 @@ impl From<DemoFormat> for MeshFormat {
 
 impl From<MetricWord> for MetricKind {
     fn from(word: MetricWord) -> Self {
-        match word {
-            MetricWord::Isometric => Self::Isometric,
-            MetricWord::Rigid => Self::Rigid,
-            MetricWord::AnglePreserving => Self::AnglePreserving,
-            MetricWord::QuasiConformal => Self::QuasiConformal,
-        }
+        word.0
     }
 }
 

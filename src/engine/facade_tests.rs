@@ -134,7 +134,7 @@ fn intervals_of_a_beat_are_known_one_by_one_beginning_with_the_one_looked_at() {
     let study = opened(&mut engine, 200);
     let params = GeodesicParams {
         in_betweens: 1,
-        most_iterations: 20,
+        max_iterations: 20,
         ..GeodesicParams::default()
     };
     let interval = |interval| AnalysisRequest::Interval {

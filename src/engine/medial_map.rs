@@ -1,7 +1,9 @@
 //! The map of poses of the medial shape space: paths of one heart after the other, then their map.
 
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::medial_map::{HeartPaths, MedialMap, MedialMapError, heart_paths, medial_map};
+use crate::analysis::medial_map::{
+    MedialMap, MedialMapError, SubjectPaths, medial_map, subject_paths,
+};
 use crate::engine::cache::Cache;
 use crate::engine::outcome::AnalysisOutcome;
 use crate::engine::request::{AnalysisError, AnalysisRequest};
@@ -23,7 +25,7 @@ pub struct MedialMapParams {
 }
 
 /// Per subject of a study, its paths in the medial shape space, or why it has none.
-pub type StudyPaths = Vec<Result<HeartPaths, String>>;
+pub type StudyPaths = Vec<Result<SubjectPaths, String>>;
 
 /// The paths of all hearts; a heart whose wall cannot be assessed is no error.
 pub(super) fn study_paths(
@@ -54,14 +56,14 @@ pub(super) fn study_paths(
 /// If that was stopped.
 pub(super) fn paths_of(
     answer: &Result<AnalysisOutcome, AnalysisError>,
-) -> Result<Result<HeartPaths, String>, Stopped> {
+) -> Result<Result<SubjectPaths, String>, Stopped> {
     match answer {
         Ok(outcome) => {
             let found = outcome.thickening().ok_or(Stopped)?;
             if let Some(reason) = &found.not_assessed {
                 return Ok(Err(reason.to_string()));
             }
-            let paths = heart_paths(&found.beat, &found.thickening, found.axis.as_ref());
+            let paths = subject_paths(&found.beat, &found.thickening, found.axis.as_ref());
             Ok(paths.map_err(|reason| reason.to_string()))
         }
         Err(AnalysisError::Stopped(stopped)) => Err(*stopped),
@@ -102,7 +104,7 @@ pub(super) fn map_of(
 
 /// Memory that paths hold.
 pub(super) fn paths_bytes(paths: &StudyPaths) -> usize {
-    let of_heart = |heart: &Result<HeartPaths, String>| match heart {
+    let of_heart = |heart: &Result<SubjectPaths, String>| match heart {
         Ok(heart) => heart
             .paths
             .iter()

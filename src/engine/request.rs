@@ -8,7 +8,7 @@ use crate::analysis::embedding::{Embedding, MapMethod};
 use crate::analysis::geodesics::GeodesicParams;
 use crate::analysis::medial::MedialParams;
 use crate::analysis::medial_space::RatioForm;
-use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
+use crate::analysis::metrics::{Corners, CurvatureRole, Form, MetricParams};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
 use crate::analysis::thickening::ThickeningParams;
 use crate::analysis::thickness_methods::ThicknessParams;
@@ -234,9 +234,9 @@ pub fn distance_words(params: &PoseDistanceParams) -> String {
     if params.smoothing > 0.0 {
         metric += &format!(", smoothed over {} √area", params.smoothing);
     }
-    match params.transfer {
+    match params.transport {
         None => metric,
-        Some(transfer) => match transfer.reference {
+        Some(transport) => match transport.reference {
             Reference::Mean => format!("{metric}, carried onto the mean"),
             Reference::Subject(index) => format!("{metric}, carried onto subject {index}"),
         },
@@ -283,17 +283,15 @@ fn deformation_words(settings: &DeformationMapSettings) -> String {
 
 /// A metric with the settings that matter to it, as the activity list and figures say it.
 pub fn metric_words(metric: &MetricParams) -> String {
-    let kind = match metric.kind {
-        MetricKind::Isometric => return "isometric".to_owned(),
-        MetricKind::Rigid => return "rigid".to_owned(),
-        MetricKind::AnglePreserving => "angle-preserving",
-        MetricKind::QuasiConformal => "quasi-conformal",
-    };
+    let kind = metric.kind.words().id;
+    if !metric.kind.has_forms() {
+        return kind.to_owned();
+    }
     let form = match metric.form {
         Form::Printed => "printed form".to_owned(),
         Form::Bilinear => "bilinear form".to_owned(),
         Form::Frozen => "frozen form".to_owned(),
-        Form::Additive if metric.kind == MetricKind::QuasiConformal => {
+        Form::Additive if metric.curvature_role() == CurvatureRole::Term => {
             format!("additive form, μ = {}", metric.mu)
         }
         Form::Additive => "additive form".to_owned(),
@@ -326,8 +324,8 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         core,
         still,
         border,
-        least_share,
-        least_thickening,
+        min_share,
+        min_thickening,
         smoothing,
         redraws,
         seed,
@@ -339,7 +337,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
     };
     format!(
         "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core {core}, still {still:.3}, border {border}, \
-         least share {least_share}, least thickening {least_thickening:.3}, averaged over {smoothing}, \
+         least share {min_share}, least thickening {min_thickening:.3}, averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)
     )

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::geodesics::{GeodesicParams, GeodesicPath, geodesic};
 use crate::analysis::pose_distances::{PairError, PoseDistanceParams, PoseId, pair_contributions};
-use crate::analysis::transport::{TransportError, TransportParams, transferred_beat};
+use crate::analysis::transport::{TransportError, TransportParams, transported_motion};
 use crate::engine::cache::Cache;
 use crate::engine::outcome::AnalysisOutcome;
 use crate::engine::request::{AnalysisError, AnalysisRequest};
@@ -87,7 +87,7 @@ pub(super) fn transfer(
     let params = params.check().map_err(AnalysisError::unanswerable)?;
     let (from, onto) = (subject_of(study, from)?, subject_of(study, onto)?);
     progress.begin_phase("carrying the beat over", 0.0, 1.0);
-    transferred_beat(from, onto, &params, progress).map_err(|error| match error {
+    transported_motion(from, onto, &params, progress).map_err(|error| match error {
         TransportError::Stopped(stopped) => AnalysisError::Stopped(stopped),
         other => AnalysisError::unanswerable(other),
     })

@@ -10,7 +10,7 @@ use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segm
 use crate::analysis::thickening::{
     Thickening, ThickeningError, ThickeningParams, phases, thickening,
 };
-use crate::analysis::verdicts::{HeartThickening, NotAssessed, VerdictParams, examine};
+use crate::analysis::verdicts::{NotAssessed, VerdictInput, VerdictParams, examine};
 use crate::engine::cache::Cache;
 use crate::engine::request::{AnalysisError, AnalysisRequest};
 use crate::engine::run::run;
@@ -134,7 +134,7 @@ pub(super) fn subject_thickening(
         .map(|atom| atom.position)
         .collect();
     let verdicts = (VerdictParams::default().check()).map_err(AnalysisError::unanswerable)?;
-    let heart = HeartThickening {
+    let heart = VerdictInput {
         beat,
         thickening: &found,
     };

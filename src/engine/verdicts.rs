@@ -1,7 +1,7 @@
 //! Verdicts on all hearts of a study, made of one heart after the other.
 
 use crate::analysis::verdicts::{
-    CheckedVerdictParams, Examined, HeartThickening, NotAssessed, VerdictError, VerdictParams,
+    CheckedVerdictParams, Examined, NotAssessed, VerdictError, VerdictInput, VerdictParams,
     Verdicts, examine, verdicts,
 };
 use crate::engine::cache::Cache;
@@ -59,7 +59,7 @@ pub(super) fn examined(
     match answer {
         Ok(outcome) => {
             let found = outcome.thickening().ok_or(Stopped)?;
-            let heart = HeartThickening {
+            let heart = VerdictInput {
                 beat: &found.beat,
                 thickening: &found.thickening,
             };

@@ -2,7 +2,7 @@
 
 use crate::analysis::experiments::{
     InterpolationStudy, MetricComparison, NoiseDeformationResult, NoiseReference, PartnerStudy,
-    RuleShare, TransferStudy,
+    RuleShare, TransportStudy,
 };
 
 use super::report_csv::Table;
@@ -96,7 +96,7 @@ pub fn partners_csv(study: &PartnerStudy) -> String {
     for row in &study.rows {
         let ranks = &row.ranks;
         table.row([
-            row.carrying.to_owned(),
+            row.transport.to_owned(),
             row.method.to_owned(),
             ranks.pairs.to_string(),
             ranks.nearer_than_median.to_string(),
@@ -111,7 +111,7 @@ pub fn partners_csv(study: &PartnerStudy) -> String {
 }
 
 /// The study of transfer: a row per deformation.
-pub fn transfer_study_csv(study: &TransferStudy) -> String {
+pub fn transfer_study_csv(study: &TransportStudy) -> String {
     let mut table = Table::new(&[
         "source",
         "target",

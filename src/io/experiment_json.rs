@@ -59,7 +59,7 @@ pub fn partners_json(study: &PartnerStudy) -> Value {
     let rows = study.rows.iter().map(|row| {
         let ranks = &row.ranks;
         json!({
-            "transfer": row.carrying,
+            "transfer": row.transport,
             "method": row.method,
             "pairs": ranks.pairs,
             "nearer_than_median": ranks.nearer_than_median,

@@ -60,7 +60,7 @@ pub fn atoms_csv(wall: &AssessedWall<'_>, frame: usize) -> String {
             y,
             z,
             atom.radius.to_string(),
-            (atom.radius / at_rest[place].radius).to_string(),
+            atom.thickness_ratio(&at_rest[place]).to_string(),
             flag(patch_of[place].is_some()),
             flag(beat.regular[place]),
             patch_of[place].map_or_else(String::new, |patch| patch.to_string()),

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::analysis::medial::MedialParams;
 use crate::analysis::medial_space::RatioForm;
-use crate::analysis::thickening::{Extent, Patch, Phase, ThickeningParams};
+use crate::analysis::thickening::{Extent, HalfBeat, Patch, ThickeningParams};
 
 use super::thickening_csv::AssessedWall;
 
@@ -23,8 +23,8 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
         "patch_core": params.core,
         "patch_still": params.still,
         "patch_border": params.border,
-        "patch_least_share": params.least_share,
-        "patch_least_thickening": params.least_thickening,
+        "patch_least_share": params.min_share,
+        "patch_least_thickening": params.min_thickening,
         "patch_averaging": params.smoothing,
         "patch_redraws": params.redraws,
         "seed": params.seed,
@@ -35,9 +35,9 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
 pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
     let found = wall.thickening;
     let regular = wall.beat.regular.iter().filter(|&&regular| regular).count();
-    let well_share = |phase: Phase| {
+    let well_share = |half: HalfBeat| {
         let steps: Vec<f64> = (found.steps.iter())
-            .filter(|step| step.phase == phase)
+            .filter(|step| step.half == half)
             .map(|step| step.well_share)
             .collect();
         (!steps.is_empty()).then(|| steps.iter().sum::<f64>() / steps.len() as f64)
@@ -61,8 +61,8 @@ pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
         "noise": found.noise,
         "well_pt": found.well.exp(),
         "averaged_share": found.averaged_share,
-        "well_share_contraction": well_share(Phase::Contraction),
-        "well_share_expansion": well_share(Phase::Expansion),
+        "well_share_contraction": well_share(HalfBeat::Contraction),
+        "well_share_expansion": well_share(HalfBeat::Expansion),
         "oriented": wall.axis.is_some_and(|axis| axis.is_oriented()),
         "smallest_patch": found.smallest.map(|least| {
             json!({ "share": least.share, "area_cm2": least.area_cm2 })
@@ -94,9 +94,9 @@ fn patch_json(patch: &Patch) -> Value {
         "pt": patch.thickening.exp(),
         "segments": segments,
         "centroid": [patch.centroid.x, patch.centroid.y, patch.centroid.z],
-        "normal_spread_rad": patch.steadiness.normal_spread_rad,
-        "position_spread": patch.steadiness.position_spread,
-        "gap": patch.steadiness.gap,
-        "pose_distance": patch.steadiness.pose_distance,
+        "normal_spread_rad": patch.temporal_consistency.normal_spread_rad,
+        "position_spread": patch.temporal_consistency.position_spread,
+        "gap": patch.temporal_consistency.gap,
+        "pose_distance": patch.temporal_consistency.pose_distance,
     })
 }

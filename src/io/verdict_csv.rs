@@ -68,7 +68,7 @@ fn told(study: &Study, verdict: &Verdict, rule: RuleSource) -> Vec<String> {
         verdict.probability.to_string(),
         "yes".to_owned(),
         String::new(),
-        verdict.finding.name().to_owned(),
+        verdict.finding.key().to_owned(),
         if calibrated { "yes" } else { "no" }.to_owned(),
         names(&verdict.alike_normal),
         names(&verdict.alike_abnormal),
@@ -86,8 +86,7 @@ mod tests {
     use crate::analysis::medial::{MedialParams, medial_beat};
     use crate::analysis::thickening::{ThickeningParams, thickening};
     use crate::analysis::verdicts::{
-        Familiarity, Features, Finding, HeartThickening, NotAssessed, VerdictParams, examine,
-        verdicts,
+        Familiarity, Features, Finding, NotAssessed, VerdictInput, VerdictParams, examine, verdicts,
     };
     use crate::mesh::phantom;
     use crate::progress::Progress;
@@ -128,7 +127,7 @@ mod tests {
         let beat = medial_beat(ill, &medial, &progress).unwrap();
         let params = ThickeningParams::default().check().unwrap();
         let found = thickening(&beat, &measure_subject(ill), None, &params, &progress).unwrap();
-        let heart = HeartThickening {
+        let heart = VerdictInput {
             beat: &beat,
             thickening: &found,
         };

@@ -24,8 +24,8 @@ pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
         "features": Feature::OF_RULE.map(Feature::name),
         "parameters": {
             "ridge": params.ridge,
-            "least_labelled": params.least_labelled,
-            "least_wall_volume": params.least_wall_volume,
+            "least_labelled": params.min_labelled,
+            "least_wall_volume": params.min_wall_volume,
             "permutations": params.permutations,
             "seed": params.seed,
         },

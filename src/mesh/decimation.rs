@@ -21,7 +21,7 @@ pub struct Decimation {
 
 impl Decimation {
     /// Removes vertices by collapsing short edges where the surface is flat, until at most
-    /// `most_vertices` are left or nothing can be removed; `None` if `go_on` says no.
+    /// `max_vertices` are left or nothing can be removed; `None` if `go_on` says no.
     ///
     /// Boundaries stay boundaries and every piece keeps its topology. Vertices at edges of more
     /// than two faces, and those without a face, all stay. `points` is the template: one
@@ -29,12 +29,12 @@ impl Decimation {
     pub fn new(
         points: &[Point3],
         faces: &Faces,
-        most_vertices: usize,
+        max_vertices: usize,
         mut go_on: impl FnMut() -> bool,
     ) -> Option<Self> {
         let mut state = Collapsing::new(points, faces);
         let mut left = faces.vertex_count();
-        while left > most_vertices && state.collapse_cheapest() {
+        while left > max_vertices && state.collapse_cheapest() {
             left -= 1;
             if left.is_multiple_of(64) && !go_on() {
                 return None;

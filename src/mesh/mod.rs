@@ -10,6 +10,7 @@ mod measure;
 mod normals;
 pub mod phantom;
 mod plane_section;
+mod point;
 mod scan_lines;
 mod self_intersections;
 mod tri_mesh;
@@ -23,11 +24,7 @@ pub use faces::{Edge, Faces, MeshError};
 pub use measure::{area, bounding_box, signed_volume, winding_number};
 pub use normals::{face_normals, vertex_normals};
 pub use plane_section::{Contour, plane_section};
+pub use point::{Point3, Vector3};
 pub use scan_lines::{ScanGrid, scan_lines};
 pub use self_intersections::crossing_faces;
 pub use tri_mesh::TriMesh;
-
-/// A point in the coordinates of the files, in their length unit.
-pub type Point3 = nalgebra::Point3<f64>;
-/// A displacement or direction in the coordinates of the files.
-pub type Vector3 = nalgebra::Vector3<f64>;

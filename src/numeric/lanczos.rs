@@ -19,7 +19,7 @@ pub enum LeadingEigenError {
 /// shows, and some hundred times above what round-off of products with 10⁴ terms leaves.
 const RESIDUAL: f64 = 1e-12;
 /// Products after which the answer is taken as it is.
-const MOST_PRODUCTS: usize = 300;
+const MAX_PRODUCTS: usize = 300;
 
 /// The `count` algebraically largest eigenvalues of a symmetric operator on vectors of `size`.
 ///
@@ -49,14 +49,14 @@ pub fn leading_eigen(
     let mut basis: Vec<Vec<f64>> = vec![start_vector(size, 0)];
     let (mut diagonal, mut beside) = (Vec::new(), Vec::new());
     let mut next = vec![0.0; size];
-    let most = MOST_PRODUCTS.max(count + 1).min(size);
+    let most = MAX_PRODUCTS.max(count + 1).min(size);
     let mut restarts = 0;
     loop {
         let newest = basis.len() - 1;
         product(&basis[newest], &mut next)?;
         diagonal.push(dot(&basis[newest], &next));
         let scale = diagonal.iter().fold(0.0_f64, |m, d: &f64| m.max(d.abs()));
-        let mut length = freed_of(&basis, &mut next);
+        let mut length = orthogonalise_against(&basis, &mut next);
         let steps = diagonal.len();
         let invariant = length <= f64::EPSILON * scale * (size as f64).sqrt();
         if steps >= most || (steps >= count && (invariant || steps.is_multiple_of(5))) {
@@ -65,7 +65,7 @@ pub fn leading_eigen(
                 .iter()
                 .all(|y| length * y[steps - 1].abs() <= RESIDUAL * scale);
             if steps >= most || (found && !invariant) || (invariant && restarts >= count) {
-                return Ok(unfold(&small, &basis, count));
+                return Ok(ritz_vectors(&small, &basis, count));
             }
         }
         if invariant {
@@ -73,7 +73,7 @@ pub fn leading_eigen(
             restarts += 1;
             next = start_vector(size, restarts);
             length = 0.0;
-            let outside = freed_of(&basis, &mut next);
+            let outside = orthogonalise_against(&basis, &mut next);
             next.iter_mut().for_each(|x| *x /= outside);
         } else {
             next.iter_mut().for_each(|x| *x /= length);
@@ -84,7 +84,7 @@ pub fn leading_eigen(
 }
 
 /// Takes out what lies along the basis, and returns the length of the rest.
-fn freed_of(basis: &[Vec<f64>], vector: &mut [f64]) -> f64 {
+fn orthogonalise_against(basis: &[Vec<f64>], vector: &mut [f64]) -> f64 {
     // Twice is enough (Parlett): the second pass removes what round-off left of the first.
     for _ in 0..2 {
         for member in basis {
@@ -96,7 +96,7 @@ fn freed_of(basis: &[Vec<f64>], vector: &mut [f64]) -> f64 {
 }
 
 /// Eigenvectors of the operator from those of the small tridiagonal matrix.
-fn unfold(small: &Eigen, basis: &[Vec<f64>], count: usize) -> Eigen {
+fn ritz_vectors(small: &Eigen, basis: &[Vec<f64>], count: usize) -> Eigen {
     let vectors = small.vectors[..count].iter().map(|weights| {
         let mut vector = vec![0.0; basis.first().map_or(0, Vec::len)];
         for (&weight, member) in weights.iter().zip(basis) {

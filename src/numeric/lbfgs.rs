@@ -23,7 +23,7 @@ pub struct LbfgsParams {
     /// End when the value is expected to fall by less than this share of itself.
     pub tolerance: f64,
     /// End after so many iterations.
-    pub most_iterations: usize,
+    pub max_iterations: usize,
 }
 
 /// Why the search ended.
@@ -52,7 +52,7 @@ pub struct Minimum {
     pub ending: Ending,
 }
 
-/// Steps whose falls are judged together.
+/// Steps whose falls are classified together.
 const WINDOW: usize = 8;
 
 /// An expected fall of this share of the value is lost in rounding.
@@ -79,7 +79,7 @@ pub fn lbfgs(
     let mut values = VecDeque::from([search.value]);
     let mut ending = Ending::MostIterations;
     let mut iterations = 0;
-    while iterations < params.most_iterations {
+    while iterations < params.max_iterations {
         if !go_on() {
             ending = Ending::Stopped;
             break;

@@ -5,7 +5,7 @@ const SUFFICIENT_FALL: f64 = 1e-4;
 /// Share of the slope that may remain; loose, as quasi-Newton directions are nearly of full length.
 const REMAINING_SLOPE: f64 = 0.9;
 /// Halving so often leaves steps of 1e-6 of the first.
-const MOST_TRIALS: usize = 30;
+const MAX_TRIALS: usize = 30;
 
 /// Value and slope along the direction at a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,7 +46,7 @@ pub(super) fn search(
     let mut low = at_zero;
     let mut high: Option<Trial> = None;
     let mut step = first;
-    for _ in 0..MOST_TRIALS {
+    for _ in 0..MAX_TRIALS {
         let Some(trial) = evaluate(step) else {
             return Found::Stopped;
         };

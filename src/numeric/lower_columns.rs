@@ -2,7 +2,7 @@
 
 /// The lower triangle of a symmetric matrix, column by column, diagonal entries included.
 #[derive(Clone, Debug, PartialEq)]
-pub struct LowerColumns {
+pub struct LowerCsc {
     /// Where each column starts in the other two, and where the last one ends.
     pub starts: Vec<usize>,
     /// Rows of entries, ascending in each column; the first one is the diagonal's.
@@ -11,7 +11,7 @@ pub struct LowerColumns {
     pub values: Vec<f64>,
 }
 
-impl LowerColumns {
+impl LowerCsc {
     /// Columns of the matrix.
     pub fn size(&self) -> usize {
         self.starts.len().saturating_sub(1)

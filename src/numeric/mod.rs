@@ -15,7 +15,7 @@ pub use dense_cholesky::{factorise_positive, solve_lower, solve_positive};
 pub use lanczos::{LeadingEigenError, leading_eigen};
 pub use lanes::{Arithmetic, LANES, Lanes, both, three};
 pub use lbfgs::{Ending, LbfgsParams, Minimum, Objective, lbfgs};
-pub use lower_columns::LowerColumns;
+pub use lower_columns::LowerCsc;
 pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};
 pub use vectors::{add_scaled, dot};

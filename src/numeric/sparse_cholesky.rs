@@ -11,7 +11,7 @@ use faer::sparse::linalg::cholesky::{
 use faer::sparse::{SparseColMat, SparseColMatRef, SymbolicSparseColMatRef, Triplet};
 use faer::{Conj, MatMut, Par, Side, Spec};
 
-use super::LowerColumns;
+use super::LowerCsc;
 
 /// A = L Lᵀ of a sparse matrix, ordered to fill little; one thread, so that bits never differ.
 #[derive(Clone, Debug)]
@@ -82,8 +82,8 @@ impl SparseCholesky {
     ///
     /// # Errors
     /// If the shifted matrix is not positive definite to working precision, or `matrix` breaks
-    /// what [`LowerColumns`] says of itself.
-    pub fn shifted(matrix: &LowerColumns, shift: f64) -> Result<Self, SparseCholeskyError> {
+    /// what [`LowerCsc`] says of itself.
+    pub fn shifted(matrix: &LowerCsc, shift: f64) -> Result<Self, SparseCholeskyError> {
         let size = matrix.size();
         if !matrix.sound() {
             return Err(SparseCholeskyError::Columns { size });
@@ -230,7 +230,7 @@ mod tests {
     }
 
     /// Second difference with fixed ends, times the distance of the ends.
-    fn path(size: usize) -> LowerColumns {
+    fn path(size: usize) -> LowerCsc {
         let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
         for column in 0..size {
             rows.push(column);
@@ -241,7 +241,7 @@ mod tests {
             }
             starts.push(rows.len());
         }
-        LowerColumns {
+        LowerCsc {
             starts,
             rows,
             values,
@@ -270,7 +270,7 @@ mod tests {
     #[test]
     fn a_matrix_that_is_not_positive_or_not_sound_is_refused() {
         let not_positive = SparseCholeskyError::NotPositiveDefinite { size: 5 };
-        let refused = |matrix: &LowerColumns, shift| SparseCholesky::shifted(matrix, shift).err();
+        let refused = |matrix: &LowerCsc, shift| SparseCholesky::shifted(matrix, shift).err();
         assert_eq!(refused(&path(5), -4.0), Some(not_positive));
         let mut broken = path(5);
         broken.values[3] = f64::NAN;

@@ -202,7 +202,7 @@ pub fn sentence(words: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::thickening::{PatchSegment, Steadiness};
+    use crate::analysis::thickening::{PatchSegment, TemporalConsistency};
     use crate::mesh::Point3;
 
     fn patch(segments: &[u8]) -> Patch {
@@ -222,7 +222,7 @@ mod tests {
             thickening: 0.0,
             confidence: 1.0,
             path: Vec::new(),
-            steadiness: Steadiness::default(),
+            temporal_consistency: TemporalConsistency::default(),
         }
     }
 

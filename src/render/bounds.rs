@@ -61,7 +61,7 @@ impl Bounds {
         0.5 * (self.low + self.high)
     }
 
-    /// Half the diagonal: the radius of a ball about the middle that holds the box.
+    /// Half the diagonal: the radius of a sphere about the middle that holds the box.
     pub fn radius(&self) -> f32 {
         0.5 * (self.high - self.low).length()
     }

@@ -46,7 +46,7 @@ pub struct Projected {
     pub distance: f32,
 }
 
-/// A parallel camera sees this many half heights before and behind its target: enough to look at a millimetre of a heart.
+/// A parallel camera sees this many half heights before and behind its target: enough to look at a millimetre of a subject.
 const PARALLEL_REACH: f32 = 256.0;
 /// The near plane, as a share of the distance from eye to target.
 const NEAR_SHARE: f32 = 0.01;

@@ -75,9 +75,9 @@ impl Camera {
         self.look_from(-backward, up)
     }
 
-    /// Turns freely, as if a ball about the target were dragged from one pixel to another.
+    /// Turns freely, as if a sphere about the target were dragged from one pixel to another.
     ///
-    /// Outside the ball of radius one half of the shorter side, Bell's hyperbola z = r² / (2 √(x² + y²)) continues it smoothly.
+    /// Outside the sphere of radius one half of the shorter side, Bell's hyperbola z = r² / (2 √(x² + y²)) continues it smoothly.
     #[must_use]
     pub fn rolled(self, from: Vec2, to: Vec2, size: Vec2) -> Self {
         let radius = (0.5 * size.min_element()).max(1.0);

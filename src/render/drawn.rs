@@ -1,7 +1,8 @@
 //! One thing to draw, with all that the card needs for it.
 
 use super::Bounds;
-use super::pipelines::{Kind, Pipelines, Stage};
+use super::pipelines::{Pipelines, Stage};
+use super::shaders::Kind;
 
 /// One surface, set of lines or set of points, ready to be drawn in any pass.
 pub(super) struct Drawn {

@@ -3,7 +3,7 @@
 //! 1. Depth of opaque surfaces, then ambient occlusion from it, then depth of opaque lines and points.
 //! 2. For each translucent layer, nearest first: its depth (behind the layer before, in front of what
 //!    is opaque), then its light under what is already there.
-//!    Where a device cannot read samples, films are laid over each other whole instead, nearest first.
+//!    Where a device cannot read samples, translucent surfaces are laid over each other whole instead, nearest first.
 //! 3. Light of opaque things under the layers, and the average of the four samples.
 //!
 //! Layers are found sample by sample, so translucency is exact to the number of layers and does not
@@ -14,10 +14,10 @@
 use super::drawn::Drawn;
 use super::occlusion_pass::OcclusionPass;
 use super::pipelines::{Layouts, Pipelines, Stage};
-use super::targets::{Means, Scratch};
+use super::targets::{Capabilities, Scratch};
 
 /// Layers taken at most; what lies behind eight translucent layers adds less than one step of eight-bit colour at opacity 0.5.
-const MOST_LAYERS: usize = 8;
+const MAX_LAYERS: usize = 8;
 
 /// All that the passes of one picture need.
 pub(super) struct Frame<'a> {
@@ -26,7 +26,7 @@ pub(super) struct Frame<'a> {
     pub pipelines: &'a Pipelines,
     /// `None` on devices that cannot find it.
     pub occlusion: Option<&'a OcclusionPass>,
-    pub means: Means,
+    pub capabilities: Capabilities,
     /// Towards the viewer.
     pub backward: glam::Vec3,
     /// Whether a further layer is taken, for folds.
@@ -39,10 +39,10 @@ pub(super) struct Frame<'a> {
 
 /// Layers worth taking: those that a ray usually meets, and one more for folds where wanted.
 fn layer_count(drawn: &[Drawn], folds: bool) -> usize {
-    let films = drawn.iter().filter(|drawn| drawn.translucent);
-    match films.map(|drawn| drawn.layers).sum() {
+    let translucent_surfaces = drawn.iter().filter(|drawn| drawn.translucent);
+    match translucent_surfaces.map(|drawn| drawn.layers).sum() {
         0 => 0,
-        layers => MOST_LAYERS.min(layers + usize::from(folds)),
+        layers => MAX_LAYERS.min(layers + usize::from(folds)),
     }
 }
 
@@ -67,10 +67,10 @@ impl Frame<'_> {
             !drawn.is_surface() && !drawn.translucent
         });
         let layers = layer_count(self.drawn, self.folds);
-        draws += match self.means {
+        draws += match self.capabilities {
             _ if layers == 0 => 0,
-            Means::Peeled => self.layers(encoder, scratch, layers),
-            Means::Plain => self.films(encoder, scratch),
+            Capabilities::Peeled => self.layers(encoder, scratch, layers),
+            Capabilities::Plain => self.translucent_surfaces(encoder, scratch),
         };
         draws += self.opaque(encoder, scratch, resolved, layers == 0);
         draws
@@ -138,29 +138,29 @@ impl Frame<'_> {
         draws
     }
 
-    /// Films whole, nearest first: right between films, not within one.
-    fn films(&self, encoder: &mut wgpu::CommandEncoder, scratch: &Scratch) -> u64 {
+    /// Translucent surfaces whole, nearest first: right between translucent surfaces, not within one.
+    fn translucent_surfaces(&self, encoder: &mut wgpu::CommandEncoder, scratch: &Scratch) -> u64 {
         let occlusion = self.occlusion_group(scratch);
         let (colour, depth) = (&scratch.colour, &scratch.depth);
         let mut pass = self.colour_pass(encoder, colour, depth, true, None);
         pass.set_bind_group(2, &occlusion, &[]);
-        let mut films: Vec<&Drawn> = self
+        let mut translucent_surfaces: Vec<&Drawn> = self
             .drawn
             .iter()
             .filter(|drawn| drawn.translucent)
             .collect();
-        // Of films about one place, the widest is met first.
-        let farness = |film: &Drawn| {
-            let bounds = film.bounds.as_ref();
+        // Of translucent surfaces about one place, the widest is met first.
+        let farness = |surface: &Drawn| {
+            let bounds = surface.bounds.as_ref();
             bounds.map_or(f32::INFINITY, |b| {
                 -b.centre().dot(self.backward) - b.radius()
             })
         };
-        films.sort_by(|a, b| farness(a).total_cmp(&farness(b)));
-        for film in &films {
-            film.draw(&mut pass, self.pipelines, Stage::Film);
+        translucent_surfaces.sort_by(|a, b| farness(a).total_cmp(&farness(b)));
+        for surface in &translucent_surfaces {
+            surface.draw(&mut pass, self.pipelines, Stage::Translucent);
         }
-        films.len() as u64
+        translucent_surfaces.len() as u64
     }
 
     fn opaque(

@@ -2,20 +2,11 @@
 
 use super::Lines;
 use super::drawn::Drawn;
-use super::pipelines::{Kind, Layouts};
+use super::pipelines::Layouts;
+use super::shaders::Kind;
 use super::surface_pass::block;
 use super::uniforms::MarkUniform;
 use super::uploads::{Gpu, Uploads};
-
-/// The shader's own part.
-pub(super) const SHADER: &str = include_str!("shaders/lines.wgsl");
-
-/// Both ends of a segment.
-pub(super) const SEGMENTS: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: 24,
-    step_mode: wgpu::VertexStepMode::Instance,
-    attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3],
-};
 
 /// Triangles that round an end: enough that the polygon stays within 0.1 pixel of the circle up to 20 pixels of width.
 fn end_triangles(width_pixels: f32) -> u32 {

@@ -1,4 +1,4 @@
-//! Turns a plain scene into pixels, in a window or in a picture file; knows nothing of hearts.
+//! Turns a plain scene into pixels, in a window or in a picture file; knows nothing of subjects.
 
 mod blit_pass;
 mod bounds;
@@ -6,6 +6,8 @@ mod cache;
 mod camera;
 mod camera_moves;
 mod drawn;
+mod driver_probe;
+mod error_scope;
 mod frame;
 mod identity;
 mod line_pass;
@@ -17,14 +19,13 @@ mod pipelines;
 mod point_pass;
 mod renderer;
 mod scene;
+mod shaders;
 mod surface_pass;
 mod targets;
 #[cfg(test)]
 mod tests;
-mod trial;
 mod uniforms;
 mod uploads;
-mod watch;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Projected, Ray};

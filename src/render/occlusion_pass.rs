@@ -1,6 +1,7 @@
 //! Ambient occlusion of opaque surfaces at half size: distances, gathering, blur.
 
-use super::pipelines::{COMMON, Layouts, PLAIN, layout, texture_entry};
+use super::pipelines::{Layouts, PLAIN, layout, texture_entry};
+use super::shaders::COMMON;
 use super::targets::{OCCLUSION, Scratch};
 
 /// How occlusion and distance share a texel.

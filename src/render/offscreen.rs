@@ -1,10 +1,10 @@
 //! Pictures without a window, at any size up to 8192 × 8192.
 
+use super::error_scope::{ErrorScope, finished};
 use super::renderer::{Renderer, ViewId};
 use super::targets::COLOUR;
 use super::uniforms::{Shot, Tile};
 use super::uploads::Gpu;
-use super::watch::{Watch, finished};
 use super::{Camera, Rgba, Scene};
 
 /// Greatest width and height of a picture, in pixels.
@@ -185,7 +185,7 @@ impl Headless {
 
     /// Draws one tile and reads it back: premultiplied rows without gaps.
     fn draw(&mut self, scene: &Scene, camera: &Camera, shot: Shot) -> Result<Vec<u8>, RenderError> {
-        let watch = Watch::begin(&self.device);
+        let error_scope = ErrorScope::begin(&self.device);
         let mut encoder = self
             .device
             .create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -202,14 +202,14 @@ impl Headless {
         };
         let texture = texture.clone();
         let rows = read_back(&self.device, &self.queue, encoder, &texture);
-        watch.end().map_err(RenderError::Draw)?;
+        error_scope.end().map_err(RenderError::Draw)?;
         rows
     }
 
-    /// The same with films drawn by these means.
+    /// The same with translucent surfaces drawn by these capabilities.
     #[cfg(test)]
-    pub(super) fn with_means(mut self, means: super::targets::Means) -> Self {
-        self.renderer = self.renderer.with_means(means);
+    pub(super) fn with_capabilities(mut self, capabilities: super::targets::Capabilities) -> Self {
+        self.renderer = self.renderer.with_capabilities(capabilities);
         self
     }
 

@@ -1,54 +1,25 @@
 //! Pipelines of everything that is drawn into the scene's depth, made when first needed.
 
+use super::shaders::{CORNERS, DISCS, Kind, RIM, SEGMENTS, shader_text};
 use super::targets::{COLOUR, DEPTH, SAMPLES};
-use super::{line_pass, point_pass, surface_pass};
-
-/// What every scene shader begins with.
-pub(super) const COMMON: &str = include_str!("shaders/common.wgsl");
-const PEEL: &str = include_str!("shaders/peel.wgsl");
-
-/// What is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    /// A surface by its indices.
-    Surface,
-    /// A surface corner by corner, with edges.
-    EdgedSurface,
-    /// Where a surface ends.
-    Rim,
-    /// Line segments.
-    Lines,
-    /// Discs.
-    Points,
-}
 
 /// What it is drawn for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Stage {
     /// The nearest opaque depth.
     OpaqueDepth,
-    /// The nearest depth of films before what is opaque.
+    /// The nearest depth of translucent surfaces before what is opaque.
     FirstDepth,
     /// The nearest depth behind the layer taken before.
     PeelDepth,
     /// Light where the depth is the one found before, under what is already there.
     Colour,
-    /// Light of a whole film before what is opaque, under what is already there; needs no depths but those.
-    Film,
+    /// Light of a whole translucent surface before what is opaque, under what is already there; needs no depths but those.
+    Translucent,
 }
 
 const KINDS: usize = 5;
 const STAGES: usize = 5;
-
-/// The whole shader text of a kind.
-pub(super) fn shader_text(kind: Kind) -> String {
-    let own = match kind {
-        Kind::Surface | Kind::EdgedSurface | Kind::Rim => surface_pass::SHADER,
-        Kind::Lines => line_pass::SHADER,
-        Kind::Points => point_pass::SHADER,
-    };
-    [COMMON, PEEL, own].join("\n")
-}
 
 /// Bind group layouts shared by the passes.
 pub(super) struct Layouts {
@@ -186,17 +157,19 @@ fn scene_pipeline(
     };
     let (entry, buffers) = match kind {
         Kind::Surface => ("vs_indexed", vec![]),
-        Kind::EdgedSurface => ("vs_corners", vec![Some(surface_pass::CORNERS)]),
-        Kind::Rim => ("vs_rim", vec![Some(surface_pass::RIM)]),
-        Kind::Lines => ("vs_segment", vec![Some(line_pass::SEGMENTS)]),
-        Kind::Points => ("vs_disc", point_pass::DISCS.map(Some).to_vec()),
+        Kind::EdgedSurface => ("vs_corners", vec![Some(CORNERS)]),
+        Kind::Rim => ("vs_rim", vec![Some(RIM)]),
+        Kind::Lines => ("vs_segment", vec![Some(SEGMENTS)]),
+        Kind::Points => ("vs_disc", DISCS.map(Some).to_vec()),
     };
     let groups: &[Option<&wgpu::BindGroupLayout>] = match stage {
         Stage::OpaqueDepth => &[Some(&layouts.view), Some(own)],
         Stage::FirstDepth | Stage::PeelDepth => {
             &[Some(&layouts.view), Some(own), Some(&layouts.peel)]
         }
-        Stage::Colour | Stage::Film => &[Some(&layouts.view), Some(own), Some(&layouts.occlusion)],
+        Stage::Colour | Stage::Translucent => {
+            &[Some(&layouts.view), Some(own), Some(&layouts.occlusion)]
+        }
     };
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: None,
@@ -229,7 +202,7 @@ fn scene_pipeline(
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH,
-            depth_write_enabled: Some(!matches!(stage, Stage::Colour | Stage::Film)),
+            depth_write_enabled: Some(!matches!(stage, Stage::Colour | Stage::Translucent)),
             depth_compare: Some(match stage {
                 Stage::Colour => wgpu::CompareFunction::Equal,
                 _ => wgpu::CompareFunction::Greater,
@@ -245,8 +218,10 @@ fn scene_pipeline(
             Stage::OpaqueDepth => None,
             Stage::FirstDepth => Some(fragment("fs_first", &[])),
             Stage::PeelDepth => Some(fragment("fs_peel", &[])),
-            Stage::Colour | Stage::Film if kind == Kind::Rim => Some(fragment("fs_rim", &under)),
-            Stage::Colour | Stage::Film => Some(fragment("fs_colour", &under)),
+            Stage::Colour | Stage::Translucent if kind == Kind::Rim => {
+                Some(fragment("fs_rim", &under))
+            }
+            Stage::Colour | Stage::Translucent => Some(fragment("fs_colour", &under)),
         },
         multiview_mask: None,
         cache: None,

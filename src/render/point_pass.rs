@@ -3,26 +3,10 @@
 use super::Points;
 use super::drawn::Drawn;
 use super::line_pass::mark_group;
-use super::pipelines::{Kind, Layouts};
+use super::pipelines::Layouts;
+use super::shaders::Kind;
 use super::uniforms::MarkUniform;
 use super::uploads::{Gpu, Uploads};
-
-/// The shader's own part.
-pub(super) const SHADER: &str = include_str!("shaders/points.wgsl");
-
-/// Centres (padded to four numbers) and colours.
-pub(super) const DISCS: [wgpu::VertexBufferLayout<'static>; 2] = [
-    wgpu::VertexBufferLayout {
-        array_stride: 16,
-        step_mode: wgpu::VertexStepMode::Instance,
-        attributes: &wgpu::vertex_attr_array![0 => Float32x3],
-    },
-    wgpu::VertexBufferLayout {
-        array_stride: 16,
-        step_mode: wgpu::VertexStepMode::Instance,
-        attributes: &wgpu::vertex_attr_array![1 => Float32x4],
-    },
-];
 
 /// Triangles of a disc: the polygon stays within 0.1 pixel of the circle up to 40 pixels.
 fn disc_triangles(diameter_pixels: f32) -> u32 {

@@ -4,16 +4,16 @@ use std::collections::HashMap;
 
 use super::blit_pass::{BlitPass, BlitTarget};
 use super::drawn::Drawn;
+use super::error_scope::ErrorScope;
 use super::frame::Frame;
 use super::identity::same_scene;
 use super::occlusion_pass::OcclusionPass;
 use super::pipelines::{Layouts, Pipelines, Stage};
 use super::surface_pass::Nothing;
-use super::targets::{Means, Resolved, Scratch};
+use super::targets::{Capabilities, Resolved, Scratch};
 use super::uniforms::{Shot, Tile, UNIFORM_STRIDE, ViewUniform};
 use super::uploads::{Gpu, Uploads};
-use super::watch::Watch;
-use super::{Camera, Scene, line_pass, point_pass, surface_pass, trial};
+use super::{Camera, Scene, driver_probe, line_pass, point_pass, surface_pass};
 
 /// Names one of several pictures that are kept at the same time, such as two views side by side.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -60,7 +60,7 @@ pub struct Renderer {
     blit: BlitPass,
     target_format: wgpu::TextureFormat,
     /// Found when first drawing where the interface does not promise it.
-    means: Option<Result<Means, String>>,
+    capabilities: Option<Result<Capabilities, String>>,
     /// Whether the processor draws.
     software: bool,
     failure: Option<String>,
@@ -78,21 +78,21 @@ impl Renderer {
     pub fn new(device: &wgpu::Device, target_format: wgpu::TextureFormat) -> Self {
         let info = device.adapter_info();
         let promised = info.backend != wgpu::Backend::Gl;
-        let watch = Watch::begin(device);
+        let error_scope = ErrorScope::begin(device);
         let layouts = Layouts::new(device);
         let blit = BlitPass::new(device, target_format);
         let nothing = Nothing::new(device);
-        let means = match watch.end() {
+        let capabilities = match error_scope.end() {
             Err(reason) => Some(Err(reason)),
-            Ok(()) => promised.then_some(Ok(Means::Peeled)),
+            Ok(()) => promised.then_some(Ok(Capabilities::Peeled)),
         };
-        let watch = Watch::begin(device);
+        let error_scope = ErrorScope::begin(device);
         let occlusion = OcclusionPass::new(device, &layouts);
         Self {
-            occlusion: watch.end().is_ok().then_some(occlusion),
+            occlusion: error_scope.end().is_ok().then_some(occlusion),
             blit,
             target_format,
-            means,
+            capabilities,
             software: info.device_type == wgpu::DeviceType::Cpu,
             failure: None,
             nothing,
@@ -184,9 +184,9 @@ impl Renderer {
         });
     }
 
-    /// A renderer that draws films by these means, whether or not its device can.
-    pub(super) fn with_means(mut self, means: Means) -> Self {
-        self.means = Some(Ok(means));
+    /// A renderer that draws translucent surfaces by these capabilities, whether or not its device can.
+    pub(super) fn with_capabilities(mut self, capabilities: Capabilities) -> Self {
+        self.capabilities = Some(Ok(capabilities));
         self
     }
 
@@ -200,17 +200,25 @@ impl Renderer {
         shot: Shot,
     ) -> Result<(), String> {
         let format = self.target_format;
-        let means = self
-            .means
-            .get_or_insert_with(|| trial::means(gpu, format))
+        let capabilities = self
+            .capabilities
+            .get_or_insert_with(|| {
+                driver_probe::capabilities(gpu, &|capabilities, encoder, view, shot| {
+                    let mut probe = Self::new(gpu.device, format).with_capabilities(capabilities);
+                    probe.draw(gpu, encoder, ViewId(0), view, shot)
+                })
+            })
             .clone()?;
-        let watch = Watch::begin(gpu.device);
+        let error_scope = ErrorScope::begin(gpu.device);
         let (tile, pixels_per_point) = (shot.tile, shot.pixels_per_point);
         let count = scene.surfaces.len() + scene.lines.len() + scene.points.len();
         let mut view = self.view(gpu.device, id, tile, count);
         let (drawn, blocks, reach) =
             self.collect(gpu, scene, pixels_per_point, &view.draw_uniforms);
-        let occlusion = self.occlusion.as_ref().filter(|_| means == Means::Peeled);
+        let occlusion = self
+            .occlusion
+            .as_ref()
+            .filter(|_| capabilities == Capabilities::Peeled);
         let reach = occlusion.map_or(0.0, |_| reach);
         gpu.queue.write_buffer(&view.draw_uniforms, 0, &blocks);
         let uniform = ViewUniform::new(camera, shot, reach, scene.background);
@@ -221,14 +229,14 @@ impl Renderer {
             &mut self.pipelines,
             (gpu.device, &self.layouts),
             &drawn,
-            means,
+            capabilities,
         );
-        let mut scratch = take_scratch(&mut self.scratch, gpu.device, tile.size, means);
+        let mut scratch = take_scratch(&mut self.scratch, gpu.device, tile.size, capabilities);
         scratch.last_used = self.redraws + 1;
-        if means == Means::Peeled && drawn.iter().any(|drawn| drawn.translucent) {
+        if capabilities == Capabilities::Peeled && drawn.iter().any(|drawn| drawn.translucent) {
             scratch.layers(gpu.device);
         }
-        if let Err(reason) = watch.end() {
+        if let Err(reason) = error_scope.end() {
             self.pipelines = Pipelines::default();
             self.scratch.clear();
             self.uploads.forget();
@@ -239,7 +247,7 @@ impl Renderer {
             layouts: &self.layouts,
             pipelines: &self.pipelines,
             occlusion,
-            means,
+            capabilities,
             backward: camera.backward(),
             folds: shot.folds,
             view: &view.view_group,
@@ -358,13 +366,13 @@ fn prepare_pipelines(
     pipelines: &mut Pipelines,
     (device, layouts): (&wgpu::Device, &Layouts),
     drawn: &[Drawn],
-    means: Means,
+    capabilities: Capabilities,
 ) {
     for draw in drawn {
-        let stages: &[Stage] = match (draw.translucent, means) {
+        let stages: &[Stage] = match (draw.translucent, capabilities) {
             (false, _) => &[Stage::OpaqueDepth, Stage::Colour],
-            (true, Means::Peeled) => &[Stage::FirstDepth, Stage::PeelDepth, Stage::Colour],
-            (true, Means::Plain) => &[Stage::Film],
+            (true, Capabilities::Peeled) => &[Stage::FirstDepth, Stage::PeelDepth, Stage::Colour],
+            (true, Capabilities::Plain) => &[Stage::Translucent],
         };
         for &stage in stages {
             pipelines.prepare(device, layouts, draw.kind, stage);
@@ -376,11 +384,11 @@ fn take_scratch(
     kept: &mut Vec<Scratch>,
     device: &wgpu::Device,
     size: [u32; 2],
-    means: Means,
+    capabilities: Capabilities,
 ) -> Scratch {
     match kept.iter().position(|scratch| scratch.size == size) {
         Some(place) => kept.swap_remove(place),
-        None => Scratch::new(device, size, means),
+        None => Scratch::new(device, size, capabilities),
     }
 }
 

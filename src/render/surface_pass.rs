@@ -1,31 +1,11 @@
 //! Surfaces as draws: morphed on the card, coloured evenly or by numbers, with or without edges.
 
 use super::drawn::Drawn;
-use super::pipelines::{Kind, Layouts};
+use super::pipelines::Layouts;
+use super::shaders::Kind;
 use super::uniforms::{SurfaceUniform, UNIFORM_STRIDE};
 use super::uploads::{Gpu, Uploads};
 use super::{Surface, SurfaceColour};
-
-/// The shader's own part.
-pub(super) const SHADER: &str = concat!(
-    include_str!("shaders/occlusion_texel.wgsl"),
-    include_str!("shaders/occlusion_read.wgsl"),
-    include_str!("shaders/surface.wgsl")
-);
-
-/// Indices read corner by corner, for edges.
-pub(super) const CORNERS: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: 4,
-    step_mode: wgpu::VertexStepMode::Vertex,
-    attributes: &wgpu::vertex_attr_array![0 => Uint32],
-};
-
-/// Both vertices of an edge where the surface ends.
-pub(super) const RIM: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: 8,
-    step_mode: wgpu::VertexStepMode::Instance,
-    attributes: &wgpu::vertex_attr_array![0 => Uint32, 1 => Uint32],
-};
 
 /// Stand-ins for numbers and colours that a surface does not have.
 pub(super) struct Nothing {

@@ -2,9 +2,9 @@
 
 use super::uniforms::Tile;
 
-/// How films are drawn, by what the device can do.
+/// How translucent surfaces are drawn, by what the device can do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Means {
+pub(super) enum Capabilities {
     /// Layer by layer, which reads the samples of depths; with occlusion.
     Peeled,
     /// Whole, without occlusion: for OpenGL before 4.0, OpenGL ES before 3.2.
@@ -32,15 +32,15 @@ pub(super) struct Scratch {
 }
 
 impl Scratch {
-    pub fn new(device: &wgpu::Device, size: [u32; 2], means: Means) -> Self {
+    pub fn new(device: &wgpu::Device, size: [u32; 2], capabilities: Capabilities) -> Self {
         let half = size.map(|n| n.div_ceil(2));
         let occlusion = || target(device, half, OCCLUSION, 1);
         Self {
             size,
             colour: unread_target(device, size, COLOUR, SAMPLES),
-            depth: match means {
-                Means::Peeled => target(device, size, DEPTH, SAMPLES),
-                Means::Plain => unread_target(device, size, DEPTH, SAMPLES),
+            depth: match capabilities {
+                Capabilities::Peeled => target(device, size, DEPTH, SAMPLES),
+                Capabilities::Plain => unread_target(device, size, DEPTH, SAMPLES),
             },
             occlusion: [occlusion(), occlusion()],
             layers: None,

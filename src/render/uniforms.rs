@@ -1,4 +1,4 @@
-//! What the shaders are told, in the layout of their structs.
+//! What the shaders are known, in the layout of their structs.
 
 use bytemuck::{Pod, Zeroable};
 
@@ -36,7 +36,7 @@ pub(super) struct Shot {
     pub tile: Tile,
     /// Physical pixels per logical pixel.
     pub pixels_per_point: f32,
-    /// Whether a layer more than usual is taken of films, for folds.
+    /// Whether a layer more than usual is taken of translucent surfaces, for folds.
     pub folds: bool,
     /// Size of the smaller picture of the whole whose occlusion is used; `None` to find it anew for this tile.
     pub occlusion_of: Option<[u32; 2]>,

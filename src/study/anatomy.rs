@@ -2,7 +2,7 @@
 
 use crate::mesh::{Point3, Vector3};
 
-/// Orientation landmarks of one heart, in the coordinates of its first frame.
+/// Orientation landmarks of one subject, in the coordinates of its first frame.
 ///
 /// Anatomical names are shown only for subjects that carry one.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,9 +3,9 @@
 /// The part a label plays in rules, and its shape and colour in every view.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum LabelRole {
-    /// A healthy heart: a circle.
+    /// A healthy subject: a circle.
     Normal,
-    /// An ill heart: a cross.
+    /// An ill subject: a cross.
     Abnormal,
     /// No label, or one that takes no part: a square.
     #[default]
@@ -15,9 +15,9 @@ pub enum LabelRole {
 /// Which labels of a study count as normal and which as abnormal.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LabelRoles {
-    /// Labels of healthy hearts.
+    /// Labels of healthy subjects.
     pub normal: Vec<String>,
-    /// Labels of ill hearts.
+    /// Labels of ill subjects.
     pub abnormal: Vec<String>,
 }
 

@@ -1,4 +1,4 @@
-//! One heart over the beat: surfaces in correspondence over frames.
+//! One subject over the beat: surfaces in correspondence over frames.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::mesh::{Faces, Point3, TriMesh};
 
-/// Which sheet of the heart a surface is.
+/// Which sheet of the subject a surface is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum SurfaceKind {
     /// The wall's inner sheet, open or closed at the base.
@@ -17,7 +17,7 @@ pub enum SurfaceKind {
     Wall,
     /// The blood pool alone; counts as endocardium for volumes.
     Cavity,
-    /// A surface that is not said to be part of a heart.
+    /// A surface that is not said to be part of a subject.
     Other,
 }
 
@@ -140,13 +140,13 @@ impl SurfaceSequence {
 pub struct CorrespondenceKey(u64);
 
 /// Names one sequence in this run of the program: clones share it, no two that were made do. So
-/// whatever was computed of a sequence is found again when only what is said of the heart changes.
+/// whatever was computed of a sequence is detected again when only what is said of the subject changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct SequenceId(u64);
 
 static NEXT_SEQUENCE: AtomicU64 = AtomicU64::new(0);
 
-/// All surfaces of one heart, with as many frames each; at least one surface and one frame.
+/// All surfaces of one subject, with as many frames each; at least one surface and one frame.
 #[derive(Clone, Debug)]
 pub struct MeshSequence {
     surfaces: Vec<SurfaceSequence>,
@@ -207,7 +207,7 @@ impl MeshSequence {
         &self.surfaces
     }
 
-    /// The surface of one kind, if the heart has it.
+    /// The surface of one kind, if the subject has it.
     pub fn surface(&self, kind: SurfaceKind) -> Option<&SurfaceSequence> {
         self.surfaces.iter().find(|surface| surface.kind == kind)
     }
@@ -235,7 +235,7 @@ impl MeshSequence {
         self.id
     }
 
-    /// Equal for hearts whose vertices correspond: the same kinds, counts and faces.
+    /// Equal for subjects whose vertices correspond: the same kinds, counts and faces.
     pub fn correspondence(&self) -> CorrespondenceKey {
         self.correspondence
     }

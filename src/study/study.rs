@@ -15,7 +15,7 @@ pub struct Revision(pub u64);
 pub struct Study {
     /// What the window's title bar says.
     pub name: String,
-    /// The hearts, in the order of the input.
+    /// The subjects, in the order of the input.
     pub subjects: Vec<Arc<Subject>>,
     /// What labels count as.
     pub label_roles: LabelRoles,

@@ -1,10 +1,10 @@
-//! One heart of a study with what is said about it.
+//! One subject of a study with what is said about it.
 
 use crate::units::LengthUnit;
 
 use super::{Anatomy, CycleTiming, MeshSequence, Notice, SequenceId};
 
-/// One heart: its beat, its label and what the input says beside the meshes.
+/// One subject: its beat, its label and what the input says beside the meshes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Subject {
     /// Pseudonym; unique in a study.
@@ -37,7 +37,7 @@ pub struct Subject {
 pub struct ShapeKey {
     /// The surfaces.
     pub sequence: SequenceId,
-    /// The frame that says how large the heart is, where the beat begins, and from where motion counts.
+    /// The frame that says how large the subject is, where the beat begins, and from where motion counts.
     pub end_diastole: Option<usize>,
 }
 

@@ -1,27 +1,18 @@
 //! Metrics, forms and methods in the words of the window, with what each ignores.
 
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
+use crate::analysis::metrics::{
+    Corners, CurvatureRole, Form, MetricKind, MetricParams, MetricWords,
+};
 
-/// All metrics in the order in which they are offered.
-pub const METRICS: [MetricKind; 4] = [
-    MetricKind::QuasiConformal,
-    MetricKind::AnglePreserving,
-    MetricKind::Isometric,
-    MetricKind::Rigid,
-];
+pub use crate::analysis::metrics::METRICS;
 
 /// All forms in the order in which they are offered.
 pub const FORMS: [Form; 4] = [Form::Additive, Form::Bilinear, Form::Frozen, Form::Printed];
 
 /// Name of a metric.
 pub fn metric_name(kind: MetricKind) -> &'static str {
-    match kind {
-        MetricKind::Isometric => "Isometric",
-        MetricKind::Rigid => "Rigid",
-        MetricKind::AnglePreserving => "Angle-preserving",
-        MetricKind::QuasiConformal => "Quasi-conformal",
-    }
+    kind.words().name
 }
 
 /// Name of a form.
@@ -43,52 +34,42 @@ pub fn method_name(method: MapMethod) -> &'static str {
     }
 }
 
-/// Whether a metric has forms, corners and a regulariser.
+/// Whether a metric has forms.
 pub fn has_forms(kind: MetricKind) -> bool {
-    matches!(
-        kind,
-        MetricKind::QuasiConformal | MetricKind::AnglePreserving
-    )
+    kind.has_forms()
 }
 
 /// Whether the weight μ plays a part.
 pub fn has_curvature_weight(metric: &MetricParams) -> bool {
-    metric.kind == MetricKind::QuasiConformal && metric.form == Form::Additive
+    metric.curvature_role() == CurvatureRole::Term
 }
 
 /// Whether the rings over which curvature is averaged play a part.
 pub fn has_rings(metric: &MetricParams) -> bool {
-    metric.kind == MetricKind::QuasiConformal && metric.area_weights
+    metric.curvature_role() != CurvatureRole::Unused && metric.area_weights
 }
 
-/// One sentence: what a metric ignores and what it charges.
+/// One sentence: what a metric ignores and what it penalises.
 pub fn metric_sentence(metric: &MetricParams) -> String {
-    let name = metric_name(metric.kind);
-    let (ignores, charges) = match metric.kind {
-        MetricKind::Isometric => (
-            "position, turning and bending without stretch",
-            "change of lengths on the surface",
-        ),
-        MetricKind::Rigid => ("position and turning", "every other displacement"),
-        MetricKind::AnglePreserving => ("position, turning and even growth", "change of angles"),
-        MetricKind::QuasiConformal => (
-            "position, turning and even growth",
-            "change of angles and of curvature",
-        ),
-    };
-    let displacement = if metric.lambda > 0.0 && metric.kind != MetricKind::Rigid {
-        ", and by λ every displacement"
+    let MetricWords {
+        name,
+        ignores,
+        penalises,
+        ..
+    } = metric.kind.words();
+    let displacement = if metric.lambda > 0.0 && !metric.kind.penalises_displacement() {
+        ", and every displacement with weight λ"
     } else {
         ""
     };
-    format!("{name}: ignores {ignores}; charges {charges}{displacement}")
+    format!("{name}: ignores {ignores}; penalises {penalises}{displacement}")
 }
 
 /// One sentence: how a form puts its terms together, and what it is good for.
-pub fn form_sentence(kind: MetricKind, form: Form) -> &'static str {
-    match form {
-        Form::Additive if kind == MetricKind::AnglePreserving => {
-            "Additive: an inner product everywhere; without curvature the same as bilinear"
+pub fn form_sentence(metric: &MetricParams) -> &'static str {
+    match metric.form {
+        Form::Additive if !has_curvature_weight(metric) => {
+            "Additive: an inner product everywhere; without curvature equal to the bilinear form"
         }
         Form::Additive => "Additive: an inner product everywhere; angle term + μ × curvature term",
         Form::Bilinear => {
@@ -123,7 +104,7 @@ mod tests {
                 ..MetricParams::default()
             };
             let sentence = metric_sentence(&metric);
-            assert!(sentence.starts_with(metric_name(kind)) && sentence.contains("ignores"));
+            assert!(sentence.starts_with(kind.words().name) && sentence.contains("ignores"));
             metric.lambda = 0.0;
             assert!(!metric_sentence(&metric).contains('λ'));
         }

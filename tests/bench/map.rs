@@ -43,7 +43,7 @@ fn maps(criterion: &mut Criterion) {
         };
         // Tolerance zero: all 100 steps are done.
         let params = SmacofParams {
-            most_iterations: 100,
+            max_iterations: 100,
             tolerance: 0.0,
             ..SmacofParams::default()
         };

@@ -14,7 +14,7 @@ use cardiomorph::analysis::thickness_methods::{
     LabelGrid, ThicknessMethod, ThicknessParams, VoxelLabel, laplace_field, thickness,
 };
 use cardiomorph::analysis::verdicts::{
-    Examined, HeartThickening, NotAssessed, VerdictParams, examine, verdicts,
+    Examined, NotAssessed, VerdictInput, VerdictParams, examine, verdicts,
 };
 use cardiomorph::engine::{AnalysisRequest, Cache, ThickeningSettings, run};
 use cardiomorph::io::{Limits, open_paths};
@@ -121,7 +121,7 @@ fn assessed(subject: &Subject) -> Option<Examined> {
     let beat = medial_beat(subject, &medial, &progress).ok()?;
     let axis = long_axis(subject, measures.end_diastole?).ok();
     let found = thickening(&beat, &measures, axis.as_ref(), &params, &progress).ok()?;
-    let heart = HeartThickening {
+    let heart = VerdictInput {
         beat: &beat,
         thickening: &found,
     };

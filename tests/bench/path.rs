@@ -75,10 +75,10 @@ fn whole_paths(criterion: &mut Criterion) {
         criterion.bench_function(&format!("geodesic_3_in_betweens_{vertices}"), |bencher| {
             bencher.iter(|| geodesic(sphere.faces(), start, &end, &params, &progress));
         });
-        for most_vertices in [None, Some(500)] {
+        for max_vertices in [None, Some(500)] {
             let params = GeodesicParams {
                 in_betweens: 1,
-                most_vertices,
+                max_vertices,
                 ..GeodesicParams::default()
             };
             let Ok(params) = params.check() else {
@@ -87,7 +87,7 @@ fn whole_paths(criterion: &mut Criterion) {
             let Ok(solver) = GeodesicSolver::new(sphere.faces(), start, &params) else {
                 return;
             };
-            let on = most_vertices.map_or_else(|| "all".to_owned(), |most| most.to_string());
+            let on = max_vertices.map_or_else(|| "all".to_owned(), |most| most.to_string());
             criterion.bench_function(
                 &format!("shared_geodesic_1_in_between_{vertices}_on_{on}"),
                 |bencher| bencher.iter(|| solver.between(start, &end, &progress)),

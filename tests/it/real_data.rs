@@ -147,7 +147,7 @@ fn mesa_opens_with_its_phases_and_says_that_frames_were_aligned() {
     assert_eq!(opened.study.subjects[0].id, "subj0062");
     assert!(says(
         &opened.notices,
-        "25 hearts lie upon each other, as if aligned for an atlas, each frame by itself"
+        "25 subjects appear pre-aligned, as for an atlas, each frame separately"
     ));
     for subject in &opened.study.subjects {
         assert_eq!(kinds(subject), SHEETS);

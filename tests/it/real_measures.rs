@@ -8,7 +8,7 @@
 use std::collections::HashMap;
 use std::path::PathBuf;
 
-use cardiomorph::analysis::measures::{SubjectMeasures, measure_study, untold_volumes};
+use cardiomorph::analysis::measures::{SubjectMeasures, measure_study, unknown_volumes};
 use cardiomorph::progress::Progress;
 use cardiomorph::study::Study;
 
@@ -113,7 +113,7 @@ fn the_mean_wall_of_a_population_has_a_cavity_and_a_mass() {
     };
     let (study, measures) = measured(folder.join("LV_ED_mean.vtk"));
     // Two open sheets in one file: the cavity is the inner one.
-    assert!(untold_volumes(&study.subjects[0]).is_empty());
+    assert!(unknown_volumes(&study.subjects[0]).is_empty());
     let (frame, mass) = (&measures[0].frames[0], measures[0].mass.unwrap().0);
     let (endo, epi) = (frame.endo_volume.unwrap(), frame.epi_volume.unwrap());
     println!(

@@ -1,7 +1,7 @@
 //! Two sequences of one patient, at rest and under stress, are near each other.
 
 use cardiomorph::analysis::experiments::{PartnerParams, partner_study};
-use cardiomorph::analysis::transport::CohortTransferParams;
+use cardiomorph::analysis::transport::CohortTransportParams;
 use cardiomorph::progress::Progress;
 
 use crate::shared::{opened, shared_data};
@@ -13,15 +13,18 @@ fn rest_and_stress_of_one_patient_are_nearer_than_most_others_by_the_defaults() 
     };
     let progress = Progress::default();
     let study = opened(folder);
-    let all = PartnerParams::all_metrics(CohortTransferParams::default());
+    let all = PartnerParams::all_metrics(CohortTransportParams::default());
     let params = PartnerParams {
         methods: all.methods[..1].to_vec(),
-        carryings: all.carryings[..2].to_vec(),
-        uncarried: Vec::new(),
+        transport_options: all.transport_options[..2].to_vec(),
+        untransported: Vec::new(),
     };
     let found = partner_study(&study, &params, &progress).unwrap();
     for row in &found.rows {
-        println!("{}, transfer {}: {:?}", row.method, row.carrying, row.ranks);
+        println!(
+            "{}, transfer {}: {:?}",
+            row.method, row.transport, row.ranks
+        );
         assert_eq!(row.ranks.pairs, 20);
     }
     let [own, carried] = [found.rows[0].ranks, found.rows[1].ranks];

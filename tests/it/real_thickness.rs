@@ -12,7 +12,7 @@ use std::collections::HashMap;
 use cardiomorph::analysis::measures::measure_subject;
 use cardiomorph::analysis::medial::{MedialBeat, MedialParams, medial_beat};
 use cardiomorph::analysis::segments::{Level, level, level_means, long_axis, vertex_areas};
-use cardiomorph::analysis::thickening::{Phase, phases};
+use cardiomorph::analysis::thickening::{HalfBeat, phases};
 use cardiomorph::analysis::thickness_methods::mean_wall_thickness;
 use cardiomorph::mesh::Point3;
 use cardiomorph::progress::Progress;
@@ -125,18 +125,18 @@ fn a_beat_of_25_frames_is_as_thick_as_its_table_and_thickens_in_contraction() {
         let share = 100.0 * share(&step.pt);
         println!(
             "{} to {}, {:?}: {share:.0} %",
-            step.from, step.to, step.phase
+            step.from, step.to, step.half
         );
     }
     // As table 4.1 has it: more of the wall thickens in each half of its own.
-    let mean = |phase: Phase| {
+    let mean = |half: HalfBeat| {
         let steps: Vec<f64> = (found.steps.iter())
-            .filter(|step| step.phase == phase)
+            .filter(|step| step.half == half)
             .map(|step| share(&step.pt))
             .collect();
         steps.iter().sum::<f64>() / steps.len() as f64
     };
-    assert!(mean(Phase::Contraction) > 0.5 && mean(Phase::Expansion) < 0.5);
+    assert!(mean(HalfBeat::Contraction) > 0.5 && mean(HalfBeat::Expansion) < 0.5);
     for frame in [ed, es] {
         println!("{frame}: {}", level_words(by_level(subject, &beat, frame)));
     }

@@ -4,7 +4,7 @@
 use std::collections::BTreeMap;
 
 use cardiomorph::analysis::verdicts::{
-    Feature, Finding, HeartThickening, NotAssessed, Verdict, VerdictParams, Verdicts, examine,
+    Feature, Finding, NotAssessed, Verdict, VerdictInput, VerdictParams, Verdicts, examine,
     verdicts,
 };
 use cardiomorph::progress::Progress;
@@ -19,7 +19,7 @@ fn judged(study: &Study) -> Verdicts {
     let params = VerdictParams::default().check().unwrap();
     let inputs: Vec<_> = (hearts.iter())
         .map(|heart| match heart {
-            Ok((beat, thickening)) => examine(&HeartThickening { beat, thickening }, &params),
+            Ok((beat, thickening)) => examine(&VerdictInput { beat, thickening }, &params),
             Err(reason) => Err(NotAssessed::NoThickening(reason.clone())),
         })
         .collect();

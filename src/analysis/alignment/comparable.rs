@@ -1,4 +1,4 @@
-//! Which hearts of a study can be compared vertex by vertex, and in which size.
+//! Which subjects of a study can be compared vertex by vertex, and in which size.
 
 use std::collections::HashMap;
 
@@ -98,7 +98,7 @@ fn usable(subject: &Subject, group: Group<'_>) -> Result<(usize, SizeScale), Str
     let end_diastole = subject.end_diastole.unwrap_or(0);
     let points = sequence.pose(end_diastole).ok_or_else(|| {
         format!(
-            "end-diastole is said to be frame {end_diastole}, but there are {} frames",
+            "end-diastole is set to frame {end_diastole}, but there are {} frames",
             sequence.frame_count()
         )
     })?;

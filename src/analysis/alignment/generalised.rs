@@ -1,4 +1,4 @@
-//! Many poses laid onto their common mean, for views that show them together.
+//! Many poses aligned with their common mean, for views that show them together.
 
 use crate::mesh::Point3;
 use crate::progress::{Progress, Stopped};
@@ -6,7 +6,7 @@ use crate::progress::{Progress, Stopped};
 use super::{RigidMotion, rigid_motion};
 
 /// Sweeps after which the mean is taken as it is; poses of a beat settle within five.
-const MOST_SWEEPS: usize = 50;
+const MAX_SWEEPS: usize = 50;
 /// Squared movement of the mean over its squared size at which it has settled: round-off.
 const SETTLED: f64 = 1e-24;
 
@@ -27,8 +27,8 @@ pub fn align_poses(poses: &[&[Point3]], progress: &Progress) -> Result<Vec<Rigid
         return Ok(motions);
     };
     let mut mean = first.to_vec();
-    progress.expect_steps(MOST_SWEEPS * poses.len());
-    for _ in 0..MOST_SWEEPS {
+    progress.expect_steps(MAX_SWEEPS * poses.len());
+    for _ in 0..MAX_SWEEPS {
         let mut sum = vec![nalgebra::Vector3::zeros(); first.len()];
         let mut members = 0.0;
         for (pose, motion) in poses.iter().zip(&mut motions) {
@@ -62,7 +62,7 @@ pub fn align_poses(poses: &[&[Point3]], progress: &Progress) -> Result<Vec<Rigid
 /// One rigid motion per sequence that lays sequences onto each other, leaving each beat as it is;
 /// the first sequence stays where it is.
 ///
-/// Sequences are represented by the mean of their poses, and these are laid onto their mean by
+/// Sequences are represented by the mean of their poses, and these are aligned with their mean by
 /// [`align_poses`]. `sequences[s][f]` are the points of sequence `s` at frame `f`.
 ///
 /// # Errors

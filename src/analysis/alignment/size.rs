@@ -16,9 +16,9 @@ pub struct SizeScale {
 impl SizeScale {
     /// The scale of a sequence from its vertices at end-diastole.
     ///
-    /// Lengths over this one are comparable between hearts; size changes within the beat stay.
+    /// Lengths over this one are comparable between subjects; size changes within the beat stay.
     /// The box lies along the principal axes of the vertices and not along those of the file, so
-    /// that turning a heart does not change its scale.
+    /// that turning a subject does not change its scale.
     ///
     /// `None` where all points coincide, there are none, or their extent overflows.
     pub fn of_end_diastole(points: &[Point3]) -> Option<Self> {

@@ -15,9 +15,9 @@ use super::{Accuracy, Classes, k_means, tau};
 
 /// Coordinates of the classical scaling that the linear rule sees at most: enough for what varies in a
 /// beat, few enough for cohorts of some dozens.
-pub const MOST_COMPONENTS: usize = 10;
+pub const MAX_COMPONENTS: usize = 10;
 /// Share of the largest eigenvalue below which a coordinate is round-off.
-const LEAST_COMPONENT: f64 = 1e-9;
+const MIN_COMPONENT: f64 = 1e-9;
 /// Coordinates from here on are refused: their squares would not be numbers.
 const TOO_LARGE: f64 = 1e150;
 /// τ, nearest neighbour, linear rule on the distances, linear rule in the plane.
@@ -131,7 +131,7 @@ pub enum ClassifyError {
 /// and otherwise left out. Clusters are those of [`k_means()`](super::k_means()) in the plane, τ is by the best match
 /// ([`tau()`]), the nearest neighbour is by the distances ([`leave_one_out_nearest`](super::leave_one_out_nearest)). The linear rule on the
 /// distances is [`leave_one_out_linear`](super::leave_one_out_linear) on the leading coordinates of their classical scaling: at
-/// most [`MOST_COMPONENTS`], and fewer than half the cases; the one in the plane takes the map as it is.
+/// most [`MAX_COMPONENTS`], and fewer than half the cases; the one in the plane takes the map as it is.
 /// Both see coordinates made from all cases, though of no label: the baseline does, too.
 ///
 /// The baseline of each: the mean share of right answers over permutations of the labels, and how many of
@@ -322,7 +322,7 @@ fn components(
 ) -> Result<(Vec<f64>, usize), ClassifyError> {
     let among = DistanceMatrix::of_pairs(rows.len(), |i, j| distances.get(rows[i], rows[j]))
         .unwrap_or_else(DistanceMatrix::empty);
-    let most = MOST_COMPONENTS.min(rows.len().saturating_sub(1) / 2);
+    let most = MAX_COMPONENTS.min(rows.len().saturating_sub(1) / 2);
     let map = classical_mds(&among, most, progress).map_err(|error| match error {
         EmbeddingError::Stopped(stopped) => ClassifyError::Stopped(stopped),
         other => ClassifyError::Embedding(other),
@@ -330,7 +330,7 @@ fn components(
     let values = map.eigenvalues.as_deref().unwrap_or_default();
     let largest = values.first().copied().unwrap_or(0.0);
     let width = (values.iter().take(most))
-        .take_while(|value| **value > LEAST_COMPONENT * largest)
+        .take_while(|value| **value > MIN_COMPONENT * largest)
         .count();
     let coordinates = (0..map.len()).flat_map(|row| map.point(row)[..width].iter().copied());
     Ok((coordinates.collect(), width))

@@ -9,7 +9,7 @@ use crate::progress::{Progress, Stopped};
 use super::Clustering;
 
 /// Steps after which a start is given up as it is; seldom more than 30 are needed.
-const MOST_STEPS: usize = 300;
+const MAX_STEPS: usize = 300;
 
 /// Clusters of `points`, rows of `width` numbers one after the other, with the least inertia found.
 ///
@@ -115,7 +115,7 @@ impl Rows<'_> {
 
     fn descend(&self, mut centres: Vec<f64>, progress: &Progress) -> Result<Clustering, Stopped> {
         let mut now = self.joined(&centres);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             progress.check()?;
             centres = self.means(&now, &centres);
             let next = self.joined(&centres);

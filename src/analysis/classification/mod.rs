@@ -1,4 +1,4 @@
-//! Can the classes be told apart?
+//! How well can the class of a subject be predicted?
 
 mod classify;
 mod k_means;
@@ -8,8 +8,7 @@ mod nearest;
 mod result;
 
 pub use classify::{
-    CheckedClassesParams, ClassesParamError, ClassesParams, ClassifyError, MOST_COMPONENTS,
-    classify,
+    CheckedClassesParams, ClassesParamError, ClassesParams, ClassifyError, MAX_COMPONENTS, classify,
 };
 pub use k_means::k_means;
 pub use linear_rule::leave_one_out_linear;

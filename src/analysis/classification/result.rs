@@ -1,4 +1,4 @@
-//! How well classes are told apart, and what telling them apart by chance would give.
+//! Accuracy of a classification, and what chance would give.
 
 /// How often a rule is right, beside the same rule with permuted labels.
 #[derive(Clone, Copy, Debug, PartialEq)]

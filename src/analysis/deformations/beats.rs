@@ -1,9 +1,9 @@
-//! Rows of poses as beats: which rows are one heart's, in which order, at which share of the beat.
+//! Rows of poses as beats: which rows are one subject's, in which order, at which share of the beat.
 
 use crate::analysis::pose_distances::PoseId;
 use crate::study::{Study, Subject};
 
-/// The poses of one heart from end-diastole on.
+/// The poses of one subject from end-diastole on.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Beat {
     /// Index into the study's subjects.

@@ -52,20 +52,20 @@ impl From<EmbeddingError> for DeformationMapError {
     }
 }
 
-/// The map of whole deformations: one point per heart.
+/// The map of whole deformations: one point per subject.
 ///
-/// 1. **Curves.** The poses of each heart on their map, from end-diastole to the end-diastole of the
+/// 1. **Curves.** The poses of each subject on their map, from end-diastole to the end-diastole of the
 ///    next beat, with the share t of the beat as third coordinate: (x, y, w t). Without a typed w,
 ///    w = root mean square distance of all poses from their mean / standard deviation of their t.
 /// 2. **Arc length.** Each curve is resampled at equal steps of its length in (x, y, w t). Sampled at
 ///    equal times instead, t would be the same number in all curves and cancel in every difference;
-///    so it says where along its way a heart is slow or fast.
-/// 3. **Plane.** The points of a curve one after the other are one vector per heart, and locally linear
+///    so it says where along its way a subject is slow or fast.
+/// 3. **Plane.** The points of a curve one after the other are one vector per subject, and locally linear
 ///    embedding ([`lle()`]) maps them. Settings that ask for more neighbours than there are other
-///    hearts get all of them; how many were used stands in the result.
+///    subjects get all of them; how many were used stands in the result.
 ///
 /// # Errors
-/// If stopped, there are fewer than three hearts, or the embedding fails.
+/// If stopped, there are fewer than three subjects, or the embedding fails.
 pub fn deformation_map(
     study: &Study,
     poses: &[PoseId],

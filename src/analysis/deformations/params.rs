@@ -41,7 +41,7 @@ impl Default for DeformationMapParams {
 /// falls with 12 neighbours to 63 % on single draws, and on average to 97 % on clean data
 /// and 85 % with 20 % noise, against 100 % and 95 % with 30.
 ///
-/// On the built-in cohort (23 hearts) the nearest neighbour on the plane has the same label, by the
+/// On the built-in cohort (23 subjects) the nearest neighbour on the plane has the same label, by the
 /// number of neighbours, for
 ///
 /// | map of poses | 3 | 4 | 5 | 6 | 8 | 10 | 12 | 16 | 20 | the curves themselves |
@@ -54,10 +54,10 @@ pub fn default_neighbours(deformations: usize) -> usize {
 }
 
 /// Fewer points do not make a curve.
-const FEWEST_SAMPLES: u16 = 2;
+const MIN_SAMPLES: u16 = 2;
 
 /// More points than frames of any beat; memory grows with them.
-const MOST_SAMPLES: u16 = 1_024;
+const MAX_SAMPLES: u16 = 1_024;
 
 /// Settings that have been checked; read them like the fields of [`DeformationMapParams`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -81,11 +81,11 @@ impl DeformationMapParams {
         if !(weight.is_finite() && weight >= 0.0) {
             return Err(DeformationParamError::TimeWeight(weight));
         }
-        if !(FEWEST_SAMPLES..=MOST_SAMPLES).contains(&self.samples) {
+        if !(MIN_SAMPLES..=MAX_SAMPLES).contains(&self.samples) {
             return Err(DeformationParamError::Samples {
                 samples: self.samples,
-                fewest: FEWEST_SAMPLES,
-                most: MOST_SAMPLES,
+                fewest: MIN_SAMPLES,
+                most: MAX_SAMPLES,
             });
         }
         let neighbours = self.neighbours.map_or(1, usize::from);

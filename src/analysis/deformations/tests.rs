@@ -14,7 +14,7 @@ use crate::units::{LengthUnit, Seconds};
 
 mod settings;
 
-/// One heart's way through a plane: a place per frame, at shares of the beat if they are not even.
+/// One subject's way through a plane: a place per frame, at shares of the beat if they are not even.
 #[derive(Clone)]
 struct Way {
     places: Vec<[f64; 2]>,

@@ -10,7 +10,7 @@ use super::orientation::oriented;
 use super::{Embedding, EmbeddingError, kruskal_stress};
 
 /// Items up to which all eigenvalues are computed (some 40 ms); past it, only the leading ones.
-const MOST_FOR_ALL: usize = 512;
+const MAX_FOR_ALL: usize = 512;
 /// Parts that a product is shared out in, whatever the number of threads: so bits do not depend on it.
 const SHARES: usize = 16;
 
@@ -41,10 +41,11 @@ pub fn classical_mds(
             values: vec![0.0; items],
             vectors: vec![vec![0.0; items]; dimensions.min(items)],
         }
-    } else if items <= MOST_FOR_ALL {
+    } else if items <= MAX_FOR_ALL {
         symmetric_eigen(items, &doubly_centred(distances, unit))?
     } else {
         let centred = CentredSquares::new(distances, unit);
+        // One more than the axes: what the next dimension would hold is reported.
         leading_eigen(items, dimensions + 1, |x, out| {
             centred.product(x, out, progress)
         })?
@@ -54,6 +55,7 @@ pub fn classical_mds(
         if axis == dimensions {
             break;
         }
+        // Negative eigenvalues have no real coordinates; their axes stay zero.
         let length = unit * value.max(0.0).sqrt();
         for (item, entry) in vector.iter().enumerate() {
             coordinates[item * dimensions + axis] = length * entry;

@@ -45,9 +45,10 @@ pub fn isomap_of_neighbours(
     dimensions: usize,
     progress: &Progress,
 ) -> Result<Embedding, EmbeddingError> {
-    let (ways, parts) = shortest_ways(distances, nearest, progress)?;
+    let (ways, parts) = shortest_paths(distances, nearest, progress)?;
     let map = classical_mds(&ways, dimensions, progress)?;
     let kept: f64 = (map.eigenvalues.iter().flatten().take(dimensions))
+        // Negative eigenvalues have no axis, so that the map keeps nothing of them.
         .map(|value| value.max(0.0).powi(2))
         .sum();
     let left_out = (centred_norm2(&ways) - kept).max(0.0).sqrt();
@@ -64,7 +65,7 @@ pub fn isomap_of_neighbours(
 ///
 /// # Errors
 /// If stopped, or if the neighbours are of another number of items.
-pub fn shortest_ways(
+pub fn shortest_paths(
     distances: &DistanceMatrix,
     nearest: &Neighbours,
     progress: &Progress,
@@ -78,7 +79,9 @@ pub fn shortest_ways(
         return Err(mismatch);
     }
     let mut graph = NeighbourGraph::new(nearest);
+    // Distances between parts would be infinite, and no map could show them.
     let parts = graph.join(distances, progress)?;
+    // Near items share most of their shortest paths, so that a group is searched in one sweep.
     let groups = graph.groups();
     progress.expect_steps(groups.len());
     let found = groups
@@ -180,7 +183,7 @@ mod tests {
             .to_vec();
         let distances = of_points(&line);
         let nearest = Neighbours::of_distances(&distances, 1, &Progress::default()).unwrap();
-        let (ways, parts) = shortest_ways(&distances, &nearest, &Progress::default()).unwrap();
+        let (ways, parts) = shortest_paths(&distances, &nearest, &Progress::default()).unwrap();
         assert_eq!(parts, 3);
         // All links lie on the line, so every way is as long as the distance.
         for (way, distance) in ways.upper().iter().zip(distances.upper()) {
@@ -223,7 +226,7 @@ mod tests {
             let n = points.len();
             let distances = of_points(&points);
             let nearest = Neighbours::of_distances(&distances, count, &Progress::default()).unwrap();
-            let (ways, parts) = shortest_ways(&distances, &nearest, &Progress::default()).unwrap();
+            let (ways, parts) = shortest_paths(&distances, &nearest, &Progress::default()).unwrap();
             prop_assume!(parts == 1);
             let mut table = vec![f64::INFINITY; n * n];
             for i in 0..n {

@@ -2,64 +2,10 @@
 
 use crate::progress::Progress;
 
-use super::flattest::flattest;
+use super::bottom_eigenvectors::bottom_eigenvectors;
 use super::orientation::oriented;
 use super::parts::closed_parts;
-use super::{Embedding, EmbeddingError, LocalWeights, Neighbours};
-
-/// Settings of a locally linear map; [`LleParams::check`] makes them usable.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct LleParams {
-    /// Nearest items that each item is written as a mean of.
-    pub neighbours: usize,
-    /// Share of its trace that is added to the diagonal of each local Gram matrix.
-    pub regularisation: f64,
-    /// Numbers per item of the map.
-    pub dimensions: usize,
-}
-
-impl Default for LleParams {
-    /// Twelve neighbours and a share of 10⁻³, as customary, in the plane.
-    fn default() -> Self {
-        Self {
-            neighbours: 12,
-            regularisation: 1e-3,
-            dimensions: 2,
-        }
-    }
-}
-
-/// Settings that have been checked.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct CheckedLleParams(pub(super) LleParams);
-
-/// Why settings cannot be used.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum LleParamError {
-    /// No neighbours.
-    #[error("at least 1 neighbour is needed")]
-    Neighbours,
-    /// Not a share of a trace.
-    #[error("regularisation must be above 0 and at most 1, not {0}")]
-    Regularisation(f64),
-}
-
-impl LleParams {
-    /// Makes settings usable.
-    ///
-    /// # Errors
-    /// If there is no neighbour, or the regularisation is not in 0..=1 or is 0: then the local
-    /// problems have no single answer where there are more neighbours than dimensions.
-    pub fn check(self) -> Result<CheckedLleParams, LleParamError> {
-        if self.neighbours == 0 {
-            return Err(LleParamError::Neighbours);
-        }
-        if !(self.regularisation > 0.0 && self.regularisation <= 1.0) {
-            return Err(LleParamError::Regularisation(self.regularisation));
-        }
-        Ok(CheckedLleParams(self))
-    }
-}
+use super::{CheckedLleParams, Embedding, EmbeddingError, LocalWeights, Neighbours};
 
 /// Map of points, `items` rows one after the other, that keeps how each is a mean of its neighbours.
 ///
@@ -86,12 +32,15 @@ pub fn lle(
     progress: &Progress,
 ) -> Result<Embedding, EmbeddingError> {
     let weights = LocalWeights::of_points(points, items, params, progress)?;
+    // Counted before any eigenvalue is computed: with several parts the smallest ones are all zero and their vectors
+    // arbitrary.
     let parts = closed_parts(weights.neighbours());
     if parts == 1 {
         return lle_of_weights(&weights, params, progress);
     }
     let mut count = params.0.neighbours;
     loop {
+        // By a quarter, so that few rounds do and the neighbourhood grows little past what is needed.
         count = (count + 1.max(count / 4)).min(items - 1);
         let neighbours = Neighbours::of_points(points, items, count, progress)?;
         // All others as neighbours are one part.
@@ -122,10 +71,11 @@ pub fn lle_of_weights(
 ) -> Result<Embedding, EmbeddingError> {
     let items = weights.neighbours().len();
     let dimensions = params.0.dimensions;
+    // n items span n − 1 dimensions beside the constant vector.
     if dimensions >= items {
         return Err(EmbeddingError::Dimensions { dimensions, items });
     }
-    let (values, vectors) = flattest(weights, dimensions, progress)?;
+    let (values, vectors) = bottom_eigenvectors(weights, dimensions, progress)?;
     let coordinates = (0..items)
         .flat_map(|item| vectors.iter().map(move |vector| vector[item]))
         .collect();

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::numeric::{factorise_positive, solve_positive};
 use crate::progress::{Progress, Stopped};
 
-use super::lle::CheckedLleParams;
+use super::lle_params::CheckedLleParams;
 use super::{Embedding, EmbeddingError, Neighbours};
 
 /// For every item the weights, summing to 1, with which its neighbours come nearest to it.
@@ -203,6 +203,7 @@ impl Local<'_> {
         // Weights do not change with the unit of length; in this one nothing over- or underflows.
         let unit = if trace > 0.0 { 1.0 / trace } else { 1.0 };
         gram.iter_mut().for_each(|entry| *entry *= unit);
+        // With more neighbours than dimensions the Gram matrix is singular.
         for i in 0..k {
             gram[i * k + i] += self.regularisation;
         }
@@ -210,6 +211,7 @@ impl Local<'_> {
         // Positive definite by the regularisation, far above round-off.
         factorise_positive(gram, k);
         solve_positive(gram, weights);
+        // Scaled to the sum 1, weights do not change when all points are shifted.
         let sum: f64 = weights.iter().sum();
         weights.iter_mut().for_each(|weight| *weight /= sum);
     }

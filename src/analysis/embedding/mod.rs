@@ -1,10 +1,12 @@
 //! Where do items lie on a map that keeps their distances?
 
+mod bottom_eigenvectors;
 mod classical;
 mod embed;
-mod flattest;
+mod error;
 mod isomap;
 mod lle;
+mod lle_params;
 mod local_weights;
 mod neighbour_graph;
 mod neighbours;
@@ -17,9 +19,11 @@ mod smacof;
 mod stress;
 
 pub use classical::classical_mds;
-pub use embed::{EmbeddingError, embed};
-pub use isomap::{isomap, isomap_of_neighbours, shortest_ways};
-pub use lle::{CheckedLleParams, LleParamError, LleParams, lle, lle_of_weights};
+pub use embed::embed;
+pub use error::EmbeddingError;
+pub use isomap::{isomap, isomap_of_neighbours, shortest_paths};
+pub use lle::{lle, lle_of_weights};
+pub use lle_params::{CheckedLleParams, LleParamError, LleParams};
 pub use local_weights::LocalWeights;
 pub use neighbours::Neighbours;
 pub use pca::pca;

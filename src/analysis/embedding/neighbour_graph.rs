@@ -33,6 +33,7 @@ impl NeighbourGraph {
         let mut both: Vec<(u32, u32, f64)> = links
             .flat_map(|(a, b, length)| [(a, b, length), (b, a, length)])
             .collect();
+        // Two items may name each other: sorted, the repeated link lies beside its twin.
         both.sort_unstable_by_key(|&(a, b, _)| (a, b));
         both.dedup_by_key(|&mut (a, b, _)| (a, b));
         let mut starts = vec![0; items + 1];
@@ -87,6 +88,7 @@ impl NeighbourGraph {
             }
         }
         let mut candidates: Vec<_> = shortest.into_iter().flatten().collect();
+        // Ties by the items, so that the links that join parts are the same on every run.
         candidates.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1, a.2).cmp(&(b.1, b.2))));
         let mut links = self.all_links();
         for (length, i, j) in candidates {

@@ -232,6 +232,7 @@ impl Nearest {
     #[inline]
     fn offer(&mut self, distance: f64, index: usize) -> bool {
         if self.indices.len() == self.count
+            // Not `>`: of equal distances the item that was offered first stays.
             && self.distances.last().is_some_and(|last| distance >= *last)
         {
             return false;

@@ -27,6 +27,7 @@ pub(super) fn on_principal_axes(mut coordinates: Vec<f64>, dimensions: usize) ->
     }
     centre(&mut coordinates, dimensions);
     let scatter = cross_products(&coordinates, &coordinates, dimensions);
+    // A map that cannot be turned is still a map.
     let Ok(eigen) = symmetric_eigen(dimensions, &scatter) else {
         return coordinates;
     };

@@ -42,6 +42,7 @@ pub fn placed_classically(
                 .map(|(item, pull)| pull * map.point(item)[axis])
                 .sum();
             match values.get(axis) {
+                // An axis without extent has no place to give.
                 Some(&value) if value > 0.0 => along / (2.0 * value),
                 _ => 0.0,
             }

@@ -16,7 +16,7 @@ pub enum MapMethod {
 }
 
 impl MapMethod {
-    /// Isomap with as many neighbours as suit the poses of some twenty hearts.
+    /// Isomap with as many neighbours as suit the poses of some twenty subjects.
     pub const ISOMAP: Self = Self::Isomap { neighbours: 10 };
 }
 

@@ -14,7 +14,7 @@ use super::{Embedding, EmbeddingError, classical_mds, kruskal_stress};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SmacofParams {
     /// Steps after which a start is given up as it is.
-    pub most_iterations: usize,
+    pub max_iterations: usize,
     /// Ends where a step lowers the raw stress by less than this share of it.
     pub tolerance: f64,
     /// Random starts tried beside that from classical scaling; the lowest stress wins.
@@ -28,7 +28,7 @@ impl Default for SmacofParams {
     /// on maps of beating hearts: less than a point's radius on screen.
     fn default() -> Self {
         Self {
-            most_iterations: 1000,
+            max_iterations: 1000,
             tolerance: 1e-7,
             random_starts: 0,
             seed: 0,
@@ -79,9 +79,10 @@ pub fn smacof(
     progress: &Progress,
 ) -> Result<Embedding, EmbeddingError> {
     let params = params.0;
+    // The stress has many minima; classical scaling leads to a low one, and to the same every time.
     let start = classical_mds(distances, dimensions, progress)?;
     let blocks = row_blocks(distances.size());
-    progress.expect_steps((params.random_starts + 1) * params.most_iterations * blocks.len());
+    progress.expect_steps((params.random_starts + 1) * params.max_iterations * blocks.len());
     let majoriser = Majoriser {
         distances,
         dimensions,
@@ -100,12 +101,15 @@ pub fn smacof(
             .map(|_| radius * random.random_range(-1.0..1.0))
             .collect();
         let other = majoriser.descend(&places, &params)?;
+        // Strictly lower, so that ties keep the start that needs no seed.
         if other.raw_stress < best.raw_stress {
             best = other;
         }
     }
     let mut map = Embedding {
         dimensions,
+        // The stress does not change under rotation: without this the orientation would be an accident of the
+        // descent.
         coordinates: on_principal_axes(best.coordinates, dimensions),
         iterations: Some(best.iterations),
         ..Embedding::default()
@@ -147,7 +151,8 @@ impl Majoriser<'_> {
             let (next, raw_stress) = self.transformed(&axes)?;
             // Also true at zero stress, and where nothing moves any more.
             let settled = last_stress - raw_stress <= params.tolerance * raw_stress;
-            if settled || iterations == params.most_iterations || items < 2 {
+            // Fewer than two items have no distances to improve.
+            if settled || iterations == params.max_iterations || items < 2 {
                 let coordinates = (0..items)
                     .flat_map(|item| axes.iter().map(move |axis| axis[item]))
                     .collect();
@@ -280,12 +285,13 @@ fn pull_all(here: f64, there: &[f64], pulls: &[f64], moved: &mut [f64]) -> f64 {
 /// two of a busy machine with two cores.
 const PAIRS_A_BLOCK: usize = 2_000_000;
 /// More blocks would cost more in sums than they gain.
-const MOST_BLOCKS: usize = 64;
+const MAX_BLOCKS: usize = 64;
 
 /// Rows in blocks of about as many pairs; depends on the number of items alone.
 fn row_blocks(items: usize) -> Vec<std::ops::Range<usize>> {
     let pairs = items * items.saturating_sub(1) / 2;
-    let wanted = PAIRS_A_BLOCK.max(pairs.div_ceil(MOST_BLOCKS));
+    // Not by threads: sums in another order would be other bits.
+    let wanted = PAIRS_A_BLOCK.max(pairs.div_ceil(MAX_BLOCKS));
     let mut blocks = Vec::new();
     let (mut first, mut gathered) = (0, 0);
     for row in 0..items {

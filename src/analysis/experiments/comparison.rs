@@ -9,7 +9,7 @@ use crate::analysis::embedding::{Embedding, MapMethod};
 use crate::analysis::measures::measure_study;
 use crate::analysis::metrics::{Form, MetricKind, MetricParams};
 use crate::analysis::pose_distances::{DistanceMatrix, PoseDistanceParams};
-use crate::analysis::transport::CohortTransferParams;
+use crate::analysis::transport::CohortTransportParams;
 use crate::progress::Progress;
 use crate::study::Study;
 
@@ -38,9 +38,9 @@ pub struct MetricComparisonParams {
 }
 
 impl MetricComparisonParams {
-    /// All kinds and forms with the default smoothing and this transfer, and plain displacement as
+    /// All kinds and forms with the default smoothing and this transport, and plain displacement as
     /// it is; 0, 1, 2.5 and 5 % of Gaussian noise, three copies each.
-    pub fn all_metrics(transfer: Option<CohortTransferParams>) -> Self {
+    pub fn all_metrics(transport: Option<CohortTransportParams>) -> Self {
         let base = MetricParams::default();
         let of_kind = |kind| MetricParams { kind, ..base };
         let of_form = |form| MetricParams { form, ..base };
@@ -53,7 +53,7 @@ impl MetricComparisonParams {
             name,
             distances: PoseDistanceParams {
                 metric,
-                transfer,
+                transport,
                 ..PoseDistanceParams::default()
             },
         };

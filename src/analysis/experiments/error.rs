@@ -112,7 +112,7 @@ impl From<EmbeddingError> for ExperimentError {
     fn from(error: EmbeddingError) -> Self {
         match error {
             EmbeddingError::Stopped(stopped) => stopped.into(),
-            other => step("laying out the map of poses", &other),
+            other => step("embedding poses", &other),
         }
     }
 }
@@ -121,7 +121,7 @@ impl From<ThickeningError> for ExperimentError {
     fn from(error: ThickeningError) -> Self {
         match error {
             ThickeningError::Stopped(stopped) => stopped.into(),
-            other => step("looking for patches", &other),
+            other => step("detecting patches", &other),
         }
     }
 }
@@ -130,7 +130,7 @@ impl From<DeformationMapError> for ExperimentError {
     fn from(error: DeformationMapError) -> Self {
         match error {
             DeformationMapError::Stopped(stopped) => stopped.into(),
-            other => step("laying out the map of deformations", &other),
+            other => step("embedding deformations", &other),
         }
     }
 }
@@ -139,7 +139,7 @@ impl From<ClassifyError> for ExperimentError {
     fn from(error: ClassifyError) -> Self {
         match error {
             ClassifyError::Stopped(stopped) => stopped.into(),
-            other => step("telling classes apart", &other),
+            other => step("classifying", &other),
         }
     }
 }

@@ -109,8 +109,8 @@ fn interpolated(
             Point3::origin(),
         )
     };
-    let at_rest = volume(&start);
-    let volumes = path.poses.iter().map(|pose| volume(pose) / at_rest);
+    let at_end_diastole = volume(&start);
+    let volumes = path.poses.iter().map(|pose| volume(pose) / at_end_diastole);
     let (least, greatest) = volumes.fold((f64::MAX, f64::MIN), |(low, high), v| {
         (low.min(v), high.max(v))
     });

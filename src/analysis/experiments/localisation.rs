@@ -1,4 +1,4 @@
-//! How well patches of known place and size are found again under noise (4.6.2, 4.6.3).
+//! How well patches of known place and size are detected again under noise (4.6.2, 4.6.3).
 
 use rayon::prelude::*;
 
@@ -7,9 +7,10 @@ use crate::analysis::thickening::{Patch, Thickening, ThickeningParams};
 use crate::mesh::{Point3, Vector3};
 use crate::progress::Progress;
 
-use super::medial_methods::judged;
-use super::noise_medial::{
-    Condition, at_least_one, check_levels, conditions, disturbed, without_confidence,
+use super::medial_methods::assessed;
+use super::noise_medial::disturbed;
+use super::noise_medial_params::{
+    Condition, at_least_one, check_levels, conditions, without_confidence,
 };
 use super::noise_result::mean_and_error;
 use super::sheet_patches::regular_areas;
@@ -154,11 +155,11 @@ fn one_redraw(
     let mut joined = Found::default();
     for member in 0..params.per_kind {
         progress.step()?;
-        // Another stream than those of the sheets that are told apart.
+        // Another stream than those of the sheets that are classified.
         let stream = (kind as u64 + 16) << 32 | u64::from(member);
         let clean = sheet(&params.sheets, &params.shares[kind], seed, stream)?;
         let noisy = disturbed(&clean, condition, seed, stream);
-        let found = judged(&noisy, &params.thickening, false, &progress.within())?.found;
+        let found = assessed(&noisy, &params.thickening, false, &progress.within())?.found;
         compared(&clean, &found, &mut joined);
     }
     Ok(joined)
@@ -166,8 +167,8 @@ fn one_redraw(
 
 /// Adds what was found on one sheet.
 fn compared(clean: &Sheet, found: &Thickening, joined: &mut Found) {
-    let at_rest = &clean.positions[PHASES[0]];
-    let areas = regular_areas(at_rest, clean.faces.triangles(), &clean.regular);
+    let at_end_diastole = &clean.positions[PHASES[0]];
+    let areas = regular_areas(at_end_diastole, clean.faces.triangles(), &clean.regular);
     let area = |atoms: &[u32]| -> f64 { atoms.iter().map(|&atom| areas[atom as usize]).sum() };
     let overlap = |patch: &Patch, truth: &[u32]| -> f64 {
         (truth.iter())
@@ -190,10 +191,10 @@ fn compared(clean: &Sheet, found: &Thickening, joined: &mut Found) {
         joined
             .dice
             .push(2.0 * common / (area(truth) + area(&patch.atoms)));
-        let centroid = centroid(at_rest, truth, &areas);
+        let centroid = centroid(at_end_diastole, truth, &areas);
         joined.centroid_mm.push((patch.centroid - centroid).norm());
         if let Some(axis) = &clean.axis {
-            segments_compared(axis, at_rest, &areas, truth, patch, joined);
+            segments_compared(axis, at_end_diastole, &areas, truth, patch, joined);
         }
     }
     if !clean.patches.is_empty() {
@@ -208,12 +209,12 @@ fn compared(clean: &Sheet, found: &Thickening, joined: &mut Found) {
     };
     let false_patches = found.patches.iter().filter(apart).count();
     joined.false_patches.push(false_patches as f64);
-    joined.gaps[0].extend(found.steadiness.gap);
-    joined.normal_spreads[0].extend(found.steadiness.normal_spread_rad);
+    joined.gaps[0].extend(found.temporal_consistency.gap);
+    joined.normal_spreads[0].extend(found.temporal_consistency.normal_spread_rad);
     for index in taken {
-        let steadiness = &found.patches[index].steadiness;
-        joined.gaps[1].extend(steadiness.gap);
-        joined.normal_spreads[1].extend(steadiness.normal_spread_rad);
+        let temporal_consistency = &found.patches[index].temporal_consistency;
+        joined.gaps[1].extend(temporal_consistency.gap);
+        joined.normal_spreads[1].extend(temporal_consistency.normal_spread_rad);
     }
 }
 
@@ -231,7 +232,7 @@ const OF_SEGMENT: f64 = 1.0 / 3.0;
 
 fn segments_compared(
     axis: &LongAxis,
-    at_rest: &[Point3],
+    at_end_diastole: &[Point3],
     areas: &[f64],
     truth: &[u32],
     patch: &Patch,
@@ -239,13 +240,13 @@ fn segments_compared(
 ) {
     let mut whole = [0.0; 17];
     let mut within = [0.0; 17];
-    for (point, area) in at_rest.iter().zip(areas) {
+    for (point, area) in at_end_diastole.iter().zip(areas) {
         if let Some(segment) = segment(axis, *point) {
             whole[segment.index()] += area;
         }
     }
     for atom in truth.iter().map(|&atom| atom as usize) {
-        if let Some(segment) = segment(axis, at_rest[atom]) {
+        if let Some(segment) = segment(axis, at_end_diastole[atom]) {
             within[segment.index()] += areas[atom];
         }
     }

@@ -16,11 +16,11 @@ use super::sheets::{PHASES, Sheet};
 /// A way of telling normal from abnormal deformations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum MedialMethod {
-    /// What the program does: abnormal is where the search for patches finds one. Each deformation is judged alone.
+    /// What the program does: abnormal is where the search for patches finds one. Each deformation is assessed alone.
     PatchFound,
     /// The text's way: M̂ of every step, its descriptor, distances 4.5.1, the plane of all poses, and clusters of
     /// deformations by how close the points of each lie together on it. Tolerance from noise, r̂ a geometric
-    /// mean, only steps in which a well wall changes.
+    /// mean, only steps in which remote myocardium changes.
     Paths,
     /// The same with |PT − 1| ≤ 5 %, r̂ a product, and all steps.
     PathsPrinted,
@@ -49,19 +49,19 @@ impl MedialMethod {
 }
 
 /// What thickening says of one sheet.
-pub(super) struct Judged {
+pub(super) struct Assessed {
     pub(super) found: Thickening,
     /// With tolerance and product as printed.
     printed: Option<Thickening>,
 }
 
 /// Thickening of one sheet, as printed too where a way asks for it.
-pub(super) fn judged(
+pub(super) fn assessed(
     sheet: &Sheet,
     params: &ThickeningParams,
     with_printed: bool,
     progress: &Progress,
-) -> Result<Judged, ExperimentError> {
+) -> Result<Assessed, ExperimentError> {
     let beat = sheet.beat();
     let run = |params: ThickeningParams| {
         let params = params.check()?;
@@ -73,7 +73,7 @@ pub(super) fn judged(
         ratio: RatioForm::Product,
         ..*params
     };
-    Ok(Judged {
+    Ok(Assessed {
         found: run(*params)?,
         printed: if with_printed {
             Some(run(printed)?)
@@ -111,7 +111,7 @@ pub(super) struct Clusters {
 /// [`MedialMethod::PatchFound`] are classes, others have no names.
 pub(super) fn groups(
     method: MedialMethod,
-    sheets: &[Judged],
+    sheets: &[Assessed],
     centres: &[Point3],
     clusters: Clusters,
     progress: &Progress,
@@ -159,7 +159,7 @@ pub(super) fn groups(
 }
 
 /// Poses of M̂ over the beat, with positions from the middle of the sheet in its sizes.
-fn path(method: MedialMethod, sheet: &Judged, centre: &Point3) -> Vec<PoseDescriptor> {
+fn path(method: MedialMethod, sheet: &Assessed, centre: &Point3) -> Vec<PoseDescriptor> {
     let (found, all) = match (method, &sheet.printed) {
         (MedialMethod::PathsPrinted | MedialMethod::PosesPrinted, Some(printed)) => (printed, true),
         _ => (&sheet.found, false),

@@ -10,7 +10,9 @@ mod medial_tests;
 mod motions;
 mod noise;
 mod noise_medial;
+mod noise_medial_params;
 mod noise_medial_result;
+mod noise_params;
 mod noise_result;
 mod noise_study;
 mod noisy;
@@ -24,7 +26,7 @@ mod sheets;
 mod synthetic;
 #[cfg(test)]
 mod tests;
-mod transfer_study;
+mod transport_study;
 
 pub use comparison::{
     ComparisonRow, MetricComparison, MetricComparisonParams, RuleShare, metric_comparison,
@@ -37,16 +39,19 @@ pub use localisation::{LocalisationParams, LocalisationRow, MeanAndError, locali
 pub use medial_methods::MedialMethod;
 pub use motions::Motion;
 pub use noise::{NoiseFamily, NoiseReference, coordinate_variance, noise_sigma};
-pub use noise_medial::{MedialNoiseParams, noise_medial};
+pub use noise_medial::noise_medial;
+pub use noise_medial_params::MedialNoiseParams;
 pub use noise_medial_result::{MedialNoiseCell, MedialNoiseResult, published_medial_tau};
+pub use noise_params::NoiseDeformationParams;
 pub use noise_result::{NoiseCell, NoiseDeformationResult, published_tau};
-pub use noise_study::{NoiseDeformationParams, noise_deformation};
+pub use noise_study::noise_deformation;
 pub use noisy::{Noise, noisy_study};
 pub use objects::{Fineness, ObjectKind, Solid, object};
 pub use partners::{
-    Carrying, PartnerParams, PartnerRanks, PartnerRow, PartnerStudy, partner_study, patient_of,
+    PartnerParams, PartnerRanks, PartnerRow, PartnerStudy, TransportOption, partner_study,
+    patient_of,
 };
 pub use pipeline::Method;
 pub use sheets::{Sheet, SheetParams, sheet};
 pub use synthetic::{Deformation, SyntheticCohort, SyntheticParams, synthetic_cohort};
-pub use transfer_study::{TransferCase, TransferStudy, TransferStudyParams, transfer_study};
+pub use transport_study::{TransportCase, TransportStudy, TransportStudyParams, transport_study};

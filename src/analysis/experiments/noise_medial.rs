@@ -1,125 +1,18 @@
-//! How many deformations with a patch are told from those without when medial surfaces are noisy (4.6, 4.6.1).
+//! How many deformations with a patch are distinguished from those without when medial surfaces are noisy (4.6, 4.6.1).
 
 use rand::seq::SliceRandom;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
-use crate::analysis::embedding::MapMethod;
-use crate::analysis::thickening::ThickeningParams;
 use crate::mesh::{Point3, Vector3};
 use crate::progress::Progress;
 
-use super::medial_methods::{Clusters, groups, judged};
+use super::medial_methods::{Clusters, assessed, groups};
+use super::noise_medial_params::{Condition, MedialDraw, conditions};
 use super::noise_medial_result::{MedialNoiseCell, MedialNoiseResult};
 use super::sheets::{PHASES, Sheet, sheet};
-use super::{ExperimentError, MedialMethod, NoiseFamily, SheetParams};
-
-/// What is deformed, disturbed and told apart, and how often.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MedialNoiseParams {
-    /// The medial surfaces.
-    pub sheets: SheetParams,
-    /// Deformations of each of the two classes, normal and with one patch.
-    pub per_class: u16,
-    /// Least and greatest share of the regular area that a patch takes.
-    pub patch_shares: [f64; 2],
-    /// Distributions of noise.
-    pub families: Vec<NoiseFamily>,
-    /// Levels in percent; 0 is always run as well.
-    pub percents: Vec<f64>,
-    /// Draws of sheets, patches and noise, all anew.
-    pub redraws: u16,
-    /// Ways of telling; all see the same data.
-    pub methods: Vec<MedialMethod>,
-    /// The search for patches.
-    pub thickening: ThickeningParams,
-    /// How pose distances become a plane.
-    pub map: MapMethod,
-    /// Starts of k-means.
-    pub restarts: u16,
-    /// Permutations of the labels of each draw, for the baseline.
-    pub permutations: u16,
-    /// Of everything random.
-    pub seed: u64,
-}
-
-impl Default for MedialNoiseParams {
-    /// Table 4.2: two classes of 20, patches of 4 to 30 % of the sheet, two families at four levels, ten redraws.
-    fn default() -> Self {
-        Self {
-            sheets: SheetParams::default(),
-            per_class: 20,
-            patch_shares: [0.04, 0.3],
-            families: vec![NoiseFamily::Uniform, NoiseFamily::Gaussian],
-            percents: vec![1.0, 2.5, 5.0, 10.0],
-            redraws: 10,
-            methods: MedialMethod::ALL.to_vec(),
-            thickening: without_confidence(),
-            map: MapMethod::ClassicalMds,
-            restarts: 50,
-            permutations: 100,
-            seed: 1,
-        }
-    }
-}
-
-/// The defaults of the search for patches; its redraws tell how sure a patch is, which is not asked here.
-pub(super) fn without_confidence() -> ThickeningParams {
-    ThickeningParams {
-        redraws: 0,
-        ..ThickeningParams::default()
-    }
-}
-
-impl MedialNoiseParams {
-    fn check(&self) -> Result<(), ExperimentError> {
-        for (name, value) in [
-            ("deformations per class", usize::from(self.per_class)),
-            ("families", self.families.len()),
-            ("methods", self.methods.len()),
-            ("redraws", usize::from(self.redraws)),
-            ("starts of k-means", usize::from(self.restarts)),
-            ("permutations", usize::from(self.permutations)),
-        ] {
-            at_least_one(name, value)?;
-        }
-        let [least, most] = self.patch_shares;
-        if !(least > 0.0 && least <= most && most < 0.9) {
-            let share = if least > 0.0 { most } else { least };
-            return Err(ExperimentError::PatchShare { share });
-        }
-        check_levels(&self.percents)?;
-        self.thickening.check()?;
-        Ok(())
-    }
-}
-
-pub(super) fn at_least_one(name: &'static str, value: usize) -> Result<(), ExperimentError> {
-    let least = 1;
-    if value >= least {
-        return Ok(());
-    }
-    Err(ExperimentError::TooFew { name, value, least })
-}
-
-pub(super) fn check_levels(percents: &[f64]) -> Result<(), ExperimentError> {
-    let unfit = |percent: &&f64| !(percent.is_finite() && **percent > 0.0);
-    match percents.iter().find(unfit) {
-        Some(&percent) => Err(ExperimentError::Level { percent }),
-        None => Ok(()),
-    }
-}
-
-/// Distribution and level of noise; `None` for clean data.
-pub(super) type Condition = Option<(NoiseFamily, f64)>;
-
-/// The clean condition, then family by family.
-pub(super) fn conditions(families: &[NoiseFamily], percents: &[f64]) -> Vec<Condition> {
-    let noisy = (families.iter())
-        .flat_map(|&family| percents.iter().map(move |&percent| Some((family, percent))));
-    std::iter::once(None).chain(noisy).collect()
-}
+use super::{ExperimentError, MedialMethod, MedialNoiseParams};
 
 /// The sheet under a condition; its noise depends on seed and stream alone.
 pub(super) fn disturbed(clean: &Sheet, condition: Condition, seed: u64, stream: u64) -> Sheet {
@@ -130,15 +23,6 @@ pub(super) fn disturbed(clean: &Sheet, condition: Condition, seed: u64, stream: 
     let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x6e6f_6973_6500_0000);
     random.set_stream(stream);
     clean.noisy(family, percent, &mut random)
-}
-
-/// What one way did in one draw.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct MedialDraw {
-    pub tau: f64,
-    pub baseline: f64,
-    /// Shares of normal sheets called normal and of abnormal ones called abnormal.
-    pub right: [f64; 2],
 }
 
 /// Runs the study. The same bits for any number of threads.
@@ -198,7 +82,7 @@ fn one_draw(
             )?;
             let noisy = disturbed(&clean, condition, seed, stream);
             centres.push(centre(&noisy.positions[PHASES[0]]));
-            sheets.push(judged(
+            sheets.push(assessed(
                 &noisy,
                 &params.thickening,
                 with_printed,
@@ -215,7 +99,7 @@ fn one_draw(
     (params.methods.iter())
         .map(|&method| {
             let groups = groups(method, &sheets, &centres, clusters, &progress.within())?;
-            Ok(told(params, method, &groups, &labels, seed))
+            Ok(scored(params, method, &groups, &labels, seed))
         })
         .collect()
 }
@@ -236,7 +120,7 @@ fn centre(points: &[Point3]) -> Point3 {
 
 /// τ of groups: as they are where they are classes, by the better of both matches where they have no names (the best
 /// match of two clusters with two classes). What is in no group is wrong.
-fn told(
+fn scored(
     params: &MedialNoiseParams,
     method: MedialMethod,
     groups: &[usize],

@@ -1,6 +1,6 @@
 //! The table of noise on medial surfaces, with its protocol in words.
 
-use super::noise_medial::{Condition, MedialDraw};
+use super::noise_medial_params::{Condition, MedialDraw};
 use super::noise_result::mean_and_error;
 use super::{MedialMethod, MedialNoiseParams, NoiseFamily};
 
@@ -115,11 +115,11 @@ impl MedialNoiseResult {
              areas and sizes are computed from noisy atoms. End-diastole and end-systole are stated, the rim is \
              left out."
                 .to_owned(),
-            "Patch found: abnormal is where the search for patches finds one, each deformation judged alone with \
+            "Patch found: abnormal is where the search for patches finds one, each deformation assessed alone with \
              the program's default settings, none of them chosen on these data."
                 .to_owned(),
             format!(
-                "Closeness of poses: still atoms of every step, their descriptors, distances 4.5.1 with positions in \
+                "Closeness of poses: akinetic atoms of every step, their descriptors, distances 4.5.1 with positions in \
                  sizes of the sheet, the plane of all poses, and k-means (2 clusters, {} starts) of how far the \
                  points of each deformation scatter on it; tolerance from noise, steps in which a well wall \
                  changes. As printed: |PT − 1| ≤ 5 %, r̂ a product, all steps. Clusters of poses: k-means of the \
@@ -127,7 +127,7 @@ impl MedialNoiseResult {
                 params.restarts
             ),
             format!(
-                "τ: share of deformations told right, clusters matched to classes as well as can be; {} redraws of \
+                "τ: share of deformations classified correctly, clusters matched to classes as well as can be; {} redraws of \
                  sheets, patches and noise, seed {}, mean ± standard error from the scatter between redraws; \
                  baseline: τ of permuted labels.",
                 params.redraws, params.seed

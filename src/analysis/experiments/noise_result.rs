@@ -1,6 +1,6 @@
 //! The table of the noise study, with its protocol in words.
 
-use super::noise_study::{Condition, Draw};
+use super::noise_params::{Condition, Draw};
 use super::{Motion, NoiseDeformationParams, NoiseFamily, NoiseReference, ObjectKind};
 
 /// All cells of the study, and the settings that they came from.

@@ -1,4 +1,4 @@
-//! How many deformations are still told apart when their meshes are noisy (section 3.4.4).
+//! How many deformations are still classified when their meshes are noisy (section 3.4.4).
 
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -6,136 +6,15 @@ use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 
 use crate::analysis::classification::{k_means, tau};
-use crate::analysis::deformations::DeformationMapParams;
-use crate::analysis::embedding::MapMethod;
 use crate::progress::Progress;
 use crate::study::Study;
 
+use super::noise_params::{Condition, Draw};
 use super::noise_result::{NoiseCell, NoiseDeformationResult};
 use super::{
-    ExperimentError, Method, Motion, Noise, NoiseFamily, NoiseReference, ObjectKind,
-    SyntheticParams, noisy_study, synthetic_cohort,
+    ExperimentError, Method, Motion, Noise, NoiseDeformationParams, SyntheticParams, noisy_study,
+    synthetic_cohort,
 };
-
-/// What is deformed, disturbed and compared, and how often.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NoiseDeformationParams {
-    /// Kinds of objects; each is a study of its own, since only equal meshes correspond.
-    pub objects: Vec<ObjectKind>,
-    /// Deformations of each; its object is replaced by each of `objects` in turn, and its seed by one
-    /// of each redraw.
-    pub cohort: SyntheticParams,
-    /// Distributions of noise.
-    pub families: Vec<NoiseFamily>,
-    /// Levels in percent; 0 is always run as well.
-    pub percents: Vec<f64>,
-    /// What levels are shares of; each reading is run.
-    pub references: Vec<NoiseReference>,
-    /// Draws of objects, amplitudes and noise, all anew.
-    pub redraws: u16,
-    /// Ways of comparing poses; all see the same data.
-    pub methods: Vec<Method>,
-    /// How pose distances become a plane.
-    pub map: MapMethod,
-    /// How curves become a plane.
-    pub deformations: DeformationMapParams,
-    /// Starts of k-means.
-    pub restarts: u16,
-    /// Permutations of the labels of each draw, for the baseline.
-    pub permutations: u16,
-    /// Of everything random.
-    pub seed: u64,
-}
-
-impl Default for NoiseDeformationParams {
-    /// Table 3.1: six kinds of objects of genus 0 and 1 with 0 to 2 boundaries, 60 deformations each, three
-    /// families at five levels, ten redraws.
-    fn default() -> Self {
-        Self {
-            objects: ObjectKind::ALL.to_vec(),
-            cohort: SyntheticParams::default(),
-            families: NoiseFamily::ALL.to_vec(),
-            percents: vec![1.0, 2.5, 5.0, 10.0, 20.0],
-            references: vec![NoiseReference::Shape, NoiseReference::Displacement],
-            redraws: 10,
-            methods: vec![
-                Method::default_metric(),
-                Method::procrustes(),
-                Method::printed(),
-                Method::default_unsmoothed(),
-                Method::procrustes_smoothed(),
-            ],
-            map: MapMethod::default(),
-            deformations: DeformationMapParams::default(),
-            restarts: 50,
-            permutations: 100,
-            seed: 1,
-        }
-    }
-}
-
-impl NoiseDeformationParams {
-    fn check(&self) -> Result<(), ExperimentError> {
-        for (name, value) in [
-            ("objects", self.objects.len()),
-            ("families", self.families.len()),
-            ("readings of the level", self.references.len()),
-            ("methods", self.methods.len()),
-            ("redraws", usize::from(self.redraws)),
-            ("starts of k-means", usize::from(self.restarts)),
-            ("permutations", usize::from(self.permutations)),
-        ] {
-            if value == 0 {
-                return Err(ExperimentError::TooFew {
-                    name,
-                    value,
-                    least: 1,
-                });
-            }
-        }
-        let shares = |percent: &&f64| !(percent.is_finite() && **percent > 0.0);
-        if let Some(&percent) = self.percents.iter().find(shares) {
-            return Err(ExperimentError::Level { percent });
-        }
-        for method in &self.methods {
-            method.distances.check()?;
-        }
-        self.deformations.check()?;
-        Ok(())
-    }
-
-    /// Every draw of every condition, the clean one first; in the order of the result.
-    fn conditions(&self) -> Vec<Condition> {
-        let mut conditions = vec![Condition::Clean];
-        for &reference in &self.references {
-            for &family in &self.families {
-                conditions.extend((self.percents.iter()).map(|&percent| Condition::Noisy {
-                    family,
-                    percent,
-                    reference,
-                }));
-            }
-        }
-        conditions
-    }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Condition {
-    Clean,
-    Noisy {
-        family: NoiseFamily,
-        percent: f64,
-        reference: NoiseReference,
-    },
-}
-
-/// τ of one draw and that of permuted labels.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Draw {
-    pub(super) tau: f64,
-    pub(super) baseline: f64,
-}
 
 /// Runs the study: for each kind of object, redraw, condition and method, the whole pipeline of the
 /// program (size, alignment, distances of poses, their plane, curves in time, the LLE plane), k-means
@@ -212,13 +91,13 @@ fn one_draw(
     (params.methods.iter())
         .map(|method| {
             progress.step()?;
-            told_apart(params, &study, &labels, method, seed, &progress.within())
+            classified(params, &study, &labels, method, seed, &progress.within())
         })
         .collect()
 }
 
 /// τ of a study by one method, of all of its deformations.
-pub(super) fn told_apart(
+pub(super) fn classified(
     params: &NoiseDeformationParams,
     study: &Study,
     labels: &[Option<usize>],

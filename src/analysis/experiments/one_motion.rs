@@ -1,4 +1,4 @@
-//! A study in which all hearts move alike: what is still told apart is shape.
+//! A study in which all subjects move alike: what still separates them is shape.
 
 use std::sync::Arc;
 
@@ -10,11 +10,11 @@ use super::ExperimentError;
 use super::error::step;
 
 /// The corresponding subjects of a study, each with the motion of the first of them: to the
-/// end-diastolic pose of every heart are added the first one's displacements from end-diastole, turned by
-/// the rigid motion that lays the first end-diastolic pose onto the heart's own, sizes normalised. Frames
+/// end-diastolic pose of every subject are added the first one's displacements from end-diastole, turned by
+/// the rigid motion that lays the first end-diastolic pose onto the subject's own, sizes normalised. Frames
 /// and times are those of the first.
 ///
-/// A perfect transfer onto one heart would make all these motions equal.
+/// A perfect transport onto one subject would make all these motions equal.
 ///
 /// # Errors
 /// If poses cannot be aligned, or a coordinate leaves the range of numbers.
@@ -38,7 +38,7 @@ pub(super) fn one_motion_study(study: &Study) -> Result<Study, ExperimentError> 
     let subjects = (members.iter())
         .map(|member| {
             let own = normalised(member, member.end_diastole);
-            let turn = rigid_motion(&rest, &own).map_err(|e| step("aligning hearts", &e))?;
+            let turn = rigid_motion(&rest, &own).map_err(|e| step("aligning subjects", &e))?;
             let poses: Vec<Vec<Point3>> = (displacements.iter())
                 .map(|field| {
                     (own.iter().zip(field))

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use crate::analysis::alignment::comparable_subjects;
 use crate::analysis::deformations::{DeformationDistances, deformation_distances};
 use crate::analysis::pose_distances::{PoseDistanceParams, pose_distances};
-use crate::analysis::transport::CohortTransferParams;
+use crate::analysis::transport::CohortTransportParams;
 use crate::progress::Progress;
 use crate::study::Study;
 
@@ -14,39 +14,39 @@ use super::{ExperimentError, Method, MetricComparisonParams};
 
 /// What is done to motions before they are compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Carrying {
+pub struct TransportOption {
     /// What tables call it.
     pub name: &'static str,
-    /// Onto what all motions are carried; `None`: compared where they are.
-    pub transfer: Option<CohortTransferParams>,
-    /// Whether all hearts are given the motion of the first one beforehand: what then still tells patients
-    /// apart is their shape, which a perfect transfer would take away.
+    /// Onto what all motions are transported; `None`: compared where they are.
+    pub transport: Option<CohortTransportParams>,
+    /// Whether all subjects are given the motion of the first one beforehand: what then still tells patients
+    /// apart is their shape, which a perfect transport would take away.
     pub one_motion: bool,
 }
 
 /// What is compared.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartnerParams {
-    /// Ways of comparing poses, under each of `carryings`.
+    /// Ways of comparing poses, under each of `transport_options`.
     pub methods: Vec<Method>,
     /// What is done to motions before.
-    pub carryings: Vec<Carrying>,
-    /// Ways of comparing poses that are tried on hearts as they are alone.
-    pub uncarried: Vec<Method>,
+    pub transport_options: Vec<TransportOption>,
+    /// Ways of comparing poses that are tried on subjects as they are alone.
+    pub untransported: Vec<Method>,
 }
 
 impl PartnerParams {
-    /// All kinds and forms, plain displacement and the default without smoothing; as they are, carried
+    /// All kinds and forms, plain displacement and the default without smoothing; as they are, transported
     /// onto the mean along geodesics or straight ways as given, and with one motion for all. As they are
     /// also what smoothing, area weights and λ bring.
-    pub fn all_metrics(transfer: CohortTransferParams) -> Self {
-        let straight = CohortTransferParams {
+    pub fn all_metrics(transport: CohortTransportParams) -> Self {
+        let straight = CohortTransportParams {
             in_betweens: 0,
-            ..transfer
+            ..transport
         };
-        let carrying = |name, transfer, one_motion| Carrying {
+        let option = |name, transport, one_motion| TransportOption {
             name,
-            transfer,
+            transport,
             one_motion,
         };
         let smoothing = PoseDistanceParams::default().smoothing;
@@ -62,14 +62,14 @@ impl PartnerParams {
         methods.push(Method::default_unsmoothed());
         Self {
             methods,
-            carryings: vec![
-                carrying("none", None, false),
-                carrying("geodesics", Some(transfer), false),
-                carrying("straight ways", Some(straight), false),
-                carrying("one motion for all, none", None, true),
-                carrying("one motion for all, geodesics", Some(transfer), true),
+            transport_options: vec![
+                option("none", None, false),
+                option("geodesics", Some(transport), false),
+                option("straight ways", Some(straight), false),
+                option("one motion for all, none", None, true),
+                option("one motion for all, geodesics", Some(transport), true),
             ],
-            uncarried: vec![
+            untransported: vec![
                 Method {
                     name: "plain displacement, smoothed",
                     ..Method::procrustes_smoothed()
@@ -104,18 +104,18 @@ pub struct PartnerRanks {
     pub mean_distance: f64,
 }
 
-/// One method after one way of carrying.
+/// One method after one transport.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PartnerRow {
     /// What the method is called.
     pub method: &'static str,
     /// What was done before.
-    pub carrying: &'static str,
+    pub transport: &'static str,
     /// What came out.
     pub ranks: PartnerRanks,
 }
 
-/// By way of carrying, then by method.
+/// By transport, then by method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PartnerStudy {
     /// What was run.
@@ -125,7 +125,7 @@ pub struct PartnerStudy {
 }
 
 /// What says whose sequence it is: the id up to its last `_`, as `P7` of `P7_rest` and `P7_stress`;
-/// `None` where nothing stands before or there is none. Labels say what a heart has, not whose it is.
+/// `None` where nothing stands before or there is none. Labels say what a subject has, not whose it is.
 pub fn patient_of(id: &str) -> Option<&str> {
     let (patient, _) = id.rsplit_once('_')?;
     (!patient.is_empty()).then_some(patient)
@@ -148,28 +148,28 @@ pub fn partner_study(
     let members: Vec<usize> = members.iter().map(|member| member.index).collect();
     refuse_without_partners(&ids_of(study, &members))?;
     let moved_alike = one_motion_study(study)?;
-    let own = Carrying {
+    let own = TransportOption {
         name: "none",
-        transfer: None,
+        transport: None,
         one_motion: false,
     };
-    let mut tasks: Vec<(Carrying, Method)> = Vec::new();
-    for carrying in &params.carryings {
-        tasks.extend(params.methods.iter().map(|method| (*carrying, *method)));
+    let mut tasks: Vec<(TransportOption, Method)> = Vec::new();
+    for option in &params.transport_options {
+        tasks.extend(params.methods.iter().map(|method| (*option, *method)));
     }
-    tasks.extend(params.uncarried.iter().map(|method| (own, *method)));
+    tasks.extend(params.untransported.iter().map(|method| (own, *method)));
     progress.expect_steps(tasks.len());
     let rows = tasks
         .par_iter()
-        .map(|(carrying, method)| {
+        .map(|(option, method)| {
             progress.check()?;
-            let study = if carrying.one_motion {
+            let study = if option.one_motion {
                 &moved_alike
             } else {
                 study
             };
             let distances = PoseDistanceParams {
-                transfer: carrying.transfer,
+                transport: option.transport,
                 ..method.distances
             };
             let within = progress.within();
@@ -180,7 +180,7 @@ pub fn partner_study(
             progress.step()?;
             Ok(PartnerRow {
                 method: method.name,
-                carrying: carrying.name,
+                transport: option.name,
                 ranks: ranked(&ids, &whole),
             })
         })

@@ -111,7 +111,7 @@ impl Method {
 fn unsmoothed(metric: MetricParams) -> PoseDistanceParams {
     PoseDistanceParams {
         metric,
-        transfer: None,
+        transport: None,
         smoothing: 0.0,
     }
 }

@@ -1,15 +1,16 @@
 //! Where on a synthetic medial surface its patches of constant thickness lie.
 
+use std::f64::consts::TAU;
+
+use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
 use crate::mesh::{Point3, Vector3};
 
-use super::sheets::direction;
-
 /// Half the width of the border of a patch in radians of the hemisphere, some 3 mm, and its most as a share of the radius.
 const HALF_BORDER_RAD: f64 = 0.08;
 const BORDER_SHARE: f64 = 0.35;
-/// Least well wall between two patches, in radians: 10 to 20 mm.
+/// Least remote myocardium between two patches, in radians: 10 to 20 mm.
 const APART_RAD: f64 = 0.4;
 /// Centres that are tried for patches that lie apart.
 const TRIES: usize = 100;
@@ -38,13 +39,13 @@ impl PatchPlace {
 /// centres that is far enough, or else the farthest.
 pub(super) fn patches(
     directions: &[Vector3],
-    at_rest: &[Point3],
+    at_end_diastole: &[Point3],
     triangles: &[[u32; 3]],
     regular: &[bool],
     shares: &[f64],
     random: &mut ChaCha8Rng,
 ) -> Vec<PatchPlace> {
-    let areas = regular_areas(at_rest, triangles, regular);
+    let areas = regular_areas(at_end_diastole, triangles, regular);
     let mut places: Vec<PatchPlace> = Vec::new();
     for &share in shares {
         let mut best: Option<(f64, PatchPlace)> = None;
@@ -98,4 +99,12 @@ pub(super) fn regular_areas(
         }
     }
     areas
+}
+
+/// A direction of the lower hemisphere, away from the base, evenly over its area.
+fn direction(random: &mut ChaCha8Rng) -> Vector3 {
+    let z: f64 = random.random_range(-1.0..-0.15);
+    let around = random.random_range(0.0..TAU);
+    let across = (1.0 - z * z).sqrt();
+    Vector3::new(across * around.cos(), across * around.sin(), z)
 }

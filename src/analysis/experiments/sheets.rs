@@ -1,6 +1,5 @@
 //! Synthetic medial surfaces of left ventricles over a beat, with thickness as a function on them (section 4.6).
 
-use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use nalgebra::Rotation3;
@@ -51,9 +50,9 @@ pub(super) const PHASES: [usize; 2] = [0, 3];
 const HALF_AXES_MM: [f64; 3] = [28.0, 28.0, 66.0];
 /// Half the thickness of the wall at rest, in millimetres.
 const RADIUS_MM: f64 = 4.5;
-/// ln PT of a well wall from end-diastole to end-systole: PT = 1.52.
+/// ln PT of remote myocardium from end-diastole to end-systole: PT = 1.52.
 const THICKENING: f64 = 0.42;
-/// How much less the apex of a well wall thickens, as a share.
+/// How much less the apex of remote myocardium thickens, as a share.
 const APEX_LESS: f64 = 0.25;
 /// Share of radius and length by which the sheet draws in, and its twist in radians.
 const INWARD: f64 = 0.18;
@@ -64,7 +63,7 @@ const BEND_MM: f64 = 3.0;
 const SHIFT_MM: f64 = 8.0;
 const TURN_RAD: f64 = 0.16;
 /// Radius below which noise does not bring an atom, as a share of its clean one.
-const LEAST_RADIUS: f64 = 0.05;
+const MIN_RADIUS: f64 = 0.05;
 
 /// One deforming medial surface.
 #[derive(Clone, Debug, PartialEq)]
@@ -278,7 +277,7 @@ impl Sheet {
         let radii = (self.radii.iter())
             .map(|pose| {
                 (pose.iter())
-                    .map(|r| (r + family.draw(thickness, random)).max(LEAST_RADIUS * r))
+                    .map(|r| (r + family.draw(thickness, random)).max(MIN_RADIUS * r))
                     .collect()
             })
             .collect();
@@ -323,7 +322,7 @@ fn surface(points: &[Point3], radii: &[f64], triangles: &[[u32; 3]]) -> MedialSu
             Atom {
                 position: points[i],
                 radius: radii[i],
-                // Where noise leaves the balls no envelope the spokes are the normals.
+                // Where noise leaves the spheres no envelope the spokes are the normals.
                 spokes: spokes_from_gradient(normal, &along).unwrap_or([-normal, *normal]),
             }
         })
@@ -356,12 +355,4 @@ fn gradients(points: &[Point3], values: &[f64], triangles: &[[u32; 3]]) -> Vec<V
     sums.iter()
         .map(|(sum, weight)| sum / weight.max(f64::MIN_POSITIVE))
         .collect()
-}
-
-/// A direction of the lower hemisphere, away from the base, evenly over its area.
-pub(super) fn direction(random: &mut ChaCha8Rng) -> Vector3 {
-    let z: f64 = random.random_range(-1.0..-0.15);
-    let around = random.random_range(0.0..TAU);
-    let across = (1.0 - z * z).sqrt();
-    Vector3::new(across * around.cos(), across * around.sin(), z)
 }

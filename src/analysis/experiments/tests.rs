@@ -187,11 +187,11 @@ fn one_table_tells_the_labels_of_the_built_in_cohort_beside_ef_and_chance() {
 
 #[test]
 fn motions_are_followed_by_other_objects_and_paths_stay_near_them() {
-    let mut params = TransferStudyParams::default();
+    let mut params = TransportStudyParams::default();
     params.objects.truncate(1);
     params.cohort.per_class = 1;
     params.transport.in_betweens = 0;
-    let study = transfer_study(&params, &Progress::default()).unwrap();
+    let study = transport_study(&params, &Progress::default()).unwrap();
     assert_eq!(study.cases.len(), 4);
     for case in &study.cases {
         assert!(case.cosine > 0.8, "{case:?}");

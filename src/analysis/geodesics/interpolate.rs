@@ -9,7 +9,7 @@ use crate::study::MeshSequence;
 use super::ends::check_ends;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath, GeodesicSolver};
 
-/// Evaluations of the energy that hearts take; the bar waits at its end for more difficult ends.
+/// Evaluations of the energy that subjects take; the bar waits at its end for more difficult ends.
 const USUAL_EVALUATIONS: usize = 60;
 
 /// The path from `start` to `end` that minimises the path energy.
@@ -31,6 +31,7 @@ pub fn geodesic(
     let middle: Vec<Point3> = (start.iter().zip(end))
         .map(|(a, b)| a + (b - a) * 0.5)
         .collect();
+    // Half-way, stiffness is right on average; a degenerate middle, as of a shape turned inside out, has none.
     let reference = if check_ends(faces, &middle, &middle).is_ok() {
         &middle
     } else {
@@ -60,6 +61,7 @@ pub fn interpolated_sequence(
         .collect();
     let intervals = match poses.len() {
         0 | 1 => return Ok(Vec::new()),
+        // With two frames the way back would be the same path again.
         2 => 1,
         frames => frames,
     };

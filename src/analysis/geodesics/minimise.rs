@@ -8,7 +8,7 @@ use super::stiffness::Stiffness;
 /// Steps that the search remembers; each costs two vectors as long as the path.
 const MEMORY: usize = 10;
 /// What may be remembered at most, in bytes.
-const MOST_BYTES: usize = 96 << 20;
+const MAX_BYTES: usize = 96 << 20;
 
 /// Poses between two ends, flat: x, y, z of every vertex, pose after pose.
 #[derive(Clone, Debug)]
@@ -23,7 +23,7 @@ pub(super) struct Inner {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Content {
     pub tolerance: f64,
-    pub most_iterations: usize,
+    pub max_iterations: usize,
 }
 
 struct Path<'a> {
@@ -51,15 +51,17 @@ pub(super) fn improve(
     content: &Content,
     go_on: impl FnMut() -> bool,
 ) {
+    // s, y and P y for each remembered step; fewer steps for longer paths keep memory bounded.
     let bytes = 3 * size_of::<f64>() * inner.coordinates.len();
     let params = LbfgsParams {
-        memory: (MOST_BYTES / bytes.max(1)).clamp(2, MEMORY),
+        memory: (MAX_BYTES / bytes.max(1)).clamp(2, MEMORY),
         tolerance: content.tolerance,
-        most_iterations: content.most_iterations,
+        max_iterations: content.max_iterations,
     };
     let mut path = Path { energy, stiffness };
     let found = lbfgs(&mut path, &mut inner.coordinates, &params, go_on);
     inner.iterations += found.iterations;
+    // Where no step lowers the energy by more than rounding, there is nothing left to gain either.
     inner.converged = matches!(found.ending, Ending::Converged | Ending::Exhausted);
     inner.stopped = found.ending == Ending::Stopped;
 }
@@ -121,11 +123,13 @@ pub(super) fn cheapest(
     };
     for (level, &count) in levels.iter().enumerate() {
         inner.coordinates = resampled(ends[0], &inner.coordinates, ends[1], count);
+        // The remaining levels only bring what there is to the number of poses asked for.
         if inner.stopped {
             continue;
         }
         let last = level + 1 == levels.len();
         let content = Content {
+            // Levels before the last only provide a start.
             tolerance: if last {
                 content.tolerance
             } else {

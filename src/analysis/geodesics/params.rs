@@ -1,8 +1,6 @@
 //! Which metric, how many poses between, and when to be content.
 
-use crate::analysis::metrics::{
-    CheckedMetricParams, Corners, Form, MetricKind, MetricParams, ParamError,
-};
+use crate::analysis::metrics::{CheckedMetricParams, MetricParams, ParamError};
 
 /// Settings of a geodesic; [`GeodesicParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,18 +13,18 @@ pub struct GeodesicParams {
     /// is not expected to lower it by more.
     pub tolerance: f64,
     /// Stop after so many iterations of each search.
-    pub most_iterations: u32,
+    pub max_iterations: u32,
     /// Find the path on a decimated mesh of at most so many vertices, and prolong its offsets from the
     /// straight line to the whole; `None`: on the mesh as it is.
     ///
-    /// Offsets are smooth where limbs do not turn: on hearts such a path has a part of the gain in energy, less
+    /// Offsets are smooth where limbs do not turn: on subjects such a path has a part of the gain in energy, less
     /// the fewer vertices it is found on. Where limbs turn, as a horse's legs do, a prolonged path may cost more
     /// than the straight line, which is then given.
-    pub most_vertices: Option<u32>,
+    pub max_vertices: Option<u32>,
 }
 
 impl Default for GeodesicParams {
-    /// Tolerance: from frame 0 to 11 of a heart in cine MRI, with 7 in-betweens, 1e-3 ends after 12 iterations
+    /// Tolerance: from frame 0 to 11 of a subject in cine MRI, with 7 in-betweens, 1e-3 ends after 12 iterations
     /// on the endocardium and 17 on the epicardium; 1e-6 takes 342 and 733, and lowers the energy by another
     /// 0.14 % and 0.12 % (`cardiomorph interpolate ED ES --poses 7 --tolerance T` says energy and iterations).
     /// That is won by wrinkles below the scale at which the default metric charges curvature.
@@ -35,17 +33,17 @@ impl Default for GeodesicParams {
             metric: MetricParams::default(),
             in_betweens: 3,
             tolerance: 1e-3,
-            most_iterations: 1_000,
-            most_vertices: None,
+            max_iterations: 1_000,
+            max_vertices: None,
         }
     }
 }
 
 /// More in-betweens than any screen shows; memory grows with them.
-const MOST_IN_BETWEENS: u16 = 1_023;
+const MAX_IN_BETWEENS: u16 = 1_023;
 
-/// A coarser mesh would no longer be a heart.
-const FEWEST_VERTICES: u32 = 12;
+/// A coarser mesh would no longer have the shape of a ventricle.
+const MIN_VERTICES: u32 = 12;
 
 /// Settings that have been checked; read them like the fields of [`GeodesicParams`].
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -65,7 +63,7 @@ impl std::ops::Deref for CheckedGeodesicParams {
 impl CheckedGeodesicParams {
     /// The same on the mesh as it is.
     pub(super) fn on_all_vertices(mut self) -> Self {
-        self.params.most_vertices = None;
+        self.params.max_vertices = None;
         self
     }
 }
@@ -83,22 +81,26 @@ impl GeodesicParams {
     /// If a weight, the tolerance or a count is out of range, or there is no least path.
     pub fn check(self) -> Result<CheckedGeodesicParams, GeodesicParamError> {
         let metric = self.metric.check()?;
-        if self.in_betweens > MOST_IN_BETWEENS {
+        if self.in_betweens > MAX_IN_BETWEENS {
             return Err(GeodesicParamError::InBetweens {
                 in_betweens: self.in_betweens,
-                most: MOST_IN_BETWEENS,
+                most: MAX_IN_BETWEENS,
             });
         }
         if !(self.tolerance.is_finite() && self.tolerance >= 0.0) {
             return Err(GeodesicParamError::Tolerance(self.tolerance));
         }
-        if let Some(vertices) = self.most_vertices.filter(|&v| v < FEWEST_VERTICES) {
+        if let Some(vertices) = self.max_vertices.filter(|&v| v < MIN_VERTICES) {
             return Err(GeodesicParamError::Vertices {
                 vertices,
-                fewest: FEWEST_VERTICES,
+                fewest: MIN_VERTICES,
             });
         }
-        if self.in_betweens >= 2 && self.metric.lambda == 0.0 && has_no_least_path(&self.metric) {
+        // With one in-between both steps touch a fixed end, and cannot be made free.
+        if self.in_betweens >= 2
+            && self.metric.lambda == 0.0
+            && self.metric.path_energy_can_vanish()
+        {
             return Err(GeodesicParamError::NoLeastPath {
                 in_betweens: self.in_betweens,
             });
@@ -110,18 +112,6 @@ impl GeodesicParams {
     }
 }
 
-fn has_no_least_path(metric: &MetricParams) -> bool {
-    match metric.kind {
-        MetricKind::Isometric | MetricKind::Rigid => false,
-        MetricKind::AnglePreserving => {
-            metric.corners == Corners::Raw || metric.form == Form::Printed
-        }
-        MetricKind::QuasiConformal => {
-            metric.corners == Corners::Raw || matches!(metric.form, Form::Printed | Form::Bilinear)
-        }
-    }
-}
-
 /// Why settings of a geodesic cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum GeodesicParamError {
@@ -129,7 +119,7 @@ pub enum GeodesicParamError {
     #[error(transparent)]
     Metric(#[from] ParamError),
     /// So many in-betweens are not computed.
-    #[error("at most {most} in-betweens are computed, not {in_betweens}")]
+    #[error("at most {most} interpolated poses are computed, not {in_betweens}")]
     InBetweens {
         /// What was asked for.
         in_betweens: u16,
@@ -149,8 +139,8 @@ pub enum GeodesicParamError {
     },
     /// The energy has no minimum above zero.
     #[error(
-        "with {in_betweens} in-betweens this form costs nothing on ways that collapse; \
-         give lambda above 0, at most one in-between, or the additive form"
+        "with {in_betweens} interpolated poses this form has no shortest path: poses can collapse at no cost; \
+         set lambda above 0, use at most one interpolated pose, or the additive form"
     )]
     NoLeastPath {
         /// What was asked for.

@@ -1,21 +1,28 @@
 //! Many paths on one connectivity, each the cheapest between its ends.
 
-use crate::analysis::metrics::{Form, Metric, MetricError, MetricKind, PathEnergy};
+use crate::analysis::metrics::{CurvatureRole, Metric, MetricError, PathEnergy};
 use crate::mesh::{Decimation, Faces, Point3, crossing_faces};
 use crate::progress::Progress;
 
-use super::coarse::Coarse;
+use super::coarse::prolonged;
 use super::ends::{check_ends, flat};
 use super::minimise::{Content, Inner, cheapest, resampled, time_levels};
 use super::stiffness::Stiffness;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath};
+
+/// The same question on fewer of the vertices.
+#[derive(Clone, Debug)]
+struct Coarse {
+    decimation: Decimation,
+    solver: GeodesicSolver,
+}
 
 /// Finds many paths on one connectivity: what does not depend on the ends is computed once.
 #[derive(Clone, Debug)]
 pub struct GeodesicSolver {
     faces: Faces,
     metric: Metric,
-    pub(super) params: CheckedGeodesicParams,
+    params: CheckedGeodesicParams,
     stiffness: Option<Stiffness>,
     coarse: Option<Box<Coarse>>,
 }
@@ -32,12 +39,14 @@ impl GeodesicSolver {
         params: &CheckedGeodesicParams,
     ) -> Result<Self, GeodesicError> {
         check_ends(faces, reference, reference)?;
-        let stiffness = if curvature_is_a_factor(params) {
+        // Curvature change as a factor is that between the two ends, unknown here.
+        let stiffness = if params.metric.curvature_role().is_factor() {
             None // It depends on both ends: made for each path.
         } else {
             Stiffness::new(faces, reference, &params.metric, None)
         };
-        let fewer = params.most_vertices.map(|most| most as usize);
+        let fewer = params.max_vertices.map(|most| most as usize);
+        // A mesh that is small enough is searched as it is.
         let fewer = fewer.filter(|&most| most < faces.vertex_count());
         let coarse = match fewer {
             Some(most) => Self::coarse(faces, reference, params, most)?,
@@ -47,6 +56,7 @@ impl GeodesicSolver {
             faces: faces.clone(),
             metric: Metric::new(faces, params.metric),
             params: *params,
+            // The coarse solver has its own; this one would be factorised and never used.
             stiffness: stiffness.filter(|_| coarse.is_none()),
             coarse,
         })
@@ -56,9 +66,9 @@ impl GeodesicSolver {
         faces: &Faces,
         reference: &[Point3],
         params: &CheckedGeodesicParams,
-        most_vertices: usize,
+        max_vertices: usize,
     ) -> Result<Option<Box<Coarse>>, GeodesicError> {
-        let Some(decimation) = Decimation::new(reference, faces, most_vertices, || true) else {
+        let Some(decimation) = Decimation::new(reference, faces, max_vertices, || true) else {
             return Ok(None);
         };
         let solver = Self::new(
@@ -107,12 +117,14 @@ impl GeodesicSolver {
         let ends = [ends[0].as_slice(), ends[1].as_slice()];
         let mut energy = self.path_energy(start, end, count)?;
         let straight = resampled(ends[0], &[], ends[1], count);
+        // The straight line is the start of the search and the bound that no result may exceed.
         let energy_linear = energy.energy(&straight);
         if !energy_linear.is_finite() {
             return Err(GeodesicError::Energy {
                 energy: energy_linear,
             });
         }
+        // Nothing to move, or a path that costs nothing already.
         let mut inner = if count == 0 || energy_linear == 0.0 {
             Inner {
                 coordinates: straight.clone(),
@@ -125,6 +137,7 @@ impl GeodesicSolver {
         };
         let mut found = energy.energy(&inner.coordinates);
         // Stopped early, an unfinished path of few poses may be worse than none.
+        // This also catches a prolonged coarse path where limbs turn.
         if found.is_nan() || found > energy_linear {
             inner.coordinates = straight;
             found = energy.energy(&inner.coordinates);
@@ -161,7 +174,7 @@ impl GeodesicSolver {
         })
     }
 
-    pub(super) fn search(
+    fn search(
         &self,
         start: &[Point3],
         end: &[Point3],
@@ -169,12 +182,19 @@ impl GeodesicSolver {
         go_on: &dyn Fn() -> bool,
     ) -> Result<Inner, GeodesicError> {
         if let Some(coarse) = &self.coarse {
-            return coarse.search(start, end, &ends, go_on);
+            let Coarse { decimation, solver } = &**coarse;
+            let [start, end] = [start, end].map(|pose| decimation.restricted(pose));
+            let few = [flat(&start), flat(&end)];
+            let few = [few[0].as_slice(), few[1].as_slice()];
+            let mut inner = solver.search(&start, &end, few, go_on)?;
+            let count = usize::from(self.params.in_betweens);
+            inner.coordinates = prolonged(decimation, &inner.coordinates, few, ends, count);
+            return Ok(inner);
         }
         let own = self.own_stiffness(start, end)?;
         let content = Content {
             tolerance: self.params.tolerance,
-            most_iterations: self.params.most_iterations as usize,
+            max_iterations: self.params.max_iterations as usize,
         };
         let count = usize::from(self.params.in_betweens);
         let from = |levels: &[usize], stiffness: Option<&Stiffness>| {
@@ -195,6 +215,8 @@ impl GeodesicSolver {
         let mut energy = self.path_energy(start, end, count)?;
         let mut least = energy.energy(&best.coordinates);
         let levels = time_levels(count);
+        // Other starts lead to other minima: from few poses on, with and without the preconditioner; the cheapest is
+        // kept.
         for (levels, stiffness) in [(&levels[..], stiffness), (&levels, None), (&[count], None)] {
             if best.stopped {
                 break;
@@ -217,14 +239,13 @@ impl GeodesicSolver {
         start: &[Point3],
         end: &[Point3],
     ) -> Result<Option<Stiffness>, GeodesicError> {
-        if !curvature_is_a_factor(&self.params) {
-            return Ok(None);
-        }
-        let (a, b) = (self.metric.prepare(start)?, self.metric.prepare(end)?);
-        let steps = match self.params.metric.form {
-            Form::Frozen => 1.0,
-            _ => f64::from(self.params.in_betweens) + 1.0,
+        let steps = match self.params.metric.curvature_role() {
+            CurvatureRole::Unused | CurvatureRole::Term => return Ok(None),
+            CurvatureRole::FrozenFactor => 1.0,
+            // Each of the steps makes an equal part of the change of the ends.
+            CurvatureRole::StepFactor => f64::from(self.params.in_betweens) + 1.0,
         };
+        let (a, b) = (self.metric.prepare(start)?, self.metric.prepare(end)?);
         let weights: Vec<f64> = (self.metric.frozen_weights(&a, &b).iter())
             .map(|weight| weight / (steps * steps))
             .collect();
@@ -237,12 +258,8 @@ impl GeodesicSolver {
     }
 }
 
-fn curvature_is_a_factor(params: &CheckedGeodesicParams) -> bool {
-    params.metric.kind == MetricKind::QuasiConformal && params.metric.form != Form::Additive
-}
-
 /// Where curvature change multiplies angle change, a step costs nothing if either is nothing: paths
 /// alternate between both in many ways, and where a search ends depends on where it began.
 fn has_many_minima(params: &CheckedGeodesicParams) -> bool {
-    curvature_is_a_factor(params) && params.metric.form != Form::Frozen
+    params.metric.curvature_role() == CurvatureRole::StepFactor
 }

@@ -1,6 +1,6 @@
 //! How stiff each direction of a path is, about: what makes the search short.
 
-use crate::analysis::metrics::{CheckedMetricParams, Corners, MetricKind, Regulariser};
+use crate::analysis::metrics::{CheckedMetricParams, Corners, Regulariser};
 use crate::mesh::{Faces, Point3, Vector3};
 use crate::numeric::SparseCholesky;
 
@@ -46,26 +46,32 @@ impl Stiffness {
             })
             .collect();
         let total: f64 = areas.iter().sum();
+        // Shares of no area are not defined; the search then runs without a preconditioner.
         if !(total > 0.0 && total.is_finite()) {
             return None;
         }
+        let own_displacement = if params.kind.penalises_displacement() {
+            1.0
+        } else {
+            0.0
+        };
         let mut entries = Vec::with_capacity(45 * areas.len() + size);
         let mut diagonal = vec![0.0; size];
         for (triangle, area) in faces.triangles().iter().zip(&areas) {
             let share = area / total;
             let weight = if params.area_weights { share } else { 1.0 };
-            if params.kind != MetricKind::Rigid {
-                let corners = corner_weights.map(|w| triangle.map(|v| w[v as usize]));
-                let block = face_block(triangle.map(|v| pose[v as usize]), params, corners);
+            let corners = corner_weights.map(|w| triangle.map(|v| w[v as usize]));
+            if let Some(block) = face_block(triangle.map(|v| pose[v as usize]), params, corners) {
                 push_block(&mut entries, &mut diagonal, triangle, weight, &block);
             }
             let counted = match params.regulariser {
                 Regulariser::Area => share / 3.0,
                 Regulariser::Uniform => 0.0,
             };
-            let own = match params.kind {
-                MetricKind::Rigid if params.area_weights => share / 3.0,
-                _ => 0.0,
+            let own = if params.area_weights {
+                own_displacement * share / 3.0
+            } else {
+                0.0
             };
             for &v in triangle {
                 for axis in 0..3 {
@@ -73,13 +79,14 @@ impl Stiffness {
                 }
             }
         }
-        let even = match (params.regulariser, params.kind) {
-            (Regulariser::Uniform, MetricKind::Rigid) if !params.area_weights => {
-                params.lambda + 1.0
-            }
-            (Regulariser::Uniform, _) => params.lambda,
-            (_, MetricKind::Rigid) if !params.area_weights => 1.0,
-            _ => 0.0,
+        let regulariser = match params.regulariser {
+            Regulariser::Uniform => params.lambda,
+            Regulariser::Area => 0.0,
+        };
+        let even = if params.area_weights {
+            regulariser
+        } else {
+            regulariser + own_displacement
         };
         let mean = diagonal.iter().sum::<f64>() / size as f64 + even;
         for (k, value) in diagonal.into_iter().enumerate() {
@@ -95,9 +102,11 @@ impl Stiffness {
         if size == 0 {
             return;
         }
+        // A Kronecker product is inverted factor by factor: space for every pose, then time for every coordinate.
         self.factor.solve(gradient);
         solve_in_time(gradient, size);
         for value in gradient {
+            // The Hessian is 4 T ⊗ G.
             *value *= 0.25;
         }
     }
@@ -140,12 +149,12 @@ fn displacement(params: &CheckedMetricParams, total_area: f64) -> f64 {
 type Block = [[f64; 9]; 9];
 
 /// BᵀCB of a face: B takes displacements of its corners to the stretches s of its sides, C
-/// is the form on stretches.
+/// is the form of the metric on stretches; `None` where faces have no terms.
 fn face_block(
     corner: [Point3; 3],
     params: &CheckedMetricParams,
     corner_weights: Option<[f64; 3]>,
-) -> Block {
+) -> Option<Block> {
     let sides: [Vector3; 3] = [0, 1, 2].map(|e| corner[e] - corner[(e + 1) % 3]);
     let length2 = sides.map(|side| side.norm_squared());
     let mut b = [[0.0; 9]; 3];
@@ -158,7 +167,7 @@ fn face_block(
             }
         }
     }
-    let c = side_form(length2, params, corner_weights);
+    let c = params.side_stiffness(length2, corner_weights)?;
     let mut block = [[0.0; 9]; 9];
     let stiffest = (0..3).map(|e| c[e][e]).fold(0.0, f64::max);
     for (e, &length2) in length2.iter().enumerate() {
@@ -182,36 +191,7 @@ fn face_block(
             }
         }
     }
-    block
-}
-
-fn side_form(
-    length2: [f64; 3],
-    params: &CheckedMetricParams,
-    corner_weights: Option<[f64; 3]>,
-) -> [[f64; 3]; 3] {
-    let raw = params.corners == Corners::Raw;
-    let mut form = [[0.0; 3]; 3];
-    for c in 0..3 {
-        if params.kind == MetricKind::Isometric {
-            // An edge belongs to two faces, or counts a third in each of them.
-            let half = if params.area_weights { 1.0 / 3.0 } else { 0.5 };
-            form[c][c] = half * if raw { length2[c] * length2[c] } else { 1.0 };
-            continue;
-        }
-        let last = (c + 2) % 3;
-        let unit = if raw {
-            (length2[c] * length2[last]).powi(2)
-        } else {
-            1.0
-        };
-        let weight = unit * corner_weights.map_or(1.0, |weights| weights[c]);
-        form[c][c] += weight;
-        form[last][last] += weight;
-        form[c][last] -= weight;
-        form[last][c] -= weight;
-    }
-    form
+    Some(block)
 }
 
 fn push_block(
@@ -225,6 +205,7 @@ fn push_block(
     for (i, row) in block.iter().enumerate() {
         for (j, value) in row.iter().enumerate() {
             let (row, column) = (index(i), index(j));
+            // The lower triangle alone: the matrix is symmetric and so is its factor.
             if row > column {
                 entries.push((row, column, weight * value));
             } else if row == column {
@@ -237,7 +218,7 @@ fn push_block(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::metrics::{Form, Metric, MetricParams, PathEnergy};
+    use crate::analysis::metrics::{Form, Metric, MetricKind, MetricParams, PathEnergy};
     use crate::mesh::phantom;
 
     #[test]

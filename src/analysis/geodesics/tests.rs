@@ -4,7 +4,7 @@ use nalgebra::Rotation3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams, bent};
+use crate::analysis::metrics::{Corners, Form, METRICS, MetricKind, MetricParams, bent};
 use crate::mesh::{Faces, Point3, TriMesh, Vector3, phantom};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
@@ -158,12 +158,7 @@ fn without_in_betweens_the_path_is_its_ends() {
 fn every_metric_finds_a_path_that_is_no_dearer() {
     let mesh = bowl();
     let end = bent(mesh.vertices(), 0.2, 2.0);
-    for kind in [
-        MetricKind::Isometric,
-        MetricKind::Rigid,
-        MetricKind::AnglePreserving,
-        MetricKind::QuasiConformal,
-    ] {
+    for kind in METRICS {
         for form in [Form::Printed, Form::Bilinear, Form::Frozen, Form::Additive] {
             for corners in [Corners::Raw, Corners::ScaleFree] {
                 let metric = MetricParams {
@@ -175,7 +170,7 @@ fn every_metric_finds_a_path_that_is_no_dearer() {
                 };
                 let params = GeodesicParams {
                     metric,
-                    most_iterations: 60,
+                    max_iterations: 60,
                     ..GeodesicParams::default()
                 };
                 let path = found(mesh.faces(), mesh.vertices(), &end, params);
@@ -197,12 +192,12 @@ fn a_path_found_on_few_vertices_is_close_to_that_of_all() {
     let end = bent(ball.vertices(), 0.3, 1.0);
     let whole = found(ball.faces(), ball.vertices(), &end, exact());
     let params = GeodesicParams {
-        most_vertices: Some(300),
+        max_vertices: Some(300),
         ..exact()
     };
     let few = found(ball.faces(), ball.vertices(), &end, params);
     let gain = (few.energy_linear - few.energy) / (whole.energy_linear - whole.energy);
-    // Half of the vertices keep a quarter of the gain here; on hearts they keep more.
+    // Half of the vertices keep a quarter of the gain here; on subjects they keep more.
     assert!(gain > 0.2 && gain <= 1.0, "{gain}");
     let bow = whole.poses.iter().enumerate().map(|(k, pose)| {
         let t = k as f64 / 4.0;

@@ -2,7 +2,7 @@
 
 use crate::mesh::{CappedSheet, Faces, MeshError, Point3, Sheet, Vector3, sheets};
 
-/// Why the inner side of a closed wall cannot be told.
+/// Why the inner side of a closed wall cannot be determined.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum InnerSideError {
     /// The middle of the surface lies in muscle: this is no cup.
@@ -38,7 +38,7 @@ pub(super) fn inner_side(
     sheet: &Sheet,
     whole: &CappedSheet,
 ) -> Result<CappedSheet, InnerSideError> {
-    const LEAST_PART: f64 = 0.98;
+    const MIN_PART: f64 = 0.98;
     let outward = whole.signed_volume(vertices).signum();
     let faces: Vec<FaceFrame> = sheet
         .triangles
@@ -71,7 +71,7 @@ pub(super) fn inner_side(
     };
     let capped = CappedSheet::new(vertices.len(), largest)?;
     let part = area(largest) / inner_area.max(f64::MIN_POSITIVE);
-    if part < LEAST_PART || capped.loop_count() != 1 {
+    if part < MIN_PART || capped.loop_count() != 1 {
         return Err(InnerSideError::NoSingleCup {
             part: 100.0 * part,
             loops: capped.loop_count(),

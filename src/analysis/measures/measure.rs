@@ -1,4 +1,4 @@
-//! Measures of one heart and of all hearts of a study.
+//! Measures of one subject and of all subjects of a study.
 
 use rayon::prelude::*;
 
@@ -8,23 +8,23 @@ use crate::study::{Study, Subject};
 use crate::units::{Grams, LengthUnit};
 
 use super::result::{FrameMeasures, PhaseSource, SubjectMeasures};
-use super::volumes::{HeartGeometry, UntoldVolume};
+use super::volumes::{SubjectGeometry, UnknownVolume};
 
 /// Density of muscle in g/ml, by which its volume becomes a mass.
 ///
 /// Source: Taimouri, *Shape Analysis in Shape Space*, 4.1.1 (printed there as g/cm).
 const MUSCLE_DENSITY_G_PER_ML: f64 = 1.05;
 
-/// Sizes of one heart at every frame, its phases, ejection fraction and mass.
+/// Sizes of one subject at every frame, its phases, ejection fraction and mass.
 ///
 /// Open surfaces are closed at each boundary loop by a flat fan to the loop's centroid; volumes
 /// follow from the divergence theorem and are positive whichever way faces are wound.
 /// EF = (EDV − ESV) / EDV. Frames of end-diastole and end-systole are those that the subject
 /// states, or the extremes of the endocardial volume, the first if there are several.
-/// What cannot be told is `None`; [`untold_volumes`] says why.
+/// What cannot be determined is `None`; [`unknown_volumes`] says why.
 pub fn measure_subject(subject: &Subject) -> SubjectMeasures {
     // A progress that nobody holds is never stopped.
-    measure(subject, &Progress::default()).unwrap_or_else(|Stopped| nothing_told(subject))
+    measure(subject, &Progress::default()).unwrap_or_else(|Stopped| no_measures(subject))
 }
 
 /// [`measure_subject`] of each subject, in their order; a step per frame.
@@ -46,13 +46,13 @@ pub fn measure_study(study: &Study, progress: &Progress) -> Result<Vec<SubjectMe
 }
 
 /// Why volumes of a subject are `None`.
-pub fn untold_volumes(subject: &Subject) -> Vec<UntoldVolume> {
-    HeartGeometry::new(subject).untold
+pub fn unknown_volumes(subject: &Subject) -> Vec<UnknownVolume> {
+    SubjectGeometry::new(subject).unknown
 }
 
 fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, Stopped> {
-    let geometry = HeartGeometry::new(subject);
-    let mut measured = nothing_told(subject);
+    let geometry = SubjectGeometry::new(subject);
+    let mut measured = no_measures(subject);
     for frame in 0..subject.sequence.frame_count() {
         measured
             .frames
@@ -67,7 +67,7 @@ fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, St
         measured.sv = Some(edv - esv);
         measured.ef = Some((edv - esv) / edv).filter(|ef| ef.is_finite());
     }
-    // Without phases, as of a wall whose cavity is not told, the first frame stands for all.
+    // Without phases, as of a wall whose cavity is not known, the first frame stands for all.
     let wall_ml = measured
         .frames
         .get(measured.end_diastole.unwrap_or(0))
@@ -78,7 +78,7 @@ fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, St
     Ok(measured)
 }
 
-fn nothing_told(subject: &Subject) -> SubjectMeasures {
+fn no_measures(subject: &Subject) -> SubjectMeasures {
     SubjectMeasures {
         unit: subject.unit,
         frames: Vec::new(),
@@ -93,7 +93,11 @@ fn nothing_told(subject: &Subject) -> SubjectMeasures {
     }
 }
 
-fn frame_measures(subject: &Subject, geometry: &HeartGeometry<'_>, frame: usize) -> FrameMeasures {
+fn frame_measures(
+    subject: &Subject,
+    geometry: &SubjectGeometry<'_>,
+    frame: usize,
+) -> FrameMeasures {
     let sizes = geometry.at(frame);
     let (cubic, square) = (
         subject.unit.volume_from_cubic(),

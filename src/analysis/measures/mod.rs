@@ -11,7 +11,7 @@ mod volumes;
 mod wall_sides;
 
 pub use inner_side::InnerSideError;
-pub use measure::{measure_study, measure_subject, untold_volumes};
+pub use measure::{measure_study, measure_subject, unknown_volumes};
 pub use result::{FrameMeasures, PhaseSource, SubjectMeasures};
-pub use volumes::UntoldVolume;
+pub use volumes::UnknownVolume;
 pub use wall_sides::{Side, WallSides, split_wall, wall_sides};

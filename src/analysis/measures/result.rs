@@ -29,7 +29,7 @@ pub struct FrameMeasures {
     pub bounding_box: [[f64; 3]; 2],
 }
 
-/// Measures of one heart over the beat.
+/// Measures of one subject over the beat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SubjectMeasures {
     /// Says what the volumes and areas are counted in.

@@ -1,4 +1,4 @@
-//! Measures of hearts whose sizes are known.
+//! Measures of subjects whose sizes are known.
 
 use std::f64::consts::PI;
 
@@ -111,7 +111,7 @@ fn a_closed_cup_tells_its_inner_side() {
     assert!(near(frame.endo_volume, half_ball(2.0)));
     assert!(near(frame.epi_volume, half_ball(3.0)));
     assert!(near(frame.endo_area, 2.0 * PI * 4.0));
-    assert!(untold_volumes(&of_one(SurfaceKind::Wall, &cup(2.0, 3.0, 10))).is_empty());
+    assert!(unknown_volumes(&of_one(SurfaceKind::Wall, &cup(2.0, 3.0, 10))).is_empty());
     let inside_out = turned_inside_out(&cup(2.0, 3.0, 40));
     let again = measure_subject(&of_one(SurfaceKind::Wall, &inside_out));
     assert!((again.frames[0].endo_volume.unwrap() - frame.endo_volume.unwrap()).abs() < 1e-9);
@@ -165,7 +165,7 @@ fn what_cannot_be_told_is_said_with_its_reason() {
         let found = measure_subject(&subject);
         assert_eq!(found.frames[0].endo_volume, None);
         assert_eq!((found.edv, found.ef, found.end_systole), (None, None, None));
-        let reasons: Vec<_> = untold_volumes(&subject)
+        let reasons: Vec<_> = unknown_volumes(&subject)
             .iter()
             .map(ToString::to_string)
             .collect();
@@ -231,7 +231,7 @@ fn the_built_in_hearts_measure_as_they_were_designed() {
     for (measures, truth) in found.iter().zip(&made.truths) {
         assert_eq!(measures.end_diastole, Some(0));
         assert!((measures.ef.unwrap() - truth.ejection_fraction).abs() < 0.008);
-        // From a small normal heart to a large hypertrophic one.
+        // From a small normal subject to a large hypertrophic one.
         assert!((60.0..260.0).contains(&measures.mass.unwrap().0));
     }
 }

@@ -1,13 +1,13 @@
-//! Volumes and areas of a heart's surfaces at a frame, prepared once per heart.
+//! Volumes and areas of a subject's surfaces at a frame, prepared once per subject.
 
 use crate::mesh::{CappedSheet, MeshError, Point3, Sheet, SheetError, sheets};
 use crate::study::{Subject, SurfaceKind, SurfaceSequence};
 
 use super::inner_side::{self, InnerSideError};
 
-/// Why a surface's volume is not told.
+/// Why a surface's volume is not known.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum UntoldVolume {
+pub enum UnknownVolume {
     /// It has no inside.
     #[error("{kind}: {reason}")]
     NoInside {
@@ -24,8 +24,8 @@ pub enum UntoldVolume {
         /// What is wrong.
         reason: MeshError,
     },
-    /// The wall's inner side cannot be told from its outer one.
-    #[error("wall: {0}; the cavity's volume is not told")]
+    /// The wall's inner side cannot be distinguished from its outer one.
+    #[error("wall: {0}; the cavity's volume is not known")]
     InnerSide(#[from] InnerSideError),
     /// A wall of one sheet is open, so that it encloses no muscle.
     #[error("wall: one sheet with {loops} open ends encloses no muscle")]
@@ -42,7 +42,7 @@ pub enum UntoldVolume {
         /// How many.
         sheets: usize,
     },
-    /// No surface is said to be part of a heart.
+    /// No surface is said to be part of a subject.
     #[error("no surface is said to be endocardium, epicardium, cavity or wall")]
     NoHeart,
 }
@@ -62,13 +62,13 @@ pub(super) struct SurfaceSize {
     pub area: f64,
 }
 
-/// What of a heart can be measured, and why the rest cannot.
+/// Sizes of a subject that can be measured, and why the others cannot.
 #[derive(Clone, Debug)]
-pub(super) struct HeartGeometry<'a> {
+pub(super) struct SubjectGeometry<'a> {
     endo: Option<Enclosure<'a>>,
     epi: Option<Enclosure<'a>>,
     wall: Option<Wall<'a>>,
-    pub untold: Vec<UntoldVolume>,
+    pub unknown: Vec<UnknownVolume>,
 }
 
 /// A surface that encloses blood, or blood and muscle.
@@ -99,21 +99,21 @@ enum WallForm {
     },
 }
 
-impl<'a> HeartGeometry<'a> {
+impl<'a> SubjectGeometry<'a> {
     pub fn new(subject: &'a Subject) -> Self {
-        let mut untold = Vec::new();
+        let mut unknown = Vec::new();
         let sequence = &subject.sequence;
         let mut enclosure = |kinds: [SurfaceKind; 2]| {
             let surface = kinds.iter().find_map(|&kind| sequence.surface(kind))?;
             Enclosure::new(surface)
-                .map_err(|reason| untold.push(reason))
+                .map_err(|reason| unknown.push(reason))
                 .ok()
         };
         let endo = enclosure([SurfaceKind::Endocardium, SurfaceKind::Cavity]);
         let epi = enclosure([SurfaceKind::Epicardium; 2]);
         let wall = sequence.surface(SurfaceKind::Wall).and_then(|surface| {
-            Wall::new(surface, &mut untold)
-                .map_err(|reason| untold.push(reason))
+            Wall::new(surface, &mut unknown)
+                .map_err(|reason| unknown.push(reason))
                 .ok()
         });
         if sequence
@@ -121,13 +121,13 @@ impl<'a> HeartGeometry<'a> {
             .iter()
             .all(|surface| surface.kind() == SurfaceKind::Other)
         {
-            untold.push(UntoldVolume::NoHeart);
+            unknown.push(UnknownVolume::NoHeart);
         }
         Self {
             endo,
             epi,
             wall,
-            untold,
+            unknown,
         }
     }
 
@@ -152,7 +152,7 @@ impl<'a> HeartGeometry<'a> {
 }
 
 impl<'a> Enclosure<'a> {
-    fn new(surface: &'a SurfaceSequence) -> Result<Self, UntoldVolume> {
+    fn new(surface: &'a SurfaceSequence) -> Result<Self, UnknownVolume> {
         Ok(Self {
             surface,
             sheets: capped_sheets(surface)?
@@ -181,24 +181,24 @@ impl<'a> Enclosure<'a> {
 impl<'a> Wall<'a> {
     fn new(
         surface: &'a SurfaceSequence,
-        untold: &mut Vec<UntoldVolume>,
-    ) -> Result<Self, UntoldVolume> {
+        unknown: &mut Vec<UnknownVolume>,
+    ) -> Result<Self, UnknownVolume> {
         let mut found = capped_sheets(surface)?;
         let vertices = surface.frames()[0].vertices();
         let form = match (found.len(), found.pop(), found.pop()) {
             (1, Some((sheet, whole)), None) => {
                 if whole.loop_count() > 0 {
-                    return Err(UntoldVolume::OpenWall {
+                    return Err(UnknownVolume::OpenWall {
                         loops: whole.loop_count(),
                     });
                 }
                 let inner = inner_side::inner_side(vertices, &sheet, &whole)
-                    .map_err(|reason| untold.push(reason.into()))
+                    .map_err(|reason| unknown.push(reason.into()))
                     .ok();
                 WallForm::Joined { whole, inner }
             }
             (2, Some((_, one)), Some((_, other))) => nested(one, other, vertices)?,
-            (sheets, ..) => return Err(UntoldVolume::ManySheets { sheets }),
+            (sheets, ..) => return Err(UnknownVolume::ManySheets { sheets }),
         };
         Ok(Self { surface, form })
     }
@@ -235,16 +235,16 @@ impl<'a> Wall<'a> {
 /// The inner side of a wall at its first frame: the part of a closed sheet that looks into the cavity, or the inner one of two sheets.
 ///
 /// # Errors
-/// If the wall is open, of more than two sheets, or its inner side cannot be told.
-pub(super) fn wall_inner_side(surface: &SurfaceSequence) -> Result<CappedSheet, UntoldVolume> {
-    let mut untold = Vec::new();
-    match Wall::new(surface, &mut untold)?.form {
+/// If the wall is open, of more than two sheets, or its inner side cannot be determined.
+pub(super) fn wall_inner_side(surface: &SurfaceSequence) -> Result<CappedSheet, UnknownVolume> {
+    let mut unknown = Vec::new();
+    match Wall::new(surface, &mut unknown)?.form {
         WallForm::Joined {
             inner: Some(inner), ..
         }
         | WallForm::Nested { inner, .. } => Ok(inner),
         WallForm::Joined { inner: None, .. } => {
-            Err(untold.pop().unwrap_or(InnerSideError::NoCavity.into()))
+            Err(unknown.pop().unwrap_or(InnerSideError::NoCavity.into()))
         }
     }
 }
@@ -255,8 +255,8 @@ fn nested(
     one: CappedSheet,
     other: CappedSheet,
     vertices: &[Point3],
-) -> Result<WallForm, UntoldVolume> {
-    const MOST_SAMPLES: usize = 64;
+) -> Result<WallForm, UnknownVolume> {
+    const MAX_SAMPLES: usize = 64;
     let volume = |sheet: &CappedSheet| sheet.signed_volume(vertices).abs();
     let (inner, outer) = if volume(&one) < volume(&other) {
         (one, other)
@@ -264,7 +264,7 @@ fn nested(
         (other, one)
     };
     let corners = inner.vertices();
-    let stride = corners.len().div_ceil(MOST_SAMPLES).max(1);
+    let stride = corners.len().div_ceil(MAX_SAMPLES).max(1);
     let samples: Vec<Point3> = corners
         .iter()
         .step_by(stride)
@@ -277,19 +277,19 @@ fn nested(
     if 10 * inside >= 9 * samples.len() {
         Ok(WallForm::Nested { inner, outer })
     } else {
-        Err(UntoldVolume::NotNested)
+        Err(UnknownVolume::NotNested)
     }
 }
 
-fn capped_sheets(surface: &SurfaceSequence) -> Result<Vec<(Sheet, CappedSheet)>, UntoldVolume> {
+fn capped_sheets(surface: &SurfaceSequence) -> Result<Vec<(Sheet, CappedSheet)>, UnknownVolume> {
     let kind = surface.kind().name();
     let faces = surface.faces();
     sheets(faces)
-        .map_err(|reason| UntoldVolume::NoInside { kind, reason })?
+        .map_err(|reason| UnknownVolume::NoInside { kind, reason })?
         .into_iter()
         .map(|sheet| {
             let capped = CappedSheet::new(faces.vertex_count(), &sheet)
-                .map_err(|reason| UntoldVolume::Broken { kind, reason })?;
+                .map_err(|reason| UnknownVolume::Broken { kind, reason })?;
             Ok((sheet, capped))
         })
         .collect()

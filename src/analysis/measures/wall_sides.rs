@@ -1,4 +1,4 @@
-//! The inner and the outer side of a heart's wall, whichever surfaces it is given as.
+//! The inner and the outer side of a subject's wall, whichever surfaces it is given as.
 
 use std::collections::HashSet;
 use std::sync::Arc;
@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::mesh::{Faces, MeshError, Point3, TriMesh};
 use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
 
-use super::volumes::{UntoldVolume, wall_inner_side};
+use super::volumes::{UnknownVolume, wall_inner_side};
 
 /// One side of a wall: some or all faces of a surface.
 #[derive(Clone, Debug)]
@@ -67,10 +67,10 @@ pub struct WallSides<'a> {
     /// The epicardium, or the other side of a wall; of a closed one with the ring at its base.
     pub outer: Option<Side<'a>>,
     /// Why a wall given as one surface was not split; it counts as outer side then.
-    pub unsplit: Option<UntoldVolume>,
+    pub unsplit: Option<UnknownVolume>,
 }
 
-/// The sides of a heart's wall. Which face of a wall is which is told at the first frame.
+/// The sides of a subject's wall. Which face of a wall is which is known at the first frame.
 pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
     let whole = |kind| sequence.surface(kind).map(Side::whole);
     let mut sides = WallSides {
@@ -96,8 +96,8 @@ pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
 /// The inner and the outer side of a wall given as one surface, told at its first frame.
 ///
 /// # Errors
-/// If the wall is open, of more than two sheets, or its inner side cannot be told.
-pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UntoldVolume> {
+/// If the wall is open, of more than two sheets, or its inner side cannot be determined.
+pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UnknownVolume> {
     let inner = wall_inner_side(wall)?.triangles().to_vec();
     let sorted = |mut triangle: [u32; 3]| {
         triangle.sort_unstable();
@@ -114,7 +114,7 @@ pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UntoldVolume>
             faces: Arc::new(Faces::new(wall.faces().vertex_count(), triangles)?),
         })
     };
-    let broken = |reason| UntoldVolume::Broken {
+    let broken = |reason| UnknownVolume::Broken {
         kind: wall.kind().name(),
         reason,
     };

@@ -1,4 +1,4 @@
-//! Atoms of a heart over its beat.
+//! Atoms of a subject over its beat.
 
 use std::sync::Arc;
 
@@ -7,19 +7,20 @@ use rayon::prelude::*;
 use super::error::MedialError;
 use super::params::CheckedMedialParams;
 use super::result::{MedialBeat, MedialSurface};
-use super::surface::{MOST_NOISE, WallAtlas, joined_points};
+use super::surface::MAX_NOISE;
+use super::wall_atlas::{WallAtlas, joined_points};
 use crate::analysis::measures::split_wall;
 use crate::mesh::{Faces, Point3, TriMesh};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Subject, SurfaceKind};
 
-/// Atoms of a heart at every frame, one per vertex of the endocardium, or of the inner side of a closed wall.
+/// Atoms of a subject at every frame, one per vertex of the endocardium, or of the inner side of a closed wall.
 ///
 /// All frames are smoothed over the same length, by the median over frames of their walls' median thickness, so that a
 /// ratio of radii compares equally smooth walls. Where the surfaces are rough the length is greater, as far as their noise asks for it.
 ///
 /// # Errors
-/// If there is no wall or its inner side cannot be told, a frame cannot be used, noise leaves hardly any atom, or it was stopped.
+/// If there is no wall or its inner side cannot be determined, a frame cannot be used, noise leaves hardly any atom, or it was stopped.
 pub fn medial_beat(
     subject: &Subject,
     params: &CheckedMedialParams,
@@ -29,6 +30,7 @@ pub fn medial_beat(
     let frames: Vec<Vec<&TriMesh>> = (0..subject.sequence.frame_count())
         .map(|frame| meshes_at(&subject.sequence, &template.kinds, frame))
         .collect();
+    // One atlas for all frames: connectivity and the order of the tree depend on no pose.
     let atlas = WallAtlas::new(&frames, template.vertices.clone(), false)?;
     progress.expect_steps(frames.len() * (1 + atlas.steps_per_frame()));
     let measured: Vec<(Vec<Point3>, f64)> = (frames.par_iter())
@@ -41,6 +43,7 @@ pub fn medial_beat(
         .collect::<Result<_, MedialError>>()?;
     let mut thicknesses: Vec<f64> = measured.iter().map(|&(_, thickness)| thickness).collect();
     let middle = thicknesses.len() / 2;
+    // The median over frames, so that neither end-diastole nor end-systole alone decides how much is smoothed.
     let typical = *thicknesses.select_nth_unstable_by(middle, f64::total_cmp).1;
     let poses: Vec<&[Point3]> = measured
         .iter()
@@ -51,11 +54,13 @@ pub fn medial_beat(
         .map(|(frame, points)| atlas.surface(frame, points, &prepared, params, progress))
         .collect::<Result<_, MedialError>>()?;
     let regular: Vec<bool> = (0..template.vertices.len())
+        // A ratio needs the atom at all its poses, so that ending once takes it out of the whole beat.
         .map(|atom| frames.iter().all(|frame| frame.end[atom].is_none()))
         .collect();
     let lost = regular.iter().filter(|&&regular| !regular).count();
     let (noise, thickness) = (prepared.plan.noise, prepared.thickness);
-    if noise > MOST_NOISE * thickness && 2 * lost > regular.len() {
+    // Either alone may be harmless: rough surfaces with all atoms, or a short sheet without noise.
+    if noise > MAX_NOISE * thickness && 2 * lost > regular.len() {
         return Err(MedialError::Noise {
             noise,
             thickness,

@@ -53,6 +53,7 @@ impl Rows {
         for vertex in 0..vertex_count {
             starts[vertex + 1] += starts[vertex];
         }
+        // Every corner has two neighbours in its face; counting first makes one array do for all rows.
         let mut crowd = vec![0_u32; 6 * triangles.len()];
         let mut next = starts.clone();
         for &[a, b, c] in triangles {
@@ -74,6 +75,7 @@ impl Rows {
             row.sort_unstable();
             for run in row.chunk_by(|a, b| a == b) {
                 rows.neighbours.push(run[0]);
+                // A neighbour named by one face only is across a boundary edge.
                 rows.single.push(run.len() == 1);
             }
         }
@@ -187,11 +189,13 @@ impl Surface {
         let stands_for = closed_seams(faces, poses);
         let whole: Vec<[u32; 3]> = (faces.triangles().iter())
             .map(|t| t.map(|v| stands_for[v as usize]))
+            // Closing a seam may fold a face onto an edge.
             .filter(|&[a, b, c]| a != b && b != c && c != a)
             .collect();
         let whole = Faces::new(faces.vertex_count(), whole)?;
         let sheets = match sheets(&whole) {
             Ok(found) => found.into_iter().map(|sheet| sheet.triangles).collect(),
+            // A surface that is no manifold does not fall into sheets: it is taken as one.
             Err(_) => vec![whole.triangles().to_vec()],
         };
         Ok(Self { stands_for, sheets })
@@ -206,10 +210,12 @@ fn closed_seams(faces: &Faces, poses: &[&[Point3]]) -> Vec<u32> {
         return stands_for;
     };
     for (vertex, on_boundary) in faces.boundary_vertices().into_iter().enumerate() {
+        // Coinciding vertices inside a surface are no seam; joining them could make it non-manifold.
         if !on_boundary {
             continue;
         }
         // Adding zero makes −0 and 0 one.
+        // By bits: a seam repeats coordinates exactly, and near misses are small gaps that must stay.
         let key = [0, 1, 2].map(|axis| (first[vertex][axis] + 0.0).to_bits());
         let here = seen.entry(key).or_default();
         let same = |other: u32| {

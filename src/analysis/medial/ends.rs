@@ -2,39 +2,39 @@
 
 use rayon::prelude::*;
 
-use super::balls::{Ball, Fit, WallOfPose};
 use super::connectivity::Connectivity;
 use super::face_tree::Facing;
 use super::params::CheckedMedialParams;
 use super::result::{Atom, EndSpoke};
-use super::surface::WallAtlas;
+use super::spheres::{Fit, MedialSphere, WallOfPose};
+use super::wall_atlas::WallAtlas;
 use crate::mesh::{Point3, Vector3, face_normals};
 
 /// Half length of S₀ + S₁ below which it gives no direction: spokes within 6° of opposite.
-const LEAST_BEND: f64 = 0.05;
+const MIN_BEND: f64 = 0.05;
 
 /// Longest third spoke in radii, where 1/cos θ is no limit.
-const MOST_ETA: f64 = 10.0;
+const MAX_ETA: f64 = 10.0;
 
 /// Distance to the surface, in radii, at which a third spoke has come to it.
 const AT_SURFACE: f64 = 1e-3;
 
 /// Steps along a third spoke; each goes as far as no face can be.
-const MOST_MARCHES: usize = 32;
+const MAX_MARCHES: usize = 32;
 
-impl Ball {
+impl MedialSphere {
     /// Whether it is held by the side across.
     pub(super) fn touches(&self) -> bool {
         matches!(self.fit, Fit::Touches | Fit::TouchesBoundary)
     }
 }
 
-/// The third spoke of every atom at which the sheet ends: at the template's own open boundary, where the ball touches
+/// The third spoke of every atom at which the sheet ends: at the template's own open boundary, where the sphere touches
 /// the other side's, leaks or has no room, and where the angle between the spokes is small or the surface has a crease, as on a rim.
 pub(super) fn end_spokes(
     wall: &WallOfPose<'_>,
     atlas: &WallAtlas,
-    balls: &[Ball],
+    spheres: &[MedialSphere],
     atoms: &[Atom],
     normals: &[Vector3],
     params: &CheckedMedialParams,
@@ -45,11 +45,12 @@ pub(super) fn end_spokes(
         .filter(|&probe| {
             wall.boundary[atlas.vertex(probe) as usize]
                 || creased[atlas.vertex(probe) as usize]
-                || balls[probe].fit != Fit::Touches
-                || balls[probe].cos_separation > cos_end
+                || spheres[probe].fit != Fit::Touches
+                || spheres[probe].cos_separation > cos_end
         })
         .collect();
     let mut spokes = vec![None; atoms.len()];
+    // Nothing ends, so that no neighbours need be looked up.
     if ends.is_empty() {
         return spokes;
     }
@@ -71,7 +72,7 @@ pub(super) fn end_spokes(
 }
 
 /// Whether vertices lie on an edge whose faces' normals are farther apart than the angle of this cosine.
-fn creased(connectivity: &Connectivity, points: &[Point3], cos_most: f64) -> Vec<bool> {
+fn creased(connectivity: &Connectivity, points: &[Point3], cos_max_angle: f64) -> Vec<bool> {
     let normals = face_normals(points, &connectivity.triangles);
     let mut first_face = vec![u32::MAX; connectivity.rows.neighbours.len()];
     let mut creased = vec![false; connectivity.vertex_count()];
@@ -82,7 +83,7 @@ fn creased(connectivity: &Connectivity, points: &[Point3], cos_most: f64) -> Vec
             let first = &mut first_face[*there.min(back) as usize];
             if *first == u32::MAX {
                 *first = face as u32;
-            } else if normals[*first as usize].dot(&normals[face]) < cos_most
+            } else if normals[*first as usize].dot(&normals[face]) < cos_max_angle
                 && normals[*first as usize] != Vector3::zeros()
                 && normals[face] != Vector3::zeros()
             {
@@ -113,8 +114,9 @@ fn away_from_neighbours(
 fn end_spoke(wall: &WallOfPose<'_>, atom: &Atom, normal: Vector3, away: Vector3) -> EndSpoke {
     let half = 0.5 * (atom.spokes[0] + atom.spokes[1]);
     let cos = half.norm();
+    // Opposite spokes have no half-way direction; the sheet then ends away from where its atoms are.
     let in_sheet = away - normal.dot(&away) * normal;
-    let direction = if cos > LEAST_BEND {
+    let direction = if cos > MIN_BEND {
         half / cos
     } else {
         let any = || {
@@ -124,7 +126,7 @@ fn end_spoke(wall: &WallOfPose<'_>, atom: &Atom, normal: Vector3, away: Vector3)
         in_sheet.try_normalize(0.0).unwrap_or_else(any)
     };
     // Rounding may leave the half sum of equal spokes a little longer than they are.
-    let most = (1.0 / cos.clamp(1.0 / MOST_ETA, 1.0)).max(1.0);
+    let most = (1.0 / cos.clamp(1.0 / MAX_ETA, 1.0)).max(1.0);
     EndSpoke {
         direction,
         eta: marched(wall, atom, direction, most)
@@ -140,10 +142,11 @@ fn marched(wall: &WallOfPose<'_>, atom: &Atom, direction: Vector3, most: f64) ->
     }
     let facing = Facing::any(None);
     let mut along = 0.0;
-    for _ in 0..MOST_MARCHES {
+    for _ in 0..MAX_MARCHES {
         let point = atom.position + along * atom.radius * direction;
         let found = wall.tree.nearest(point, &facing, f64::INFINITY, None)?;
         let step = found.squared.sqrt() / atom.radius;
+        // No face is nearer than this, so that the step cannot pass through the surface (sphere tracing).
         along += step;
         if step <= AT_SURFACE {
             return Some(along);

@@ -1,6 +1,6 @@
-//! Why a heart has no medial surface.
+//! Why a subject has no medial surface.
 
-use crate::analysis::measures::UntoldVolume;
+use crate::analysis::measures::UnknownVolume;
 use crate::mesh::MeshError;
 use crate::progress::Stopped;
 
@@ -15,9 +15,9 @@ pub enum MedialError {
         /// Words for the surfaces that are there.
         found: String,
     },
-    /// The wall's inner side cannot be told.
+    /// The wall's inner side cannot be determined.
     #[error(transparent)]
-    InnerSide(#[from] UntoldVolume),
+    InnerSide(#[from] UnknownVolume),
     /// A surface without a single face that has an area.
     #[error("frame {frame}: surface {surface} has {faces} faces, none of which has an area")]
     NoArea {
@@ -30,13 +30,13 @@ pub enum MedialError {
     },
     /// The sides lie the wrong way round, cross each other, or are too far apart to be a wall.
     #[error(
-        "frame {frame}: {without} of {atoms} vertices have no ball between the sides; \
+        "frame {frame}: {without} of {atoms} vertices have no inscribed sphere between the sides; \
          they cross, coincide or do not face each other"
     )]
     NoRoom {
         /// The frame.
         frame: usize,
-        /// Vertices without a ball.
+        /// Vertices without a sphere.
         without: usize,
         /// Vertices of the template.
         atoms: usize,

@@ -38,7 +38,7 @@ impl Plan {
 
 /// Looks for the length over which what is left of noise and what is lost of the shape are least together.
 ///
-/// Both are told without knowing the shape: with K = 2 S − S² the mean of (n·(x − K x))² + 2 σ² tr K / V is, but for a
+/// Both are estimated without knowing the shape: with K = 2 S − S² the mean of (n·(x − K x))² + 2 σ² tr K / V is, but for a
 /// constant, the expected square of the error. The trace is that of a plane whose vertices have an area a each: waves of up to k² = 4π/a
 /// keep (1 + 2u) / (1 + u)², u = ℓ²k², which over all of them is (2 ln(1 + U) − U / (1 + U)) / U with U = 4πℓ²/a.
 ///
@@ -77,6 +77,7 @@ impl LengthSearch<'_> {
         while !best.is_settled && length <= most && length > 0.0 {
             let tried = self.try_length(length, best.tried.as_ref());
             match &best.tried {
+                // Risk falls and then rises with the length: the first rise ends the search.
                 Some(before) if tried.risk >= before.risk => best.is_settled = true,
                 _ => best.tried = Some(tried),
             }
@@ -87,6 +88,7 @@ impl LengthSearch<'_> {
     /// The plan of the best length, if there is one, and the poses smoothed by it.
     pub fn plan(&self, best: &BestLength) -> Option<(Plan, Vec<Smoothed>)> {
         let tried = best.tried.as_ref()?;
+        // Noise that is small against edges does not change areas, and passes over smoothed ones would be wasted.
         let is_rough = self.noise > ROUGH * tried.side;
         let plan = Plan {
             noise: self.noise,
@@ -134,6 +136,7 @@ impl LengthSearch<'_> {
         }
         let (mut sum, mut area) = (0.0, 0.0);
         for vertex in self.roughness.inside.iter().map(|&v| v as usize) {
+            // Along the normal alone: sliding in the surface is no error of the shape.
             let lost = (points[vertex] - smoothed.points[vertex]).dot(&normals[vertex]);
             let waves = 4.0 * PI * length * length / areas[vertex].max(f64::MIN_POSITIVE);
             let kept = (2.0 * waves.ln_1p() - waves / (1.0 + waves)) / waves;

@@ -2,7 +2,6 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.2.
 
-mod balls;
 mod beat;
 mod connectivity;
 mod ends;
@@ -15,9 +14,11 @@ mod preparation;
 mod result;
 mod roughness;
 mod smoothing;
+mod spheres;
 mod surface;
 #[cfg(test)]
 mod tests;
+mod wall_atlas;
 
 pub use beat::medial_beat;
 pub use error::MedialError;

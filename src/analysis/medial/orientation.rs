@@ -10,7 +10,7 @@ use crate::mesh::{Point3, Vector3, area, signed_volume};
 const VOTES: usize = 24;
 
 /// A second sheet of this share of the first one's area is its other side; a smaller one is debris.
-const LEAST_SHARE: f64 = 0.2;
+const MIN_SHARE: f64 = 0.2;
 
 /// Vertices that tell about how thick a wall is. The wall's thickness differs by a fifth from place to place, so that the
 /// median is about one percent off.
@@ -35,6 +35,8 @@ pub(super) fn turn_into_muscle(connectivity: &mut Connectivity, points: &[Point3
             let side = sides.iter().position(own)?;
             Some(sides[1 - side])
         });
+        // A sheet without a counterpart encloses the muscle itself, so that its normals point inwards where its
+        // volume is negative.
         let triangles = connectivity.sheet(sheet);
         let score = match across {
             Some([from, to]) => {
@@ -84,10 +86,13 @@ pub(super) fn distance_across(
         .zip(used)
         .filter_map(|(v, used)| used.then_some(v))
         .collect();
+    // Past this number the median hardly changes, and time grows with every vertex.
     if vertices.len() > SAMPLE {
         vertices = (0..SAMPLE)
             .map(|k| vertices[((k as f64 * GOLDEN).fract() * vertices.len() as f64) as usize])
             .collect();
+        // In order, neighbours mostly follow each other, and each search begins at the face that the one before it
+        // found.
         vertices.sort_unstable();
     }
     let facing = Facing::any(Some(across));
@@ -124,10 +129,11 @@ fn opposite_sides(connectivity: &Connectivity, points: &[Point3]) -> Opposite {
     let mut sheets: Vec<(f64, usize)> = (0..connectivity.sheet_count())
         .map(|sheet| (area(points, connectivity.sheet(sheet)), sheet))
         .collect();
+    // By area, since debris of a segmentation has as many sheets as it likes.
     sheets.sort_by(|a, b| b.0.total_cmp(&a.0));
     let [(largest, first), (next, second)] = *sheets.get(..2)?.as_array::<2>()?;
     let range = |sheet: usize| [0, 1].map(|end| connectivity.sheet_starts[sheet + end] as u32);
-    (next >= LEAST_SHARE * largest).then(|| [range(first), range(second)])
+    (next >= MIN_SHARE * largest).then(|| [range(first), range(second)])
 }
 
 /// Positive where the faces have the nearest of the others in front of them.
@@ -146,6 +152,7 @@ fn score_towards(points: &[Point3], triangles: &[[u32; 3]], others: &[[u32; 3]])
                     least = (squared, away);
                 }
             }
+            // Divided by the distance, so that a far vertex does not outvote near ones.
             let length = least.0.sqrt().max(f64::MIN_POSITIVE);
             (b - a).cross(&(c - a)).dot(&least.1) / length
         })

@@ -1,4 +1,4 @@
-//! How strongly surfaces are smoothed, and which balls count.
+//! How strongly surfaces are smoothed, and which spheres count.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,11 +6,11 @@ use serde::{Deserialize, Serialize};
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct MedialParams {
-    /// Least length ℓ over which the surfaces are smoothed before balls are laid into the wall, as a share of the wall's median
+    /// Least length ℓ over which the surfaces are smoothed before spheres are fitted into the wall, as a share of the wall's median
     /// thickness; noise that the surfaces tell of themselves makes it longer, up to 1.5. Waves of length 2πℓ keep three quarters of their height.
     /// 0: surfaces as they are, however rough.
     pub smoothing: f64,
-    /// Least angle at the centre of a ball between the two points at which it touches. What touches it
+    /// Least angle at the centre of a sphere between the two points at which it touches. What touches it
     /// nearer to its own vertex is roughness of the same side and does not shrink it.
     pub separation_rad: f64,
     /// Angle between the spokes below which the sheet counts as ended.
@@ -46,7 +46,7 @@ impl Default for MedialParams {
     /// | 2,562, 20 % | 68 %, bias −55 %, 49°, 7,598 | 5.7 %, bias −0.9 %, 3.8°, 0 |
     /// | 10,242, 5 % | 1.5 %, bias −0.4 %, 1.9°, 71 | 1.2 %, bias −0.3 %, 1.4°, 0 |
     ///
-    /// Balls come out too small under noise, since they stop at the first of what rises to them: what is left of noise after smoothing
+    /// Spheres come out too small under noise, since they stop at the first of what rises to them: what is left of noise after smoothing
     /// makes the bias.
     ///
     /// `cargo test --test it medial_noise -- --nocapture` prints what these lengths do as the least, for uniform noise;
@@ -77,8 +77,8 @@ impl std::ops::Deref for CheckedMedialParams {
     }
 }
 
-/// Smoothing over more would turn a ventricle into a ball.
-const MOST_SMOOTHING: f64 = 2.0;
+/// Smoothing over more would turn a ventricle into a sphere.
+const MAX_SMOOTHING: f64 = 2.0;
 
 /// Why settings cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -109,10 +109,10 @@ impl MedialParams {
     /// # Errors
     /// If smoothing is negative, not a number or above 2, or angles do not fulfil 0 < separation ≤ end < π.
     pub fn check(self) -> Result<CheckedMedialParams, MedialParamError> {
-        if !(0.0..=MOST_SMOOTHING).contains(&self.smoothing) {
+        if !(0.0..=MAX_SMOOTHING).contains(&self.smoothing) {
             return Err(MedialParamError::Smoothing {
                 value: self.smoothing,
-                most: MOST_SMOOTHING,
+                most: MAX_SMOOTHING,
             });
         }
         let ordered = self.separation_rad > 0.0

@@ -9,7 +9,7 @@ use super::error::MedialError;
 use super::length_search::{BestLength, LengthSearch, Plan};
 use super::params::CheckedMedialParams;
 use super::smoothing::Smoothed;
-use super::surface::WallAtlas;
+use super::wall_atlas::WallAtlas;
 use crate::mesh::Point3;
 use crate::progress::Progress;
 
@@ -17,7 +17,7 @@ use crate::progress::Progress;
 const HARDLY_ROUGH: f64 = 0.005;
 
 /// Longest ℓ in typical thicknesses that noise can ask for.
-const MOST_LENGTH: f64 = 1.5;
+const MAX_LENGTH: f64 = 1.5;
 
 /// Noise makes walls look thin. Where they are so many times as thick without it, longer lengths are tried as well …
 const THICKER: f64 = 1.25;
@@ -25,7 +25,7 @@ const THICKER: f64 = 1.25;
 /// … so many times in all.
 const ROUNDS: usize = 3;
 
-/// What is known of a wall's poses before balls are laid into it.
+/// What is known of a wall's poses before spheres are fitted into it.
 #[derive(Clone, Debug)]
 pub(super) struct Prepared {
     /// About how thick the wall is, in coordinates.
@@ -80,6 +80,8 @@ impl WallAtlas {
         if params.smoothing <= 0.0 || poses.is_empty() {
             return Ok(Prepared::new(thickness, least));
         }
+        // Every pose is looked at, since noise may differ, but one length is used for all: ratios of radii must
+        // compare equally smooth walls.
         let mut noises: Vec<f64> = (poses.par_iter())
             .map(|points| {
                 progress.check()?;
@@ -87,6 +89,7 @@ impl WallAtlas {
             })
             .collect::<Result<_, MedialError>>()?;
         let middle = noises.len() / 2;
+        // The median: one bad frame must not blur the whole beat.
         let noise = *noises.select_nth_unstable_by(middle, f64::total_cmp).1;
         let least = Plan { noise, ..least };
         if noise <= HARDLY_ROUGH * thickness {
@@ -104,17 +107,20 @@ impl WallAtlas {
         };
         let mut best = BestLength::default();
         let mut prepared = Prepared::new(thickness, least);
+        // The longest length to be tried depends on the thickness, and the thickness on the smoothing.
         for _ in 0..ROUNDS {
             let looked = prepared.thickness;
-            let most = params.smoothing.max(MOST_LENGTH) * looked;
+            let most = params.smoothing.max(MAX_LENGTH) * looked;
             search.lengthen(&mut best, [least.length, most]);
             progress.check()?;
             let Some((plan, smoothed)) = search.plan(&best) else {
                 break;
             };
+            // Shorter lengths leave the thickness as it was measured.
             if plan.length > least.length {
                 prepared.thickness = (smoothed.iter())
                     .map(|smoothed| self.thickness(&smoothed.points))
+                    // Noise only makes walls look thin, so that the largest of the estimates is nearest.
                     .fold(looked, f64::max);
             }
             prepared.plan = plan;
@@ -123,6 +129,8 @@ impl WallAtlas {
                 break;
             }
         }
+        // The setting is a share of the thickness, which has just been found to be larger; smoothed poses are then
+        // stale.
         let length = params.smoothing * prepared.thickness;
         if THICKER * prepared.plan.length < length {
             prepared.plan.length = length;

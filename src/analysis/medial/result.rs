@@ -5,9 +5,9 @@ use std::sync::Arc;
 use crate::mesh::{Faces, Point3, Vector3};
 use crate::study::SurfaceKind;
 
-/// A ball in the wall that touches its inner and its outer side: (x, r, S₀, S₁) ∈ R³ × R⁺ × S² × S².
+/// A sphere in the wall that touches its inner and its outer side: (x, r, S₀, S₁) ∈ R³ × R⁺ × S² × S².
 ///
-/// Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.2, where S is read as a unit vector, so that the ball touches
+/// Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.2, where S is read as a unit vector, so that the sphere touches
 /// at yᵢ = x + r Sᵢ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Atom {
@@ -20,9 +20,17 @@ pub struct Atom {
 }
 
 impl Atom {
-    /// Where the ball touches the inner and the outer side: x + r Sᵢ.
+    /// Where the sphere touches the inner and the outer side: x + r Sᵢ.
     pub fn boundary_points(&self) -> [Point3; 2] {
         self.spokes.map(|spoke| self.position + self.radius * spoke)
+    }
+
+    /// PT = r / r₀: thickness relative to that of the same atom at a reference pose (4.4).
+    ///
+    /// The plain quotient: where a sphere is missing, which no atom that takes part has, it is 0, infinite or not a number,
+    /// and so cannot be taken for a wall that keeps its thickness.
+    pub fn thickness_ratio(&self, reference: &Self) -> f64 {
+        self.radius / reference.radius
     }
 }
 

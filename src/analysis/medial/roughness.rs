@@ -73,6 +73,7 @@ impl Roughness {
                 along.abs() / of_noise
             })
             .collect();
+        // The median, since creases and rims are large second differences without noise.
         NORMAL_FROM_MEDIAN * median(sizes)
     }
 }
@@ -96,6 +97,7 @@ fn mean_around(connectivity: &Connectivity, field: &[Vector3], vertex: usize) ->
 /// Normals that noise turns less: averaged with their neighbours'.
 pub(super) fn steady_normals(connectivity: &Connectivity, points: &[Point3]) -> Vec<Vector3> {
     let mut normals = vertex_normals(points, &connectivity.triangles);
+    // Noise turns normals more than it moves vertices; neighbours average it out.
     for _ in 0..NORMAL_STEPS {
         normals = (0..normals.len())
             .map(|vertex| {

@@ -2,46 +2,43 @@
 
 use rayon::prelude::*;
 
-use super::balls::{Ball, Fit, WallOfPose};
-use super::connectivity::Connectivity;
 use super::ends::end_spokes;
 use super::error::MedialError;
-use super::face_tree::{FacesOfPose, TreePlan};
-use super::orientation::{Opposite, distance_across, thickness_of_closed, turn_into_muscle};
+use super::face_tree::FacesOfPose;
 use super::params::CheckedMedialParams;
 use super::preparation::Prepared;
 use super::result::{Atom, MedialSurface};
-use super::roughness::{Roughness, steady_normals};
-use crate::analysis::measures::UntoldVolume;
-use crate::mesh::{Point3, TriMesh, Vector3, face_normals, vertex_normals};
+use super::spheres::{Fit, MedialSphere, WallOfPose};
+use super::wall_atlas::{WallAtlas, joined_points};
+use crate::mesh::{Point3, TriMesh, Vector3, vertex_normals};
 use crate::progress::Progress;
 
 /// Vertices between two questions whether to go on: some milliseconds.
 const CHUNK: usize = 256;
 
-/// Diameter of the largest ball over the typical thickness: a wall four times as thick as its median is none.
-const MOST_THICKNESS: f64 = 4.0;
+/// Diameter of the largest sphere over the typical thickness: a wall four times as thick as its median is none.
+const MAX_THICKNESS: f64 = 4.0;
 
-/// Share of vertices that must have a ball; the rest of a wall cannot be trusted where fewer have.
-const LEAST_FITTING: f64 = 0.5;
+/// Share of vertices that must have a sphere; the rest of a wall cannot be trusted where fewer have.
+const MIN_FITTING: f64 = 0.5;
 
 /// Noise over the typical thickness from which lost atoms are put down to noise.
-pub(super) const MOST_NOISE: f64 = 0.2;
+pub(super) const MAX_NOISE: f64 = 0.2;
 
 /// Atoms of a wall at one pose, one per vertex of the template.
 ///
 /// With `others`, the template is the inner surface, usually the endocardium, and the others the outer one. Without, it
 /// is a closed wall, of which every vertex of both sides has its atom.
 ///
-/// Surfaces are smoothed over [`smoothing`](super::MedialParams::smoothing), or more where they are rough; from every vertex p the largest ball that
+/// Surfaces are smoothed over [`smoothing`](super::MedialParams::smoothing), or more where they are rough; from every vertex p the largest sphere that
 /// touches p and the side across gives x = p + r n, S₀ = −n, S₁ = (q − x) / r, q being where it touches across. Since the tangent plane of the
 /// medial surface halves the angle between the spokes, its normal is N = (S₁ − S₀) / |S₁ − S₀|.
 ///
-/// Of surfaces open at the base, balls may run out; their atoms take the mean radius of their neighbours
+/// Of surfaces open at the base, spheres may run out; their atoms take the mean radius of their neighbours
 /// and are end atoms. Where sides cross or coincide, r = 0, and atoms are end atoms too.
 ///
 /// # Errors
-/// If a surface has no area, a wall is open, half of the vertices have no ball, or it was stopped.
+/// If a surface has no area, a wall is open, half of the vertices have no sphere, or it was stopped.
 pub fn medial_surface(
     template: &TriMesh,
     others: &[&TriMesh],
@@ -60,101 +57,16 @@ pub fn medial_surface(
     atlas.surface(0, &pose, &prepared, params, progress)
 }
 
-/// Vertices of all surfaces, one after the other.
-pub(super) fn joined_points(meshes: &[&TriMesh]) -> Vec<Point3> {
-    meshes
-        .iter()
-        .flat_map(|mesh| mesh.vertices())
-        .copied()
-        .collect()
-}
-
-/// What all frames of a wall share: connectivity, sides, the plan of the tree, and of which vertices there are atoms.
-#[derive(Clone, Debug)]
-pub(super) struct WallAtlas {
-    pub connectivity: Connectivity,
-    opposite: Opposite,
-    tree: TreePlan,
-    pub roughness: Roughness,
-    /// Vertices of which there are atoms.
-    pub probes: Vec<u32>,
-    /// Places in `probes`, so that neighbours mostly follow each other.
-    order: Vec<u32>,
-    /// Whether probes lie on both sides, so that each atom must be told which of its spokes is the inner one.
-    both_sides: bool,
-}
-
 impl WallAtlas {
-    /// Prepares a wall by all its frames.
-    ///
-    /// # Errors
-    /// If a surface has no area at frame 0, or a wall without another side is open.
-    pub fn new(
-        frames: &[Vec<&TriMesh>],
-        probes: Vec<u32>,
-        both_sides: bool,
-    ) -> Result<Self, MedialError> {
-        let mut connectivity = Connectivity::new(frames)?;
-        let first = frames.first().map_or(&[][..], Vec::as_slice);
-        for (surface, mesh) in first.iter().enumerate() {
-            if crate::mesh::area(mesh.vertices(), mesh.triangles()) <= 0.0 {
-                return Err(MedialError::NoArea {
-                    frame: 0,
-                    surface,
-                    faces: mesh.triangles().len(),
-                });
-            }
-        }
-        let points = joined_points(first);
-        let opposite = turn_into_muscle(&mut connectivity, &points);
-        if opposite.is_none() && connectivity.boundary.contains(&true) {
-            let loops = first.iter().map(|m| m.faces().boundary_loops().len()).sum();
-            return Err(UntoldVolume::OpenWall { loops }.into());
-        }
-        let ((tree, order), roughness) = rayon::join(
-            || {
-                let tree = TreePlan::new(&points, &connectivity.triangles);
-                let order = probe_order(&connectivity, &tree, &probes);
-                (tree, order)
-            },
-            || Roughness::new(&connectivity),
-        );
-        Ok(Self {
-            roughness,
-            connectivity,
-            opposite,
-            tree,
-            probes,
-            order,
-            both_sides,
-        })
-    }
-
     /// Steps of progress that [`Self::surface`] takes.
     pub fn steps_per_frame(&self) -> usize {
         self.probes.len().div_ceil(CHUNK)
     }
 
-    /// About how thick the wall is at a pose, in coordinates.
-    pub fn thickness(&self, points: &[Point3]) -> f64 {
-        let Some(sides) = self.opposite else {
-            let normals = steady_normals(&self.connectivity, points);
-            return thickness_of_closed(&self.connectivity, points, &normals);
-        };
-        let normals = face_normals(points, &self.connectivity.triangles);
-        let faces = FacesOfPose {
-            points,
-            triangles: &self.connectivity.triangles,
-            normals: &normals,
-        };
-        let tree = self.tree.around(faces);
-        distance_across(&self.connectivity, sides, &tree, points)
-    }
-
     /// Atoms at a pose of a wall that was prepared with its other poses.
     ///
     /// # Errors
-    /// If half of the vertices have no ball, or it was stopped.
+    /// If half of the vertices have no sphere, or it was stopped.
     pub fn surface(
         &self,
         frame: usize,
@@ -169,6 +81,7 @@ impl WallAtlas {
         } = *prepared;
         let smoothed = prepared.smoothed(&self.connectivity, frame, points);
         progress.check()?;
+        // Of the smoother S alone: normals are derivatives, in which noise is larger than in positions.
         let normals = vertex_normals(&smoothed.once, triangles);
         let face_normals = mean_normals(&normals, triangles);
         let faces = FacesOfPose {
@@ -182,15 +95,19 @@ impl WallAtlas {
             tree: &tree,
             normals: &normals,
             boundary: &self.connectivity.boundary,
+            // Angles are compared by cosines throughout, which saves an arc cosine for each face.
             cos_separation: params.separation_rad.cos(),
-            most_radius: 0.5 * MOST_THICKNESS * thickness,
+            max_radius: 0.5 * MAX_THICKNESS * thickness,
         };
-        let mut balls = self.balls(&wall, 0.5 * thickness, progress)?;
-        let without = balls.iter().filter(|ball| !ball.touches()).count();
-        if without as f64 > (1.0 - LEAST_FITTING) * balls.len() as f64 {
-            let atoms = balls.len();
+        // Half the typical thickness is the radius where sides are parallel, and so the best first guess.
+        let mut spheres = self.spheres(&wall, 0.5 * thickness, progress)?;
+        let without = spheres.iter().filter(|sphere| !sphere.touches()).count();
+        if without as f64 > (1.0 - MIN_FITTING) * spheres.len() as f64 {
+            let atoms = spheres.len();
             return Err(
-                if plan.noise > MOST_NOISE * thickness && plan.noise < 10.0 * thickness {
+                // Noise far above the thickness is no noise but sides that coincide, which the other message
+                // explains.
+                if plan.noise > MAX_NOISE * thickness && plan.noise < 10.0 * thickness {
                     MedialError::Noise {
                         noise: plan.noise,
                         thickness,
@@ -206,9 +123,10 @@ impl WallAtlas {
                 },
             );
         }
-        self.lend_radii(&mut balls);
-        let (atoms, normals) = self.atoms(&wall, &balls);
-        let end = end_spokes(&wall, self, &balls, &atoms, &normals, params);
+        // End atoms need some radius for the sheet to be a surface; they take no part in any number.
+        self.lend_radii(&mut spheres);
+        let (atoms, normals) = self.atoms(&wall, &spheres);
+        let end = end_spokes(&wall, self, &spheres, &atoms, &normals, params);
         Ok(MedialSurface {
             atoms,
             normals,
@@ -216,47 +134,43 @@ impl WallAtlas {
         })
     }
 
-    /// The vertex that stands for a probe.
-    pub fn vertex(&self, probe: usize) -> u32 {
-        self.connectivity.representative[self.probes[probe] as usize]
-    }
-
-    /// One ball per probe. Each starts from the one before it in its chunk.
-    fn balls(
+    /// One sphere per probe. Each starts from the one before it in its chunk.
+    fn spheres(
         &self,
         wall: &WallOfPose<'_>,
         radius: f64,
         progress: &Progress,
-    ) -> Result<Vec<Ball>, MedialError> {
-        let found: Result<Vec<Vec<Ball>>, _> = (self.order.par_chunks(CHUNK))
+    ) -> Result<Vec<MedialSphere>, MedialError> {
+        let found: Result<Vec<Vec<MedialSphere>>, _> = (self.order.par_chunks(CHUNK))
             .map(|chunk| {
                 progress.step()?;
+                // A chunk starts anew, so that what it finds does not depend on which thread did the one before.
                 let (mut radius, mut hint) = (radius, None);
                 Ok(chunk
                     .iter()
                     .map(|&probe| {
-                        let ball = wall.ball(self.vertex(probe as usize), radius, hint);
-                        if ball.touches() {
-                            (radius, hint) = (ball.radius, ball.face);
+                        let sphere = wall.sphere(self.vertex(probe as usize), radius, hint);
+                        if sphere.touches() {
+                            (radius, hint) = (sphere.radius, sphere.face);
                         }
-                        ball
+                        sphere
                     })
                     .collect())
             })
             .collect();
         let found = found.map_err(MedialError::Stopped)?;
-        let mut balls: Vec<Option<Ball>> = vec![None; self.probes.len()];
-        for (&probe, ball) in self.order.iter().zip(found.into_iter().flatten()) {
-            balls[probe as usize] = Some(ball);
+        let mut spheres: Vec<Option<MedialSphere>> = vec![None; self.probes.len()];
+        for (&probe, sphere) in self.order.iter().zip(found.into_iter().flatten()) {
+            spheres[probe as usize] = Some(sphere);
         }
         // Every probe stands in the order once.
-        Ok(balls.into_iter().flatten().collect())
+        Ok(spheres.into_iter().flatten().collect())
     }
 
-    /// Balls that leak take the mean radius of their neighbours that have one, from these outwards.
-    fn lend_radii(&self, balls: &mut [Ball]) {
-        let mut open: Vec<usize> = (0..balls.len())
-            .filter(|&probe| balls[probe].fit == Fit::Leaks)
+    /// Spheres that leak take the mean radius of their neighbours that have one, from these outwards.
+    fn lend_radii(&self, spheres: &mut [MedialSphere]) {
+        let mut open: Vec<usize> = (0..spheres.len())
+            .filter(|&probe| spheres[probe].fit == Fit::Leaks)
             .collect();
         if open.is_empty() {
             return;
@@ -264,11 +178,16 @@ impl WallAtlas {
         let rows = &self.connectivity.rows;
         let mut radius_of: Vec<Option<f64>> = vec![None; self.connectivity.vertex_count()];
         let mut fitting = (0.0, 0_usize);
-        for (probe, ball) in balls.iter().enumerate().filter(|(_, ball)| ball.touches()) {
-            radius_of[self.vertex(probe) as usize] = Some(ball.radius);
-            fitting = (fitting.0 + ball.radius, fitting.1 + 1);
+        for (probe, sphere) in spheres
+            .iter()
+            .enumerate()
+            .filter(|(_, sphere)| sphere.touches())
+        {
+            radius_of[self.vertex(probe) as usize] = Some(sphere.radius);
+            fitting = (fitting.0 + sphere.radius, fitting.1 + 1);
         }
         let mean = fitting.0 / fitting.1.max(1) as f64;
+        // From those that touch outwards, one ring a round, so that a hole is filled from all its sides alike.
         while !open.is_empty() {
             let lent: Vec<Option<f64>> = (open.iter())
                 .map(|&probe| {
@@ -279,6 +198,7 @@ impl WallAtlas {
                     (count > 0).then(|| sum / f64::from(count))
                 })
                 .collect();
+            // A sheet without a single sphere has no neighbour to lend: the mean ends the loop.
             let stuck = lent.iter().all(Option::is_none);
             let mut left = Vec::new();
             for (&probe, radius) in open.iter().zip(lent) {
@@ -288,33 +208,35 @@ impl WallAtlas {
                 };
                 let vertex = self.vertex(probe) as usize;
                 radius_of[vertex] = Some(radius);
-                balls[probe].radius = radius;
+                spheres[probe].radius = radius;
             }
             open = left;
         }
     }
 
-    /// Atoms and normals from balls.
-    fn atoms(&self, wall: &WallOfPose<'_>, balls: &[Ball]) -> (Vec<Atom>, Vec<Vector3>) {
+    /// Atoms and normals from spheres.
+    fn atoms(&self, wall: &WallOfPose<'_>, spheres: &[MedialSphere]) -> (Vec<Atom>, Vec<Vector3>) {
         let middle = middle_of(wall.faces);
-        (balls.iter().enumerate())
-            .map(|(probe, ball)| {
+        (spheres.iter().enumerate())
+            .map(|(probe, sphere)| {
                 let vertex = self.vertex(probe) as usize;
                 let inwards = match wall.normals[vertex] {
                     normal if normal == Vector3::zeros() => Vector3::z(),
                     normal => normal,
                 };
-                let position = wall.faces.points[vertex] + ball.radius * inwards;
-                let across = ball.across.try_normalize(0.0).unwrap_or(inwards);
+                let position = wall.faces.points[vertex] + sphere.radius * inwards;
+                let across = sphere.across.try_normalize(0.0).unwrap_or(inwards);
                 let mut spokes = [-inwards, across];
+                // S₁ − S₀ vanishes where both spokes agree; the direction into the muscle is then the only one known.
                 let mut normal = (across + inwards).try_normalize(1e-9).unwrap_or(inwards);
+                // Of a closed wall both sides have atoms, whose normals would point against each other.
                 if self.both_sides && normal.dot(&(position - middle)) < 0.0 {
                     spokes.swap(0, 1);
                     normal = -normal;
                 }
                 let atom = Atom {
                     position,
-                    radius: ball.radius,
+                    radius: sphere.radius,
                     spokes,
                 };
                 (atom, normal)
@@ -349,24 +271,4 @@ fn middle_of(faces: FacesOfPose<'_>) -> Point3 {
                 )
             });
     Point3::from(sum / f64::max(whole, f64::MIN_POSITIVE))
-}
-
-/// Places of probes in the order in which the tree holds their faces; those without a face last.
-fn probe_order(connectivity: &Connectivity, tree: &TreePlan, probes: &[u32]) -> Vec<u32> {
-    let mut rank = vec![u32::MAX; connectivity.vertex_count()];
-    let mut next = 0;
-    for &face in tree.order() {
-        for vertex in connectivity.triangles[face as usize] {
-            let rank = &mut rank[vertex as usize];
-            if *rank == u32::MAX {
-                *rank = next;
-                next += 1;
-            }
-        }
-    }
-    let mut order: Vec<u32> = (0..probes.len() as u32).collect();
-    order.sort_by_key(|&probe| {
-        rank[connectivity.representative[probes[probe as usize] as usize] as usize]
-    });
-    order
 }

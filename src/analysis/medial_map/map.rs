@@ -1,4 +1,4 @@
-//! All paths on one map: distances 4.5.1 in axes that the hearts share, laid out by multidimensional scaling.
+//! All paths on one map: distances 4.5.1 in axes that the subjects share, laid out by multidimensional scaling.
 
 use crate::analysis::embedding::{EmbeddingError, MapMethod, embed};
 use crate::analysis::medial_space::pose_distance;
@@ -6,26 +6,26 @@ use crate::analysis::pose_distances::DistanceMatrix;
 use crate::progress::Progress;
 
 use super::placement::Frame;
-use super::result::{HeartPaths, MedialMap, MedialMapError, MedialPose, Spread, StillPart};
+use super::result::{AkineticPart, MedialMap, MedialMapError, MedialPose, Spread, SubjectPaths};
 
 /// Two points always lie on a line, whatever they are.
-const LEAST_POSES: usize = 3;
+const MIN_POSES: usize = 3;
 
 /// The map is a plane.
 const DIMENSIONS: usize = 2;
 
-/// The map of the poses of all hearts, one result per subject of the study: its paths, or in words why
+/// The map of the poses of all subjects, one result per subject of the study: its paths, or in words why
 /// it has none.
 ///
-/// 1. All hearts are compared in the frame that the least known of them has; see [`Frame`].
-/// 2. d² = |x̄₂ − x̄₁|² + (ρ₂ ln r̂₂ − ρ₁ ln r̂₁)² + angle(N̄₁, N̄₂)², positions in sizes of the heart (4.5.1).
+/// 1. All subjects are compared in the frame that the least known of them has; see [`Frame`].
+/// 2. d² = |x̄₂ − x̄₁|² + (ρ₂ ln r̂₂ − ρ₁ ln r̂₁)² + angle(N̄₁, N̄₂)², positions in sizes of the subject (4.5.1).
 /// 3. Scaling onto a plane.
 ///
 /// # Errors
 /// If there are fewer than three poses, a distance is not finite, the method of mapping fails, or on
 /// "stop".
 pub fn medial_map(
-    hearts: &[Result<HeartPaths, String>],
+    hearts: &[Result<SubjectPaths, String>],
     method: MapMethod,
     progress: &Progress,
 ) -> Result<MedialMap, MedialMapError> {
@@ -33,12 +33,12 @@ pub fn medial_map(
         let hearts = hearts.iter().enumerate();
         hearts.filter_map(|(subject, heart)| Some((subject, heart.as_ref().ok()?)))
     };
-    let known: Vec<&HeartPaths> = mapped().map(|(_, heart)| heart).collect();
+    let known: Vec<&SubjectPaths> = mapped().map(|(_, heart)| heart).collect();
     let frame = shared_frame(&known);
     let poses: Vec<MedialPose> = mapped()
         .flat_map(|(subject, heart)| placed(subject, heart, frame))
         .collect();
-    if poses.len() < LEAST_POSES {
+    if poses.len() < MIN_POSES {
         return Err(MedialMapError::TooFewPoses {
             poses: poses.len(),
             hearts: mapped().count(),
@@ -62,8 +62,8 @@ pub fn medial_map(
     })
 }
 
-/// The frame that all hearts have.
-fn shared_frame(hearts: &[&HeartPaths]) -> Frame {
+/// The frame that all subjects have.
+fn shared_frame(hearts: &[&SubjectPaths]) -> Frame {
     let known =
         |frame: &Frame| (hearts.iter()).all(|heart| heart.placements[*frame as usize].is_some());
     (Frame::ALL.into_iter()).find(known).unwrap_or(Frame::Files)
@@ -71,7 +71,7 @@ fn shared_frame(hearts: &[&HeartPaths]) -> Frame {
 
 fn placed(
     subject: usize,
-    heart: &HeartPaths,
+    heart: &SubjectPaths,
     frame: Frame,
 ) -> impl Iterator<Item = MedialPose> + '_ {
     let placement = heart.placements[frame as usize];
@@ -106,9 +106,9 @@ fn distances(poses: &[MedialPose], progress: &Progress) -> Result<DistanceMatrix
     whole.ok_or(MedialMapError::NotFinite { subject })
 }
 
-/// Mean distance within each run of poses of one part of one heart.
+/// Mean distance within each run of poses of one part of one subject.
 fn spreads(poses: &[MedialPose], distances: &DistanceMatrix) -> Vec<Spread> {
-    let part = |pose: &MedialPose| -> (usize, StillPart) { (pose.subject, pose.part) };
+    let part = |pose: &MedialPose| -> (usize, AkineticPart) { (pose.subject, pose.part) };
     let mut first = 0;
     let runs = poses.chunk_by(|a, b| part(a) == part(b));
     runs.map(|run| {

@@ -1,4 +1,4 @@
-//! Where do the poses of all hearts lie in the shape space of the medial surface?
+//! Where do the poses of all subjects lie in the shape space of the medial surface?
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.5, 4.5.1, 4.6.2 and figure 4.16.
 
@@ -10,9 +10,9 @@ mod result;
 mod tests;
 
 pub use map::medial_map;
-pub use paths::heart_paths;
+pub use paths::subject_paths;
 pub use placement::{Frame, Placement};
 pub use result::{
-    HeartPaths, MedialMap, MedialMapError, MedialPose, NotMapped, PathStep, Spread, StillPart,
-    StillPath,
+    AkineticPart, AkineticPath, MedialMap, MedialMapError, MedialPose, NotMapped, PathStep, Spread,
+    SubjectPaths,
 };

@@ -1,4 +1,4 @@
-//! The paths of one heart: one per patch, or that of all that stands still.
+//! The paths of one subject: one per patch, or that of all that is akinetic.
 
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::segments::LongAxis;
@@ -6,21 +6,21 @@ use crate::analysis::thickening::Thickening;
 use crate::mesh::Point3;
 
 use super::placement::{Frame, Placement};
-use super::result::{HeartPaths, NotMapped, PathStep, StillPart, StillPath};
+use super::result::{AkineticPart, AkineticPath, NotMapped, PathStep, SubjectPaths};
 
-/// Paths of the poses of one heart: one for each patch, from all of its atoms at every step (4.6.2); where there is
+/// Paths of the poses of one subject: one for each patch, from all of its atoms at every step (4.6.2); where there is
 /// no patch, that of M̂, as the method has it (4.5). M̂ is another set in every step: all of the wall where even a well
 /// one hardly changes, as in diastasis, and little or nothing in contraction. So its path goes far, unless
-/// all of the wall is still in every step, as in a heart that hardly thickens at all.
+/// all of the wall is still in every step, as in a subject that hardly thickens at all.
 ///
 /// # Errors
-/// If nothing is still in any step, or the heart has no extent.
-pub fn heart_paths(
+/// If nothing is still in any step, or the subject has no extent.
+pub fn subject_paths(
     beat: &MedialBeat,
     found: &Thickening,
     axis: Option<&LongAxis>,
-) -> Result<HeartPaths, NotMapped> {
-    let paths: Vec<StillPath> = if found.patches.is_empty() {
+) -> Result<SubjectPaths, NotMapped> {
+    let paths: Vec<AkineticPath> = if found.patches.is_empty() {
         let steps = found.steps.iter().filter_map(|step| {
             Some(PathStep {
                 from: step.from,
@@ -28,8 +28,8 @@ pub fn heart_paths(
                 descriptor: step.descriptor?,
             })
         });
-        vec![StillPath {
-            part: StillPart::Whole,
+        vec![AkineticPath {
+            part: AkineticPart::Whole,
             steps: steps.collect(),
         }]
     } else {
@@ -43,8 +43,8 @@ pub fn heart_paths(
                     descriptor: (*descriptor)?,
                 })
             });
-            StillPath {
-                part: StillPart::Patch(index),
+            AkineticPath {
+                part: AkineticPart::Patch(index),
                 steps: steps.collect(),
             }
         };
@@ -62,5 +62,5 @@ pub fn heart_paths(
     if placements.iter().all(Option::is_none) {
         return Err(NotMapped::NoSize);
     }
-    Ok(HeartPaths { paths, placements })
+    Ok(SubjectPaths { paths, placements })
 }

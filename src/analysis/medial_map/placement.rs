@@ -1,4 +1,4 @@
-//! Axes in which positions and normals of different hearts can be compared.
+//! Axes in which positions and normals of different subjects can be compared.
 
 use nalgebra::{Matrix3, Rotation3};
 
@@ -6,10 +6,10 @@ use crate::analysis::medial_space::PoseDescriptor;
 use crate::analysis::segments::LongAxis;
 use crate::mesh::{Point3, Vector3, bounding_box};
 
-/// What is known of the directions of a heart.
+/// Which directions of a subject are known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Frame {
-    /// Septum, anterior wall and base: the same in every heart.
+    /// Septum, anterior wall and base: the same in every subject.
     Anatomical,
     /// The long axis; around it directions are those of the files.
     LongAxis,
@@ -34,23 +34,23 @@ impl Frame {
     }
 }
 
-/// Takes positions and normals of one heart to where those of all hearts can be compared.
+/// Takes positions and normals of one subject to where those of all subjects can be compared.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Placement {
     /// Rows are the axes of the frame in coordinates.
     frame_from_coordinates: Matrix3<f64>,
-    /// Middle of the heart's box along these axes, in coordinates turned into the frame.
+    /// Middle of the subject's box along these axes, in coordinates turned into the frame.
     middle: Vector3,
     /// Largest side of that box, in coordinates.
     size: f64,
 }
 
 impl Placement {
-    /// Of a heart with these centres of atoms at end-diastole. `None` where the frame is not known, or
-    /// the heart has no extent.
+    /// Of a subject with these centres of atoms at end-diastole. `None` where the frame is not known, or
+    /// the subject has no extent.
     ///
     /// Positions are counted from the middle of the box of the centres along the axes of the frame, in
-    /// units of its largest side, so that neither place nor size of a heart matters, and in the anatomical
+    /// units of its largest side, so that neither place nor size of a subject matters, and in the anatomical
     /// frame not how it lies.
     pub fn new(frame: Frame, axis: Option<&LongAxis>, centres: &[Point3]) -> Option<Self> {
         let frame_from_coordinates = match frame {
@@ -74,7 +74,7 @@ impl Placement {
         })
     }
 
-    /// The descriptor of a pose of this heart, in the frame.
+    /// The descriptor of a pose of this subject, in the frame.
     pub fn placed(&self, pose: &PoseDescriptor) -> PoseDescriptor {
         let turn = &self.frame_from_coordinates;
         PoseDescriptor {

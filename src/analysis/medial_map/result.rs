@@ -9,14 +9,14 @@ use super::placement::{Frame, Placement};
 
 /// The part of a wall whose poses make a path.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum StillPart {
-    /// All that stands still in a step, M̂ of 4.4: what the method takes where there is no patch.
+pub enum AkineticPart {
+    /// All that is akinetic in a step, M̂ of 4.4: what the method takes where there is no patch.
     Whole,
     /// One connected part that does not thicken over the beat (4.6.2), by its place in the list of patches.
     Patch(usize),
 }
 
-impl StillPart {
+impl AkineticPart {
     /// Its place in the list of patches.
     pub fn patch(self) -> Option<usize> {
         match self {
@@ -33,38 +33,38 @@ pub struct PathStep {
     pub from: usize,
     /// Pose t₂.
     pub to: usize,
-    /// (x̄, r̂, ρ, N̄) in the coordinates of the heart.
+    /// (x̄, r̂, ρ, N̄) in the coordinates of the subject.
     pub descriptor: PoseDescriptor,
 }
 
 /// The path of one part over the beat.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StillPath {
+pub struct AkineticPath {
     /// Which part.
-    pub part: StillPart,
+    pub part: AkineticPart,
     /// By rising [`PathStep::from`]; steps without descriptor are left out.
     pub steps: Vec<PathStep>,
 }
 
-/// What one heart adds to the map.
+/// What one subject adds to the map.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HeartPaths {
+pub struct SubjectPaths {
     /// One per patch, or that of M̂.
-    pub paths: Vec<StillPath>,
-    /// How the heart's coordinates become comparable, for each [`Frame`] that it has.
+    pub paths: Vec<AkineticPath>,
+    /// How the subject's coordinates become comparable, for each [`Frame`] that it has.
     pub placements: [Option<Placement>; Frame::COUNT],
 }
 
-/// Why a heart is not on the map.
+/// Why a subject is not on the map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NotMapped {
     /// All of the wall changes in every step.
-    #[error("no atom stands still in any of {steps} steps")]
+    #[error("no atom is akinetic in any of {steps} steps")]
     NothingStill {
         /// Steps of the beat.
         steps: usize,
     },
-    /// The heart has no extent.
+    /// The subject has no extent.
     #[error("the medial surface has no extent")]
     NoSize,
 }
@@ -75,12 +75,12 @@ pub struct MedialPose {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Which part of its wall.
-    pub part: StillPart,
+    pub part: AkineticPart,
     /// Pose t₁ of the step.
     pub step_from: usize,
     /// Pose t₂.
     pub step_to: usize,
-    /// (x̄, r̂, ρ, N̄) in the map's frame: positions from the middle of the heart's box, in its largest side.
+    /// (x̄, r̂, ρ, N̄) in the map's frame: positions from the middle of the subject's box, in its largest side.
     pub descriptor: PoseDescriptor,
 }
 
@@ -90,7 +90,7 @@ pub struct Spread {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Which part of its wall.
-    pub part: StillPart,
+    pub part: AkineticPart,
     /// Mean distance 4.5.1 of two poses of the path; `None` with one pose.
     pub mean_distance: Option<f64>,
 }
@@ -117,12 +117,12 @@ pub struct MedialMap {
 pub enum MedialMapError {
     /// Two points make no map.
     #[error(
-        "{poses} poses of {hearts} hearts whose wall can be assessed: a map needs at least three"
+        "{poses} poses of {hearts} subjects whose wall can be assessed: a map needs at least three"
     )]
     TooFewPoses {
         /// Points there would be.
         poses: usize,
-        /// Hearts that have any.
+        /// Subjects that have any.
         hearts: usize,
     },
     /// A descriptor is not finite.

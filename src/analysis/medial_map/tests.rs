@@ -30,11 +30,11 @@ fn corners() -> Vec<Point3> {
         .to_vec()
 }
 
-fn heart(steps: &[PoseDescriptor], axis: Option<&LongAxis>) -> HeartPaths {
+fn heart(steps: &[PoseDescriptor], axis: Option<&LongAxis>) -> SubjectPaths {
     let steps = steps.iter().enumerate();
-    HeartPaths {
-        paths: vec![StillPath {
-            part: StillPart::Whole,
+    SubjectPaths {
+        paths: vec![AkineticPath {
+            part: AkineticPart::Whole,
             steps: steps
                 .map(|(from, &descriptor)| PathStep {
                     from,
@@ -47,7 +47,7 @@ fn heart(steps: &[PoseDescriptor], axis: Option<&LongAxis>) -> HeartPaths {
     }
 }
 
-fn mapped(hearts: &[Result<HeartPaths, String>]) -> Result<MedialMap, MedialMapError> {
+fn mapped(hearts: &[Result<SubjectPaths, String>]) -> Result<MedialMap, MedialMapError> {
     medial_map(hearts, MapMethod::ClassicalMds, &Progress::default())
 }
 
@@ -129,7 +129,7 @@ fn a_pose_that_is_not_finite_is_named() {
     assert_eq!(error, Err(MedialMapError::NotFinite { subject: 0 }));
 }
 
-/// What is known of one heart of the built-in cohort.
+/// What is known of one subject of the built-in cohort.
 struct Known {
     subject: Subject,
     beat: MedialBeat,
@@ -157,8 +157,8 @@ fn known(subject: &Subject) -> Known {
     }
 }
 
-fn paths(known: &Known) -> HeartPaths {
-    heart_paths(&known.beat, &known.found, Some(&known.axis)).unwrap()
+fn paths(known: &Known) -> SubjectPaths {
+    subject_paths(&known.beat, &known.found, Some(&known.axis)).unwrap()
 }
 
 fn hearts_of_the_cohort() -> Vec<Known> {
@@ -181,14 +181,14 @@ fn each_patch_has_its_path_and_hearts_without_one_wander() {
     let map = mapped(&all).unwrap();
     assert_eq!(map.frame, Frame::Anatomical);
     for (index, heart) in hearts.iter().enumerate() {
-        let parts: Vec<StillPart> = (map.spreads.iter())
+        let parts: Vec<AkineticPart> = (map.spreads.iter())
             .filter(|spread| spread.subject == index)
             .map(|spread| spread.part)
             .collect();
         let count = heart.found.patches.len();
         let wanted = match count {
-            0 => vec![StillPart::Whole],
-            _ => (0..count).map(StillPart::Patch).collect(),
+            0 => vec![AkineticPart::Whole],
+            _ => (0..count).map(AkineticPart::Patch).collect(),
         };
         assert_eq!(parts, wanted, "{}", heart.subject.id);
     }
@@ -257,13 +257,13 @@ fn steps_in_which_nothing_is_still_are_left_out_and_a_heart_without_any_says_so(
         step.descriptor = still.then(|| pose(Point3::origin(), Vector3::x()));
     }
     let found = paths(&heart);
-    assert_eq!(found.paths[0].part, StillPart::Whole);
+    assert_eq!(found.paths[0].part, AkineticPart::Whole);
     let steps = found.paths[0].steps.iter();
     let steps: Vec<(usize, usize)> = steps.map(|step| (step.from, step.to)).collect();
     assert_eq!(steps, [(1, 2), (4, 5), (7, 0)]);
     for step in &mut heart.found.steps {
         step.descriptor = None;
     }
-    let reason = heart_paths(&heart.beat, &heart.found, None).unwrap_err();
+    let reason = subject_paths(&heart.beat, &heart.found, None).unwrap_err();
     assert_eq!(reason, NotMapped::NothingStill { steps: 8 });
 }

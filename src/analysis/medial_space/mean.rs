@@ -8,7 +8,7 @@ use super::sphere::{exp, log, unit};
 const TOLERANCE_RAD: f64 = 1e-14;
 /// Steps after which the mean is taken as it is. Each divides the error by at least some five
 /// where directions lie within 60°; half around the sphere, 200 still do.
-const MOST_STEPS: usize = 200;
+const MAX_STEPS: usize = 200;
 
 /// The normalised average of directions (the ANV of 4.4.1) with the length of the average before it
 /// was normalised: 1 where all agree, 0 where they cancel. `None` where they do.
@@ -36,7 +36,7 @@ pub fn frechet_mean(directions: &[Vector3], weights: &[f64]) -> Option<Vector3> 
         return None;
     }
     let mut mean = unit(&sum)?;
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         let step: Vector3 = pairs().map(|(d, &w)| log(&mean, d).tangent * w).sum();
         let step = step / total;
         mean = unit(&exp(&mean, &step))?;

@@ -1,4 +1,4 @@
-//! How far apart are two medial surfaces, or two poses of one heart?
+//! How far apart are two medial surfaces, or two poses of one subject?
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.3 and 4.5.
 
@@ -17,7 +17,7 @@ pub use atom::{
 };
 pub use mean::{frechet_mean, mean_direction};
 pub use pose::{
-    PoseDescriptor, RatioForm, StillAtom, pose_descriptor, pose_distance, spoke_angle_rad,
+    AkineticAtom, PoseDescriptor, RatioForm, pose_descriptor, pose_distance, spoke_angle_rad,
 };
 pub use sphere::{Log, PoleLog, angle, between, exp, exp_pole, log, log_pole};
 pub use spokes::spokes_from_gradient;

@@ -1,4 +1,4 @@
-//! Poses as points of R³ × R⁺ × S²: where, by how much and which way the still part of the wall lies.
+//! Poses as points of R³ × R⁺ × S²: where, by how much and which way the akinetic region of the wall lies.
 
 use serde::{Deserialize, Serialize};
 
@@ -10,7 +10,7 @@ use super::sphere::angle;
 /// Point (x̄, r̂^ρ, N̄) of the shape space of 4.5 that stands for one pose.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseDescriptor {
-    /// x̄ (MP): mean position of the still atoms, in the unit of the atoms, or a share of the heart's
+    /// x̄ (MP): mean position of the akinetic atoms, in the unit of the atoms, or a share of the subject's
     /// size after [`PoseDescriptor::relative_to`].
     pub position: Point3,
     /// ln r̂. Kept as a logarithm because a product over thousands of atoms leaves the range of numbers.
@@ -34,7 +34,7 @@ pub enum RatioForm {
 
 /// One atom of M̂, as far as the descriptor needs it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StillAtom {
+pub struct AkineticAtom {
     /// Its centre.
     pub position: Point3,
     /// ln PT of the step.
@@ -58,7 +58,7 @@ pub fn spoke_angle_rad(normal: &Vector3, spokes: &[Vector3; 2]) -> f64 {
 /// x̄ = mean of x; ln r̂ = Σ ln PT (printed) or its mean; ρ = mean of the angles between spoke and
 /// normal: the printed mean of vectors of different tangent planes cannot be taken, and as an exponent ρ
 /// must be a number; N̄ = Σ N / |Σ N|. Source: 4.4.1, 4.4.2 and 4.5.
-pub fn pose_descriptor(atoms: &[StillAtom], form: RatioForm) -> Option<PoseDescriptor> {
+pub fn pose_descriptor(atoms: &[AkineticAtom], form: RatioForm) -> Option<PoseDescriptor> {
     if atoms.is_empty() {
         return None;
     }
@@ -85,7 +85,7 @@ impl PoseDescriptor {
     }
 
     /// The same with its position counted from `origin` in units of `size`, the largest side of
-    /// the heart's box at end-diastole: so that it can be added to angles and compared over hearts.
+    /// the subject's box at end-diastole: so that it can be added to angles and compared over subjects.
     #[must_use]
     pub fn relative_to(&self, origin: &Point3, size: f64) -> Self {
         Self {

@@ -5,8 +5,8 @@ use crate::mesh::Vector3;
 /// Unit spokes [S₀, S₁] of an atom with unit normal N (from the inner to the outer side) and the
 /// gradient of r along the surface: S = −∇r ∓ √(1 − |∇r|²) N.
 ///
-/// The wall is the envelope of the balls of the atoms; y = x + r S is where it touches each.
-/// `None` where |∇r| ≥ 1: the balls then lie in one another and have no envelope.
+/// The wall is the envelope of the spheres of the atoms; y = x + r S is where it touches each.
+/// `None` where |∇r| ≥ 1: the spheres then lie in one another and have no envelope.
 ///
 /// Follows from (x + r S)_u · S = 0 along every direction u of the surface: x_u · S = −r_u.
 pub fn spokes_from_gradient(normal: &Vector3, gradient: &Vector3) -> Option<[Vector3; 2]> {

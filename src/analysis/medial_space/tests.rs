@@ -194,7 +194,7 @@ fn half_way_between_surfaces_walls_are_as_thick_as_their_geometric_mean() {
 
 #[test]
 fn a_product_over_thousands_of_atoms_stays_a_number() {
-    let atom = StillAtom {
+    let atom = AkineticAtom {
         position: Point3::origin(),
         log_pt: 0.05,
         normal: Vector3::z(),

@@ -107,6 +107,7 @@ impl Connectivity {
                     spare[v * width + entry] = sum;
                 }
             }
+            // The old values are the next round's memory: gathering allocates nothing.
             std::mem::swap(values, spare);
         }
     }

@@ -43,7 +43,7 @@ pub(super) fn times<T: Arithmetic>(a: [T; 3], b: [T; 3]) -> [T; 3] {
 
 /// What a face is charged for its terms: (Σ_c |T_c|)² where printed, else Σ_c T_c².
 #[inline(always)]
-pub(super) fn charge<T: Arithmetic>(t: [T; 3], printed: bool) -> T {
+pub(super) fn energy<T: Arithmetic>(t: [T; 3], printed: bool) -> T {
     if printed {
         let sum = t[0].abs() + t[1].abs() + t[2].abs();
         sum * sum
@@ -54,7 +54,7 @@ pub(super) fn charge<T: Arithmetic>(t: [T; 3], printed: bool) -> T {
 
 /// Slope of [`charge`] along each term; where printed, the subgradient that is 0 at 0.
 #[inline(always)]
-pub(super) fn charge_slopes<T: Arithmetic>(t: [T; 3], printed: bool) -> [T; 3] {
+pub(super) fn energy_gradient<T: Arithmetic>(t: [T; 3], printed: bool) -> [T; 3] {
     let two = T::splat(2.0);
     if printed {
         let sum = two * (t[0].abs() + t[1].abs() + t[2].abs());
@@ -111,7 +111,7 @@ pub(super) fn angles_rad((doubled_area, products): (Lanes, [Lanes; 3])) -> [Lane
 ///
 /// By the law of cosines dθ_a = cot c (s₁ − s₂) + cot b (s₁ − s₀) with s the rates of relative length.
 #[inline(always)]
-pub(super) fn angle_slopes<T: Arithmetic>(cotangents: [T; 3], g: [T; 3]) -> [T; 3] {
+pub(super) fn angle_gradient<T: Arithmetic>(cotangents: [T; 3], g: [T; 3]) -> [T; 3] {
     three(|e| {
         let (next, across) = ((e + 1) % 3, (e + 2) % 3);
         cotangents[e] * (g[across] - g[next]) + cotangents[next] * (g[across] - g[e])

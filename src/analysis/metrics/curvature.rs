@@ -125,6 +125,7 @@ pub(super) fn density_rates(
     let rates = gathered_inside(mesh, &turn, &area, rings);
     (density.gathered.iter().zip(rates))
         .map(|(&[turn, area], [turn_rate, area_rate])| {
+            // The quotient rule for T / a · A with all three changing.
             let mean = turn.over(area);
             let local = (turn_rate - mean * area_rate).over(area);
             (local * density.total_area + mean * total) / UNIT_SPHERE

@@ -1,12 +1,9 @@
-//! The metric as a solver: made for a connectivity, asked for poses, pairs and fields.
+//! What a metric is made of. What it is asked for stands in `pair.rs`, `fields.rs`, `contributions.rs` and `path_energy.rs`.
 
-use nalgebra::Matrix3;
-
-use crate::mesh::{Faces, Point3, Vector3};
+use crate::mesh::Faces;
 
 use super::connectivity::Connectivity;
 use super::params::CheckedMetricParams;
-use super::pose::PreparedPose;
 
 /// A metric on the poses of one connectivity.
 #[derive(Clone, Debug)]
@@ -73,45 +70,5 @@ impl Metric {
     /// The settings it was made with.
     pub fn params(&self) -> &CheckedMetricParams {
         &self.params
-    }
-
-    /// Computes what pairs and inner products need of a pose.
-    ///
-    /// # Errors
-    /// If the number of points is not that of the connectivity, or lengths overflow.
-    pub fn prepare(&self, points: &[Point3]) -> Result<PreparedPose, MetricError> {
-        if points.len() != self.mesh.vertex_count {
-            return Err(MetricError::VertexCount {
-                points: points.len(),
-                expected: self.mesh.vertex_count,
-            });
-        }
-        // The fourth power of lengths enters raw corners and areas squared.
-        let reach = points.iter().fold(0.0_f64, |m, p| m.max(p.coords.amax()));
-        if !(reach.powi(4) * 1e8).is_finite() || points.iter().any(|p| p.iter().any(|x| x.is_nan()))
-        {
-            return Err(MetricError::Overflow);
-        }
-        Ok(PreparedPose::new(&self.mesh, &self.params, points))
-    }
-
-    /// Squared norms of X = B − A at A and at B, for poses as they lie.
-    pub fn pair(&self, a: &PreparedPose, b: &PreparedPose, scratch: &mut PairScratch) -> PairNorms {
-        self.pair_moved(a, b, &Matrix3::identity(), &Vector3::zeros(), scratch)
-    }
-
-    /// Squared norms of X = (R B + t) − A, where the rigid motion lays B onto A first.
-    ///
-    /// Neither curvature nor areas nor lengths of B are touched by the motion, so no pose has to be
-    /// prepared again.
-    pub fn pair_moved(
-        &self,
-        a: &PreparedPose,
-        b: &PreparedPose,
-        rotation: &Matrix3<f64>,
-        translation: &Vector3,
-        scratch: &mut PairScratch,
-    ) -> PairNorms {
-        super::pair::norms(self, a, b, rotation, translation, scratch)
     }
 }

@@ -15,7 +15,7 @@
 //! The printed forms, and the bilinear quasi-conformal one, are for one-step distances only, compared at the
 //! same number of steps. As energies of paths they fail: a product of angle and curvature change costs nothing
 //! where one of them rests, so that paths change them in turn; a term of fourth degree makes k equal
-//! steps cost k⁻³ instead of k⁻¹; and raw corners let a heart shrink, change and grow for nothing. They can be
+//! steps cost k⁻³ instead of k⁻¹; and raw corners let a subject shrink, change and grow for nothing. They can be
 //! optimised here ([`PathEnergy`]) to show just that.
 //!
 //! The angle-preserving metric is the same without ΔK. All add λ Σ_p a_p X_p·X_p.
@@ -26,20 +26,26 @@ mod connectivity;
 mod contributions;
 mod corner;
 mod curvature;
-mod face_charge;
+mod face_energy;
+mod face_shares;
+mod field_terms;
 mod fields;
+mod kind;
+mod kinds;
 mod metric;
 mod pair;
+mod pair_sums;
 mod params;
 mod path_energy;
 mod pose;
-mod products;
 mod rigid;
 mod smoothing;
 
+pub use kind::{METRICS, MetricKind};
+pub use kinds::MetricWords;
 pub use metric::{Metric, MetricError, PairNorms, PairScratch};
 pub use params::{
-    CheckedMetricParams, Corners, Form, MetricKind, MetricParams, ParamError, Regulariser,
+    CheckedMetricParams, Corners, CurvatureRole, Form, MetricParams, ParamError, Regulariser,
 };
 pub use path_energy::PathEnergy;
 pub use pose::PreparedPose;

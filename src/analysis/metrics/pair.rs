@@ -1,246 +1,62 @@
-//! One pass over edges, faces and vertices for a pair of poses; the hot path of every matrix.
+//! Poses are prepared, and compared in pairs.
 
 use nalgebra::Matrix3;
 
-use crate::mesh::Vector3;
+use crate::mesh::{Point3, Vector3};
 
-use super::connectivity::Connectivity;
-use super::corner::{charge, corner_terms, stretch};
-use super::face_charge::of_corners;
-use super::metric::{Metric, PairNorms, PairScratch};
-use super::params::{Corners, Form, MetricKind, Regulariser};
+use super::kinds::terms;
+use super::metric::{Metric, MetricError, PairNorms, PairScratch};
+use super::pair_sums::regulariser;
+use super::params::CurvatureRole;
 use super::pose::PreparedPose;
-use super::rigid::rigid_product;
 
-/// Values at pose A and at pose B.
-type Both = [f64; 2];
-
-/// Sums run in as many lanes, so that additions need not wait for each other.
-const LANES: usize = 4;
-
-pub(super) fn norms(
-    metric: &Metric,
-    a: &PreparedPose,
-    b: &PreparedPose,
-    rotation: &Matrix3<f64>,
-    translation: &Vector3,
-    scratch: &mut PairScratch,
-) -> PairNorms {
-    let own = match metric.params.kind {
-        MetricKind::Isometric => {
-            stretches(a, b, rotation, &mut scratch.stretch);
-            isometric(metric, a, b, &scratch.stretch)
+impl Metric {
+    /// Computes what pairs and inner products need of a pose.
+    ///
+    /// # Errors
+    /// If the number of points is not that of the connectivity, or lengths overflow.
+    pub fn prepare(&self, points: &[Point3]) -> Result<PreparedPose, MetricError> {
+        if points.len() != self.mesh.vertex_count {
+            return Err(MetricError::VertexCount {
+                points: points.len(),
+                expected: self.mesh.vertex_count,
+            });
         }
-        MetricKind::Rigid => rigid(metric, a, b, rotation, translation),
-        MetricKind::AnglePreserving => {
-            stretches(a, b, rotation, &mut scratch.stretch);
-            angles(metric, a, b, &scratch.stretch, None)
+        // The fourth power of lengths enters raw corners and areas squared.
+        let reach = points.iter().fold(0.0_f64, |m, p| m.max(p.coords.amax()));
+        if !(reach.powi(4) * 1e8).is_finite() || points.iter().any(|p| p.iter().any(|x| x.is_nan()))
+        {
+            return Err(MetricError::Overflow);
         }
-        MetricKind::QuasiConformal => {
-            stretches(a, b, rotation, &mut scratch.stretch);
-            if metric.params.form == Form::Additive {
-                let angle = angles(metric, a, b, &scratch.stretch, None);
-                let curvature = curvature(metric, a, b);
-                [0, 1].map(|side| angle[side] + metric.params.mu * curvature[side])
-            } else {
-                let change = a.curvature.iter().zip(&b.curvature);
-                scratch.curvature_change.clear();
-                scratch
-                    .curvature_change
-                    .extend(change.map(|(before, after)| after - before));
-                let change = Some(scratch.curvature_change.as_slice());
-                angles(metric, a, b, &scratch.stretch, change)
-            }
-        }
-    };
-    let rest = regulariser(metric, a, b, rotation, translation);
-    PairNorms {
-        norm2_a: own[0] + rest[0],
-        norm2_b: own[1] + rest[1],
+        // Curvature averaged over rings is the most costly part of a pose, and only some metrics compare it.
+        let with_curvature = self.params.curvature_role() != CurvatureRole::Unused;
+        let (mesh, params) = (&self.mesh, &self.params);
+        Ok(PreparedPose::new(mesh, params, with_curvature, points))
     }
-}
 
-/// ⟨w, d_A⟩ / |d_A|² and ⟨w, R d_B⟩ / |d_B|² with w = R d_B − d_A, for the vectors d of each edge.
-pub(super) fn stretches(
-    a: &PreparedPose,
-    b: &PreparedPose,
-    rotation: &Matrix3<f64>,
-    out: &mut Vec<Both>,
-) {
-    let count = a.inverse_length2.len();
-    out.resize(count, [0.0; 2]);
-    let r: [[f64; 3]; 3] = [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[(row, column)]));
-    // Equal lengths, told to the compiler, let it drop the checks and use vector instructions.
-    let [ax, ay, az] = a.edge_axes.each_ref().map(|axis| &axis[..count]);
-    let [bx, by, bz] = b.edge_axes.each_ref().map(|axis| &axis[..count]);
-    let (over_a, over_b) = (&a.inverse_length2[..count], &b.inverse_length2[..count]);
-    for (e, both) in out.iter_mut().enumerate() {
-        let x = r[0][0] * bx[e] + r[0][1] * by[e] + r[0][2] * bz[e];
-        let y = r[1][0] * bx[e] + r[1][1] * by[e] + r[1][2] * bz[e];
-        let z = r[2][0] * bx[e] + r[2][1] * by[e] + r[2][2] * bz[e];
-        let before = [ax[e], ay[e], az[e]];
-        *both = stretch(before, [x, y, z], [over_a[e], over_b[e]]);
+    /// Squared norms of X = B − A at A and at B, for poses as they lie.
+    pub fn pair(&self, a: &PreparedPose, b: &PreparedPose, scratch: &mut PairScratch) -> PairNorms {
+        self.pair_moved(a, b, &Matrix3::identity(), &Vector3::zeros(), scratch)
     }
-}
 
-fn angles(
-    metric: &Metric,
-    a: &PreparedPose,
-    b: &PreparedPose,
-    stretch: &[Both],
-    change: Option<&[f64]>,
-) -> Both {
-    let mesh = &metric.mesh;
-    let printed = metric.params.form == Form::Printed;
-    match (metric.params.corners, change, printed) {
-        (Corners::ScaleFree, None, false) => plain_angles(mesh, a, b, stretch),
-        _ => general_angles(metric, a, b, stretch, change, printed),
-    }
-}
-
-/// Σ_f a_f Σ_c t_c², the default: t are the differences of the stretches of a face's sides.
-fn plain_angles(mesh: &Connectivity, a: &PreparedPose, b: &PreparedPose, stretch: &[Both]) -> Both {
-    let face = |edges: &[u32; 3], weight: Both| -> Both {
-        let s = edges.map(|e| stretch[e as usize]);
-        [0, 1].map(|side| weight[side] * charge(corner_terms(s.map(|both| both[side])), false))
-    };
-    let (faces, last_faces) = mesh.face_edges.as_chunks::<LANES>();
-    let (of_a, last_of_a) = a.face_weight.as_chunks::<LANES>();
-    let (of_b, last_of_b) = b.face_weight.as_chunks::<LANES>();
-    let mut sums = [[0.0; 2]; LANES];
-    for (faces, (of_a, of_b)) in faces.iter().zip(of_a.iter().zip(of_b)) {
-        for lane in 0..LANES {
-            let term = face(&faces[lane], [of_a[lane], of_b[lane]]);
-            sums[lane][0] += term[0];
-            sums[lane][1] += term[1];
+    /// Squared norms of X = (R B + t) − A, where the rigid motion aligns B with A first.
+    ///
+    /// Neither curvature nor areas nor lengths of B are touched by the motion, so no pose has to be
+    /// prepared again.
+    pub fn pair_moved(
+        &self,
+        a: &PreparedPose,
+        b: &PreparedPose,
+        rotation: &Matrix3<f64>,
+        translation: &Vector3,
+        scratch: &mut PairScratch,
+    ) -> PairNorms {
+        let motion = (rotation, translation);
+        let own = terms(self.params.kind).pair(self, [a, b], motion, scratch);
+        let rest = regulariser(self, a, b, rotation, translation);
+        PairNorms {
+            norm2_a: own[0] + rest[0],
+            norm2_b: own[1] + rest[1],
         }
     }
-    for (edges, (&of_a, &of_b)) in last_faces.iter().zip(last_of_a.iter().zip(last_of_b)) {
-        let term = face(edges, [of_a, of_b]);
-        sums[0][0] += term[0];
-        sums[0][1] += term[1];
-    }
-    total(sums)
-}
-
-/// The same with raw corners, curvature change as a factor, or absolute values.
-fn general_angles(
-    metric: &Metric,
-    a: &PreparedPose,
-    b: &PreparedPose,
-    stretch: &[Both],
-    change: Option<&[f64]>,
-    printed: bool,
-) -> Both {
-    let raw = metric.params.corners == Corners::Raw;
-    let mut sums = [0.0; 2];
-    let faces = metric.mesh.face_edges.iter().zip(&metric.mesh.triangles);
-    for ((edges, triangle), (wa, wb)) in faces.zip(a.face_weight.iter().zip(&b.face_weight)) {
-        let s = edges.map(|e| stretch[e as usize]);
-        let factor = change.map_or([1.0; 3], |change| triangle.map(|v| change[v as usize]));
-        for (side, (pose, weight)) in [(a, wa), (b, wb)].into_iter().enumerate() {
-            let l = raw.then(|| edges.map(|e| pose.length2[e as usize]));
-            let s = s.map(|both| both[side]);
-            sums[side] += weight * of_corners(s, l, Some(factor), printed).charge;
-        }
-    }
-    sums
-}
-
-/// Σ_p a_p (K_p(B) − K_p(A))² with the weights of A and of B.
-fn curvature(metric: &Metric, a: &PreparedPose, b: &PreparedPose) -> Both {
-    let count = a.curvature.len();
-    let (ka, kb) = (&a.curvature[..count], &b.curvature[..count]);
-    weighted_sums(a, b, metric.params.area_weights, |v| {
-        (kb[v] - ka[v]) * (kb[v] - ka[v])
-    })
-}
-
-/// λ Σ_p a_p |X_p|² with the weights of A and of B.
-fn regulariser(
-    metric: &Metric,
-    a: &PreparedPose,
-    b: &PreparedPose,
-    rotation: &Matrix3<f64>,
-    translation: &Vector3,
-) -> Both {
-    if metric.params.lambda == 0.0 {
-        return [0.0; 2];
-    }
-    let count = metric.mesh.vertex_count;
-    let r: [[f64; 3]; 3] = [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[(row, column)]));
-    let shift = [translation.x, translation.y, translation.z];
-    let [ax, ay, az] = a.axes.each_ref().map(|axis| &axis[..count]);
-    let [bx, by, bz] = b.axes.each_ref().map(|axis| &axis[..count]);
-    let by_area = metric.params.regulariser == Regulariser::Area;
-    let sums = weighted_sums(a, b, by_area, |v| {
-        let x = r[0][0] * bx[v] + r[0][1] * by[v] + r[0][2] * bz[v] + shift[0] - ax[v];
-        let y = r[1][0] * bx[v] + r[1][1] * by[v] + r[1][2] * bz[v] + shift[1] - ay[v];
-        let z = r[2][0] * bx[v] + r[2][1] * by[v] + r[2][2] * bz[v] + shift[2] - az[v];
-        x * x + y * y + z * z
-    });
-    [
-        a.regulariser_factor * sums[0],
-        b.regulariser_factor * sums[1],
-    ]
-}
-
-/// Σ_p w_p term(p) with the shares of area at A and at B, or with w = 1.
-fn weighted_sums(
-    a: &PreparedPose,
-    b: &PreparedPose,
-    by_area: bool,
-    term: impl Fn(usize) -> f64,
-) -> Both {
-    let count = a.vertex_share.len();
-    let (wa, wb) = (&a.vertex_share[..count], &b.vertex_share[..count]);
-    let mut sums = [[0.0; LANES]; 2];
-    let whole = count - count % LANES;
-    let mut add = |lane: usize, v: usize| {
-        let value = term(v);
-        sums[0][lane] += if by_area { wa[v] } else { 1.0 } * value;
-        sums[1][lane] += if by_area { wb[v] } else { 1.0 } * value;
-    };
-    for start in (0..whole).step_by(LANES) {
-        for lane in 0..LANES {
-            add(lane, start + lane);
-        }
-    }
-    for v in whole..count {
-        add(0, v);
-    }
-    sums.map(|lanes| lanes.iter().sum())
-}
-
-fn isometric(metric: &Metric, a: &PreparedPose, b: &PreparedPose, stretch: &[Both]) -> Both {
-    let raw = metric.params.corners == Corners::Raw;
-    let weights = [metric.edge_weights(a), metric.edge_weights(b)];
-    let mut sums = [0.0; 2];
-    for (e, both) in stretch.iter().enumerate() {
-        for (side, pose) in [a, b].into_iter().enumerate() {
-            let unit = if raw { pose.length2[e] } else { 1.0 };
-            sums[side] += weights[side][e] * (both[side] * unit).powi(2);
-        }
-    }
-    sums
-}
-
-fn rigid(
-    metric: &Metric,
-    a: &PreparedPose,
-    b: &PreparedPose,
-    rotation: &Matrix3<f64>,
-    translation: &Vector3,
-) -> Both {
-    let before = a.points();
-    let after: Vec<_> = (b.points().iter())
-        .map(|p| crate::mesh::Point3::from(rotation * p.coords + translation))
-        .collect();
-    let field: Vec<Vector3> = after.iter().zip(&before).map(|(q, p)| q - p).collect();
-    [(a, &before), (b, &after)]
-        .map(|(pose, points)| rigid_product(points, &metric.vertex_weights(pose), &field, &field))
-}
-
-fn total(lanes: [Both; LANES]) -> Both {
-    [0, 1].map(|side| lanes.iter().map(|lane| lane[side]).sum())
 }

@@ -1,18 +1,6 @@
 //! Which metric, in which form, with which weights.
 
-/// What a metric charges.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum MetricKind {
-    /// Change of edge lengths (2.3.6).
-    Isometric,
-    /// Displacement that no rigid motion explains (2.3.7).
-    Rigid,
-    /// Change of angles (eq. 3.3, 3.4).
-    AnglePreserving,
-    /// Change of angles and of Gaussian curvature (eq. 3.5).
-    #[default]
-    QuasiConformal,
-}
+use super::kind::MetricKind;
 
 /// How the terms of a metric are put together.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -28,6 +16,29 @@ pub enum Form {
     /// Angle term plus μ times the curvature-change term: an inner product everywhere.
     #[default]
     Additive,
+}
+
+/// What a metric uses curvature for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum CurvatureRole {
+    /// Nothing.
+    Unused,
+    /// Its change is a term of its own, with weight μ.
+    Term,
+    /// Its change in a step multiplies the corner terms of that step.
+    StepFactor,
+    /// Its change between the two ends of a path multiplies the corner terms of all steps.
+    FrozenFactor,
+}
+
+impl CurvatureRole {
+    /// Whether curvature change multiplies corner terms.
+    pub fn is_factor(self) -> bool {
+        match self {
+            Self::Unused | Self::Term => false,
+            Self::StepFactor | Self::FrozenFactor => true,
+        }
+    }
 }
 
 /// Units of the corner terms of eq. 3.3.
@@ -53,7 +64,7 @@ pub enum Regulariser {
 /// Settings of a metric; [`MetricParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MetricParams {
-    /// What is charged.
+    /// What is penalised.
     pub kind: MetricKind,
     /// How terms combine; only angle-preserving and quasi-conformal metrics have forms.
     pub form: Form,
@@ -75,7 +86,7 @@ pub struct MetricParams {
 }
 
 impl Default for MetricParams {
-    /// Weights chosen on real hearts, all sizes normalised and pairs aligned.
+    /// Weights chosen on real subjects, all sizes normalised and pairs aligned.
     ///
     /// | metric | partner | five labels | infarct or dilated |
     /// |---|---|---|---|
@@ -122,8 +133,8 @@ impl std::ops::Deref for CheckedMetricParams {
     }
 }
 
-/// Rings past which an average spans any heart; each ring costs a pass over all edges.
-const MOST_RINGS: u32 = 100;
+/// Rings past which an average spans any subject; each ring costs a pass over all edges.
+const MAX_RINGS: u32 = 100;
 
 impl MetricParams {
     /// Makes settings usable.
@@ -136,10 +147,10 @@ impl MetricParams {
                 return Err(ParamError::Weight { name, value });
             }
         }
-        if self.curvature_rings > MOST_RINGS {
+        if self.curvature_rings > MAX_RINGS {
             return Err(ParamError::Rings {
                 rings: self.curvature_rings,
-                most: MOST_RINGS,
+                most: MAX_RINGS,
             });
         }
         Ok(CheckedMetricParams(self))

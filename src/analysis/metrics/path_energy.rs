@@ -4,28 +4,26 @@
 //! face waits for another. All measures of a pose are lengths, areas and angles of its faces: their slopes
 //! are collected on squared lengths of edges and brought to the vertices in one pass at the end.
 
-mod charge;
+mod backpropagation;
+pub(super) mod faces;
 mod measure;
-mod rigid_steps;
+pub(super) mod rigid_steps;
 mod rows;
-mod slopes_back;
-mod state;
+pub(super) mod state;
+mod step_energies;
 
 use crate::mesh::{Point3, Vector3};
 use crate::numeric::LANES;
 
-use super::connectivity::Connectivity;
 use super::metric::{Metric, MetricError, PairNorms};
-use super::params::{CheckedMetricParams, Corners, Form, MetricKind, Regulariser};
-use super::{corner, face_charge, pose, rigid};
 
-use state::{Along, Plan, Slopes};
+use state::{Gradients, PathState, Plan};
 
 /// E = Σ_i [⟨⟨X_i, X_i⟩⟩ at M_i + ⟨⟨X_i, X_i⟩⟩ at M_{i+1}], X_i = M_{i+1} − M_i, of a path whose ends
 /// are fixed, in the units of the metric.
 ///
 /// The sum of [`PairNorms::energy`] over its steps, poses as they lie; but the weights of the frozen form are
-/// those of the two ends for all steps. Printed and bilinear quasi-conformal forms charge ΔK of
+/// those of the two ends for all steps. Printed and bilinear quasi-conformal forms take ΔK of
 /// the step at both of its poses. The gradient takes everything along that depends on the poses: areas
 /// and their sum, curvature, the unit of the regulariser. Where the printed form has a kink, at a corner
 /// that does not change, the gradient is the subgradient that leaves this corner out.
@@ -34,8 +32,8 @@ use state::{Along, Plan, Slopes};
 #[derive(Clone, Debug)]
 pub struct PathEnergy {
     plan: Plan,
-    along: Along,
-    slopes: Slopes,
+    state: PathState,
+    gradients: Gradients,
     steps: Vec<f64>,
     /// Mean factor of the regulariser at both ends.
     factor_of_ends: f64,
@@ -62,17 +60,19 @@ impl PathEnergy {
             side_parts: metric.mesh.side_parts(metric.params.area_weights).collect(),
             mesh: metric.mesh.clone(),
             params: metric.params,
+            curvature: metric.params.curvature_role(),
         };
         let mut path = Self {
-            along: Along::new(&plan),
-            slopes: Slopes::new(&plan),
+            state: PathState::new(&plan),
+            gradients: Gradients::new(&plan),
             steps: vec![0.0; in_betweens + 1],
             factor_of_ends: 0.5 * (ends[0].regulariser_factor + ends[1].regulariser_factor),
             plan,
         };
+        // All poses at the start first, so that its measures can be kept as those of pose 0, which never moves.
         path.lay(0, start);
-        measure::measure(&path.plan, &mut path.along, &mut path.slopes);
-        path.along.keep_as_start();
+        measure::measure(&path.plan, &mut path.state, &mut path.gradients);
+        path.state.keep_as_start();
         path.lay(1, end);
         Ok(path)
     }
@@ -95,13 +95,13 @@ impl PathEnergy {
     /// does `gradient`; missing ones count as where they were before. Allocates nothing.
     pub fn evaluate(&mut self, inner: &[f64], gradient: &mut [f64]) -> f64 {
         let energy = self.energy(inner);
-        slopes_back::carry_back(&self.plan, &self.along, &mut self.slopes);
+        backpropagation::backpropagate(&self.plan, &self.state, &mut self.gradients);
         let (coordinates, blocks) = (3 * self.plan.mesh.vertex_count, self.plan.blocks);
         let poses = gradient.chunks_exact_mut(coordinates.max(1));
         for (k, pose) in poses.take(self.plan.in_betweens).enumerate() {
             let (block, lane) = (k / LANES, k % LANES);
             for (v, point) in pose.chunks_exact_mut(3).enumerate() {
-                let slope = &self.slopes.points[v * blocks + block];
+                let slope = &self.gradients.points[v * blocks + block];
                 for axis in 0..3 {
                     point[axis] = slope[axis].0[lane];
                 }
@@ -116,13 +116,13 @@ impl PathEnergy {
         let poses = inner.chunks_exact(coordinates.max(1));
         for (k, pose) in poses.take(self.plan.in_betweens).enumerate() {
             for (item, &x) in pose.iter().enumerate() {
-                self.along.points.put(item, k + 1, x);
+                self.state.points.put(item, k + 1, x);
             }
         }
-        measure::measure(&self.plan, &mut self.along, &mut self.slopes);
-        charge::charge_steps(&self.plan, &mut self.along, &mut self.slopes);
+        measure::measure(&self.plan, &mut self.state, &mut self.gradients);
+        step_energies::add_step_energies(&self.plan, &mut self.state, &mut self.gradients);
         for (step, energy) in self.steps.iter_mut().enumerate() {
-            *energy = self.along.norms(step).iter().sum();
+            *energy = self.state.norms(step).iter().sum();
         }
         self.steps.iter().sum()
     }
@@ -142,7 +142,7 @@ impl PathEnergy {
         for (v, point) in points.iter().enumerate() {
             for axis in 0..3 {
                 for pose in first..=LANES * self.plan.blocks {
-                    self.along.points.put(3 * v + axis, pose, point[axis]);
+                    self.state.points.put(3 * v + axis, pose, point[axis]);
                 }
             }
         }
@@ -161,16 +161,17 @@ impl Metric {
         b: &[Point3],
     ) -> Result<(PairNorms, [Vec<Vector3>; 2]), MetricError> {
         // A path that waits at both ends: waiting costs nothing, and has no slope.
+        // With two in-betweens, both poses of the step are free and so have a gradient.
         let mut path = PathEnergy::new(self, a, b, 2)?;
         let inner: Vec<f64> = (a.iter().chain(b))
             .flat_map(|p| p.iter().copied())
             .collect();
         let mut gradient = vec![0.0; inner.len()];
         path.evaluate(&inner, &mut gradient);
-        let [norm2_a, norm2_b] = path.along.norms(1);
+        let [norm2_a, norm2_b] = path.state.norms(1);
         let (of_a, of_b) = gradient.split_at(gradient.len() / 2);
-        let vectors = |slopes: &[f64]| {
-            (slopes.chunks_exact(3))
+        let vectors = |gradients: &[f64]| {
+            (gradients.chunks_exact(3))
                 .map(|x| Vector3::new(x[0], x[1], x[2]))
                 .collect()
         };

@@ -4,7 +4,7 @@ use crate::mesh::{Point3, Vector3, angle_deficits_rad};
 
 use super::connectivity::Connectivity;
 use super::curvature::{Areas, curvature_density};
-use super::params::{CheckedMetricParams, Corners, MetricKind, Regulariser};
+use super::params::{CheckedMetricParams, Corners, Regulariser};
 
 /// A pose with everything that does not depend on what it is compared with.
 ///
@@ -33,6 +33,7 @@ impl PreparedPose {
     pub(super) fn new(
         mesh: &Connectivity,
         params: &CheckedMetricParams,
+        with_curvature: bool,
         points: &[Point3],
     ) -> Self {
         let areas = Areas::new(mesh, points);
@@ -46,7 +47,7 @@ impl PreparedPose {
                 0.0
             }
         };
-        let curvature = if params.kind != MetricKind::QuasiConformal {
+        let curvature = if !with_curvature {
             Vec::new()
         } else if params.area_weights {
             curvature_density(mesh, points, &areas, params.curvature_rings)
@@ -57,10 +58,12 @@ impl PreparedPose {
             axes: [0, 1, 2].map(|axis| points.iter().map(|p| p[axis]).collect()),
             centroid: points.iter().map(|p| p.coords).sum::<Vector3>() / points.len().max(1) as f64,
             edge_axes,
+            // A side without length has no rate of length: 0 takes it out of every sum.
             inverse_length2: length2
                 .iter()
                 .map(|&l| if l > 0.0 { 1.0 / l } else { 0.0 })
                 .collect(),
+            // Scale-free corners never read it, and a cohort keeps all of its poses in memory.
             length2: if params.corners == Corners::Raw {
                 length2
             } else {
@@ -107,7 +110,7 @@ impl PreparedPose {
 }
 
 /// λ, over the squared radius of the sphere of equal area where sizes must not matter: then the
-/// regulariser charges displacement relative to size, as the corners charge relative change.
+/// regulariser penalises displacement relative to size, as the corners penalise relative change.
 pub(super) fn regulariser_factor(params: &CheckedMetricParams, total_area: f64) -> f64 {
     match (params.regulariser, params.corners) {
         (Regulariser::Area, Corners::ScaleFree) if total_area > 0.0 => {

@@ -40,6 +40,7 @@ pub fn rigid_part(points: &[Point3], weights: &[f64], field: &[Vector3]) -> Rigi
             .sum::<Vector3>()
             / total
     };
+    // About the centroid the equations for translation and rotation separate.
     let centre = mean(&|v| points[v].coords);
     let drift = mean(&|v| field[v]);
     let mut inertia = Matrix3::zeros();
@@ -53,6 +54,7 @@ pub fn rigid_part(points: &[Point3], weights: &[f64], field: &[Vector3]) -> Rigi
     // Round-off of the sum is some 1e-15 of the largest moment.
     let least = 1e-13 * eigen.eigenvalues.amax();
     let k2 = (0..3)
+        // Points on a line have no moment about it: that rotation moves none of them.
         .filter(|&k| eigen.eigenvalues[k] > least)
         .map(|k| {
             let axis: Vector3 = eigen.eigenvectors.column(k).into();

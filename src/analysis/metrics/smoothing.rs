@@ -31,7 +31,7 @@ impl Smoother {
     /// A smoother of radius `radius` · √area for poses of these faces; 0 leaves poses as they are.
     ///
     /// # Errors
-    /// If the radius is so large that the matrix cannot be told from a singular one.
+    /// If the radius is so large that the matrix is numerically singular.
     pub fn new(faces: &Faces, radius: f64) -> Result<Self, SparseCholeskyError> {
         let vertex_count = faces.vertex_count();
         let factors = if radius > 0.0 {

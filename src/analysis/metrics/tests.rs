@@ -9,12 +9,7 @@ use crate::mesh::{Faces, Point3, TriMesh, Vector3, phantom};
 /// Every kind and form with a name; `lambda` as given.
 fn all_params(corners: Corners, area_weights: bool, lambda: f64) -> Vec<MetricParams> {
     let mut all = Vec::new();
-    for kind in [
-        MetricKind::Isometric,
-        MetricKind::Rigid,
-        MetricKind::AnglePreserving,
-        MetricKind::QuasiConformal,
-    ] {
+    for kind in METRICS {
         for form in [Form::Printed, Form::Bilinear, Form::Frozen, Form::Additive] {
             all.push(MetricParams {
                 kind,

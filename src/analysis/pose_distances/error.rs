@@ -9,16 +9,16 @@ pub enum PoseDistanceError {
     /// It was asked to stop.
     #[error(transparent)]
     Stopped(#[from] Stopped),
-    /// Motions cannot be carried onto the heart that was chosen.
+    /// Motions cannot be transported onto the subject that was chosen.
     #[error(transparent)]
-    Transfer(TransportError),
+    Transport(TransportError),
 }
 
 impl From<TransportError> for PoseDistanceError {
     fn from(error: TransportError) -> Self {
         match error {
             TransportError::Stopped(stopped) => Self::Stopped(stopped),
-            other => Self::Transfer(other),
+            other => Self::Transport(other),
         }
     }
 }

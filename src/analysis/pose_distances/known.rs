@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::analysis::transport::{CohortTransferParams, Reference};
+use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::study::{ShapeKey, Study};
 
 use super::{DistanceMatrix, PoseDistances, PoseId};
@@ -17,11 +17,11 @@ pub struct KnownDistances<'a> {
 }
 
 impl KnownDistances<'_> {
-    /// Whether it still holds for the poses that are in both states: always without a transfer, and
-    /// with one if all is carried onto the same heart.
-    pub(super) fn hold(&self, study: &Study, transfer: Option<&CohortTransferParams>) -> bool {
+    /// Whether it still holds for the poses that are in both states: always without a transport, and
+    /// with one if all is transported onto the same subject.
+    pub(super) fn hold(&self, study: &Study, transport: Option<&CohortTransportParams>) -> bool {
         let now = || study.subjects.iter().map(|subject| subject.shape_key());
-        match transfer.map(|transfer| transfer.reference) {
+        match transport.map(|transport| transport.reference) {
             None => true,
             Some(Reference::Mean) => now().eq(self.shapes.iter().copied()),
             Some(Reference::Subject(index)) => now().nth(index).as_ref() == self.shapes.get(index),

@@ -8,21 +8,21 @@ use crate::analysis::alignment::{
     LeftOut, comparable_subjects, cross_covariance, rotation_from_covariance,
 };
 use crate::analysis::metrics::{Metric, PairScratch, PreparedPose};
-use crate::analysis::transport::transfer_cohort;
+use crate::analysis::transport::transport_cohort;
 use crate::mesh::Faces;
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
 use super::known::KnownRows;
 use super::smooth::smoothed_study;
-use super::source::{Source, carried_sources, own_sources, poses_of};
+use super::source::{Source, own_sources, poses_of, transported_sources};
 use super::{
     CheckedPoseDistanceParams, DistanceMatrix, KnownDistances, PoseDistanceError, PoseDistances,
     PoseId,
 };
 
-/// Share of the whole time that carrying motions onto one heart takes.
-const TRANSFER_SHARE: f32 = 0.8;
+/// Share of the whole time that transporting motions onto one subject takes.
+const TRANSPORT_SHARE: f32 = 0.8;
 
 /// Rows and columns of a block of pairs that one thread does in one go: its 16 poses of some
 /// 0.4 MB fit into the cache that cores share, and each is used eight times while it is there.
@@ -34,10 +34,10 @@ const BLOCK: usize = 8;
 /// 1. **Size.** Coordinates are divided by one scale per sequence
 ///    ([`SizeScale`](crate::analysis::alignment::SizeScale)): the largest box side at end-diastole, as
 ///    stated by the subject, else frame 0.
-/// 2. **Transfer**, if asked for: every motion is carried onto one heart ([`transfer_cohort`]).
+/// 2. **Transport**, if asked for: every motion is transported onto one subject ([`transport_cohort`]).
 /// 3. **Alignment.** Each pair is aligned by itself: the rigid motion that lays the second pose onto
 ///    the first, of least squares over vertices. So a distance depends on its two poses alone (and on
-///    the heart that they were carried onto): moving an input, or adding a subject, changes no other
+///    the subject that they were transported onto): moving an input, or adding a subject, changes no other
 ///    number, and `metric --align rigid` gives the same one of smoothed poses. Aligning all to a mean would be
 ///    cheaper by little, and would make every distance depend on the whole cohort and not be the
 ///    least of the pair.
@@ -46,7 +46,7 @@ const BLOCK: usize = 8;
 /// Which subjects take part is said by [`comparable_subjects`].
 ///
 /// # Errors
-/// If stopped, or the heart that all motions were to be carried onto is not usable. The flag is
+/// If stopped, or the subject that all motions were to be transported onto is not usable. The flag is
 /// heard once per pose and per pair.
 pub fn pose_distances(
     study: &Study,
@@ -77,7 +77,7 @@ pub fn pose_distances_knowing(
     progress: &Progress,
 ) -> Result<ComputedDistances, PoseDistanceError> {
     let (comparable, left_out) = comparable_subjects(study);
-    let known = known.filter(|known| known.hold(study, params.transfer.as_ref()));
+    let known = known.filter(|known| known.hold(study, params.transport.as_ref()));
     let all = poses_of(&comparable);
     let rows = KnownRows::of(known, study, &all);
     if rows.all_known() {
@@ -96,15 +96,19 @@ pub fn pose_distances_knowing(
         .first()
         .map(|m| m.subject.sequence.joined_faces());
     let metric = Metric::new(&faces.unwrap_or_else(|| Faces::joined(&[])), params.metric);
-    let Some(transfer) = &params.transfer else {
+    let Some(transport) = &params.transport else {
         let sources = own_sources(&comparable);
         return compared(study, &metric, known, &sources, left_out, progress);
     };
-    let carrying = progress.part("carrying all motions onto one heart", 0.0, TRANSFER_SHARE);
-    let cohort = transfer_cohort(&smooth, &params.metric, transfer, &carrying)?;
-    let sources = carried_sources(&cohort);
+    let transporting = progress.part(
+        "transporting all motions onto one subject",
+        0.0,
+        TRANSPORT_SHARE,
+    );
+    let cohort = transport_cohort(&smooth, &params.metric, transport, &transporting)?;
+    let sources = transported_sources(&cohort);
     let left_out = cohort.left_out.clone();
-    let comparing = progress.part("comparing poses", TRANSFER_SHARE, 1.0);
+    let comparing = progress.part("comparing poses", TRANSPORT_SHARE, 1.0);
     compared(study, &metric, known, &sources, left_out, &comparing)
 }
 

@@ -1,4 +1,4 @@
-//! How far is every pose of every heart from every other?
+//! How far is every pose of every subject from every other?
 
 mod error;
 mod known;

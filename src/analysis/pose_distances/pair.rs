@@ -41,13 +41,13 @@ pub enum PairError {
         /// How many there are.
         frames: usize,
     },
-    /// A heart has no size that could be normalised.
+    /// A subject has no size that could be normalised.
     #[error("the size of {subject} at end-diastole is not measurable")]
     NoSize {
         /// Whose.
         subject: String,
     },
-    /// The poses cannot be laid onto each other.
+    /// The poses cannot be aligned with each other.
     #[error(transparent)]
     Alignment(#[from] AlignmentError),
     /// The metric refuses a pose.
@@ -56,7 +56,7 @@ pub enum PairError {
 }
 
 /// Share of each face in the squared distance of two poses, smoothed, sizes normalised and aligned as in
-/// [`super::pose_distances`] without a transfer; without unit where the metric is scale-free. Shares sum to the squared
+/// [`super::pose_distances`] without a transport; without unit where the metric is scale-free. Shares sum to the squared
 /// distance of that matrix; faces are those of all surfaces, one surface after the other.
 ///
 /// # Errors

@@ -1,23 +1,23 @@
 //! What the distances between poses are made of.
 
 use crate::analysis::metrics::{CheckedMetricParams, MetricParams, ParamError};
-use crate::analysis::transport::{CohortTransferParams, TransportParamError};
+use crate::analysis::transport::{CohortTransportParams, TransportParamError};
 
 /// Settings of a matrix of pose distances.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseDistanceParams {
     /// The metric between aligned poses.
     pub metric: MetricParams,
-    /// Whether all motions are carried onto one heart before poses are compared, so that distances
+    /// Whether all motions are transported onto one subject before poses are compared, so that distances
     /// tell of motion alone; `None` compares poses as they are, so that they tell of shape as well.
-    pub transfer: Option<CohortTransferParams>,
+    pub transport: Option<CohortTransportParams>,
     /// Radius ρ, in shares of the square root of a surface's area, below which poses are smoothed
     /// before all else ([`Smoother`](crate::analysis::metrics::Smoother)); 0 leaves them as they are.
     pub smoothing: f64,
 }
 
 impl Default for PoseDistanceParams {
-    /// The default metric on poses smoothed by ρ = 0.1, without transfer.
+    /// The default metric on poses smoothed by ρ = 0.1, without transport.
     ///
     /// Strain of noise grows as the mesh gets finer, and drowns that of motion; displacement alone
     /// stands noise better, but not as well as either does after smoothing:
@@ -37,7 +37,7 @@ impl Default for PoseDistanceParams {
     fn default() -> Self {
         Self {
             metric: MetricParams::default(),
-            transfer: None,
+            transport: None,
             smoothing: 0.1,
         }
     }
@@ -50,7 +50,7 @@ const LARGEST_RADIUS: f64 = 1.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CheckedPoseDistanceParams {
     pub(super) metric: CheckedMetricParams,
-    pub(super) transfer: Option<CohortTransferParams>,
+    pub(super) transport: Option<CohortTransportParams>,
     pub(super) smoothing: f64,
 }
 
@@ -60,9 +60,9 @@ pub enum PoseDistanceParamError {
     /// Those of the metric.
     #[error(transparent)]
     Metric(#[from] ParamError),
-    /// Those of the transfer.
+    /// Those of the transport.
     #[error(transparent)]
-    Transfer(#[from] TransportParamError),
+    Transport(#[from] TransportParamError),
     /// Not a radius.
     #[error("the smoothing radius must be between 0 and {LARGEST_RADIUS} of √area, not {0}")]
     Smoothing(f64),
@@ -72,18 +72,18 @@ impl PoseDistanceParams {
     /// Makes settings usable.
     ///
     /// # Errors
-    /// If those of the metric or of the transfer are not, or the radius is out of range.
+    /// If those of the metric or of the transport are not, or the radius is out of range.
     pub fn check(self) -> Result<CheckedPoseDistanceParams, PoseDistanceParamError> {
         let metric = self.metric.check()?;
         if !(0.0..=LARGEST_RADIUS).contains(&self.smoothing) {
             return Err(PoseDistanceParamError::Smoothing(self.smoothing));
         }
-        if let Some(transfer) = self.transfer {
-            transfer.with_metric(self.metric).check()?;
+        if let Some(transport) = self.transport {
+            transport.with_metric(self.metric).check()?;
         }
         Ok(CheckedPoseDistanceParams {
             metric,
-            transfer: self.transfer,
+            transport: self.transport,
             smoothing: self.smoothing,
         })
     }

@@ -1,9 +1,9 @@
-//! Where the poses of a matrix come from: the hearts themselves, or one heart that moves like them.
+//! Where the poses of a matrix come from: the subjects themselves, or one subject that moves like them.
 
 use std::borrow::Cow;
 
 use crate::analysis::alignment::Comparable;
-use crate::analysis::transport::TransferredCohort;
+use crate::analysis::transport::TransportedCohort;
 use crate::mesh::Point3;
 
 use super::PoseId;
@@ -17,7 +17,7 @@ pub(super) struct Source<'a> {
 enum Points<'a> {
     /// As measured; the size is yet to be normalised.
     Own(Comparable<'a>),
-    /// After transfer.
+    /// After transport.
     Carried(&'a [Point3]),
 }
 
@@ -44,7 +44,7 @@ pub(super) fn poses_of(members: &[Comparable<'_>]) -> Vec<PoseId> {
         .collect()
 }
 
-/// The poses of the hearts themselves.
+/// The poses of the subjects themselves.
 pub(super) fn own_sources<'a>(members: &[Comparable<'a>]) -> Vec<Source<'a>> {
     let of_member = |member: &Comparable<'a>| {
         let member = *member;
@@ -59,8 +59,8 @@ pub(super) fn own_sources<'a>(members: &[Comparable<'a>]) -> Vec<Source<'a>> {
     members.iter().flat_map(of_member).collect()
 }
 
-/// The poses of the one heart that moves like them.
-pub(super) fn carried_sources(cohort: &TransferredCohort) -> Vec<Source<'_>> {
+/// The poses of the one subject that moves like them.
+pub(super) fn transported_sources(cohort: &TransportedCohort) -> Vec<Source<'_>> {
     (cohort.members.iter())
         .flat_map(|member| {
             (member.poses.iter().enumerate()).map(|(frame, points)| Source {

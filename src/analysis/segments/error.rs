@@ -1,6 +1,6 @@
-//! Why places on a heart cannot be told.
+//! Why places on a subject cannot be determined.
 
-/// Why a heart has no long axis, or a surface no places on it.
+/// Why a subject has no long axis, or a surface no places on it.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SegmentError {
     /// The frame is past the last one.
@@ -12,10 +12,12 @@ pub enum SegmentError {
         frames: usize,
     },
     /// Nothing is said to be a ventricle.
-    #[error("no surface is said to be endocardium, epicardium, cavity or wall")]
+    #[error("no surface is labelled endocardium, epicardium, cavity or wall")]
     NoHeart,
-    /// A closed surface without landmarks: its base cannot be told from its apex.
-    #[error("{kind} is closed and no landmarks are stated, so that base and apex cannot be told")]
+    /// A closed surface without landmarks: its base cannot be distinguished from its apex.
+    #[error(
+        "{kind} is closed and no landmarks are set, so that base and apex cannot be distinguished"
+    )]
     NoRim {
         /// The word for the surface.
         kind: &'static str,

@@ -16,7 +16,7 @@ pub struct LongAxis {
     /// Unit direction to the middle of the anterior wall, at right angles to axis and `septal`.
     pub anterior: Option<Vector3>,
     /// Unit direction across the axis that is drawn to the left: the septum where it is known,
-    /// otherwise that of a vertex of the rim, so that maps of one heart over time agree.
+    /// otherwise that of a vertex of the rim, so that maps of one subject over time agree.
     pub left: Vector3,
 }
 

@@ -27,7 +27,7 @@ pub fn segment_means(
     group_means(segments, weights, values, Segment::index)
 }
 
-/// [`segment_means`] over levels, for hearts whose orientation is not known.
+/// [`segment_means`] over levels, for subjects whose orientation is not known.
 pub fn level_means(
     levels: &[Option<Level>],
     weights: &[f64],

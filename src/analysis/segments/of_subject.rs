@@ -1,4 +1,4 @@
-//! The long axis of a heart at a frame, and the places of its vertices.
+//! The long axis of a subject at a frame, and the places of its vertices.
 
 use crate::analysis::measures::{Side, WallSides, wall_sides};
 use crate::mesh::{Point3, Vector3};
@@ -6,11 +6,11 @@ use crate::study::{Anatomy, Subject};
 
 use super::{LongAxis, Places, SegmentError, places, vertex_areas};
 
-/// Rims shorter than this share of the longest are holes, not openings of the heart: a valve is
+/// Rims shorter than this share of the longest are holes, not openings of the subject: a valve is
 /// longer than a fourth of the other's ring.
-const LEAST_RIM: f64 = 0.25;
+const MIN_RIM: f64 = 0.25;
 
-/// The long axis of a heart at a frame.
+/// The long axis of a subject at a frame.
 ///
 /// With landmarks, which are stated for the first frame: the apex moves with the vertex nearest to
 /// it, the base with the rim, and the directions of septum and anterior wall stay as square to the axis
@@ -20,7 +20,7 @@ const LEAST_RIM: f64 = 0.25;
 /// The outer side counts where there is one, and the cavity ends where the inner side does.
 ///
 /// # Errors
-/// If there is no such frame, nothing is said to be a heart, or a closed surface has no landmarks.
+/// If there is no such frame, nothing is said to be a subject, or a closed surface has no landmarks.
 pub fn long_axis(subject: &Subject, frame: usize) -> Result<LongAxis, SegmentError> {
     let frames = subject.sequence.frame_count();
     if frame >= frames {
@@ -77,7 +77,7 @@ fn rims(side: &Side<'_>, frame: usize) -> Vec<Vec<u32>> {
     loops
         .into_iter()
         .zip(lengths)
-        .filter_map(|(rim, length)| (length > 0.0 && length >= LEAST_RIM * longest).then_some(rim))
+        .filter_map(|(rim, length)| (length > 0.0 && length >= MIN_RIM * longest).then_some(rim))
         .collect()
 }
 

@@ -20,7 +20,7 @@ impl GroupThickening {
 }
 
 /// Thickness of each segment at end-diastole and end-systole: means weighted by the areas at
-/// end-diastole over the vertices whose thickness is told at both, so that a part that one phase does not
+/// end-diastole over the vertices whose thickness is known at both, so that a part that one phase does not
 /// tell makes no thickening. `None` for a segment without such vertices.
 ///
 /// Thickening of a segment is that of its means, not the mean of its vertices' thickenings, in which
@@ -38,7 +38,7 @@ pub fn segment_thickening(
     )
 }
 
-/// [`segment_thickening`] of levels, for hearts whose orientation is not known.
+/// [`segment_thickening`] of levels, for subjects whose orientation is not known.
 pub fn level_thickening(
     levels: &[Option<Level>],
     weights: &[f64],
@@ -52,7 +52,7 @@ pub fn level_thickening(
     )
 }
 
-/// Values of both phases where both are told, not a number elsewhere.
+/// Values of both phases where both are known, not a number elsewhere.
 fn told_at_both(ed: &[Option<f64>], es: &[Option<f64>]) -> [Vec<f64>; 2] {
     let finite = |value: Option<f64>| value.filter(|value| value.is_finite());
     let (ed, es) = (ed.iter().zip(es))

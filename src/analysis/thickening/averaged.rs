@@ -3,27 +3,27 @@
 use super::curve::{ThickeningCurve, averaged};
 use super::diffusion::Diffusion;
 use super::error::ThickeningError;
-use super::noise::{LEAST_POSES, noise_of};
+use super::noise::{MIN_POSES, noise_of};
 use super::params::CheckedThickeningParams;
 use super::regions::{WELL_QUANTILE, area_quantile};
-use super::thickening::Surface;
+use super::surface::Surface;
 
 /// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above …
-const MOST_AVERAGING: f64 = 4.0;
-/// … this share of what the well wall does: twice as much stays below the distance, a tenth, from the core's default
-/// limit to what thickens least in normal hearts, the apex.
-const MOST_NOISE: f64 = 0.05;
-/// Least thickening of the well wall, in standard deviations of averaged noise, that is thickening at all.
+const MAX_AVERAGING: f64 = 4.0;
+/// … this share of what remote myocardium does: twice as much stays below the distance, a tenth, from the core's default
+/// limit to what thickens least in normal subjects, the apex.
+const MAX_NOISE: f64 = 0.05;
+/// Least thickening of remote myocardium, in standard deviations of averaged noise, that is thickening at all.
 const SURE: f64 = 3.0;
 /// How much larger a patch must be where too few poses are there to tell it from what one of them has wrong.
 ///
 /// With two poses an error of either contour that neighbours share looks as stillness does. Of the 20 normal
-/// hearts of ACDC (ED and ES) 7 have such a place of 2 % and more, 2 one of 4 %; all 20 infarcted ones have a patch either way.
+/// subjects of ACDC (ED and ES) 7 have such a place of 2 % and more, 2 one of 4 %; all 20 infarcted ones have a patch either way.
 const FEW_POSES: f64 = 2.0;
 
-fn least_share(poses: usize, params: &CheckedThickeningParams) -> f64 {
-    let factor = if poses < LEAST_POSES { FEW_POSES } else { 1.0 };
-    factor * params.least_share
+fn min_share(poses: usize, params: &CheckedThickeningParams) -> f64 {
+    let factor = if poses < MIN_POSES { FEW_POSES } else { 1.0 };
+    factor * params.min_share
 }
 
 /// Thickening averaged over neighbourhoods that are as large as noise asks for.
@@ -40,7 +40,7 @@ pub(super) struct Averaged {
     /// And of ln r of one atom at one pose.
     pub atom_noise: f64,
     /// Least area of a patch, as a share of the regular medial surface.
-    pub least_share: f64,
+    pub min_share: f64,
 }
 
 impl Averaged {
@@ -64,21 +64,22 @@ impl Averaged {
             let curve = ThickeningCurve::new(&means, &mesh.areas, *phases);
             let mut thickening = curve.thickening(&means);
             for (value, area) in thickening.iter_mut().zip(&mesh.areas) {
+                // Atoms that take part in nothing have a value for the sake of the array only.
                 if *area == 0.0 {
                     *value = 0.0;
                 }
             }
             let well = area_quantile(&thickening, &mesh.areas, WELL_QUANTILE);
             let noise = curve.rise * noise_of(&means, &curve, &mesh.areas, neighbours);
+            // Doubling the area halves the variance of independent noise.
             let wider = 2.0 * share;
-            if noise <= MOST_NOISE * well
-                || wider > MOST_AVERAGING * params.smoothing
-                || share == 0.0
+            if noise <= MAX_NOISE * well || wider > MAX_AVERAGING * params.smoothing || share == 0.0
             {
                 return Ok(Self {
+                    // From what is not averaged: the tolerance of a single step is about single atoms.
                     atom_noise: noise_of(columns, &curve, &mesh.areas, neighbours),
                     thickening,
-                    least_share: least_share(columns.len(), params),
+                    min_share: min_share(columns.len(), params),
                     share,
                     diffusion,
                     curve,
@@ -92,6 +93,6 @@ impl Averaged {
 
     /// Whether even the part that works best hardly thickens, or by no more than noise.
     pub fn hardly_thickens(&self, params: &CheckedThickeningParams) -> bool {
-        self.well < params.least_thickening.max(SURE * self.noise)
+        self.well < params.min_thickening.max(SURE * self.noise)
     }
 }

@@ -39,7 +39,7 @@ pub fn thickening_of_segments(
     )
 }
 
-/// [`thickening_of_segments`] of levels, for hearts whose orientation is not known.
+/// [`thickening_of_segments`] of levels, for subjects whose orientation is not known.
 pub fn thickening_of_levels(
     beat: &MedialBeat,
     found: &Thickening,

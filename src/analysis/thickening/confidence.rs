@@ -1,4 +1,4 @@
-//! How surely a patch is there: how often it is found again when the noise is drawn anew.
+//! How surely a patch is there: how often it is detected again when the noise is drawn anew.
 
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -9,7 +9,7 @@ use super::averaged::Averaged;
 use super::diffusion::RegularMesh;
 use super::params::CheckedThickeningParams;
 use super::regions::{WELL_QUANTILE, area_quantile, still_parts};
-use super::thickening::Surface;
+use super::surface::Surface;
 
 /// Share of redraws in which at least half of each part's area lies in a part again.
 ///
@@ -23,6 +23,7 @@ pub(super) fn confidences(
     progress: &Progress,
 ) -> Result<Vec<f64>, Stopped> {
     let mesh = &surface.mesh;
+    // Without noise every redraw is the estimate itself.
     if params.redraws == 0 || parts.is_empty() || estimate.noise == 0.0 {
         return Ok(vec![1.0; parts.len()]);
     }
@@ -30,8 +31,10 @@ pub(super) fn confidences(
     for redraw in 0..params.redraws {
         progress.check()?;
         let mut random = ChaCha8Rng::seed_from_u64(params.seed);
+        // A stream for each, so that more redraws leave the first ones as they are.
         random.set_stream(u64::from(redraw));
         let drawn = redrawn(estimate, mesh, &mut random);
+        // The reference is redrawn as well: it is estimated from the same noisy values.
         let well = area_quantile(&drawn, &mesh.areas, WELL_QUANTILE);
         let mut again = vec![false; drawn.len()];
         for part in still_parts(
@@ -39,7 +42,7 @@ pub(super) fn confidences(
             well,
             mesh,
             &surface.neighbours,
-            estimate.least_share,
+            estimate.min_share,
             params,
         ) {
             part.iter().for_each(|&atom| again[atom as usize] = true);
@@ -51,6 +54,7 @@ pub(super) fn confidences(
                     .map(|atom| mesh.areas[atom])
                     .sum()
             };
+            // Half of the area: a patch that moves by its border is the same patch.
             *found += u32::from(2.0 * area(&|atom| again[atom]) >= area(&|_| true));
         }
     }
@@ -69,6 +73,7 @@ fn redrawn(estimate: &Averaged, mesh: &RegularMesh, random: &mut ChaCha8Rng) -> 
         .collect();
     estimate.diffusion.apply(&mut field);
     let square: f64 = field.iter().zip(areas).map(|(x, area)| area * x * x).sum();
+    // Scaled after averaging, since the noise to be reproduced is that of averaged thickening.
     let deviation = (square / mesh.whole).sqrt().max(f64::MIN_POSITIVE);
     (field.iter().zip(&estimate.thickening))
         .map(|(x, thickening)| thickening + estimate.noise * x / deviation)

@@ -5,7 +5,7 @@ use crate::numeric::symmetric_eigen;
 
 use super::diffusion::Diffusion;
 
-/// The heart's own curve of ln r over the beat.
+/// The subject's own curve of ln r over the beat.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct ThickeningCurve {
     /// c(t): square sum 1, sum 0; greater at end-systole than at end-diastole.
@@ -15,7 +15,7 @@ pub(super) struct ThickeningCurve {
 }
 
 /// ln r of each atom less its mean over the beat, one column of atoms per pose; 0 for atoms that do not
-/// take part, which may have no ball.
+/// take part, which may have no sphere.
 pub(super) fn centred_logs(beat: &MedialBeat) -> Vec<Vec<f64>> {
     let mut columns: Vec<Vec<f64>> = (beat.frames.iter())
         .map(|frame| {
@@ -58,9 +58,11 @@ impl ThickeningCurve {
         let mut shape = (symmetric_eigen(poses, &matrix).ok())
             .and_then(|eigen| eigen.vectors.into_iter().next())
             .unwrap_or_else(|| vec![0.0; poses]);
+        // Columns are centred, so that the component sums to 0 but for rounding.
         let sum = shape.iter().sum::<f64>() / poses as f64;
         shape.iter_mut().for_each(|c| *c -= sum);
         let length = shape.iter().map(|c| c * c).sum::<f64>().sqrt();
+        // Eigenvectors have length 1: so little is left only of a constant one.
         if length > 1e-9 {
             shape.iter_mut().for_each(|c| *c /= length);
         } else {
@@ -68,6 +70,7 @@ impl ThickeningCurve {
             shape[ed] = -0.5_f64.sqrt();
             shape[es] = 0.5_f64.sqrt();
         }
+        // Eigenvectors have no sign; thickening is to be positive.
         if shape[es] < shape[ed] {
             shape.iter_mut().for_each(|c| *c = -*c);
         }

@@ -1,4 +1,4 @@
-//! How small a patch could have been found in this heart.
+//! How small a patch could have been found in this subject.
 
 use std::f64::consts::PI;
 
@@ -11,39 +11,42 @@ use super::regions::CORE_AREA;
 const RINGS: usize = 240;
 /// How far around a disc averaging still reaches, in √(½ t).
 const REACH: f64 = 8.0;
-/// Standard deviations of noise that a core must stay below its limit: found in all but one of forty hearts.
+/// Standard deviations of noise that a core must stay below its limit: found in all but one of forty subjects.
 const SURE: f64 = 2.0;
-/// Largest patch that is looked for: the well part is told by the fifth of the wall that thickens most, the middle of what
+/// Largest patch that is looked for: remote myocardium is estimated from the fifth of the wall that thickens most, the middle of what
 /// three fifths leave.
 const LARGEST: f64 = 0.6;
 /// Halvings of the area: to a millionth.
 const HALVINGS: usize = 20;
 /// A patch of fewer atoms is no part of a mesh.
-const FEWEST_ATOMS: f64 = 4.0;
+const MIN_ATOMS: f64 = 4.0;
 
-/// Least share of the regular surface that a round patch that stands still needs to be found for sure; `None` where noise
+/// Least share of the regular surface that a round patch that is akinetic needs to be found for sure; `None` where noise
 /// hides even the largest.
 ///
-/// A disc in a plane that thickens by 0 where all around thickens as the well wall does, averaged as thickening
+/// A disc in a plane that thickens by 0 where all around thickens as remote myocardium does, averaged as thickening
 /// is, is found where its core and its border hold the areas that a patch needs, the core with noise on top.
-pub(super) fn least_found(
+pub(super) fn smallest_detectable(
     found: &Averaged,
     mesh: &RegularMesh,
     params: &CheckedThickeningParams,
 ) -> Option<f64> {
+    // Where remote myocardium does not thicken, no patch can stand out.
     if found.hardly_thickens(params) || found.well <= 0.0 {
         return None;
     }
+    // The core must stay below its limit although noise may lift it.
     let core = params.core.min(params.still / found.well) - SURE * found.noise / found.well;
     let enough = |area: f64| {
         let profile = Profile::new(area, found.share);
-        profile.area_below(core) >= CORE_AREA * found.least_share
-            && profile.area_below(params.border) >= found.least_share
+        profile.area_below(core) >= CORE_AREA * found.min_share
+            && profile.area_below(params.border) >= found.min_share
     };
     if !enough(LARGEST) {
         return None;
     }
     let [mut low, mut high] = [0.0, LARGEST];
+    // `enough` grows with the area, so that bisection finds the smallest.
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         if enough(middle) {
@@ -53,7 +56,7 @@ pub(super) fn least_found(
         }
     }
     let atoms = mesh.areas.iter().filter(|&&area| area > 0.0).count();
-    Some(high.max(FEWEST_ATOMS / atoms.max(1) as f64))
+    Some(high.max(MIN_ATOMS / atoms.max(1) as f64))
 }
 
 /// Averaged thickening over the distance from the middle of a disc, 0 within and 1 around it before.

@@ -59,6 +59,7 @@ impl Diffusion {
         positions: &[Point3],
         share: f64,
     ) -> Result<Self, SparseCholeskyError> {
+        // Solved from 6 π t = the area to be averaged over.
         let time = share * mesh.whole / (6.0 * PI);
         // An atom without a face has nobody to share with: it keeps what it has.
         let lone = |area: f64| if area > 0.0 { area } else { 1.0 };
@@ -71,6 +72,7 @@ impl Diffusion {
                 let [i, j, k] = [0, 1, 2].map(|step| triangle[(corner + step) % 3] as usize);
                 let (u, v) = (positions[j] - positions[i], positions[k] - positions[i]);
                 let doubled_area = u.cross(&v).norm();
+                // A face without area has no angles and conducts nothing.
                 if doubled_area > 0.0 {
                     // ½ cot of the corner at i, times half the time of the two steps.
                     let weight = 0.25 * time * u.dot(&v) / doubled_area;
@@ -90,6 +92,7 @@ impl Diffusion {
 
     /// Replaces each column of one value per atom by its means.
     pub fn apply(&self, columns: &mut [f64]) {
+        // Two half steps: one leaves a cusp of high weight at each atom itself.
         for _ in 0..2 {
             for column in columns.chunks_exact_mut(self.masses.len()) {
                 column

@@ -1,4 +1,4 @@
-//! Why thickening cannot be told.
+//! Why thickening cannot be determined.
 
 use crate::numeric::SparseCholeskyError;
 use crate::progress::Stopped;

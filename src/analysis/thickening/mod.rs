@@ -15,8 +15,9 @@ mod params;
 mod patches;
 mod regions;
 mod result;
-mod steadiness;
 mod steps;
+mod surface;
+mod temporal_consistency;
 #[cfg(test)]
 mod tests;
 #[expect(
@@ -29,7 +30,9 @@ pub use by_place::{PlaceThickening, thickening_of_levels, thickening_of_segments
 pub use error::ThickeningError;
 pub use params::{CheckedThickeningParams, ThickeningParamError, ThickeningParams};
 pub use result::{
-    Extent, Patch, PatchSegment, Phase, SmallestPatch, Steadiness, Thickening, ThickeningStep,
+    Extent, HalfBeat, Patch, PatchSegment, SmallestPatch, TemporalConsistency, Thickening,
+    ThickeningStep,
 };
-pub use steps::{phase_of, thickness_ratios};
-pub use thickening::{phases, thickening};
+pub use steps::{half_beat_of, thickness_ratios};
+pub use surface::phases;
+pub use thickening::thickening;

@@ -8,12 +8,12 @@ const NORMAL_FROM_MEDIAN: f64 = 1.482_602_218_505_602;
 
 /// Fewest poses from which the beat tells its own noise: with four, two numbers per atom are left when
 /// its mean and its share of the curve are taken out.
-pub(super) const LEAST_POSES: usize = 4;
+pub(super) const MIN_POSES: usize = 4;
 
 /// Standard deviation of the noise of ln r of one atom at one pose, from centred ln r of one column per
 /// pose.
 ///
-/// With four poses and more: what the heart's own curve leaves, Σₜ (x(t) − (x · c) c(t))² / (T − 2), of the
+/// With four poses and more: what the subject's own curve leaves, Σₜ (x(t) − (x · c) c(t))² / (T − 2), of the
 /// median atom, over the median of χ² of T − 2 degrees, ν (1 − 2 / 9ν)³ (Wilson and Hilferty). With fewer nothing is left
 /// over time, and noise is what an atom has apart from its neighbours: median |a − mean of neighbours|
 /// / 0.6745 / √(1 + 1/k), too little where noise is the same for neighbours.
@@ -24,7 +24,7 @@ pub(super) fn noise_of(
     neighbours: &Neighbours,
 ) -> f64 {
     let regular = || (0..areas.len()).filter(|&atom| areas[atom] > 0.0);
-    if columns.len() < LEAST_POSES {
+    if columns.len() < MIN_POSES {
         let thickening = curve.thickening(columns);
         let apart = regular().filter_map(|atom| {
             let around = neighbours.of(atom);
@@ -36,6 +36,7 @@ pub(super) fn noise_of(
         // Thickening is ln r times c, times c(ES) − c(ED): its noise is as many times that of ln r.
         return NORMAL_FROM_MEDIAN * median(apart.collect()) / curve.rise.max(f64::EPSILON);
     }
+    // The mean and the share of the curve are fitted, which takes two degrees of freedom from each atom.
     let degrees = columns.len() as f64 - 2.0;
     let left = regular().map(|atom| {
         let along: f64 = (columns.iter().zip(&curve.shape))
@@ -46,6 +47,7 @@ pub(super) fn noise_of(
             .sum()
     });
     let chi2 = degrees * (1.0 - 2.0 / (9.0 * degrees)).powi(3);
+    // The median atom, since atoms of a patch or a rim follow the curve badly without being noisy.
     (median(left.collect()) / chi2).sqrt()
 }
 

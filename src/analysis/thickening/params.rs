@@ -14,31 +14,33 @@ pub struct ThickeningParams {
     pub tolerance: Option<f64>,
     /// What r̂ of a descriptor is made of.
     pub ratio: RatioForm,
-    /// A patch has a core that thickens over the beat by less than this share of what the well wall does …
+    /// A patch has a core that thickens over the beat by less than this share of what remote myocardium does …
     pub core: f64,
     /// … and by less than this in ln PT from end-diastole to end-systole: "roughly equal to one".
     pub still: f64,
-    /// It reaches as far as the wall thickens by less than this share of what the well wall does.
+    /// It reaches as far as the wall thickens by less than this share of what remote myocardium does.
     pub border: f64,
     /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
     /// both are doubled where fewer than four poses tell.
-    pub least_share: f64,
+    #[serde(rename = "least_share")]
+    pub min_share: f64,
     /// Where even the part that works best thickens by less than this (ln PT from end-diastole to
-    /// end-systole), failure is global and no part of it is called a patch.
-    pub least_thickening: f64,
+    /// end-systole), hypokinesia is global and no part of it is called a patch.
+    #[serde(rename = "least_thickening")]
+    pub min_thickening: f64,
     /// Least area over which thickening is averaged, as a share of the regular medial surface.
     pub smoothing: f64,
-    /// Redraws of the noise by which confidence is told; 0: none, confidence 1.
+    /// Redraws of the noise from which detection stability is estimated; 0: none, stability 1.
     pub redraws: u32,
     /// Of the redraws.
     pub seed: u64,
 }
 
 impl Default for ThickeningParams {
-    /// Chosen on the built-in cohort and the labels of ACDC as wholes, not on single hearts. In the cohort (23 hearts, 2,450
-    /// vertices) patches thicken by 0.05 to 0.2 of the well wall, the apex of normal hearts by 0.3 and that of
+    /// Chosen on the built-in cohort and the labels of ACDC as wholes, not on single subjects. In the cohort (23 subjects, 2,450
+    /// vertices) patches thicken by 0.05 to 0.2 of remote myocardium, the apex of normal subjects by 0.3 and that of
     /// hypertrophic ones by 0.2; the border between is where a patch ends by half. `still` keeps normal
-    /// hearts of ACDC, which thicken unevenly but everywhere (median PT 1.8), from having patches.
+    /// subjects of ACDC, which thicken unevenly but everywhere (median PT 1.8), from having patches.
     fn default() -> Self {
         Self {
             tolerance: None,
@@ -46,8 +48,8 @@ impl Default for ThickeningParams {
             core: 0.2,
             still: 1.1_f64.ln(),
             border: 0.4,
-            least_share: 0.02,
-            least_thickening: 1.1_f64.ln(),
+            min_share: 0.02,
+            min_thickening: 1.1_f64.ln(),
             smoothing: 0.01,
             redraws: 50,
             seed: 2009,
@@ -68,7 +70,7 @@ impl std::ops::Deref for CheckedThickeningParams {
 }
 
 /// Redraws beyond this tell nothing more: the standard error of a share is then below 2 %.
-const MOST_REDRAWS: u32 = 1000;
+const MAX_REDRAWS: u32 = 1000;
 
 /// Why settings cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -86,7 +88,7 @@ pub enum ThickeningParamError {
         most: f64,
     },
     /// The border must take in the core.
-    #[error("the border, {border}, must not be below the core, {core}")]
+    #[error("the extent threshold, {border}, must not be below the core threshold, {core}")]
     Order {
         /// Share of the core.
         core: f64,
@@ -103,17 +105,17 @@ impl ThickeningParams {
     pub fn check(self) -> Result<CheckedThickeningParams, ThickeningParamError> {
         let ranges = [
             ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),
-            ("core", self.core, 0.0, 1.0),
-            ("still", self.still, 0.0, 2.0),
-            ("border", self.border, 0.0, 1.0),
-            ("least share", self.least_share, 0.0, 0.5),
-            ("least thickening", self.least_thickening, 0.0, 2.0),
+            ("core threshold", self.core, 0.0, 1.0),
+            ("akinetic threshold", self.still, 0.0, 2.0),
+            ("extent threshold", self.border, 0.0, 1.0),
+            ("minimum area of a patch", self.min_share, 0.0, 0.5),
+            ("minimum thickening", self.min_thickening, 0.0, 2.0),
             ("smoothing", self.smoothing, 0.0, 0.5),
             (
                 "redraws",
                 f64::from(self.redraws),
                 0.0,
-                f64::from(MOST_REDRAWS),
+                f64::from(MAX_REDRAWS),
             ),
         ];
         for (name, value, least, most) in ranges {

@@ -1,4 +1,4 @@
-//! What is told of a patch: area, segments, centroid, border, and its path over the beat.
+//! Properties of a patch: area, segments, centroid, border, and its path over the beat.
 
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::medial_space::RatioForm;
@@ -8,10 +8,10 @@ use crate::units::LengthUnit;
 
 use super::diffusion::RegularMesh;
 use super::result::{Patch, PatchSegment, ThickeningStep};
-use super::steadiness::steadiness;
 use super::steps::{descriptor_of, gap_of};
+use super::temporal_consistency::temporal_consistency;
 
-/// What patches are told from.
+/// What patches are computed from.
 pub(super) struct Wall<'a> {
     pub beat: &'a MedialBeat,
     /// With areas at end-diastole.
@@ -65,7 +65,7 @@ impl Wall<'_> {
             border: self.border(&atoms),
             thickening: weighted(&|atom| self.thickening[atom]) / area,
             confidence,
-            steadiness: steadiness(&path, &gaps, self.size),
+            temporal_consistency: temporal_consistency(&path, &gaps, self.size),
             path,
             atoms,
         }
@@ -97,6 +97,7 @@ impl Wall<'_> {
         }
         let mut shares: Vec<PatchSegment> = Segment::all()
             .map(|segment| (segment, areas[segment.index()]))
+            // Segments without a part of the patch would divide by zero, and say nothing.
             .filter(|(_, [_, within])| *within > 0.0)
             .map(|(segment, [whole, within])| PatchSegment {
                 segment,
@@ -104,6 +105,7 @@ impl Wall<'_> {
                 of_patch: within / patch_area,
             })
             .collect();
+        // The segment that holds most of the patch is the one that names it.
         shares.sort_by(|a, b| b.of_patch.total_cmp(&a.of_patch));
         shares
     }

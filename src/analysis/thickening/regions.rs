@@ -16,6 +16,7 @@ pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
     let mut below = 0.0;
     for &i in &order {
         below += areas[i];
+        // The first value at or past the share: with few atoms an interpolated one would belong to none.
         if below >= share * whole {
             return values[i];
         }
@@ -27,19 +28,20 @@ pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
 pub(super) const CORE_AREA: f64 = 0.5;
 
 /// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `border` of what
-/// the well wall does, with the least area together, half of which thickens by less than `core` of it and
+/// remote myocardium does, with the least area together, half of which thickens by less than `core` of it and
 /// less than `still`. By falling area.
 pub(super) fn still_parts(
     thickening: &[f64],
     well: f64,
     mesh: &RegularMesh,
     neighbours: &Neighbours,
-    least_share: f64,
+    min_share: f64,
     params: &CheckedThickeningParams,
 ) -> Vec<Vec<u32>> {
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
         .map(|(&value, &area)| area > 0.0 && value <= params.border * well)
         .collect();
+    // The absolute limit guards against calling a moderately thickening part akinetic beside a very good rest.
     let core = params.still.min(params.core * well);
     let area_below = |part: &[u32], limit: f64| -> f64 {
         (part.iter().map(|&atom| atom as usize))
@@ -47,29 +49,30 @@ pub(super) fn still_parts(
             .map(|atom| mesh.areas[atom])
             .sum()
     };
-    let least = least_share * mesh.whole;
+    let least = min_share * mesh.whole;
     let mut parts: Vec<(f64, Vec<u32>)> = (neighbours.parts(&inside).into_iter())
         .filter(|part| area_below(part, core) >= (CORE_AREA * least).max(f64::MIN_POSITIVE))
         .map(|part| (area_below(&part, f64::INFINITY), part))
         .filter(|(area, _)| *area >= least)
         .collect();
+    // Largest first: features and the report speak of the first patch.
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));
     parts.into_iter().map(|(_, part)| part).collect()
 }
 
-/// A part as it is told: holes in it are filled that are smaller than the least area of a patch, since motion is told from
+/// A part as it is reported: holes in it are filled that are smaller than the least area of a patch, since motion is separated from
 /// noise over no less an area than stillness, and atoms without a face in it are left out.
 pub(super) fn tidied(
     part: Vec<u32>,
     mesh: &RegularMesh,
     neighbours: &Neighbours,
-    least_share: f64,
+    min_share: f64,
 ) -> Vec<u32> {
     let mut outside: Vec<bool> = mesh.areas.iter().map(|&area| area > 0.0).collect();
     part.iter().for_each(|&atom| outside[atom as usize] = false);
     let area = |hole: &[u32]| -> f64 { hole.iter().map(|&v| mesh.areas[v as usize]).sum() };
-    let holes = (neighbours.parts(&outside).into_iter())
-        .filter(|hole| area(hole) < least_share * mesh.whole);
+    let holes =
+        (neighbours.parts(&outside).into_iter()).filter(|hole| area(hole) < min_share * mesh.whole);
     let mut inside = vec![false; mesh.areas.len()];
     (part.iter().copied().chain(holes.flatten())).for_each(|atom| inside[atom as usize] = true);
     let mut on_face = vec![false; mesh.areas.len()];
@@ -83,5 +86,6 @@ pub(super) fn tidied(
     let tidy: Vec<u32> = (0..on_face.len() as u32)
         .filter(|&atom| on_face[atom as usize])
         .collect();
+    // A patch along one row of atoms has no face, and is still a patch.
     if tidy.is_empty() { part } else { tidy }
 }

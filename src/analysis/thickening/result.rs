@@ -6,8 +6,8 @@ use crate::mesh::Point3;
 
 /// Half of the beat that a step belongs to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Phase {
-    /// From end-diastole to end-systole: a well wall thickens.
+pub enum HalfBeat {
+    /// From end-diastole to end-systole: remote myocardium thickens.
     Contraction,
     /// From end-systole to end-diastole: it thins.
     Expansion,
@@ -21,35 +21,35 @@ pub struct ThickeningStep {
     /// Pose t₂.
     pub to: usize,
     /// Half of the beat.
-    pub phase: Phase,
+    pub half: HalfBeat,
     /// PT = r(t₂) / r(t₁) of every atom, whether it takes part or not.
     pub pt: Vec<f64>,
     /// M̂: regular atoms with |ln PT| within the tolerance, ascending.
     pub still: Vec<u32>,
-    /// Share of the regular area that does what table 4.1 asks of a well wall: PT above one in
+    /// Share of the regular area that does what table 4.1 asks of remote myocardium: PT above one in
     /// contraction, below one in expansion, by more than the tolerance.
     pub well_share: f64,
-    /// Whether a well wall changes in this step by more than twice the tolerance: where even it
+    /// Whether remote myocardium changes in this step by more than twice the tolerance: where even it
     /// hardly moves, as in diastasis, all of it is still and M̂ tells nothing.
     pub telling: bool,
     /// (x̄, r̂, ρ, N̄) of M̂ at t₁; `None` where nothing is still.
     pub descriptor: Option<PoseDescriptor>,
-    /// From x̄ (MP) to the medial surface at t₁, in sizes of the heart.
+    /// From x̄ (MP) to the medial surface at t₁, in sizes of the subject.
     pub gap: Option<f64>,
 }
 
 /// How steady a path of poses is: small where a patch is, large where M̂ wanders (4.4.1, 4.4.2, 4.7).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Steadiness {
+pub struct TemporalConsistency {
     /// Poses that have a descriptor.
     pub poses: usize,
     /// Root mean square angle of ANV from its mean over the poses, in radians.
     pub normal_spread_rad: Option<f64>,
-    /// Root mean square distance of MP from its mean over the poses, in sizes of the heart.
+    /// Root mean square distance of MP from its mean over the poses, in sizes of the subject.
     pub position_spread: Option<f64>,
-    /// Mean distance of MP from the medial surface, in sizes of the heart.
+    /// Mean distance of MP from the medial surface, in sizes of the subject.
     pub gap: Option<f64>,
-    /// Mean distance 4.5.1 between poses, positions in sizes of the heart.
+    /// Mean distance 4.5.1 between poses, positions in sizes of the subject.
     pub pose_distance: Option<f64>,
 }
 
@@ -83,12 +83,12 @@ pub struct Patch {
     pub border: Vec<Vec<u32>>,
     /// Mean thickening, ln PT from end-diastole to end-systole as the whole beat tells it.
     pub thickening: f64,
-    /// Share of redraws of the noise in which it is found again.
+    /// Share of redraws of the noise in which it is detected again.
     pub confidence: f64,
     /// Its descriptor at every step, from all of its atoms.
     pub path: Vec<Option<PoseDescriptor>>,
     /// How steady that path is.
-    pub steadiness: Steadiness,
+    pub temporal_consistency: TemporalConsistency,
 }
 
 /// What the whole wall does.
@@ -113,10 +113,10 @@ pub struct SmallestPatch {
     pub area_cm2: Option<f64>,
 }
 
-/// Thickening of one heart over the beat.
+/// Thickening of one subject over the beat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Thickening {
-    /// Pose of end-diastole, by volume, or by area of the medial surface where volume is not told.
+    /// Pose of end-diastole, by volume, or by area of the medial surface where volume is not known.
     pub end_diastole: usize,
     /// Pose of end-systole.
     pub end_systole: usize,
@@ -127,7 +127,7 @@ pub struct Thickening {
     /// From every pose to the next.
     pub steps: Vec<ThickeningStep>,
     /// How steady the path of M̂ is over the steps that tell.
-    pub steadiness: Steadiness,
+    pub temporal_consistency: TemporalConsistency,
     /// PT from end-diastole to end-systole, r(ES) / r(ED), of every atom.
     pub ed_to_es: Vec<f64>,
     /// Thickening of every atom, ln PT from end-diastole to end-systole as all poses tell it, averaged over its
@@ -135,20 +135,20 @@ pub struct Thickening {
     pub thickening: Vec<f64>,
     /// Thickening of the part that works well.
     pub well: f64,
-    /// ln r of the part that works well over the beat, less that at end-diastole, as the heart's own curve has it.
+    /// ln r of the part that works well over the beat, less that at end-diastole, as the subject's own curve has it.
     pub well_curve: Vec<f64>,
     /// Least area that made a patch, as a share of the regular medial surface: twice the setting where fewer than
     /// four poses tell.
-    pub least_share: f64,
+    pub min_share: f64,
     /// Area over which thickening was averaged, as a share of the regular medial surface.
     pub averaged_share: f64,
     /// Standard deviation of the noise of averaged thickening.
     pub averaged_noise: f64,
     /// Area of the regular medial surface at end-diastole, in the square of the coordinates' unit.
     pub regular_area: f64,
-    /// Largest side of the box of the medial surface at end-diastole: the heart's size.
+    /// Largest side of the box of the medial surface at end-diastole: the subject's size.
     pub size: f64,
-    /// The smallest round patch without any thickening that would have been found in 39 of 40 hearts like this one, given
+    /// The smallest round patch without any thickening that would have been found in 39 of 40 subjects like this one, given
     /// the noise of its thickening, the area that it is averaged over and its atoms; smaller ones may be there unseen. `None` where noise hides
     /// even a patch of three fifths, or hardly anything thickens.
     pub smallest: Option<SmallestPatch>,

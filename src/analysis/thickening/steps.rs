@@ -1,42 +1,43 @@
-//! From one pose to the next: PT of every atom, the atoms that stand still, and their descriptor.
+//! From one pose to the next: PT of every atom, the atoms that are akinetic, and their descriptor.
 
 use crate::analysis::medial::{MedialBeat, MedialSurface};
 use crate::analysis::medial_space::{
-    PoseDescriptor, RatioForm, StillAtom, pose_descriptor, spoke_angle_rad,
+    AkineticAtom, PoseDescriptor, RatioForm, pose_descriptor, spoke_angle_rad,
 };
 use crate::mesh::Point3;
 use crate::progress::{Progress, Stopped};
 
 use super::diffusion::RegularMesh;
-use super::result::{Phase, ThickeningStep};
-use super::steadiness::gap;
+use super::result::{HalfBeat, ThickeningStep};
+use super::temporal_consistency::gap;
 
-/// PT = r(t₂) / r(t₁) of every atom (4.4); 1 where an atom has no ball at one of the poses, as
-/// an end atom may.
+/// PT = r(t₂) / r(t₁) of every atom, see [`Atom::thickness_ratio`](crate::analysis::medial::Atom::thickness_ratio); only
+/// those of atoms that take part mean anything.
 pub fn thickness_ratios(earlier: &MedialSurface, later: &MedialSurface) -> Vec<f64> {
     (earlier.atoms.iter().zip(&later.atoms))
-        .map(|(earlier, later)| {
-            let ratio = later.radius / earlier.radius;
-            let told = ratio > 0.0 && ratio.is_finite();
-            if told { ratio } else { 1.0 }
-        })
+        .map(|(earlier, later)| later.thickness_ratio(earlier))
         .collect()
 }
 
 /// Half of the beat of the step from a pose to the next: contraction from end-diastole to end-systole,
 /// the beat taken as a circle.
-pub fn phase_of(from: usize, end_diastole: usize, end_systole: usize, poses: usize) -> Phase {
+pub fn half_beat_of(
+    from: usize,
+    end_diastole: usize,
+    end_systole: usize,
+    poses: usize,
+) -> HalfBeat {
     let after_filling = |pose: usize| (pose + poses - end_diastole) % poses;
     if after_filling(from) < after_filling(end_systole) {
-        Phase::Contraction
+        HalfBeat::Contraction
     } else {
-        Phase::Expansion
+        HalfBeat::Expansion
     }
 }
 
-/// What steps are judged by.
-pub(super) struct Judge<'a> {
-    /// ln r of a well wall over the beat.
+/// Criteria by which the atoms of a step are classified.
+pub(super) struct StepCriteria<'a> {
+    /// ln r of remote myocardium over the beat.
     pub well_curve: &'a [f64],
     /// Of |ln PT|.
     pub tolerance: f64,
@@ -49,17 +50,18 @@ pub(super) fn steps(
     beat: &MedialBeat,
     mesh: &RegularMesh,
     [ed, es]: [usize; 2],
-    judge: &Judge<'_>,
+    criteria: &StepCriteria<'_>,
     progress: &Progress,
 ) -> Result<Vec<ThickeningStep>, Stopped> {
-    let (poses, tolerance) = (beat.frames.len(), judge.tolerance);
-    let well_at = |pose: usize| judge.well_curve[pose];
+    let (poses, tolerance) = (beat.frames.len(), criteria.tolerance);
+    let well_at = |pose: usize| criteria.well_curve[pose];
     (0..poses)
         .map(|from| {
             progress.step()?;
+            // The beat is a circle: the last frame leads into the first.
             let to = (from + 1) % poses;
             let pt = thickness_ratios(&beat.frames[from], &beat.frames[to]);
-            let phase = phase_of(from, ed, es, poses);
+            let half = half_beat_of(from, ed, es, poses);
             let takes_part = |&atom: &usize| mesh.areas[atom] > 0.0;
             let still: Vec<u32> = (0..pt.len())
                 .filter(takes_part)
@@ -68,14 +70,14 @@ pub(super) fn steps(
                 .collect();
             let well: f64 = (0..pt.len())
                 .filter(takes_part)
-                .filter(|&atom| works_well(phase, pt[atom], tolerance))
+                .filter(|&atom| works_well(half, pt[atom], tolerance))
                 .map(|atom| mesh.areas[atom])
                 .sum();
-            let descriptor = descriptor_of(&beat.frames[from], &pt, &still, judge.ratio);
+            let descriptor = descriptor_of(&beat.frames[from], &pt, &still, criteria.ratio);
             Ok(ThickeningStep {
                 from,
                 to,
-                phase,
+                half,
                 telling: (well_at(to) - well_at(from)).abs() > 2.0 * tolerance,
                 well_share: well / mesh.whole,
                 gap: gap_of(beat, from, descriptor.as_ref()),
@@ -87,11 +89,11 @@ pub(super) fn steps(
         .collect()
 }
 
-/// Table 4.1: a well wall thickens in contraction and thins in expansion.
-fn works_well(phase: Phase, pt: f64, tolerance: f64) -> bool {
-    match phase {
-        Phase::Contraction => pt.ln() > tolerance,
-        Phase::Expansion => pt.ln() < -tolerance,
+/// Table 4.1: remote myocardium thickens in contraction and thins in expansion.
+fn works_well(half: HalfBeat, pt: f64, tolerance: f64) -> bool {
+    match half {
+        HalfBeat::Contraction => pt.ln() > tolerance,
+        HalfBeat::Expansion => pt.ln() < -tolerance,
     }
 }
 
@@ -102,8 +104,8 @@ pub(super) fn descriptor_of(
     atoms: &[u32],
     form: RatioForm,
 ) -> Option<PoseDescriptor> {
-    let still: Vec<StillAtom> = (atoms.iter().map(|&atom| atom as usize))
-        .map(|atom| StillAtom {
+    let still: Vec<AkineticAtom> = (atoms.iter().map(|&atom| atom as usize))
+        .map(|atom| AkineticAtom {
             position: surface.atoms[atom].position,
             log_pt: pt[atom].ln(),
             normal: surface.normals[atom],
@@ -127,19 +129,39 @@ pub(super) fn gap_of(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::medial::Atom;
+    use crate::mesh::Vector3;
 
     #[test]
     fn contraction_goes_from_end_diastole_to_end_systole_around_the_beat() {
         let phases = |ed, es| -> Vec<bool> {
             (0..6)
-                .map(|from| phase_of(from, ed, es, 6) == Phase::Contraction)
+                .map(|from| half_beat_of(from, ed, es, 6) == HalfBeat::Contraction)
                 .collect()
         };
         assert_eq!(phases(0, 2), [true, true, false, false, false, false]);
         assert_eq!(phases(5, 2), [true, true, false, false, false, true]);
         assert_eq!(phases(3, 1), [true, false, false, true, true, true]);
-        let two: Vec<Phase> = (0..2).map(|from| phase_of(from, 0, 1, 2)).collect();
-        assert_eq!(two, [Phase::Contraction, Phase::Expansion]);
+        let two: Vec<HalfBeat> = (0..2).map(|from| half_beat_of(from, 0, 1, 2)).collect();
+        assert_eq!(two, [HalfBeat::Contraction, HalfBeat::Expansion]);
+    }
+
+    #[test]
+    fn a_missing_sphere_is_no_wall_that_keeps_its_thickness() {
+        let surface = |radii: [f64; 3]| MedialSurface {
+            atoms: (radii.iter())
+                .map(|&radius| Atom {
+                    position: Point3::origin(),
+                    radius,
+                    spokes: [Vector3::x(), -Vector3::x()],
+                })
+                .collect(),
+            normals: vec![Vector3::x(); 3],
+            end: vec![None; 3],
+        };
+        let ratios = thickness_ratios(&surface([4.0, 0.0, 0.0]), &surface([6.0, 5.0, 0.0]));
+        assert_eq!(ratios[0], 1.5);
+        assert!(ratios[1..].iter().all(|pt| !pt.is_finite()), "{ratios:?}");
     }
 
     #[test]
@@ -147,8 +169,8 @@ mod tests {
         for (pt, contracts, expands) in
             [(1.2, true, false), (0.8, false, true), (1.03, false, false)]
         {
-            assert_eq!(works_well(Phase::Contraction, pt, 0.05), contracts);
-            assert_eq!(works_well(Phase::Expansion, pt, 0.05), expands);
+            assert_eq!(works_well(HalfBeat::Contraction, pt, 0.05), contracts);
+            assert_eq!(works_well(HalfBeat::Expansion, pt, 0.05), expands);
         }
     }
 }

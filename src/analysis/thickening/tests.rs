@@ -20,7 +20,7 @@ mod small;
 
 /// ln of how much thicker the wall is at each of eight poses, as a share of what it is at end-systole (pose 3).
 const CURVE: [f64; 8] = [0.0, 0.35, 0.8, 1.0, 0.7, 0.3, 0.1, 0.05];
-/// What a well wall thickens by: PT = e^0.45 = 1.57.
+/// What remote myocardium thickens by: PT = e^0.45 = 1.57.
 const WELL: f64 = 0.45;
 
 fn measures(end_diastole: usize, end_systole: usize) -> SubjectMeasures {
@@ -110,9 +110,9 @@ fn a_wall_that_thickens_evenly_has_no_patch_and_the_curve_is_its_own() {
     let contracting = found
         .steps
         .iter()
-        .filter(|step| step.phase == Phase::Contraction);
+        .filter(|step| step.half == HalfBeat::Contraction);
     assert_eq!(contracting.count(), 3);
-    // From pose 6 on the wall thins by less than the tolerance: all stands still there, and MP lies off it.
+    // From pose 6 on the wall thins by less than the tolerance: all is akinetic there, and MP lies off it.
     let wells: Vec<f64> = found
         .steps
         .iter()
@@ -153,8 +153,8 @@ fn a_patch_is_found_where_it_is_with_its_area_and_steady_path() {
         assert_eq!(patch.confidence, 1.0);
         assert_eq!(patch.path.len(), 8);
         assert!(patch.thickening < most_off * 10.0 * WELL);
-        assert!(patch.steadiness.normal_spread_rad.unwrap() < 1e-9);
-        assert!(patch.steadiness.position_spread.unwrap() < 0.05);
+        assert!(patch.temporal_consistency.normal_spread_rad.unwrap() < 1e-9);
+        assert!(patch.temporal_consistency.position_spread.unwrap() < 0.05);
     }
 }
 
@@ -181,7 +181,7 @@ fn a_patch_of_three_fifths_of_the_wall_is_a_patch_and_a_whole_wall_is_none() {
     assert_eq!(large.patches.len(), 1);
     assert!((0.5..0.72).contains(&large.patches[0].share));
     // ANV of so large a patch still points one way, but its MP lies off the surface (4.6.3).
-    assert!(large.patches[0].steadiness.gap.unwrap() > 0.1);
+    assert!(large.patches[0].temporal_consistency.gap.unwrap() > 0.1);
     let still = found(&beat(&CURVE, |_| 0.02));
     assert_eq!(still.extent, Extent::HardlyAnywhere);
     assert!(still.patches.is_empty());
@@ -280,7 +280,7 @@ proptest! {
         prop_assert_eq!(&a.patches[0].border, &b.patches[0].border);
         prop_assert!((a.patches[0].share - b.patches[0].share).abs() < 1e-9);
         prop_assert!((a.patches[0].area * scale * scale / b.patches[0].area - 1.0).abs() < 1e-9);
-        let (from, to) = (a.patches[0].steadiness, b.patches[0].steadiness);
+        let (from, to) = (a.patches[0].temporal_consistency, b.patches[0].temporal_consistency);
         prop_assert!((from.gap.unwrap() - to.gap.unwrap()).abs() < 0.02);
         prop_assert!((a.well - b.well).abs() < 1e-9);
     }

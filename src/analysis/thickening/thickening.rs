@@ -1,42 +1,40 @@
-//! The whole question: PT over the beat, what stands still in it, and which patches that makes.
+//! The whole question: PT over the beat, what is akinetic in it, and which patches that makes.
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::segments::LongAxis;
-use crate::mesh::{Point3, Vector3, bounding_box};
 use crate::progress::Progress;
 
 use super::averaged::Averaged;
 use super::confidence::confidences;
 use super::curve::centred_logs;
-use super::detection::least_found;
-use super::diffusion::{Diffusion, RegularMesh};
+use super::detection::smallest_detectable;
 use super::error::ThickeningError;
-use super::neighbours::Neighbours;
 use super::params::CheckedThickeningParams;
 use super::patches::{Wall, segments_of};
 use super::regions::{still_parts, tidied};
 use super::result::{Extent, SmallestPatch, Thickening};
-use super::steadiness::steadiness;
-use super::steps::{Judge, steps, thickness_ratios};
+use super::steps::{StepCriteria, steps, thickness_ratios};
+use super::surface::Surface;
+use super::temporal_consistency::temporal_consistency;
 
 /// Fewest regular atoms: with a dozen a patch would be one of them.
-const LEAST_ATOMS: usize = 30;
-/// And the least share of all: where more than half of the sheet ends, as under noise that leaves atoms no ball
+const MIN_ATOMS: usize = 30;
+/// And the least share of all: where more than half of the sheet ends, as under noise that leaves atoms no sphere
 /// in one pose or the other, what remains is torn.
-const LEAST_REGULAR: f64 = 0.5;
+const MIN_REGULAR: f64 = 0.5;
 
-/// Thickening of one heart over the beat, and the patches that do not take part in it.
+/// Thickening of one subject over the beat, and the patches that do not take part in it.
 ///
 /// 1. PT of each atom for consecutive poses, the last to the first, and for end-diastole to end-systole;
 ///    M̂ per step, with its descriptor (4.4, 4.5).
-/// 2. What persists over all steps: ln r of each atom is projected on the heart's own curve c(t), its first
+/// 2. What persists over all steps: ln r of each atom is projected on the subject's own curve c(t), its first
 ///    principal component over time, and averaged over neighbourhoods of the medial mesh; the area grows until noise,
-///    told from what the curve leaves, is a twentieth of what the well wall does. All poses speak;
+///    told from what the curve leaves, is a twentieth of what remote myocardium does. All poses speak;
 ///    with two this is ln PT.
-/// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the heart's own well wall, by
-///    hysteresis; a path and a descriptor for each. Where even the well wall hardly thickens, there are none:
-///    failure is global.
+/// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the subject's own remote myocardium, by
+///    hysteresis; a path and a descriptor for each. Where even remote myocardium hardly thickens, there are none:
+///    hypokinesia is global.
 ///
 /// # Errors
 /// If there are fewer than two poses, or than 30 regular atoms or half of all, a radius is not positive, or on "stop".
@@ -51,8 +49,13 @@ pub fn thickening(
     progress.expect_steps(beat.frames.len());
     let mut surface = Surface::new(beat, measures)?;
     let found = Averaged::new(&centred_logs(beat), &surface, params)?;
+    // After averaging, since it smooths positions over the area that noise asked for.
     surface.steady(beat, &found.diffusion);
-    let Surface { mesh, at_rest, .. } = &surface;
+    let Surface {
+        mesh,
+        at_end_diastole,
+        ..
+    } = &surface;
     let [ed, es] = surface.phases;
     progress.check()?;
     // PT compares two poses, each with its own noise.
@@ -61,16 +64,17 @@ pub fn thickening(
     let well_curve: Vec<f64> = (0..beat.frames.len())
         .map(|pose| found.curve.step(found.well, ed, pose))
         .collect();
-    let judge = Judge {
+    let criteria = StepCriteria {
         well_curve: &well_curve,
         tolerance,
         ratio: params.ratio,
     };
-    let steps = steps(beat, at_rest, surface.phases, &judge, progress)?;
+    let steps = steps(beat, at_end_diastole, surface.phases, &criteria, progress)?;
+    // A share of next to nothing is noise: hypokinesia is then global, and no patch is reported.
     let parts = if found.hardly_thickens(params) {
         Vec::new()
     } else {
-        let least = found.least_share;
+        let least = found.min_share;
         still_parts(
             &found.thickening,
             found.well,
@@ -83,7 +87,7 @@ pub fn thickening(
     let confidences = confidences(&found, &surface, &parts, params, progress)?;
     let wall = Wall {
         beat,
-        mesh: at_rest,
+        mesh: at_end_diastole,
         end_diastole: ed,
         size: surface.size,
         unit: measures.unit,
@@ -92,11 +96,12 @@ pub fn thickening(
         segments: segments_of(beat, ed, axis),
         ratio: params.ratio,
     };
-    let tidied = |part| tidied(part, mesh, &surface.neighbours, found.least_share);
+    let tidied = |part| tidied(part, mesh, &surface.neighbours, found.min_share);
     let patches: Vec<_> = (parts.into_iter().zip(confidences))
         .map(|(part, confidence)| wall.patch(tidied(part), confidence))
         .collect();
     let telling = || steps.iter().filter(|step| step.telling);
+    // Steps in which even remote myocardium keeps its thickness say nothing about who takes part.
     let path: Vec<_> = telling().map(|step| step.descriptor).collect();
     let gaps: Vec<_> = telling().map(|step| step.gap).collect();
     Ok(Thickening {
@@ -104,12 +109,12 @@ pub fn thickening(
         end_systole: es,
         tolerance,
         noise: found.atom_noise,
-        steadiness: steadiness(&path, &gaps, surface.size),
+        temporal_consistency: temporal_consistency(&path, &gaps, surface.size),
         ed_to_es: thickness_ratios(&beat.frames[ed], &beat.frames[es]),
-        smallest: least_found(&found, mesh, params).map(|share| SmallestPatch {
+        smallest: smallest_detectable(&found, mesh, params).map(|share| SmallestPatch {
             share,
-            area: share * at_rest.whole,
-            area_cm2: wall.in_cm2(share * at_rest.whole),
+            area: share * at_end_diastole.whole,
+            area_cm2: wall.in_cm2(share * at_end_diastole.whole),
         }),
         extent: match (found.hardly_thickens(params), patches.is_empty()) {
             (true, _) => Extent::HardlyAnywhere,
@@ -118,140 +123,15 @@ pub fn thickening(
         },
         well: found.well,
         well_curve,
-        least_share: found.least_share,
+        min_share: found.min_share,
         averaged_share: found.share,
         averaged_noise: found.noise,
-        regular_area: at_rest.whole,
+        regular_area: at_end_diastole.whole,
         thickening: found.thickening,
         size: surface.size,
         steps,
         patches,
     })
-}
-
-/// The medial surface as far as it takes part.
-pub(super) struct Surface {
-    /// Mean position of each atom over the beat, whose edges have less noise than those of a pose.
-    pub middle: Vec<Point3>,
-    /// With areas there.
-    pub mesh: RegularMesh,
-    /// With areas at end-diastole.
-    pub at_rest: RegularMesh,
-    pub neighbours: Neighbours,
-    /// Poses of end-diastole and end-systole.
-    pub phases: [usize; 2],
-    /// Largest side of the box at end-diastole.
-    pub size: f64,
-}
-
-impl Surface {
-    fn new(beat: &MedialBeat, measures: &SubjectMeasures) -> Result<Self, ThickeningError> {
-        let middle = mean_shape(beat);
-        let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
-        let phases = phases(beat, measures);
-        let rest = positions(beat, phases[0]);
-        let at_rest = RegularMesh::new(beat.faces.triangles(), &rest, &beat.regular);
-        if !(mesh.whole > 0.0 && at_rest.whole > 0.0) {
-            return Err(ThickeningError::NoArea);
-        }
-        Ok(Self {
-            neighbours: Neighbours::new(middle.len(), &mesh.triangles),
-            size: bounding_box(&rest).map_or(0.0, |[low, high]| (high - low).max()),
-            middle,
-            mesh,
-            at_rest,
-            phases,
-        })
-    }
-}
-
-/// Areas that fall by more than this share when positions are smoothed are those of noise: smoothing takes some hundredths
-/// off a clean cup.
-const ROUGH: f64 = 0.05;
-
-impl Surface {
-    /// Areas at end-diastole without what noise adds: it makes faces larger, most where atoms stand close, and so draws
-    /// centroids there. Where positions are rough, areas are those of positions smoothed as thickening is, 2 D − D², which keeps curvature.
-    fn steady(&mut self, beat: &MedialBeat, diffusion: &Diffusion) {
-        let raw = positions(beat, self.phases[0]);
-        let columns = |points: &[Vector3]| -> Vec<f64> {
-            (0..3)
-                .flat_map(|axis| points.iter().map(move |point| point[axis]))
-                .collect()
-        };
-        let points = |columns: &[f64]| -> Vec<Vector3> {
-            (0..raw.len())
-                .map(|i| Vector3::from_fn(|axis, _| columns[axis * raw.len() + i]))
-                .collect()
-        };
-        let smoothed = |field: &[Vector3]| {
-            let mut columns = columns(field);
-            diffusion.apply(&mut columns);
-            points(&columns)
-        };
-        let rest: Vec<Vector3> = raw.iter().map(|point| point.coords).collect();
-        let once = smoothed(&rest);
-        let lost: Vec<Vector3> = rest.iter().zip(&once).map(|(x, s)| x - s).collect();
-        let twice: Vec<Point3> = (once.iter().zip(smoothed(&lost)))
-            .map(|(s, back)| Point3::from(s + back))
-            .collect();
-        let steady = RegularMesh::new(beat.faces.triangles(), &twice, &beat.regular);
-        if steady.whole < (1.0 - ROUGH) * self.at_rest.whole && steady.whole > 0.0 {
-            self.at_rest = steady;
-        }
-    }
-}
-
-fn positions(beat: &MedialBeat, pose: usize) -> Vec<Point3> {
-    beat.frames[pose]
-        .atoms
-        .iter()
-        .map(|atom| atom.position)
-        .collect()
-}
-
-/// Mean position of each atom over the beat, whose edges have less noise than those of a pose.
-fn mean_shape(beat: &MedialBeat) -> Vec<Point3> {
-    let mut sums = vec![Vector3::zeros(); beat.faces.vertex_count()];
-    for frame in &beat.frames {
-        sums.iter_mut()
-            .zip(&frame.atoms)
-            .for_each(|(sum, atom)| *sum += atom.position.coords);
-    }
-    let poses = beat.frames.len() as f64;
-    sums.into_iter()
-        .map(|sum| Point3::from(sum / poses))
-        .collect()
-}
-
-/// Poses of end-diastole and end-systole: by volume or as stated; where that is not told, the greatest and
-/// least area of the medial surface.
-pub fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
-    let count = beat.frames.len();
-    let told = |pose: Option<usize>| pose.filter(|&pose| pose < count);
-    match [told(measures.end_diastole), told(measures.end_systole)] {
-        [Some(ed), Some(es)] if ed != es => [ed, es],
-        _ => {
-            let area = |pose: usize| {
-                RegularMesh::new(
-                    beat.faces.triangles(),
-                    &positions(beat, pose),
-                    &beat.regular,
-                )
-                .whole
-            };
-            let areas: Vec<f64> = (0..count).map(area).collect();
-            let extreme = |sign: f64| {
-                let better =
-                    |a: &usize, b: &usize| (sign * areas[*a]).total_cmp(&(sign * areas[*b]));
-                (0..count).rev().max_by(better).unwrap_or(0)
-            };
-            match [extreme(1.0), extreme(-1.0)] {
-                [ed, es] if ed != es => [ed, es],
-                _ => [0, 1],
-            }
-        }
-    }
 }
 
 fn check(beat: &MedialBeat) -> Result<(), ThickeningError> {
@@ -286,7 +166,7 @@ fn check(beat: &MedialBeat) -> Result<(), ThickeningError> {
         }
     }
     let regular = beat.regular.iter().filter(|&&regular| regular).count();
-    let least = LEAST_ATOMS.max((LEAST_REGULAR * atoms as f64) as usize);
+    let least = MIN_ATOMS.max((MIN_REGULAR * atoms as f64) as usize);
     if regular < least {
         return Err(ThickeningError::TooFewAtoms {
             regular,

@@ -11,7 +11,7 @@ use crate::progress::{Progress, Stopped};
 use super::contour::{Point2, Vector2, area_and_centroid, crossings, nearest_place, resampled};
 
 /// Rounds in which the centre line is put back into the middle of its chords. Each leaves a tenth of
-/// the distance or less on contours of hearts; 8 leave nothing that could be measured.
+/// the distance or less on contours of subjects; 8 leave nothing that could be measured.
 const ROUNDS: usize = 8;
 
 /// Chords longer than this multiple of the thickness along the ray do not count: they have missed

@@ -1,11 +1,11 @@
-//! Why a way of measuring says nothing of a heart.
+//! Why a method of measuring thickness gives no result for a subject.
 
-use crate::analysis::measures::UntoldVolume;
+use crate::analysis::measures::UnknownVolume;
 use crate::analysis::segments::SegmentError;
 use crate::mesh::{MeshError, SheetError};
 use crate::progress::Stopped;
 
-/// Why thickness cannot be told.
+/// Why thickness cannot be measured.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ThicknessError {
     /// Settings out of range.
@@ -21,14 +21,14 @@ pub enum ThicknessError {
         most: f64,
     },
     /// Thickness needs two sides.
-    #[error("no wall: an inner and an outer side are needed, but the heart has no {missing} one")]
+    #[error("no wall: an inner and an outer side are needed, but the subject has no {missing} one")]
     NoSide {
         /// Which is missing.
         missing: &'static str,
     },
     /// A wall given as one surface has no inner side.
     #[error(transparent)]
-    Unsplit(#[from] UntoldVolume),
+    Unsplit(#[from] UnknownVolume),
     /// The long axis is not known.
     #[error(transparent)]
     Axis(#[from] SegmentError),

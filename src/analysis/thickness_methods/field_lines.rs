@@ -6,7 +6,7 @@ use super::label_grid::{Link, WallGraph};
 
 /// Sweeps in order of the potential. One suffices where the potential rises along every upwind link,
 /// as nearly everywhere; the rest is for voxels at which central and one-sided differences disagree.
-const MOST_SWEEPS: usize = 60;
+const MAX_SWEEPS: usize = 60;
 
 /// Lengths that change by less than this share of the spacing have settled.
 const SETTLED: f64 = 1e-9;
@@ -91,7 +91,7 @@ fn lengths(
 ) -> Result<Vec<f64>, Stopped> {
     let settled = SETTLED * graph.spacing.iter().copied().fold(f64::INFINITY, f64::min);
     let mut lengths = vec![f64::NAN; tangents.len()];
-    for _ in 0..MOST_SWEEPS {
+    for _ in 0..MAX_SWEEPS {
         let mut largest = 0.0_f64;
         for (visit, node) in order.clone().enumerate() {
             if visit % 65_536 == 0 {

@@ -11,7 +11,7 @@ use super::label_grid::{Link, WallGraph};
 const RESIDUAL: f64 = 1e-10;
 
 /// More steps than any wall needs: they grow with the voxels across it, some 8 for each.
-const MOST_STEPS: usize = 4_000;
+const MAX_STEPS: usize = 4_000;
 
 /// Nodes of a piece of work. Sums are formed piece by piece in order, whatever the threads.
 const PIECE: usize = 4_096;
@@ -35,7 +35,7 @@ pub(super) fn potential(graph: &WallGraph, progress: &Progress) -> Result<Vec<f6
     let mut p = z.clone();
     let mut rz = dot(&r, &z);
     let goal = RESIDUAL * RESIDUAL * dot(&system.right, &system.right).max(f64::MIN_POSITIVE);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         progress.check()?;
         if dot(&r, &r) <= goal {
             break;

@@ -1,4 +1,4 @@
-//! Thickness of a heart's wall at a frame by any of the methods.
+//! Thickness of a subject's wall at a frame by any of the methods.
 
 use crate::analysis::measures::{Side, wall_sides};
 use crate::analysis::segments::{LongAxis, long_axis};
@@ -13,10 +13,10 @@ use super::volume_over_area::{piece, volume_over_area};
 use super::wall_voxels::WallVoxels;
 use super::{CheckedThicknessParams, ThicknessError, ThicknessMap, ThicknessMethod};
 
-/// Thickness at every vertex of the inner side of a heart's wall at a frame.
+/// Thickness at every vertex of the inner side of a subject's wall at a frame.
 ///
 /// # Errors
-/// If the heart has no such frame, no wall, or, for the methods that need them, no long axis or
+/// If the subject has no such frame, no wall, or, for the methods that need them, no long axis or
 /// no inside; or if asked to stop.
 pub fn thickness(
     subject: &Subject,

@@ -15,7 +15,7 @@ pub struct ThicknessParams {
 
 impl Default for ThicknessParams {
     /// 24 slices of some 3.5 mm and the 100 chords of Sheehan et al.; 8 voxels across the wall, with which
-    /// thickness of a spherical shell is right to 2 % everywhere and a heart takes some 100,000 voxels.
+    /// thickness of a spherical shell is right to 2 % everywhere and a subject takes some 100,000 voxels.
     fn default() -> Self {
         Self {
             slices: 24,

@@ -52,7 +52,7 @@ impl ThicknessMap {
         self.thickness.iter().flatten().count()
     }
 
-    /// Middle of the thicknesses that are told, in coordinates.
+    /// Middle of the thicknesses that are known, in coordinates.
     pub fn median(&self) -> Option<f64> {
         let mut told: Vec<f64> = self.thickness.iter().flatten().copied().collect();
         told.sort_unstable_by(f64::total_cmp);

@@ -31,7 +31,7 @@ pub struct Agreement {
 }
 
 impl ThicknessSpread {
-    /// Of the thicknesses that are told; `None` without any, or where one is not a number.
+    /// Of the thicknesses that are known; `None` without any, or where one is not a number.
     ///
     /// The quantile of p lies at place p (n − 1) of the n sorted values, counted from 0, between two
     /// of them in proportion.

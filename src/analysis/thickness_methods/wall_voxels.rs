@@ -12,14 +12,14 @@ use super::label_grid::{Border, LabelGrid, Link, VoxelLabel, WallGraph};
 use super::laplace_field::LaplaceField;
 
 /// Voxels of a grid at most; 16 bytes are held for each.
-const MOST_VOXELS: f64 = 3e7;
+const MAX_VOXELS: f64 = 3e7;
 
 /// A side is not nearer to a voxel than this share of a link, so that one that touches it does not
 /// outweigh all others; it moves the side by a hundredth of a voxel.
-const LEAST_SHARE: f64 = 0.01;
+const MIN_SHARE: f64 = 0.01;
 
 /// Share of the corners around a place, by weight, that must be told for its value to be told.
-const LEAST_TOLD: f64 = 0.25;
+const MIN_TOLD: f64 = 0.25;
 
 /// The wall between two sides on a grid along the axes of the coordinates.
 #[derive(Clone, Debug)]
@@ -49,10 +49,10 @@ impl WallVoxels {
         let origin = low.map(|x| x - 1.5 * spacing);
         let sides = (high - origin) / spacing;
         let voxels = sides.iter().map(|side| side + 3.0).product::<f64>();
-        if !(spacing > 0.0 && voxels <= MOST_VOXELS) {
+        if !(spacing > 0.0 && voxels <= MAX_VOXELS) {
             return Err(ThicknessError::TooManyVoxels {
                 voxels,
-                most: MOST_VOXELS,
+                most: MAX_VOXELS,
             });
         }
         let dims: [usize; 3] = std::array::from_fn(|axis| sides[axis] as usize + 3);
@@ -121,7 +121,7 @@ impl WallVoxels {
             }
             let share = away[voxel] / (away[voxel] + away[next]);
             let border = Border {
-                share: if share.is_finite() { share } else { 0.5 }.clamp(LEAST_SHARE, 1.0),
+                share: if share.is_finite() { share } else { 0.5 }.clamp(MIN_SHARE, 1.0),
                 beyond: 0.0,
             };
             if cavity {
@@ -197,7 +197,7 @@ impl WallVoxels {
                 sum += weight * thickness;
             }
         }
-        (whole >= LEAST_TOLD).then(|| sum / whole)
+        (whole >= MIN_TOLD).then(|| sum / whole)
     }
 }
 

@@ -1,4 +1,4 @@
-//! This beat on that heart.
+//! The motion of one subject on another.
 
 use std::sync::Arc;
 
@@ -7,20 +7,20 @@ use crate::mesh::{Point3, TriMesh};
 use crate::progress::Progress;
 use crate::study::{MeshSequence, Subject, SurfaceSequence};
 
-use super::{CheckedTransportParams, TransportError, transfer_deformation};
+use super::{CheckedTransportParams, TransportError, transport_deformation};
 
-/// The beat of `from` on the heart `onto`, in the coordinates of `onto`: its end-diastolic pose is
+/// The beat of `from` on the subject `onto`, in the coordinates of `onto`: its end-diastolic pose is
 /// that of `onto`, the frames are those of `from`.
 ///
-/// Coordinates of each heart are divided by its [`SizeScale`] and `from` is laid onto `onto` by the
-/// rigid motion of their end-diastolic poses; the displacements are carried from end-diastole on,
+/// Coordinates of each subject are divided by its [`SizeScale`] and `from` is aligned with `onto` by the
+/// rigid motion of their end-diastolic poses; the displacements are transported from end-diastole on,
 /// through the last frame into the first, and multiplied by the scale of `onto`. End-diastole
 /// is the stated frame, else 0.
 ///
 /// # Errors
 /// If stopped, vertices do not correspond, an end-diastole is not there or has no size, or squares
 /// of lengths overflow.
-pub fn transferred_beat(
+pub fn transported_motion(
     from: &Subject,
     onto: &Subject,
     params: &CheckedTransportParams,
@@ -39,18 +39,19 @@ pub fn transferred_beat(
     let (source, target) = (Rest::of(from)?, Rest::of(onto)?);
     let beat = source.beat_laid_onto(from, &target.pose);
     let faces = onto.sequence.joined_faces();
-    let carried = transfer_deformation(&faces, &beat, &target.pose, params, progress)?;
-    let restored: Vec<Vec<Point3>> = (carried.iter())
+    let transported = transport_deformation(&faces, &beat, &target.pose, params, progress)?;
+    let restored: Vec<Vec<Point3>> = (transported.iter())
         .map(|pose| pose.iter().map(|p| target.scale.restored(p)).collect())
         .collect();
     let mut frames = in_order_of_frames(restored, source.frame);
+    // The own pose itself: scaled down and up again it would differ by rounding.
     if let Some(pose) = onto.sequence.pose(target.frame) {
         frames[source.frame] = pose;
     }
     sequence_like(&onto.sequence, &frames)
 }
 
-/// A heart at end-diastole, its size normalised.
+/// A subject at end-diastole, its size normalised.
 pub(super) struct Rest {
     pub(super) frame: usize,
     pub(super) scale: SizeScale,
@@ -83,6 +84,7 @@ impl Rest {
     /// All poses from end-diastole on, normalised, moved as one by the rigid motion that lays the
     /// first onto `target`.
     pub(super) fn beat_laid_onto(&self, subject: &Subject, target: &[Point3]) -> Vec<Vec<Point3>> {
+        // Only an empty or mismatched pose has none, and counts were compared before.
         let Ok(motion) = rigid_motion(&self.pose, target) else {
             return Vec::new();
         };

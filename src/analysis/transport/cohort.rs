@@ -1,4 +1,4 @@
-//! Every heart's motion on one heart, so that motions can be compared.
+//! Every subject's motion on one subject, so that motions can be compared.
 
 use rayon::prelude::*;
 
@@ -11,22 +11,22 @@ use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
 use super::beat::{Rest, in_order_of_frames};
-use super::{CohortTransferParams, DeformationTransfer, Reference, TransportError};
+use super::{CohortTransportParams, DeformationTransport, Reference, TransportError};
 
 /// All deformations at one place of the space of poses.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct TransferredCohort {
-    /// The heart that all motions were carried onto, its size normalised.
+pub struct TransportedCohort {
+    /// The subject that all motions were transported onto, its size normalised.
     pub reference: Vec<Point3>,
     /// The motions, in the order of the study.
-    pub members: Vec<TransferredSubject>,
+    pub members: Vec<TransportedSubject>,
     /// Subjects that take no part, in the order of the study.
     pub left_out: Vec<LeftOut>,
 }
 
 /// One subject's motion on the reference.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransferredSubject {
+pub struct TransportedSubject {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Frame at which the pose is the reference.
@@ -37,23 +37,23 @@ pub struct TransferredSubject {
     pub poses: Vec<Vec<Point3>>,
 }
 
-/// Carries every usable subject's deformation onto the reference.
+/// Transports every usable subject's deformation onto the reference.
 ///
 /// Usable is what [`comparable_subjects`] says. Coordinates of each subject are divided by its
-/// [`SizeScale`], its end-diastolic pose is laid onto the reference by a rigid motion, its beat moves
-/// with it, and its displacements are carried from end-diastole on. The mean reference is the
-/// mean of the end-diastolic poses, laid onto each other by generalised Procrustes alignment. A
-/// subject whose motion cannot be carried is left out with the reason. Subjects run in parallel;
+/// [`SizeScale`], its end-diastolic pose is aligned with the reference by a rigid motion, its beat moves
+/// with it, and its displacements are transported from end-diastole on. The mean reference is the
+/// mean of the end-diastolic poses, aligned with each other by generalised Procrustes alignment. A
+/// subject whose motion cannot be transported is left out with the reason. Subjects run in parallel;
 /// the result does not depend on the number of threads. Counts one step per displacement.
 ///
 /// # Errors
 /// If stopped, settings cannot be used, or the reference is no usable subject.
-pub fn transfer_cohort(
+pub fn transport_cohort(
     study: &Study,
     metric: &CheckedMetricParams,
-    params: &CohortTransferParams,
+    params: &CohortTransportParams,
     progress: &Progress,
-) -> Result<TransferredCohort, TransportError> {
+) -> Result<TransportedCohort, TransportError> {
     let checked = params.with_metric(**metric).check()?;
     let (comparable, mut left_out) = comparable_subjects(study);
     let rests: Vec<Rest> = (comparable.iter())
@@ -67,22 +67,22 @@ pub fn transfer_cohort(
         Reference::Subject(index) => of_subject(study, index, &comparable, &rests, &left_out)?,
     };
     let Some(first) = comparable.first() else {
-        return Ok(TransferredCohort {
+        return Ok(TransportedCohort {
             left_out,
-            ..TransferredCohort::default()
+            ..TransportedCohort::default()
         });
     };
     let faces = first.subject.sequence.joined_faces();
-    let transfer = DeformationTransfer::new(&faces, &reference, &checked)?;
+    let transport = DeformationTransport::new(&faces, &reference, &checked)?;
     let frames = comparable.iter().map(|m| m.subject.sequence.frame_count());
     progress.expect_steps(frames.map(|count| count - 1).sum());
-    let carried: Vec<Result<TransferredSubject, TransportError>> = comparable
+    let transported: Vec<Result<TransportedSubject, TransportError>> = comparable
         .par_iter()
         .zip(&rests)
         .map(|(member, rest)| {
             let beat = rest.beat_laid_onto(member.subject, &reference);
-            let poses = transfer.carry(&beat, &reference, progress)?;
-            Ok(TransferredSubject {
+            let poses = transport.transport(&beat, &reference, progress)?;
+            Ok(TransportedSubject {
                 subject: member.index,
                 end_diastole: rest.frame,
                 scale: rest.scale,
@@ -90,26 +90,28 @@ pub fn transfer_cohort(
             })
         })
         .collect();
-    let mut members = Vec::with_capacity(carried.len());
-    for (member, result) in comparable.iter().zip(carried) {
+    let mut members = Vec::with_capacity(transported.len());
+    for (member, result) in comparable.iter().zip(transported) {
         match result {
             Ok(subject) => members.push(subject),
+            // Being stopped ends the whole; any other failure concerns one subject, who is left out.
             Err(TransportError::Stopped(stopped)) => return Err(stopped.into()),
             Err(error) => left_out.push(LeftOut {
                 subject: member.index,
-                reason: format!("its motion cannot be carried onto the reference: {error}"),
+                reason: format!("its motion cannot be transported onto the reference: {error}"),
             }),
         }
     }
+    // Two sources of reasons, one order: that of the study.
     left_out.sort_by_key(|left| left.subject);
-    Ok(TransferredCohort {
+    Ok(TransportedCohort {
         reference,
         members,
         left_out,
     })
 }
 
-/// Mean of the poses after laying them onto each other; the first pose says how it lies.
+/// Mean of the poses after aligning them with each other; the first pose says how it lies.
 fn mean_shape(rests: &[Rest], progress: &Progress) -> Result<Vec<Point3>, Stopped> {
     let poses: Vec<&[Point3]> = rests.iter().map(|rest| rest.pose.as_slice()).collect();
     let motions = align_poses(&poses, &progress.within())?;

@@ -1,4 +1,4 @@
-//! Why a motion cannot be carried to another heart.
+//! Why a motion cannot be transported to another subject.
 
 use crate::analysis::geodesics::GeodesicError;
 use crate::analysis::metrics::MetricError;
@@ -7,7 +7,7 @@ use crate::study::SequenceError;
 
 use super::TransportParamError;
 
-/// Why a motion cannot be carried to another heart.
+/// Why a motion cannot be transported to another subject.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TransportError {
     /// Not a failure: it was asked to stop.
@@ -16,7 +16,7 @@ pub enum TransportError {
     /// The settings cannot be used.
     #[error(transparent)]
     Params(#[from] TransportParamError),
-    /// Vertices of two hearts do not correspond.
+    /// Vertices of two subjects do not correspond.
     #[error(
         "the vertices of {from} ({from_vertices} with {from_faces} faces) do not correspond with \
          those of {onto} ({onto_vertices} with {onto_faces} faces)"
@@ -35,7 +35,7 @@ pub enum TransportError {
         /// Its faces.
         onto_faces: usize,
     },
-    /// A heart has no size that could be normalised.
+    /// A subject has no size that could be normalised.
     #[error("the size of {subject} at end-diastole (frame {frame}) is not measurable")]
     NoSize {
         /// Whose.
@@ -44,7 +44,7 @@ pub enum TransportError {
         frame: usize,
     },
     /// End-diastole is said to be where no frame is.
-    #[error("end-diastole of {subject} is said to be frame {frame}, but there are {frames} frames")]
+    #[error("end-diastole of {subject} is set to frame {frame}, but there are {frames} frames")]
     EndDiastole {
         /// Whose.
         subject: String,
@@ -53,8 +53,8 @@ pub enum TransportError {
         /// Frames there are.
         frames: usize,
     },
-    /// The heart that all motions were to be carried onto cannot take part.
-    #[error("the reference is to be subject {index} of {subjects}, which cannot be used: {reason}")]
+    /// The subject that all motions were to be transported onto cannot take part.
+    #[error("subject {index} of {subjects} cannot be used as the reference: {reason}")]
     Reference {
         /// The index named.
         index: usize,
@@ -64,7 +64,7 @@ pub enum TransportError {
         reason: String,
     },
     /// A path needs samples, a deformation poses.
-    #[error("there are no poses to carry a motion along")]
+    #[error("there are no poses to transport a motion along")]
     NoPoses,
     /// A field needs a displacement for each vertex.
     #[error("{displacements} displacements for poses of {vertices} vertices")]
@@ -75,7 +75,7 @@ pub enum TransportError {
         vertices: usize,
     },
     /// Products of this metric are not linear, so that no field can be fitted to them.
-    #[error("the form of the metric is no inner product, which transport needs")]
+    #[error("transport needs a form of the metric that is an inner product")]
     NotAnInnerProduct,
     /// A displacement is NaN, infinite or too large to be squared.
     #[error("the displacement from pose {pose} has squared length {norm2}")]
@@ -88,10 +88,10 @@ pub enum TransportError {
     /// The metric refuses a pose.
     #[error(transparent)]
     Metric(#[from] MetricError),
-    /// There is no path between the hearts.
+    /// There is no path between the subjects.
     #[error(transparent)]
     Geodesic(#[from] GeodesicError),
-    /// What was carried does not make a sequence.
+    /// What was transported does not make a sequence.
     #[error(transparent)]
     Sequence(#[from] SequenceError),
 }

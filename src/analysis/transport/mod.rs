@@ -1,6 +1,6 @@
-//! How would this heart move with that one's motion?
+//! How would a subject move with the motion of another?
 //!
-//! A deformation M₀, M₁, … is carried to another heart N₀ step after step: the displacement
+//! A deformation M₀, M₁, … is transported to another subject N₀ step after step: the displacement
 //! X_i = M_{i+1} − M_i is transported along the geodesic from M_i to N_i, and
 //! N_{i+1} = N_i + X̄_i.
 //!
@@ -8,22 +8,22 @@
 
 mod beat;
 mod cohort;
+mod deformation;
 mod error;
 mod parallel;
 mod params;
 mod pose_path;
-mod transfer;
 
-pub use beat::transferred_beat;
-pub use cohort::{TransferredCohort, TransferredSubject, transfer_cohort};
+pub use beat::transported_motion;
+pub use cohort::{TransportedCohort, TransportedSubject, transport_cohort};
+pub use deformation::{DeformationTransport, transport_deformation};
 pub use error::TransportError;
 pub use parallel::{Products, SampledPath, parallel_transport};
 pub use params::{
-    CheckedTransportParams, CohortTransferParams, Geodesics, Nearness, Reference,
+    CheckedTransportParams, CohortTransportParams, Geodesics, Nearness, Reference,
     TransportParamError, TransportParams,
 };
 pub use pose_path::{PosePath, transport_along};
-pub use transfer::{DeformationTransfer, transfer_deformation};
 
 #[cfg(test)]
 mod tests;

@@ -42,7 +42,7 @@ const UNSEEN: f64 = 1e-24;
 /// path.
 const ROUND_OFF: f64 = 1e-14;
 
-/// Carries X from the first sample to the last: at each next sample i, X̄ is the field nearest to X
+/// Transports X from the first sample to the last: at each next sample i, X̄ is the field nearest to X
 /// with ⟨⟨X̄, γ'⟩⟩ = α₀, where γ' is the velocity with norm 1 and α₀ = ⟨⟨X, γ'⟩⟩ at the first.
 ///
 /// Nearest in the metric: X̄ = X + (α₀ − ⟨⟨X, γ'⟩⟩) γ'. Nearest in coordinates:
@@ -67,12 +67,14 @@ pub fn parallel_transport(
         return field;
     }
     let first = path.products(0, &field);
+    // Transport keeps the angle to the path: α₀ is what every later sample must have again.
     let mut alpha = along(path, 0, &field, first);
     for sample in 1..path.samples() {
         path.make_tangent(sample, &mut field);
         let mut at = path.products(sample, &field);
         let Some(inner) = along(path, sample, &field, at) else {
             if keep_norm {
+                // Without a direction the whole field is orthogonal, and its norm is what can be kept.
                 scale(&mut field, (first.field / at.field).sqrt());
             }
             continue;
@@ -84,6 +86,7 @@ pub fn parallel_transport(
             Nearness::Metric => {
                 let change = (alpha - inner) / speed;
                 add(&mut field, change, path.velocity(sample));
+                // ‖X + c γ'‖² by the binomial formula, which saves another pass over the mesh.
                 at.field += (alpha - inner) * (alpha + inner);
             }
             Nearness::Coordinates => {
@@ -91,12 +94,14 @@ pub fn parallel_transport(
                 let length2: f64 = lowered.iter().map(Vector3::norm_squared).sum();
                 if length2 > 0.0 {
                     add(&mut field, (alpha - inner) * speed / length2, &lowered);
+                    // C is not along γ', so that the norm has no such short cut.
                     at = path.products(sample, &field);
                 }
             }
         }
         if keep_norm {
             let left = at.field - alpha * alpha;
+            // A field along the path has no orthogonal part whose length could be restored.
             if left > ROUND_OFF * at.field {
                 let wanted = first.field - alpha * alpha;
                 let factor = if wanted > ROUND_OFF * first.field {

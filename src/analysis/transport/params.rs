@@ -1,9 +1,9 @@
-//! Along which path a motion is carried, and what is kept on the way.
+//! Along which path a motion is transported, and what is kept on the way.
 
 use crate::analysis::geodesics::{CheckedGeodesicParams, GeodesicParamError, GeodesicParams};
-use crate::analysis::metrics::{CheckedMetricParams, Form, MetricKind, MetricParams, ParamError};
+use crate::analysis::metrics::{CheckedMetricParams, Form, MetricParams, ParamError};
 
-/// For which displacements of a beat a geodesic between the hearts is computed.
+/// For which displacements of a beat a geodesic between the subjects is computed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Geodesics {
     /// Once, from M₀ to N₀. The path from M_i to N_i is the straight one bent as much as the first.
@@ -24,13 +24,13 @@ pub enum Nearness {
     Coordinates,
 }
 
-/// Settings of a transfer from one heart to another; [`TransportParams::check`] makes them usable.
+/// Settings of a transport from one subject to another; [`TransportParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransportParams {
     /// What lengths and angles of displacements are. Transport needs an inner product: forms that
     /// are none (see [`crate::analysis::metrics`]) stand for the additive one.
     pub metric: MetricParams,
-    /// Poses of the geodesic between the hearts; 0: the straight way.
+    /// Poses of the geodesic between the subjects; 0: the straight way.
     pub in_betweens: u16,
     /// Whether the norm of a displacement is kept, not only its product with the path's direction.
     pub keep_norm: bool,
@@ -39,31 +39,31 @@ pub struct TransportParams {
     /// For which displacements a geodesic is computed.
     pub geodesics: Geodesics,
     /// Find geodesics on a decimated mesh of about so many vertices; `None`: on the mesh as it is.
-    pub most_vertices: Option<u32>,
+    pub max_vertices: Option<u32>,
 }
 
 impl Default for TransportParams {
-    /// Measured, see [`CohortTransferParams::default`].
+    /// Measured, see [`CohortTransportParams::default`].
     fn default() -> Self {
-        let cohort = CohortTransferParams::default();
+        let cohort = CohortTransportParams::default();
         cohort.with_metric(MetricParams::default())
     }
 }
 
-/// What the motions of a cohort are carried onto.
+/// What the motions of a cohort are transported onto.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Reference {
-    /// The mean of all end-diastolic shapes, sizes normalised, laid onto each other.
+    /// The mean of all end-diastolic shapes, sizes normalised, aligned with each other.
     #[default]
     Mean,
     /// The end-diastolic shape of one subject, by its index in the study.
     Subject(usize),
 }
 
-/// Settings of a transfer of all hearts onto one; the metric is given beside them.
+/// Settings of a transport of all subjects onto one; the metric is given beside them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct CohortTransferParams {
-    /// What all are carried onto.
+pub struct CohortTransportParams {
+    /// What all are transported onto.
     pub reference: Reference,
     /// As in [`TransportParams`].
     pub in_betweens: u16,
@@ -72,13 +72,13 @@ pub struct CohortTransferParams {
     /// As in [`TransportParams`].
     pub geodesics: Geodesics,
     /// As in [`TransportParams`].
-    pub most_vertices: Option<u32>,
+    pub max_vertices: Option<u32>,
 }
 
-impl Default for CohortTransferParams {
-    /// What a transfer needs, and no more: so few in-betweens and a coarse mesh do, and one geodesic per
-    /// heart, since those of later steps bend alike, and on meshes of real hearts they follow noise. What is
-    /// left out changes where a carried pose lies by far less than it moved on smooth hearts, but takes several
+impl Default for CohortTransportParams {
+    /// What a transport needs, and no more: so few in-betweens and a coarse mesh do, and one geodesic per
+    /// subject, since those of later steps bend alike, and on meshes of real subjects they follow noise. What is
+    /// left out changes where a transported pose lies by far less than it moved on smooth subjects, but takes several
     /// times as long. Nor does it tell more of patients: on gated SPECT 16 of 20 sequences have the same
     /// patient's other one nearer than the median of the others, and 7 have it nearest, for 1, 3 and 7
     /// in-betweens and for straight ways, on 200, 500 and all vertices, and for geodesics at every step with 1
@@ -91,13 +91,13 @@ impl Default for CohortTransferParams {
             in_betweens: 3,
             keep_norm: true,
             geodesics: Geodesics::First,
-            most_vertices: Some(500),
+            max_vertices: Some(500),
         }
     }
 }
 
-impl CohortTransferParams {
-    /// The same settings for one pair of hearts.
+impl CohortTransportParams {
+    /// The same settings for one pair of subjects.
     pub fn with_metric(self, metric: MetricParams) -> TransportParams {
         TransportParams {
             metric,
@@ -105,7 +105,7 @@ impl CohortTransferParams {
             keep_norm: self.keep_norm,
             nearness: Nearness::Metric,
             geodesics: self.geodesics,
-            most_vertices: self.most_vertices,
+            max_vertices: self.max_vertices,
         }
     }
 }
@@ -133,13 +133,14 @@ impl TransportParams {
     /// # Errors
     /// If those of the metric or of the geodesic are not.
     pub fn check(mut self) -> Result<CheckedTransportParams, TransportParamError> {
-        if !is_inner_product(&self.metric) {
+        if !self.metric.is_inner_product() {
+            // Transport is by inner products; a refusal would only make every user change the same setting.
             self.metric.form = Form::Additive;
         }
         let geodesic = GeodesicParams {
             metric: self.metric,
             in_betweens: self.in_betweens,
-            most_vertices: self.most_vertices,
+            max_vertices: self.max_vertices,
             // Ways of neighbouring steps must differ by their ends alone, not by where a search ended.
             tolerance: 1e-6,
             ..GeodesicParams::default()
@@ -153,16 +154,7 @@ impl TransportParams {
     }
 }
 
-/// Whether products of this metric are linear in each field.
-pub(super) fn is_inner_product(metric: &MetricParams) -> bool {
-    match metric.kind {
-        MetricKind::Isometric | MetricKind::Rigid => true,
-        MetricKind::AnglePreserving => metric.form != Form::Printed,
-        MetricKind::QuasiConformal => metric.form == Form::Additive,
-    }
-}
-
-/// Why settings of a transfer cannot be used.
+/// Why settings of a transport cannot be used.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TransportParamError {
     /// The metric's own settings are wrong.

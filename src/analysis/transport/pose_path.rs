@@ -3,7 +3,6 @@
 use crate::analysis::metrics::{Metric, PreparedPose};
 use crate::mesh::{Point3, Vector3};
 
-use super::params::is_inner_product;
 use super::{Nearness, Products, SampledPath, TransportError, parallel_transport};
 
 /// Poses nearer than this, relative to their largest coordinate, differ by round-off of an alignment:
@@ -25,11 +24,12 @@ impl<'a> PosePath<'a> {
     /// # Errors
     /// If counts of vertices differ, squares overflow, or the metric's form is no inner product.
     pub fn new(metric: &'a Metric, path: &[Vec<Point3>]) -> Result<Self, TransportError> {
-        if !is_inner_product(metric.params()) {
+        if !metric.params().is_inner_product() {
             return Err(TransportError::NotAnInnerProduct);
         }
         let mut kept: Vec<&[Point3]> = Vec::with_capacity(path.len());
         for pose in path {
+            // A step of no length has no direction, and would divide by its norm.
             if kept.last().is_none_or(|last| !same(last, pose)) {
                 kept.push(pose);
             }
@@ -94,7 +94,7 @@ fn same(a: &[Point3], b: &[Point3]) -> bool {
     a.len() == b.len() && (a.iter().zip(b)).all(|(a, b)| (b - a).amax() <= SAME * reach)
 }
 
-/// Carries a field of displacements from the first pose of a path to the last by
+/// Transports a field of displacements from the first pose of a path to the last by
 /// [`parallel_transport`], nearest in the metric; velocities are those of [`PosePath`].
 ///
 /// Along a straight path the number of samples does not matter: the field stays in the plane
@@ -127,10 +127,10 @@ pub(super) fn transport_nearest(
         });
     }
     let path = PosePath::new(metric, path)?;
-    let carried = parallel_transport(&path, field, nearness, keep_norm);
-    let norm2: f64 = carried.iter().map(Vector3::norm_squared).sum();
+    let transported = parallel_transport(&path, field, nearness, keep_norm);
+    let norm2: f64 = transported.iter().map(Vector3::norm_squared).sum();
     if !norm2.is_finite() {
         return Err(TransportError::NotFinite { pose: 0, norm2 });
     }
-    Ok(carried)
+    Ok(transported)
 }

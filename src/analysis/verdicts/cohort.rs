@@ -1,4 +1,4 @@
-//! The labelled hearts of a study, the rule that they give, and how good it is.
+//! The labelled subjects of a study, the classifier that they give, and how good it is.
 
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -14,9 +14,9 @@ use super::result::{Examined, NotAssessed, RuleQuality};
 use super::rule::{Calibration, LeftOut, Rule, leave_one_out};
 use super::score::auc;
 
-/// The hearts that can be judged, and which of them have labels that count.
+/// The subjects that can be classified, and which of them have labels that count.
 pub(super) struct Cohort {
-    /// What the rule reads of each subject; empty where it is not assessed.
+    /// What the classifier reads of each subject; empty where it is not assessed.
     pub rows: Vec<Vec<f64>>,
     /// Assessed subjects with a normal label, ascending.
     pub normal: Vec<usize>,
@@ -24,7 +24,7 @@ pub(super) struct Cohort {
     pub abnormal: Vec<usize>,
 }
 
-/// A rule with what it says of the hearts that it was made of.
+/// A classifier with its leave-one-out results on the subjects that it was trained on.
 pub(super) struct Learnt {
     pub rule: Rule,
     pub calibration: Calibration,
@@ -60,13 +60,14 @@ impl Cohort {
         (self.normal.len(), self.abnormal.len())
     }
 
-    /// The rule of the labelled hearts; `None` if they are too few.
+    /// The classifier of the labelled subjects; `None` if they are too few.
     pub fn learn(
         &self,
         params: &CheckedVerdictParams,
         progress: &Progress,
     ) -> Result<Option<Learnt>, Stopped> {
-        let least = params.least_labelled as usize;
+        let least = params.min_labelled as usize;
+        // With fewer labels a classifier would be fitted to single subjects.
         if self.normal.len().min(self.abnormal.len()) < least {
             return Ok(None);
         }
@@ -99,7 +100,7 @@ fn right(probabilities: &[f64], labels: &[bool]) -> usize {
         .count()
 }
 
-/// How good a rule is beside the same with permuted labels.
+/// How good a classifier is beside the same with permuted labels.
 fn quality(
     rows: &[&[f64]],
     labels: &[bool],
@@ -122,12 +123,14 @@ fn quality(
             random.set_stream(u64::from(permutation));
             let mut labels = labels.to_vec();
             labels.shuffle(&mut random);
+            // The whole procedure again, leave-one-out included: its optimism is part of what chance gives.
             let left_out = leave_one_out(rows, &labels, params.ridge, progress)?;
             Ok(measured(&labels, &left_out))
         })
         .collect::<Result<_, Stopped>>()?;
     let count = f64::from(params.permutations);
     let at_least = |good: &dyn Fn(&(usize, f64)) -> bool| {
+        // The labels as they are count as one permutation, so that no p-value is zero.
         (1.0 + permuted.iter().filter(|found| good(found)).count() as f64) / (1.0 + count)
     };
     let wrong = |label: bool| {

@@ -1,4 +1,4 @@
-//! What a verdict looks at: a few numbers per heart, free of its size and place.
+//! What a verdict looks at: a few numbers per subject, free of its size and place.
 
 use std::f64::consts::PI;
 
@@ -6,12 +6,19 @@ use crate::analysis::medial::MedialBeat;
 use crate::analysis::thickening::{Patch, Thickening};
 use crate::mesh::{Point3, area};
 
-use super::result::HeartThickening;
-
 /// PT from end-diastole to end-systole below which wall counts as still: "roughly equal to one" (4.4).
 const STILL_PT: f64 = 1.1;
 
-/// One feature of a heart.
+/// What a verdict is made of: one subject's medial surfaces and its thickening.
+#[derive(Clone, Copy, Debug)]
+pub struct VerdictInput<'a> {
+    /// Medial surfaces over the beat.
+    pub beat: &'a MedialBeat,
+    /// What of them does not thicken.
+    pub thickening: &'a Thickening,
+}
+
+/// One feature of a subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Feature {
     /// Share of the wall whose thickness grows by less than a tenth from end-diastole to end-systole.
@@ -20,20 +27,20 @@ pub enum Feature {
     Median,
     /// Area-weighted standard deviation of thickening over the wall, ln PT.
     Spread,
-    /// The same over the thickening of the well part, at least ln 1.1.
+    /// The same over the thickening of remote myocardium, at least ln 1.1.
     RelativeSpread,
     /// Thickening that a tenth of the wall does not reach, ln PT.
     WeakestTenth,
     /// Thickening of the part that works well, ln PT.
     Well,
-    /// Thickening of the well part and twice the spread, ln PT: small where the whole wall fails, large where
+    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall fails, large where
     /// a part does or none.
     Reach,
     /// Share of the wall in patches, each times its confidence.
     PatchShare,
     /// Confidence of the largest patch; 0 without one.
     Confidence,
-    /// Thickening of the largest patch over that of the well part; 1 without one.
+    /// Thickening of the largest patch over that of remote myocardium; 1 without one.
     PatchThickening,
     /// Compactness of the largest patch, 4π area / length of its border², at most 1; 0 without one.
     Compactness,
@@ -67,26 +74,26 @@ impl Feature {
         Self::Gap,
     ];
 
-    /// The three that the rule reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
+    /// The three that the classifier reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
     /// evidence: see [`verdicts`](super::verdicts()) for both measured side by side.
     pub const OF_RULE: [Self; 3] = [Self::StillShare, Self::Median, Self::RelativeSpread];
 
     /// In words.
     pub fn name(self) -> &'static str {
         match self {
-            Self::StillShare => "still share of the wall",
+            Self::StillShare => "akinetic share of the wall",
             Self::Median => "median thickening",
-            Self::Spread => "spread of thickening",
-            Self::RelativeSpread => "spread relative to the well part",
-            Self::WeakestTenth => "thickening of the weakest tenth",
-            Self::Well => "thickening of the well part",
-            Self::Reach => "reach of thickening",
-            Self::PatchShare => "patches' share of the wall",
-            Self::Confidence => "confidence of the largest patch",
-            Self::PatchThickening => "patch's thickening relative to the well part",
+            Self::Spread => "thickening heterogeneity",
+            Self::RelativeSpread => "heterogeneity relative to remote myocardium",
+            Self::WeakestTenth => "10th percentile of thickening",
+            Self::Well => "thickening of remote myocardium",
+            Self::Reach => "upper range of thickening",
+            Self::PatchShare => "share of the wall in patches",
+            Self::Confidence => "detection stability of the largest patch",
+            Self::PatchThickening => "ratio of patch to remote thickening",
             Self::Compactness => "compactness of the largest patch",
-            Self::Closeness => "distance between poses",
-            Self::NormalSpread => "spread of the mean normal",
+            Self::Closeness => "mean pose distance",
+            Self::NormalSpread => "angular SD of ANV",
             Self::Gap => "distance of the mean position from the medial surface",
         }
     }
@@ -116,26 +123,29 @@ impl Feature {
         match self {
             Self::Median | Self::Spread | Self::WeakestTenth | Self::Well | Self::Reach => "ln PT",
             Self::NormalSpread => "rad",
-            Self::Gap => "heart sizes",
+            Self::Gap => "subject sizes",
             _ => "",
         }
     }
 }
 
-/// All features of one heart.
+/// All features of one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Features([Option<f64>; COUNT]);
 
 impl Features {
-    /// Of one heart. Features of poses are `None` where no pose has a descriptor.
-    pub(super) fn new(heart: &HeartThickening<'_>) -> Self {
-        let HeartThickening { beat, thickening } = *heart;
+    /// Of one subject. Features of poses are `None` where no pose has a descriptor.
+    pub(super) fn new(heart: &VerdictInput<'_>) -> Self {
+        let VerdictInput { beat, thickening } = *heart;
         let rest = positions(beat, thickening.end_diastole);
         let areas = regular_areas(beat, &rest);
         let values = Weighted::new(&thickening.thickening, &areas);
         let still = STILL_PT.ln();
+        // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();
-        let steadiness = patch.map_or(&thickening.steadiness, |patch| &patch.steadiness);
+        let temporal_consistency = patch.map_or(&thickening.temporal_consistency, |patch| {
+            &patch.temporal_consistency
+        });
         let well = thickening.well;
         let spread = values.deviation();
         Self(Feature::ALL.map(|feature| {
@@ -149,6 +159,7 @@ impl Features {
                 Feature::Well => Some(well),
                 Feature::Reach => Some(well + 2.0 * spread),
                 Feature::PatchShare => Some(
+                    // Weighted by detection stability, so that a doubtful patch counts less.
                     (thickening.patches.iter())
                         .fold(0.0, |sum, patch| sum + patch.share * patch.confidence),
                 ),
@@ -157,25 +168,25 @@ impl Features {
                     Some(patch.map_or(1.0, |patch| patch.thickening / well.max(still)))
                 }
                 Feature::Compactness => Some(patch.map_or(0.0, |patch| compactness(patch, &rest))),
-                Feature::Closeness => steadiness.pose_distance,
-                Feature::NormalSpread => steadiness.normal_spread_rad,
-                Feature::Gap => steadiness.gap,
+                Feature::Closeness => temporal_consistency.pose_distance,
+                Feature::NormalSpread => temporal_consistency.normal_spread_rad,
+                Feature::Gap => temporal_consistency.gap,
             }
         }))
     }
 
-    /// One of them; `None` where it cannot be told.
+    /// One of them; `None` where it cannot be determined.
     pub fn get(&self, feature: Feature) -> Option<f64> {
         self.0[feature as usize]
     }
 
-    /// The first that is told and not finite.
+    /// The first that is known and not finite.
     pub(super) fn not_finite(&self) -> Option<Feature> {
         (Feature::ALL.into_iter())
             .find(|&feature| self.get(feature).is_some_and(|value| !value.is_finite()))
     }
 
-    /// What the rule reads, in the order of [`Feature::OF_RULE`]; these are always told.
+    /// What the classifier reads, in the order of [`Feature::OF_RULE`]; these are always known.
     pub(super) fn of_rule(&self) -> Vec<f64> {
         (Feature::OF_RULE.into_iter())
             .map(|feature| self.get(feature).unwrap_or(0.0))
@@ -214,7 +225,7 @@ fn regular_areas(beat: &MedialBeat, positions: &[Point3]) -> Vec<f64> {
     areas
 }
 
-/// 4π A / L²: 1 for a disc in a plane, small for what is ragged or wound around the heart.
+/// 4π A / L²: 1 for a disc in a plane, small for what is ragged or wound around the subject.
 fn compactness(patch: &Patch, positions: &[Point3]) -> f64 {
     let at = |atom: u32| positions[atom as usize];
     let length: f64 = (patch.border.iter())
@@ -222,6 +233,7 @@ fn compactness(patch: &Patch, positions: &[Point3]) -> f64 {
             (0..chain.len()).map(move |i| (at(chain[(i + 1) % chain.len()]) - at(chain[i])).norm())
         })
         .sum();
+    // No patch, or one of a single face along a seam, has no border to be compact against.
     if length > 0.0 {
         (4.0 * PI * patch.area / (length * length)).min(1.0)
     } else {

@@ -1,4 +1,4 @@
-//! Which hearts are alike, and how far one lies from all that were seen.
+//! Which subjects are alike, and how far one lies from all that were seen.
 
 use super::result::Familiarity;
 
@@ -8,6 +8,7 @@ pub(super) fn alike(rows: &[Vec<f64>], of: usize, among: &[usize], count: usize)
         .filter(|&&other| other != of)
         .map(|&other| (distance(&rows[of], &rows[other]), other))
         .collect();
+    // Ties by the order of the study, so that the list is the same on every run.
     others.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     others
         .into_iter()

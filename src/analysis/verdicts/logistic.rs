@@ -1,14 +1,14 @@
-//! A logistic rule with a penalty on its weights, by Newton's method.
+//! A logistic classifier with a penalty on its weights, by Newton's method.
 
 use crate::numeric::{factorise_positive, solve_positive};
 
 /// Steps of Newton's method at most; a convex problem of this size takes about eight.
-const MOST_STEPS: usize = 100;
+const MAX_STEPS: usize = 100;
 /// Largest step of a coefficient after which it has converged: steps shrink by their square, so that the next
 /// would be of the order of rounding.
 const CONVERGED: f64 = 1e-7;
 /// A step is halved at most so often; then rounding is all that is left.
-const MOST_HALVINGS: usize = 40;
+const MAX_HALVINGS: usize = 40;
 
 /// One case: its features and the probability that it should have (0 or 1, or in between), with its weight.
 #[derive(Clone, Copy, Debug)]
@@ -25,6 +25,7 @@ pub(super) fn sigmoid(score: f64) -> f64 {
 
 /// 1 / (1 + e^(−s)) and ln(1 + e^s), without overflow.
 fn sigmoid_and_softplus(score: f64) -> (f64, f64) {
+    // Of a negative number, so that no score overflows.
     let e = (-score.abs()).exp();
     let upper = 1.0 / (1.0 + e);
     let sigmoid = if score >= 0.0 { upper } else { e * upper };
@@ -53,12 +54,13 @@ pub(super) fn fit(cases: &[Case<'_>], ridge: f64, start: &[f64]) -> Vec<f64> {
     let mut hessian = vec![0.0; size * size];
     let mut probabilities = vec![0.0; cases.len()];
     let mut value = objective(cases, ridge, &beta, &mut probabilities);
-    for _ in 0..MOST_STEPS {
+    for _ in 0..MAX_STEPS {
         slopes(cases, ridge, &beta, &probabilities, &mut step, &mut hessian);
         factorise_positive(&mut hessian, size);
         solve_positive(&hessian, &mut step);
+        // Far from the minimum a full Newton step may overshoot, and the loss must not rise.
         let mut share = 1.0;
-        let fallen = (0..MOST_HALVINGS).find_map(|_| {
+        let fallen = (0..MAX_HALVINGS).find_map(|_| {
             for ((tried, beta), step) in tried.iter_mut().zip(&beta).zip(&step) {
                 *tried = beta - share * step;
             }
@@ -115,6 +117,7 @@ fn slopes(
             }
         }
     }
+    // The intercept is free: penalised, it would pull probabilities towards one half.
     for j in 1..size {
         gradient[j] += ridge * beta[j];
         hessian[j * size + j] += ridge;

@@ -20,10 +20,9 @@ mod tests;
 mod verdicts;
 
 pub use error::VerdictError;
-pub use features::{Feature, Features};
+pub use features::{Feature, Features, VerdictInput};
 pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
 pub use result::{
-    Examined, Familiarity, Finding, HeartThickening, NotAssessed, RuleQuality, RuleSource, Verdict,
-    Verdicts,
+    Examined, Familiarity, Finding, NotAssessed, RuleQuality, RuleSource, Verdict, Verdicts,
 };
 pub use verdicts::{examine, verdicts};

@@ -3,13 +3,13 @@
 /// Settings of verdicts; [`VerdictParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VerdictParams {
-    /// Penalty λ on the squared weights of the rule, against a log-likelihood of one unit per case.
+    /// Penalty λ on the squared weights of the classifier, against a log-likelihood of one unit per case.
     pub ridge: f64,
-    /// Fewest assessed hearts of each role from which a rule is learnt.
-    pub least_labelled: u32,
+    /// Fewest assessed subjects of each role from which a classifier is trained.
+    pub min_labelled: u32,
     /// Least share of its volume at end-diastole that the wall still has at end-systole. Muscle keeps
     /// nearly all of it; a wall that loses more is blurred, and its thickening hidden.
-    pub least_wall_volume: f64,
+    pub min_wall_volume: f64,
     /// Permutations of the labels for the baselines.
     pub permutations: u32,
     /// Of the permutations.
@@ -23,8 +23,8 @@ impl Default for VerdictParams {
     fn default() -> Self {
         Self {
             ridge: 1.0,
-            least_labelled: 5,
-            least_wall_volume: 0.85,
+            min_labelled: 5,
+            min_wall_volume: 0.85,
             permutations: 200,
             seed: 2009,
         }
@@ -71,12 +71,12 @@ impl VerdictParams {
             ("ridge", self.ridge, 1e-3, 1e3),
             // With one of a class nothing is left of it when that one is left out.
             (
-                "least labelled",
-                f64::from(self.least_labelled),
+                "minimum number of labelled subjects of each class",
+                f64::from(self.min_labelled),
                 3.0,
                 1000.0,
             ),
-            ("least wall volume", self.least_wall_volume, 0.0, 1.0),
+            ("minimum wall volume ratio", self.min_wall_volume, 0.0, 1.0),
             ("permutations", f64::from(self.permutations), 1.0, 10_000.0),
         ];
         for (name, value, least, most) in ranges {

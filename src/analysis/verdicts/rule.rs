@@ -1,4 +1,4 @@
-//! The rule of a cohort: logistic, calibrated, each labelled heart left out in turn.
+//! The classifier of a cohort: logistic, calibrated, each labelled subject left out in turn.
 
 use crate::progress::{Progress, Stopped};
 
@@ -7,7 +7,7 @@ use super::logistic::{Case, fit, score, sigmoid};
 /// Penalty on the slope of the calibration: a trace, so that scores that tell nothing have a finite one.
 const CALIBRATION_RIDGE: f64 = 1e-6;
 
-/// Standardised features and a logistic rule on them.
+/// Standardised features and a logistic classifier on them.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Rule {
     pub standard: Standard,
@@ -61,10 +61,11 @@ fn balanced(abnormal: &[bool]) -> [f64; 2] {
 }
 
 impl Rule {
-    /// Of labelled hearts; Newton's method starts from `start` if there is one.
+    /// Of labelled subjects; Newton's method starts from `start` if there is one.
     pub fn new(rows: &[&[f64]], abnormal: &[bool], ridge: f64, start: Option<&Self>) -> Self {
         let standard = Standard::new(rows);
         let standardised: Vec<Vec<f64>> = rows.iter().map(|row| standard.of(row)).collect();
+        // Otherwise the more frequent class would be the safer answer, whatever the features say.
         let weights = balanced(abnormal);
         let cases: Vec<Case<'_>> = (standardised.iter().zip(abnormal))
             .map(|(features, &up)| Case {
@@ -89,8 +90,8 @@ impl Rule {
 
 /// From scores to probabilities: p = 1 / (1 + exp(−a s − b)), a ≥ 0.
 ///
-/// Targets are (n₊ + 1) / (n₊ + 2) and 1 / (n₋ + 2) in the place of 1 and 0, so that few hearts that are
-/// told apart by far are not told for certain (Platt's calibration); here both classes weigh alike.
+/// Targets are (n₊ + 1) / (n₊ + 2) and 1 / (n₋ + 2) in the place of 1 and 0, so that few subjects that are
+/// separated by far do not get a probability of 0 or 1 (Platt's calibration); here both classes weigh alike.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Calibration {
     slope: f64,
@@ -127,7 +128,7 @@ impl Calibration {
     fn of(fitted: &[f64]) -> Self {
         match *fitted {
             [shift, slope] if slope > 0.0 => Self { slope, shift },
-            // Scores that order the hearts the wrong way round say nothing.
+            // Scores that order the subjects the wrong way round say nothing.
             _ => Self {
                 slope: 0.0,
                 shift: 0.0,
@@ -140,10 +141,10 @@ impl Calibration {
     }
 }
 
-/// What is said of each labelled heart by a rule and a calibration without it.
+/// Scores and probabilities of each labelled subject from a classifier and a calibration without it (leave-one-out).
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LeftOut {
-    /// Log odds by the rule of the others.
+    /// Log odds by the classifier of the others.
     pub scores: Vec<f64>,
     /// Calibrated by the scores of the others.
     pub probabilities: Vec<f64>,
@@ -159,6 +160,8 @@ pub(super) fn leave_one_out(
     ridge: f64,
     progress: &Progress,
 ) -> Result<LeftOut, Stopped> {
+    // Leaving one out moves the minimum little: started from that of all, Newton's method takes few steps. The
+    // problem is convex, so that the start changes no result but for rounding.
     let whole = Rule::new(rows, abnormal, ridge, None);
     let scores = (0..rows.len())
         .map(|out| {
@@ -167,6 +170,7 @@ pub(super) fn leave_one_out(
             Ok(Rule::new(&others, &labels, ridge, Some(&whole)).score(rows[out]))
         })
         .collect::<Result<Vec<f64>, Stopped>>()?;
+    // Likewise for the calibration. Its scores are leave-one-out scores: those of a fit to itself would be too sure.
     let all = calibrated(&scores, abnormal, &UNCALIBRATED);
     let probabilities = (0..rows.len())
         .map(|out| {

@@ -67,7 +67,7 @@ fn measured(beat: MedialBeat) -> Heart {
     (beat, found)
 }
 
-/// A wall that thickens everywhere, hearts differing a little.
+/// A wall that thickens everywhere, subjects differing a little.
 fn well(number: u32) -> Heart {
     let amount = 0.42 + 0.011 * f64::from(number);
     heart(move |d| amount * (1.0 + 0.08 * d.x), amount)
@@ -129,10 +129,10 @@ fn judged(hearts: &[Heart], labels: &[Option<&str>]) -> Verdicts {
 
 fn input((beat, thickening): &Heart) -> Result<Examined, NotAssessed> {
     let params = VerdictParams::default().check().unwrap();
-    examine(&HeartThickening { beat, thickening }, &params)
+    examine(&VerdictInput { beat, thickening }, &params)
 }
 
-/// Seven well hearts, seven with a patch, and without labels one of each and one that fails as a whole.
+/// Seven healthy subjects, seven with a patch, and without labels one of each and one that fails as a whole.
 fn cohort() -> (Vec<Heart>, Vec<Option<&'static str>>) {
     let mut hearts: Vec<Heart> = (0..7).map(well).chain((0..7).map(ill)).collect();
     hearts.extend([well(9), ill(9), failing()]);

@@ -1,4 +1,4 @@
-//! The whole question: features, the rule of the cohort, what it says of each heart, and how good it is.
+//! The whole question: features, the classifier of the cohort, what it says of each subject, and how good it is.
 
 use crate::analysis::thickening::Extent;
 use crate::progress::Progress;
@@ -6,45 +6,43 @@ use crate::study::Study;
 
 use super::cohort::{Cohort, Learnt};
 use super::error::VerdictError;
-use super::features::{Feature, Features, wall_volume_ratio};
+use super::features::{Feature, Features, VerdictInput, wall_volume_ratio};
 use super::likeness::{alike, familiarity, usual_distances};
 use super::logistic::sigmoid;
 use super::params::CheckedVerdictParams;
-use super::result::{
-    Examined, Finding, HeartThickening, NotAssessed, RuleSource, Verdict, Verdicts,
-};
+use super::result::{Examined, Finding, NotAssessed, RuleSource, Verdict, Verdicts};
 use super::rule::Standard;
 
-/// Thickening of the well wall, in standard deviations of averaged noise, or of the least that counts as
-/// thickening: nearer to noise nothing is told.
+/// Thickening of remote myocardium, in standard deviations of averaged noise, or of the least that counts as
+/// thickening: nearer to noise nothing is reported.
 const SURE: f64 = 3.0;
 /// ln PT that counts as thickening at all, PT = 1.1.
-const LEAST_THICKENING: f64 = 0.095_310_179_804_324_87;
-/// Still share at which the uncalibrated rule is undecided: between the most of 20 normal hearts (5.0 %) and the
+const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
+/// Still share at which the uncalibrated rule is undecided: between the most of 20 normal subjects (5.0 %) and the
 /// least of the built-in patches (5.9 %).
 const STILL_LIMIT: f64 = 0.055;
 /// How far from there it is for odds of e to one.
 const STILL_SCALE: f64 = 0.01;
-/// Reach below which an abnormal heart's failure is global: all 20 normal hearts reach further, as do
-/// 19 of 20 with infarction and all built-in hearts with a patch, and 15 of 20 dilated ones do not.
+/// Reach below which an abnormal subject's hypokinesia is global: all 20 normal subjects reach further, as do
+/// 19 of 20 with infarction and all built-in subjects with a patch, and 15 of 20 dilated ones do not.
 const REGIONAL_REACH: f64 = 0.65;
-/// Most alike hearts that are shown.
+/// Most alike subjects that are shown.
 const ALIKE: usize = 3;
 
-/// What is found in each heart, and how sure it is.
+/// Finding and probability of each subject.
 ///
-/// 1. A heart is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
-///    noise of thickening is a third of what the well part does or more.
-/// 2. The rest is told abnormal by a logistic rule on [`Feature::OF_RULE`], standardised, both classes
-///    weighing alike, learnt from the hearts whose label counts as normal or abnormal. What is said of a labelled
-///    heart comes from a rule that has not seen it, calibrated by the scores of the others. With too few labels
-///    a fixed rule stands in: the still share of the wall beside 5.5 %.
-/// 3. An abnormal heart has a patch where thickening found one, unless its [`Feature::Reach`] is small: then
-///    failure is global.
+/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
+///    noise of thickening is a third of what remote myocardium does or more.
+/// 2. The rest is classified by a logistic classifier on [`Feature::OF_RULE`], standardised, both classes
+///    weighing alike, trained from the subjects whose label counts as normal or abnormal. What is said of a labelled
+///    subject comes from a classifier that has not seen it, calibrated by the scores of the others. With too few labels
+///    a fixed classifier stands in: the akinetic share of the wall beside 5.5 %.
+/// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::Reach`] is small: then
+///    hypokinesia is global.
 ///
 /// # Measured
-/// On `acdc_walls`: 100 hearts at end-diastole and end-systole; normal: NOR; abnormal: MINF, DCM and HCM; RV takes no
-/// part and is judged by the rule of the others. Each labelled heart left out in turn; printed by the test `real_verdicts`.
+/// On `acdc_walls`: 100 subjects at end-diastole and end-systole; normal: NOR; abnormal: MINF, DCM and HCM; RV takes no
+/// part and is classified by the classifier of the others. Each labelled subject left out in turn; printed by the test `real_verdicts`.
 ///
 /// | 20 hearts each | median PT | no patch | patch | global failure |
 /// |---|---|---|---|---|
@@ -54,17 +52,17 @@ const ALIKE: usize = 3;
 /// | MINF | 1.26 | 0 | 19 | 1 |
 /// | DCM | 1.19 | 1 | 5 | 14 |
 ///
-/// Probability tells MINF from NOR with AUC 1.00; all abnormal labels from NOR with 0.91 (permuted labels: 0.46),
-/// since most walls of HCM thicken well. 65 of 80 answers are right (permuted labels: 32, since a rule that tells
-/// nothing raises no alarm; always saying abnormal: 60). Fifteen sets of features were tried for the rule. All with the still share have AUC 0.99 and more for MINF against NOR; compactness,
-/// closeness, ANV and MP (4.4–4.7) alone have 0.88 and call 5 of 20 normal hearts abnormal: with two poses
-/// there is no path to be steady. For regional against global failure (MINF against DCM) 49 single numbers were tried:
-/// spread of thickening has AUC 0.96, reach 0.95, the still share 0.49, EF 0.88. The spread alone
-/// would call a small patch in a wall that is otherwise well a global failure; reach does not.
-/// Both choices were made on these hearts, of which 20 make a group: on others expect somewhat less.
+/// Probability separates MINF from NOR with AUC 1.00; all abnormal labels from NOR with 0.91 (permuted labels: 0.46),
+/// since most walls of HCM thicken well. 65 of 80 are classified correctly (permuted labels: 32, since an uninformative
+/// classifier calls nobody abnormal; always saying abnormal: 60). Fifteen sets of features were tried for the classifier. All with the akinetic share have AUC 0.99 and more for MINF against NOR; compactness,
+/// closeness, ANV and MP (4.4–4.7) alone have 0.88 and call 5 of 20 normal subjects abnormal: with two poses
+/// there is no path to be steady. For regional against global hypokinesia (MINF against DCM) 49 single numbers were tried:
+/// spread of thickening has AUC 0.96, reach 0.95, the akinetic share 0.49, EF 0.88. The spread alone
+/// would call a small patch in a wall that is otherwise well a global hypokinesia; reach does not.
+/// Both choices were made on these subjects, of which 20 make a group: on others expect somewhat less.
 ///
 /// # Errors
-/// If the hearts are not those of the study, or on "stop".
+/// If the subjects are not those of the study, or on "stop".
 pub fn verdicts(
     study: &Study,
     hearts: &[Result<Examined, NotAssessed>],
@@ -80,7 +78,7 @@ pub fn verdicts(
     progress.expect_steps(params.permutations as usize + 1);
     let cohort = Cohort::new(study, hearts);
     let learnt = cohort.learn(params, progress)?;
-    let judged = Judged::new(&cohort, learnt.as_ref());
+    let judged = Classified::new(&cohort, learnt.as_ref());
     let subjects = (hearts.iter().enumerate())
         .map(|(index, heart)| match heart {
             Ok(heart) => Ok(judged.verdict(index, heart)),
@@ -98,21 +96,23 @@ pub fn verdicts(
     })
 }
 
-/// What [`verdicts`] reads of one heart; no atoms are needed any more, so that a cohort of any size can be judged.
+/// What [`verdicts`] reads of one subject; no atoms are needed any more, so that a cohort of any size can be classified.
 ///
 /// # Errors
 /// If the wall is not resolved, or a feature is not a number.
 pub fn examine(
-    heart: &HeartThickening<'_>,
+    heart: &VerdictInput<'_>,
     params: &CheckedVerdictParams,
 ) -> Result<Examined, NotAssessed> {
     let share = wall_volume_ratio(heart.beat, heart.thickening);
     // A wall without volume has no share of it, either.
-    if share.is_nan() || share < params.least_wall_volume {
+    // Muscle is incompressible: a wall that loses volume was not seen, and its thickening is an artefact.
+    if share.is_nan() || share < params.min_wall_volume {
         return Err(NotAssessed::WallNotResolved { share });
     }
     let (noise, well) = (heart.thickening.averaged_noise, heart.thickening.well);
-    if SURE * noise > well.max(LEAST_THICKENING) {
+    // With noise this large a normal wall looks uneven and an akinetic one may look normal.
+    if SURE * noise > well.max(MIN_THICKENING) {
         return Err(NotAssessed::Noise { noise, well });
     }
     let features = Features::new(heart);
@@ -128,8 +128,8 @@ pub fn examine(
     }
 }
 
-/// What is needed to say something of each heart.
-struct Judged<'a> {
+/// What is needed for the verdict on each subject.
+struct Classified<'a> {
     cohort: &'a Cohort,
     learnt: Option<&'a Learnt>,
     /// Standardised rows; empty where not assessed.
@@ -137,7 +137,7 @@ struct Judged<'a> {
     usual: Vec<f64>,
 }
 
-impl<'a> Judged<'a> {
+impl<'a> Classified<'a> {
     fn new(cohort: &'a Cohort, learnt: Option<&'a Learnt>) -> Self {
         let assessed: Vec<&[f64]> = cohort
             .rows
@@ -146,6 +146,7 @@ impl<'a> Judged<'a> {
             .map(Vec::as_slice)
             .collect();
         let standard = learnt.map_or_else(
+            // Without a classifier distances between subjects still need a common scale.
             || Standard::new(&assessed),
             |learnt| learnt.rule.standard.clone(),
         );
@@ -163,10 +164,13 @@ impl<'a> Judged<'a> {
 
     fn probability(&self, index: usize, features: &Features) -> f64 {
         let Some(learnt) = self.learnt else {
+            // Without labels nothing can be trained; the akinetic share with a default threshold stands in, and is
+            // called a score.
             let still = features.get(Feature::StillShare).unwrap_or(0.0);
             return sigmoid((still - STILL_LIMIT) / STILL_SCALE);
         };
         match learnt.seen.binary_search(&index) {
+            // A subject in the training set gets the leave-one-out result; the whole classifier has seen its label.
             Ok(place) => learnt.left_out.probabilities[place],
             Err(_) => {
                 let score = learnt.rule.score(&self.cohort.rows[index]);
@@ -200,11 +204,13 @@ impl<'a> Judged<'a> {
     }
 }
 
-/// What fails in an abnormal heart.
+/// What fails in an abnormal subject.
 fn failure(features: &Features, extent: Extent) -> Finding {
     let reach = features.get(Feature::Reach).unwrap_or(0.0);
     match extent {
+        // Nothing thickens: there is no remote myocardium that a region could be compared with.
         Extent::HardlyAnywhere => Finding::GlobalFailure,
+        // Before patches: a wall that fails as a whole often has a weakest part, which is no regional finding.
         _ if reach < REGIONAL_REACH => Finding::GlobalFailure,
         Extent::AllButPatches => Finding::Patch,
         Extent::Everywhere => Finding::Elsewhere,

@@ -256,7 +256,7 @@ fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
         RuleSource::Uncalibrated { normal, abnormal } => format!(
             "Default thresholds on the share of akinetic wall, uncalibrated: {normal} normal and {abnormal} abnormal \
              subjects can be assessed; training needs {} of each",
-            VerdictParams::default().least_labelled
+            VerdictParams::default().min_labelled
         ),
     };
     let results = match (verdicts.rule, &verdicts.quality) {

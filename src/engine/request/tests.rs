@@ -1,6 +1,7 @@
 //! How settings are said.
 
 use super::*;
+use crate::analysis::metrics::MetricKind;
 
 #[test]
 fn settings_read_as_a_person_would_say_them() {

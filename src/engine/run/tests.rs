@@ -6,7 +6,7 @@ use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::geodesics::GeodesicParams;
 use crate::analysis::pose_distances::PoseId;
-use crate::analysis::transport::{CohortTransferParams, TransportParams};
+use crate::analysis::transport::{CohortTransportParams, TransportParams};
 use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Revision, Study, Subject};
 mod settings;
@@ -116,7 +116,7 @@ fn classes_request() -> AnalysisRequest {
 fn few_in_betweens() -> GeodesicParams {
     GeodesicParams {
         in_betweens: 1,
-        most_iterations: 3,
+        max_iterations: 3,
         ..GeodesicParams::default()
     }
 }
@@ -256,7 +256,7 @@ fn a_stopped_path_is_the_best_so_far_and_is_not_kept() {
         params: GeodesicParams {
             in_betweens: 127,
             tolerance: 0.0,
-            most_iterations: u32::MAX,
+            max_iterations: u32::MAX,
             ..GeodesicParams::default()
         },
     };
@@ -338,9 +338,9 @@ fn shares_of_faces_sum_to_the_squared_distance_of_the_matrix() {
 #[test]
 fn distances_after_a_transfer_are_another_answer() {
     let (study, cache, progress) = (study(), Cache::default(), Progress::default());
-    let ask = |transfer: Option<CohortTransferParams>| {
+    let ask = |transfer: Option<CohortTransportParams>| {
         let params = PoseDistanceParams {
-            transfer,
+            transport: transfer,
             ..PoseDistanceParams::default()
         };
         let outcome = run(
@@ -351,9 +351,9 @@ fn distances_after_a_transfer_are_another_answer() {
         );
         outcome.unwrap().pose_distances().unwrap().clone()
     };
-    let straight = CohortTransferParams {
+    let straight = CohortTransportParams {
         in_betweens: 0,
-        ..CohortTransferParams::default()
+        ..CohortTransportParams::default()
     };
     let (plain, carried) = (ask(None), ask(Some(straight)));
     assert_eq!(plain.poses, carried.poses);

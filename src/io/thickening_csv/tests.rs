@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 
 use super::*;
 use crate::analysis::medial::{Atom, MedialSurface};
-use crate::analysis::thickening::{Extent, Patch, PatchSegment, Steadiness};
+use crate::analysis::thickening::{Extent, Patch, PatchSegment, TemporalConsistency};
 use crate::io::wall_json;
 use crate::mesh::{Faces, Point3};
 use crate::study::SurfaceKind;
@@ -48,12 +48,12 @@ fn found(unit: LengthUnit) -> Thickening {
         tolerance: 0.05,
         noise: 0.01,
         steps: Vec::new(),
-        steadiness: Steadiness::default(),
+        temporal_consistency: TemporalConsistency::default(),
         ed_to_es: vec![1.0, 1.5, 1.5, 1.0],
         thickening: vec![0.0, 0.4, 0.4, 0.0],
         well: 0.4,
         well_curve: vec![0.0, 0.4],
-        least_share: 0.02,
+        min_share: 0.02,
         averaged_share: 0.01,
         averaged_noise: 0.01,
         regular_area: 100.0,
@@ -71,7 +71,7 @@ fn found(unit: LengthUnit) -> Thickening {
             thickening: 0.25,
             confidence: 0.98,
             path: Vec::new(),
-            steadiness: Steadiness::default(),
+            temporal_consistency: TemporalConsistency::default(),
         }],
     }
 }

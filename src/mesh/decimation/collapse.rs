@@ -10,10 +10,10 @@ use crate::mesh::{Faces, Point3, Vector3};
 const SURFACE_WEIGHT: f64 = 4.0;
 
 /// Least cosine between the normals of a face before and after: faces must not flip.
-const LEAST_COSINE: f64 = 0.3;
+const MIN_COSINE: f64 = 0.3;
 
 /// Least quality 4√3 A / Σ l² (1 for equal sides) of a new face, unless the old were as bad.
-const LEAST_QUALITY: f64 = 0.25;
+const MIN_QUALITY: f64 = 0.25;
 
 /// A collapse of `vertex` into `into`, as good as it was when `version` was the vertex's.
 struct Candidate {
@@ -263,11 +263,11 @@ impl<'a> Collapsing<'a> {
 fn stays_upright(before: &[Point3; 3], after: &[Point3; 3]) -> bool {
     let normal = |[a, b, c]: &[Point3; 3]| (b - a).cross(&(c - a));
     let (old, new) = (normal(before), normal(after));
-    let cosine_enough = old.dot(&new) >= LEAST_COSINE * old.norm() * new.norm();
+    let cosine_enough = old.dot(&new) >= MIN_COSINE * old.norm() * new.norm();
     let shape = quality(after, new.norm());
     new.norm() > 0.0
         && cosine_enough
-        && (shape >= LEAST_QUALITY || shape >= quality(before, old.norm()))
+        && (shape >= MIN_QUALITY || shape >= quality(before, old.norm()))
 }
 
 fn quality([a, b, c]: &[Point3; 3], doubled_area: f64) -> f64 {

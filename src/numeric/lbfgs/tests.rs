@@ -5,7 +5,7 @@ use super::*;
 const PARAMS: LbfgsParams = LbfgsParams {
     memory: 10,
     tolerance: 1e-14,
-    most_iterations: 2_000,
+    max_iterations: 2_000,
 };
 
 /// Rosenbrock's valley in many dimensions; least at (1, …, 1), where it is 0.
@@ -125,10 +125,10 @@ fn values_never_rise() {
         }
     }
     let mut last = f64::INFINITY;
-    for most_iterations in 0..60 {
+    for max_iterations in 0..60 {
         let mut x = vec![-1.2; 8];
         let params = LbfgsParams {
-            most_iterations,
+            max_iterations,
             ..PARAMS
         };
         let found = lbfgs(&mut Watched(Vec::new()), &mut x, &params, || true);

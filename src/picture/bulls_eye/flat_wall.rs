@@ -84,17 +84,18 @@ impl FlatWall {
         let means = |numbers: &[f64]| segment_means(&found.segments, &self.weights, numbers);
         match quantity {
             BullsEyeQuantity::Ratio => {
-                let radii = |frame: usize| -> Vec<f64> {
-                    let atoms = beat.frames.get(frame).map_or(&[][..], |pose| &pose.atoms);
-                    atoms.iter().map(|atom| atom.radius).collect()
-                };
-                let (now, rest) = (radii(frame), radii(told.end_diastole));
+                let atoms =
+                    |frame: usize| beat.frames.get(frame).map_or(&[][..], |pose| &pose.atoms);
+                let (now, rest) = (atoms(frame), atoms(told.end_diastole));
                 if now.len() != self.weights.len() {
                     return FlatValues::default();
                 }
-                let ratios = now.iter().zip(&rest).map(|(now, rest)| now / rest);
+                let ratios = (now.iter().zip(rest)).map(|(now, rest)| now.thickness_ratio(rest));
                 // The ratio of means, in which thin places do not weigh more.
-                let [now, rest] = [means(&now), means(&rest)];
+                let [now, rest] = [now, rest].map(|atoms| {
+                    let radii: Vec<f64> = atoms.iter().map(|atom| atom.radius).collect();
+                    means(&radii)
+                });
                 FlatValues {
                     values: taking_part(ratios.collect()),
                     segments: std::array::from_fn(|index| Some(now[index]? / rest[index]?)),

@@ -88,7 +88,6 @@ impl PreparedMedial {
         let takes_part = self.beat.regular.get(atom as usize).is_some_and(|&on| on);
         (takes_part && frame < self.beat.frames.len())
             .then(|| ratio(&self.beat, self.end_diastole, frame, atom))
-            .filter(|ratio| ratio.is_finite())
     }
 
     /// The atom that a vertex takes its number from; surfaces count as in the sequence.
@@ -142,7 +141,7 @@ fn ratio(beat: &MedialBeat, end_diastole: usize, frame: usize, atom: u32) -> f64
     if !beat.regular[atom] {
         return f64::NAN;
     }
-    beat.frames[frame].atoms[atom].radius / beat.frames[end_diastole].atoms[atom].radius
+    beat.frames[frame].atoms[atom].thickness_ratio(&beat.frames[end_diastole].atoms[atom])
 }
 
 /// Where the spokes of the atoms that take part meet the outer wall at end-diastole; not a number elsewhere.

@@ -115,8 +115,8 @@ fn covered(d: f32, width: f32) -> f32 {
     return clamp(0.5 * width + 0.5 - d, 0.0, 1.0) * min(width, 1.0);
 }
 
-// The edge of a film stands off the background, as the edge of glass does.
-fn film_edge(colour: vec3<f32>) -> vec3<f32> {
+// The edge of a translucent surface stands off the background, as the edge of glass does.
+fn translucent_edge(colour: vec3<f32>) -> vec3<f32> {
     return mix(colour * 0.45, mix(colour, vec3<f32>(1.0), 0.45), view.options.w);
 }
 
@@ -158,7 +158,7 @@ fn fs_rim(in: Varying) -> @location(0) vec4<f32> {
     let strength = surface.options.y;
     if surface.colour.a < 1.0 {
         let opacity = mix(surface.colour.a, 1.0, 0.5 * strength);
-        return vec4<f32>(film_edge(base * 0.8), 1.0) * opacity;
+        return vec4<f32>(translucent_edge(base * 0.8), 1.0) * opacity;
     }
     return vec4<f32>(mix(base, mix(base, vec3<f32>(1.0), 0.30), strength), 1.0);
 }
@@ -209,17 +209,17 @@ fn fs_colour(in: Varying) -> @location(0) vec4<f32> {
     let open_to_light = select(occlusion_at(in.clip.xy, eye_distance(in.q)), 1.0, translucent);
     let lit = matte(light_base, n, v, open_to_light, select(1.0, 0.3, by_numbers));
 
-    // A film lets some of its light through to what is behind it.
+    // A translucent surface lets some of its light through to what is behind it.
     var colour = srgb_of(lit * select(1.0, 0.82, translucent));
     var opacity = surface.colour.a;
     if translucent {
-        // A thin film seen aslant is longer to pass: Beer and Lambert give 1 - (1 - a)^(1 / cos).
+        // A thin surface seen aslant is longer to pass: Beer and Lambert give 1 - (1 - a)^(1 / cos).
         opacity = 1.0 - pow(1.0 - opacity, 1.0 / max(facing, 0.14));
     }
     let ppp = view.options.x;
     let rim_line = covered(rim_pixels, 2.6 * ppp) * surface.options.y;
     // Dark on opaque surfaces.
-    let rim_colour = select(colour * 0.25, film_edge(colour), translucent);
+    let rim_colour = select(colour * 0.25, translucent_edge(colour), translucent);
     colour = mix(colour, rim_colour, rim_line);
     if translucent {
         opacity = mix(opacity, 1.0, 0.5 * rim_line);

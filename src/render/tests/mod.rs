@@ -48,7 +48,7 @@ pub(super) fn geometry_of(mesh: &TriMesh) -> Arc<Geometry> {
     })
 }
 
-/// A ball about the origin.
+/// A sphere about the origin.
 pub(super) fn ball(subdivisions: u32, radius: f64) -> Arc<Geometry> {
     geometry_of(&phantom::sphere(subdivisions, radius))
 }

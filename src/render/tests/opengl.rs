@@ -1,7 +1,7 @@
-//! Where there is no Vulkan: OpenGL, and drivers too old to read samples, show the same heart.
+//! Where there is no Vulkan: OpenGL, and drivers too old to read samples, show the same subject.
 
 use super::*;
-use crate::render::targets::Means;
+use crate::render::targets::Capabilities;
 
 const SIDE: u32 = 160;
 
@@ -65,7 +65,7 @@ fn opengl_shows_the_heart_that_the_first_adapter_shows() {
     let (a, b) = (heart_by(&mut first), heart_by(&mut opengl));
     assert!(a.rgba.chunks(4).any(|pixel| pixel != background()));
     let (mean, far) = apart(&a, &b);
-    // Older drivers show films without inner order and no occlusion.
+    // Older drivers show translucent surfaces without inner order and no occlusion.
     assert!(mean < 6.0 && far < 0.05, "{mean} {far}");
 }
 
@@ -101,11 +101,11 @@ fn opengl_takes_damaged_and_many_scenes_without_complaint() {
 }
 
 #[test]
-fn films_drawn_whole_cover_the_pixels_that_peeled_films_cover() {
+fn translucent_surfaces_drawn_whole_cover_the_pixels_that_peeled_ones_cover() {
     let (Some(mut peeled), Some(plain)) = (headless(), headless()) else {
         return;
     };
-    let mut plain = plain.with_means(Means::Plain);
+    let mut plain = plain.with_capabilities(Capabilities::Plain);
     let (a, b) = (heart_by(&mut peeled), heart_by(&mut plain));
     let uncovered = |picture: &Picture| {
         let pixels = picture.rgba.chunks(4);
@@ -123,7 +123,7 @@ fn what_the_driver_refuses_is_told_and_ends_nothing() {
     let Some(headless) = headless() else { return };
     let (device, queue) = headless.into_gpu();
     let mut renderer = Renderer::new(&device, wgpu::TextureFormat::Rgba8Unorm);
-    let watch = watch::Watch::begin(&device);
+    let error_scope = error_scope::ErrorScope::begin(&device);
     // No card has a buffer of this size.
     let _ = device.create_buffer(&wgpu::BufferDescriptor {
         label: None,
@@ -131,7 +131,7 @@ fn what_the_driver_refuses_is_told_and_ends_nothing() {
         usage: wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
-    let heard = watch.end();
+    let heard = error_scope.end();
     assert!(heard.is_err());
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     let (view, camera) = (ViewId(0), parallel());

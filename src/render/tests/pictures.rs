@@ -157,15 +157,15 @@ fn an_opaque_ball_hides_what_is_behind_it_and_shows_through_what_is_before_it() 
     };
     let red = coloured(ball(3, 0.5), [0.9, 0.1, 0.1], 1.0);
     let mut middle = |z: f32| {
-        let film = coloured(square(1.5, z), [0.1, 0.1, 0.9], 0.5);
-        middle_pixel(&mut headless, vec![red.clone(), film])
+        let translucent = coloured(square(1.5, z), [0.1, 0.1, 0.9], 0.5);
+        middle_pixel(&mut headless, vec![red.clone(), translucent])
     };
-    let (film_behind, film_before) = (middle(-1.0), middle(1.0));
+    let (translucent_behind, translucent_before) = (middle(-1.0), middle(1.0));
     let alone = middle_pixel(&mut headless, vec![red]);
-    assert_eq!(film_behind, alone);
+    assert_eq!(translucent_behind, alone);
     assert!(
-        film_before[2] > alone[2] + 40 && film_before[0] > 60,
-        "{film_before:?}"
+        translucent_before[2] > alone[2] + 40 && translucent_before[0] > 60,
+        "{translucent_before:?}"
     );
 }
 

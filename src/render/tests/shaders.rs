@@ -3,7 +3,7 @@
 use wgpu::naga::front::wgsl;
 use wgpu::naga::valid::{Capabilities, ValidationFlags, Validator};
 
-use crate::render::pipelines::{Kind, shader_text};
+use crate::render::shaders::{Kind, shader_text};
 use crate::render::{blit_pass, occlusion_pass};
 
 #[test]

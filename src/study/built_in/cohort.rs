@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use rayon::prelude::*;
 
-use super::design::{HeartDesign, designs};
+use super::design::{SubjectDesign, designs};
 use super::grid::WallGrid;
 use super::motion::{Material, Motion};
 use super::params::{BuiltInError, BuiltInParams, FRAMES};
@@ -19,10 +19,10 @@ use crate::study::{
 };
 use crate::units::{LengthUnit, Seconds};
 
-/// The built-in study and, apart from it, what is true of its hearts.
+/// The built-in study and, apart from it, what is true of its subjects.
 #[derive(Clone, Debug)]
 pub struct BuiltInCohort {
-    /// Nine normal hearts, N01 … N09, and fourteen patients, P01 … P14.
+    /// Nine normal subjects, N01 … N09, and fourteen patients, P01 … P14.
     pub study: Study,
     /// One for each subject, in the same order.
     pub truths: Vec<GroundTruth>,
@@ -49,8 +49,8 @@ pub fn cohort(params: &BuiltInParams) -> Result<BuiltInCohort, BuiltInError> {
     })
 }
 
-/// One heart with its truth.
-fn heart(design: &HeartDesign, grid: &WallGrid) -> Result<(Subject, GroundTruth), BuiltInError> {
+/// One subject with its truth.
+fn heart(design: &SubjectDesign, grid: &WallGrid) -> Result<(Subject, GroundTruth), BuiltInError> {
     let shape = Shape::new(design.form.clone(), design.edv_ml);
     let (squeeze, ejection_fraction) = squeeze_for(&shape, design.healthy_ejection_fraction);
     let motion = Motion::new(&shape, design.motion(squeeze));
@@ -102,7 +102,7 @@ fn heart(design: &HeartDesign, grid: &WallGrid) -> Result<(Subject, GroundTruth)
     Ok((subject, truth))
 }
 
-/// The squeeze κ with which a heart without patches would reach the ejection fraction, and the
+/// The squeeze κ with which a subject without patches would reach the ejection fraction, and the
 /// ejection fraction that it reaches with them.
 ///
 /// V(t) = ½ ∬ (1 − κ(Θ, Z)) Rₑ² dΘ dZ, because r² dz = (1 − κ) Rₑ² dZ on the inner surface.
@@ -142,7 +142,11 @@ fn surface(
 
 /// Landmarks at end-diastole: the outer tip, the middle of the inner rim, and the directions of
 /// septum and anterior wall.
-fn anatomy(surfaces: &[SurfaceSequence], grid: &WallGrid, design: &HeartDesign) -> Option<Anatomy> {
+fn anatomy(
+    surfaces: &[SurfaceSequence],
+    grid: &WallGrid,
+    design: &SubjectDesign,
+) -> Option<Anatomy> {
     let [endo, epi] = surfaces else { return None };
     let endo = endo.frames().first()?.vertices();
     let apex = *epi.frames().first()?.vertices().first()?;

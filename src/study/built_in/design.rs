@@ -1,4 +1,4 @@
-//! The 23 hearts: what is drawn by chance, in which ranges, and what is wrong with the patients.
+//! The 23 subjects: what is drawn by chance, in which ranges, and what is wrong with the patients.
 //!
 //! The ranges are ours, set to lie inside those of published populations, and quoted only
 //! where a number stands here:
@@ -22,14 +22,14 @@ use super::shape::{Form, Wave};
 use super::timing::BeatTiming;
 use super::truth::Abnormality;
 
-/// Everything about one heart before it is sampled.
+/// Everything about one subject before it is sampled.
 #[derive(Clone, Debug)]
-pub(super) struct HeartDesign {
+pub(super) struct SubjectDesign {
     pub id: String,
     pub abnormality: Abnormality,
     pub form: Form,
     pub edv_ml: f64,
-    /// Ejection fraction that the heart would have without patches.
+    /// Ejection fraction that the subject would have without patches.
     pub healthy_ejection_fraction: f64,
     pub timing: BeatTiming,
     pub rr_s: f64,
@@ -44,7 +44,7 @@ pub(super) struct HeartDesign {
     tilt: [f64; 2],
 }
 
-impl HeartDesign {
+impl SubjectDesign {
     /// The label in the study.
     pub fn label(&self) -> &'static str {
         match self.abnormality {
@@ -67,7 +67,7 @@ impl HeartDesign {
     }
 }
 
-/// Ranges from which a kind of heart is drawn.
+/// Ranges from which a kind of subject is drawn.
 struct Ranges {
     edv_ml: [f64; 2],
     ejection_fraction: [f64; 2],
@@ -91,7 +91,7 @@ const NORMAL: Ranges = Ranges {
     atrial_share: [0.20, 0.28],
 };
 
-/// Hearts with patches: what their well muscle does. It makes up a little for the rest.
+/// Subjects with patches: what their well muscle does. It makes up a little for the rest.
 const ISCHAEMIC: Ranges = Ranges {
     edv_ml: [125.0, 175.0],
     ejection_fraction: [0.59, 0.68],
@@ -163,8 +163,8 @@ const PATIENTS: [(Abnormality, &[PatchSpec]); 14] = [
     (Abnormality::Hypertrophic, &[]),
 ];
 
-/// The nine normal hearts and the fourteen patients. Each has a random stream of its own.
-pub(super) fn designs(seed: u64) -> Vec<HeartDesign> {
+/// The nine normal subjects and the fourteen patients. Each has a random stream of its own.
+pub(super) fn designs(seed: u64) -> Vec<SubjectDesign> {
     let normal = (1..=9).map(|number| (format!("N{number:02}"), Abnormality::None, [].as_slice()));
     let patients = PATIENTS
         .iter()
@@ -198,7 +198,7 @@ fn design(
     abnormality: Abnormality,
     patches: &[PatchSpec],
     draw: &mut Draw,
-) -> HeartDesign {
+) -> SubjectDesign {
     let ranges = match abnormality {
         Abnormality::None => &NORMAL,
         Abnormality::Dilated => &DILATED,
@@ -216,7 +216,7 @@ fn design(
     let rr_s = 60.0 / draw.within([56.0, 84.0]);
     let height_cm = (158.0 + 0.13 * (edv_ml - 100.0) + draw.around(6.0)).round();
     let body_mass_index = draw.within([20.5, 28.5]);
-    HeartDesign {
+    SubjectDesign {
         id,
         abnormality,
         form,
@@ -288,7 +288,7 @@ fn timing(rr_s: f64, ranges: &Ranges, draw: &mut Draw) -> BeatTiming {
     }
 }
 
-/// Hearts lie a little differently in every scanner: within 8 mm and 9°.
+/// Subjects lie a little differently in every scanner: within 8 mm and 9°.
 fn placement(draw: &mut Draw) -> Isometry3<f64> {
     let shift = Translation3::new(draw.around(8.0), draw.around(8.0), draw.around(8.0));
     let mut turn = || draw.around(0.09);

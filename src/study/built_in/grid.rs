@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::mesh::{Faces, MeshError};
 
 /// Half-width and half-length in millimetres of the reference ellipse along which rings are
-/// spaced evenly; near the mean of the cohort, so that every heart gets nearly even rings.
+/// spaced evenly; near the mean of the cohort, so that every subject gets nearly even rings.
 const REFERENCE_ELLIPSE_MM: [f64; 2] = [29.0, 68.0];
 /// Eccentric angle of the base on the reference ellipse, from the apex: 0.61 π.
 const REFERENCE_BASE_RAD: f64 = 1.92;
@@ -17,7 +17,7 @@ const REFERENCE_BASE_RAD: f64 = 1.92;
 /// below 1e-5 of the length.
 const ARC_PIECES: usize = 256;
 
-/// Place of a vertex on a surface of the wall, the same in every heart, layer and frame.
+/// Place of a vertex on a surface of the wall, the same in every subject, layer and frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct GridPoint {
     /// Share of the eccentric angle from the apex (0) to the base (1).

@@ -2,7 +2,7 @@
 //!
 //! The model is a thick wall that moves without changing its volume (`motion`), shaped as a
 //! truncated prolate spheroid with a flattened septal side (`shape`), sampled by triangles that
-//! correspond between layers, frames and subjects (`grid`), ill in places where it is told to be
+//! correspond between layers, frames and subjects (`grid`), ill in places where it is known to be
 //! (`patch`), and varied between subjects in ranges of published populations (`design`).
 
 mod cohort;
@@ -19,5 +19,5 @@ mod timing;
 mod truth;
 
 pub use cohort::{BuiltInCohort, cohort};
-pub use params::{BuiltInError, BuiltInParams, FRAMES, MOST_VERTICES};
+pub use params::{BuiltInError, BuiltInParams, FRAMES, MAX_VERTICES};
 pub use truth::{Abnormality, GroundTruth, SurfaceTruth};

@@ -59,7 +59,7 @@ pub(super) struct Material {
     turn_slope: f64,
 }
 
-/// The motion of one heart.
+/// The motion of one subject.
 #[derive(Clone, Debug)]
 pub(super) struct Motion<'a> {
     shape: &'a Shape,
@@ -185,7 +185,7 @@ const GAUSS_8: [(f64, f64); 4] = [
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::study::built_in::design::{HeartDesign, designs};
+    use crate::study::built_in::design::{SubjectDesign, designs};
     use nalgebra::Matrix3;
 
     /// Where a particle at Cartesian model coordinates goes.
@@ -210,8 +210,8 @@ mod tests {
         Matrix3::from_columns(&columns).determinant()
     }
 
-    /// Greatest departure of the volume change from 1 over the wall of a heart.
-    fn worst_change(design: &HeartDesign) -> f64 {
+    /// Greatest departure of the volume change from 1 over the wall of a subject.
+    fn worst_change(design: &SubjectDesign) -> f64 {
         let shape = Shape::new(design.form.clone(), design.edv_ml);
         let motion = Motion::new(&shape, design.motion(0.6));
         let mut worst = 0.0_f64;

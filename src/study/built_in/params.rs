@@ -6,18 +6,18 @@ use crate::study::SequenceError;
 /// Frames of every built-in beat; frame 0 is end-diastole.
 pub const FRAMES: usize = 8;
 
-/// Most vertices a built-in heart can have, both surfaces together.
-pub const MOST_VERTICES: usize = 40_000;
+/// Most vertices a built-in subject can have, both surfaces together.
+pub const MAX_VERTICES: usize = 40_000;
 
 /// Fewest: below this the apex is a hexagon and the wall a prism.
-const FEWEST_VERTICES: usize = 200;
+const MIN_VERTICES: usize = 200;
 
 /// Settings of the built-in cohort.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct BuiltInParams {
     /// Draws the variation between subjects; equal seeds give equal bits.
     pub seed: u64,
-    /// Vertices per heart, both surfaces together, as an upper limit: the nearest regular
+    /// Vertices per subject, both surfaces together, as an upper limit: the nearest regular
     /// pattern that does not exceed it is taken.
     pub vertices: usize,
 }
@@ -35,15 +35,15 @@ impl BuiltInParams {
     /// Vertices of one of the two surfaces, at most.
     ///
     /// # Errors
-    /// If fewer than 200 or more than [`MOST_VERTICES`] are asked for.
+    /// If fewer than 200 or more than [`MAX_VERTICES`] are asked for.
     pub(super) fn vertices_per_surface(&self) -> Result<usize, BuiltInError> {
-        if (FEWEST_VERTICES..=MOST_VERTICES).contains(&self.vertices) {
+        if (MIN_VERTICES..=MAX_VERTICES).contains(&self.vertices) {
             Ok(self.vertices / 2)
         } else {
             Err(BuiltInError::Vertices {
                 asked: self.vertices,
-                fewest: FEWEST_VERTICES,
-                most: MOST_VERTICES,
+                fewest: MIN_VERTICES,
+                most: MAX_VERTICES,
             })
         }
     }
@@ -53,7 +53,7 @@ impl BuiltInParams {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum BuiltInError {
     /// Too coarse or too fine.
-    #[error("{asked} vertices per heart; the built-in cohort has between {fewest} and {most}")]
+    #[error("{asked} vertices per subject; the built-in cohort has between {fewest} and {most}")]
     Vertices {
         /// What was asked for.
         asked: usize,

@@ -24,7 +24,7 @@ pub(super) struct Wave {
     pub spiral_rad: f64,
 }
 
-/// Form of one heart, apart from its width.
+/// Form of one subject, apart from its width.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Form {
     /// From the base to the tip of the cavity.
@@ -35,7 +35,7 @@ pub(super) struct Form {
     pub pointedness: f64,
     /// Share by which the septal side lies nearer to the axis.
     pub septal_flattening: f64,
-    /// Three waves that make the heart its own.
+    /// Three waves that make the subject its own.
     pub waves: [Wave; 3],
     /// Thickness at mid-height.
     pub wall_mm: f64,
@@ -80,7 +80,7 @@ impl Shape {
         -self.form.cavity_length_mm
     }
 
-    /// Height of the outer tip, the apex of the heart (negative).
+    /// Height of the outer tip, the apex of the subject (negative).
     pub fn apex_mm(&self) -> f64 {
         -self.form.cavity_length_mm - self.tip_wall_mm
     }

@@ -1,4 +1,4 @@
-//! The built-in hearts have the sizes, motions and illnesses that they were designed with.
+//! The built-in subjects have the sizes, motions and illnesses that they were designed with.
 
 use super::*;
 use crate::mesh::{CappedSheet, Point3, sheets, vertex_normals};

@@ -2,7 +2,7 @@
 //!
 //! The four phases follow one another as in Taimouri, *Shape Analysis in Shape Space*, 3.6.2:
 //! clockwise rotation, contraction, expansion, counter-clockwise rotation (of the apex, seen
-//! from the base). Rotation therefore leads in systole and lags in diastole. In living hearts
+//! from the base). Rotation therefore leads in systole and lags in diastole. In living subjects
 //! much of the untwisting comes before filling; the model keeps the order of the method's text.
 
 use super::FRAMES;

@@ -1,8 +1,8 @@
-//! What is true of a built-in heart by construction; no analysis may see it.
+//! What is true of a built-in subject by construction; no analysis may see it.
 
 use crate::study::SurfaceKind;
 
-/// What is wrong with a built-in heart.
+/// What is wrong with a built-in subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Abnormality {
     /// Nothing.
@@ -34,7 +34,7 @@ pub struct SurfaceTruth {
     pub severity: Vec<f64>,
 }
 
-/// What is true of one built-in heart.
+/// What is true of one built-in subject.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GroundTruth {
     /// What is wrong with it.

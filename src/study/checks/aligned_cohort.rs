@@ -1,4 +1,4 @@
-//! Were the hearts of a cohort laid upon each other, frame by frame?
+//! Were the subjects of a cohort laid upon each other, frame by frame?
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -8,28 +8,28 @@ use super::words::counted;
 use crate::mesh::{Point3, Vector3};
 use crate::study::{Notice, Subject};
 
-/// Hearts count as aligned where the mean vertex of each lies within this share of its size (root
-/// mean square over the cohort). Published hearts of an atlas, aligned by Procrustes' method, reach
-/// 0.034; hearts that share only the axis of the camera 0.11; hearts in scanners 1.
+/// Subjects count as aligned where the mean vertex of each lies within this share of its size (root
+/// mean square over the cohort). Published subjects of an atlas, aligned by Procrustes' method, reach
+/// 0.034; subjects that share only the axis of the camera 0.11; subjects in scanners 1.
 const ALIGNED: f64 = 0.05;
 
-/// Frames in which all hearts of a cohort lie upon each other.
+/// Frames in which all subjects of a cohort lie upon each other.
 ///
-/// Why it matters: hearts that were aligned for an atlas have lost their place in the body, and
-/// where each frame was aligned by itself, the motion of the heart as a whole too.
+/// Why it matters: subjects that were aligned for an atlas have lost their place in the body, and
+/// where each frame was aligned by itself, the motion of the subject as a whole too.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct AlignedCohort {
     /// Root mean square distance of mean vertices from their common mean, over the size of the
-    /// hearts, in the frame where it is largest; `None` for fewer than three comparable hearts.
+    /// subjects, in the frame where it is largest; `None` for fewer than three comparable subjects.
     pub spread: Option<f64>,
     /// Frames that all have.
     pub frames: usize,
-    /// Hearts that were compared.
+    /// Subjects that were compared.
     pub hearts: usize,
 }
 
 impl AlignedCohort {
-    /// Compares the hearts that have the commonest connectivity and number of frames.
+    /// Compares the subjects that have the commonest connectivity and number of frames.
     pub fn of(subjects: &[Arc<Subject>]) -> Self {
         let mut groups: BTreeMap<_, Vec<&Subject>> = BTreeMap::new();
         for subject in subjects {
@@ -56,14 +56,14 @@ impl AlignedCohort {
     /// What the load report says, if they are aligned.
     pub fn notice(&self) -> Option<Notice> {
         let each = if self.frames > 1 {
-            ", each frame by itself: where a heart lies, and how it moves as a whole, is not in these files"
+            ", each frame separately: these files do not contain position or motion of the heart as a whole"
         } else {
             ""
         };
         (self.spread? <= ALIGNED).then(|| {
             Notice::info(format!(
-                "{} lie upon each other, as if aligned for an atlas{each}",
-                counted(self.hearts, "heart", "hearts")
+                "{} appear pre-aligned, as for an atlas{each}",
+                counted(self.hearts, "subject", "subjects")
             ))
         })
     }

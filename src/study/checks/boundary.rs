@@ -57,7 +57,7 @@ impl Boundary {
                 counted(self.stray_edges, "edge", "edges")
             ));
         }
-        // A surface that is no part of a heart has no volume that could be wrong.
+        // A surface that is no part of a subject has no volume that could be wrong.
         let caps = match surface.kind() {
             SurfaceKind::Other => "",
             _ => "; volumes use a flat cap there",

@@ -3,15 +3,15 @@
 use crate::mesh::{Point3, Vector3};
 use crate::study::{MeshSequence, Notice};
 
-/// Mean positions count as the origin within this share of the heart's extent: files with three
-/// digits after the point round a mean of 1,000 vertices to about a millionth of it, and a heart
+/// Mean positions count as the origin within this share of the subject's extent: files with three
+/// digits after the point round a mean of 1,000 vertices to about a millionth of it, and a subject
 /// on a scanner's table lies nowhere near.
 const AT_ORIGIN: f64 = 1e-3;
 
-/// All frames of a moving heart have their mean vertex at the origin.
+/// All frames of a moving subject have their mean vertex at the origin.
 ///
-/// Why it matters: frames that were aligned one by one have lost the motion of the heart as a
-/// whole, so a base that seems to stand still says nothing.
+/// Why it matters: frames that were aligned one by one have lost the motion of the subject as a
+/// whole, so a base that seems to are akinetic says nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct CentredFrames {
     /// Whether it is so; never for a single frame.
@@ -35,7 +35,7 @@ impl CentredFrames {
     pub fn notice(&self) -> Option<Notice> {
         self.centred.then(|| {
             Notice::info(
-                "every frame is centred on the origin by itself: motion of the heart as a whole from frame to frame is not in these files",
+                "each frame is centred on the origin separately: these files do not contain motion of the heart as a whole",
             )
         })
     }

@@ -6,7 +6,7 @@ use crate::study::{Notice, SurfaceKind, SurfaceSequence};
 
 /// The pieces of a surface that share no vertex.
 ///
-/// Why it matters: a heart surface is one piece. Two pieces are an inner and an outer side that
+/// Why it matters: a subject surface is one piece. Two pieces are an inner and an outer side that
 /// were stored together, or debris that adds to volumes and pulls on averages.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Components {

@@ -39,9 +39,9 @@ impl DegenerateFaces {
         }
         let up_to = if self.frames.len() > 1 { "up to " } else { "" };
         Some(Notice::warning(format!(
-            "{}: {up_to}{} without area",
+            "{}: {up_to}{}",
             about(surface.kind().name(), &self.frames, surface.frames().len()),
-            counted(self.most, "triangle", "triangles")
+            counted(self.most, "degenerate triangle", "degenerate triangles")
         )))
     }
 }
@@ -79,7 +79,7 @@ mod tests {
         let surface = SurfaceSequence::new(SurfaceKind::Cavity, vec![ball, dented]).unwrap();
         assert_eq!(
             DegenerateFaces::of(&surface).notice(&surface),
-            Some(Notice::warning("cavity, frame 1: 2 triangles without area"))
+            Some(Notice::warning("cavity, frame 1: 2 degenerate triangles"))
         );
     }
 

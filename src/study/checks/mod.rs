@@ -44,7 +44,7 @@ use super::{MeshSequence, Notice, Severity, Subject, SurfaceSequence};
 
 /// Looks at one surface over the beat.
 type SurfaceCheck = fn(&SurfaceSequence) -> Option<Notice>;
-/// Looks at all surfaces of one heart.
+/// Looks at all surfaces of one subject.
 type SequenceCheck = fn(&MeshSequence) -> Option<Notice>;
 
 const SURFACE_CHECKS: &[SurfaceCheck] = &[
@@ -66,7 +66,7 @@ const SEQUENCE_CHECKS: &[SequenceCheck] = &[
     |sequence| CentredFrames::of(sequence).notice(),
 ];
 
-/// How often [`check_subject`] asks whether to go on, for a heart of so many surfaces.
+/// How often [`check_subject`] asks whether to go on, for a subject of so many surfaces.
 pub fn check_count(surfaces: usize) -> usize {
     surfaces * SURFACE_CHECKS.len() + SEQUENCE_CHECKS.len()
 }

@@ -9,7 +9,7 @@ use crate::study::{MeshSequence, Notice, SurfaceKind};
 /// Vertices of the epicardium that lie exactly on vertices of the endocardium.
 ///
 /// Why it matters: where the two sheets share their rim, the epicardium includes the cut through
-/// the wall at the base; its area is then more than the outside of the heart, and the wall has no thickness there.
+/// the wall at the base; its area is then more than the outside of the subject, and the wall has no thickness there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SharedRim {
     /// The smallest number of shared points over the frames.

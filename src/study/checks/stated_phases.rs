@@ -48,13 +48,13 @@ impl StatedPhases {
         let beyond = |name: &str, frame: Option<usize>| {
             frame.map(|frame| {
                 Notice::warning(format!(
-                    "{name} is stated at frame {frame}, but the last frame is {last}; it is found from the volumes"
+                    "{name} is set to frame {frame}, but the last frame is {last}; it is computed from the volumes"
                 ))
             })
         };
         let swapped = self.swapped.then(|| {
             Notice::warning(
-                "the cavity is smaller at the stated end-diastole than at the stated end-systole; are the two swapped?",
+                "the cavity is smaller at the given end-diastole than at the given end-systole; are the two swapped?",
             )
         });
         beyond("end-diastole", self.end_diastole_beyond)
@@ -87,7 +87,7 @@ mod tests {
         assert_eq!(
             stated(0, 7),
             [Notice::warning(
-                "end-systole is stated at frame 7, but the last frame is 1; it is found from the volumes"
+                "end-systole is set to frame 7, but the last frame is 1; it is computed from the volumes"
             )]
         );
     }

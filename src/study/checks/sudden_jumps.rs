@@ -5,14 +5,14 @@ use crate::mesh::TriMesh;
 use crate::study::{Notice, SurfaceSequence};
 
 /// A step counts as a jump where vertices move by more than this share of the surface's extent
-/// (root mean square against the diagonal of its box). A whole beat of a healthy heart moves them by
+/// (root mean square against the diagonal of its box). A whole beat of a healthy subject moves them by
 /// 0.05 to 0.1; vertices in another order move them by about 0.4.
 const JUMP: f64 = 0.25;
 
 /// Steps between frames in which vertices move too far.
 ///
 /// Why it matters: frames whose vertices do not correspond, or that lie in different coordinates,
-/// look like hearts one by one, and every motion between them is meaningless.
+/// look like subjects one by one, and every motion between them is meaningless.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SuddenJumps {
     /// Frames that lie too far from the frame before.

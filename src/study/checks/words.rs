@@ -6,7 +6,7 @@ pub fn counted(count: usize, singular: &str, plural: &str) -> String {
     format!("{} {word}", with_thousands(count))
 }
 
-/// `frame 3`, `frames 0–4, 7`, `both frames`, `all 25 frames`; empty for a still heart, of which there is no
+/// `frame 3`, `frames 0–4, 7`, `both frames`, `all 25 frames`; empty for a still subject, of which there is no
 /// other frame to tell it from.
 ///
 /// `frames` are ascending and below `frame_count`.

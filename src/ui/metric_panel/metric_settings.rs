@@ -44,7 +44,7 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
         }
     });
     if forms {
-        sentence_ui(ui, form_sentence(kind, form));
+        sentence_ui(ui, form_sentence(&view.poses.distances.metric));
     }
     let mut scale_free = metric.corners == Corners::ScaleFree;
     let size = ui.checkbox(&mut scale_free, "Scale-invariant");

@@ -3,7 +3,7 @@
 use egui::{ScrollArea, Ui};
 
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::transport::{CohortTransferParams, Reference};
+use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::engine::PoseMapParams;
 use crate::ui::controls::choice_ui;
 use crate::ui::metric_panel::{MetricPanelView, choice_row_ui, sentence_ui};
@@ -19,7 +19,7 @@ pub fn pose_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams>
 }
 
 fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
-    let transfer = wanted.distances.transfer;
+    let transfer = wanted.distances.transport;
     let name = |subject: usize| {
         view.subjects
             .get(subject)
@@ -34,7 +34,7 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
                 only motions differ";
     choice_row_ui(ui, "Transport", what, &shown, true, |ui| {
         let mut choose = |reference: Option<Reference>| {
-            wanted.distances.transfer = reference.map(|reference| CohortTransferParams {
+            wanted.distances.transport = reference.map(|reference| CohortTransportParams {
                 reference,
                 ..transfer.unwrap_or_default()
             });

@@ -5,7 +5,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use super::*;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::{Form, MetricKind};
-use crate::analysis::transport::{CohortTransferParams, Reference};
+use crate::analysis::transport::{CohortTransportParams, Reference};
 
 #[derive(Default)]
 struct Scene {
@@ -110,8 +110,8 @@ fn motions_are_transported_onto_the_mean_or_a_subject() {
         "Transport: off",
         "onto the mean subject of the cohort",
     );
-    let transfer = |harness: &Harness<'_, Scene>| harness.state().poses.distances.transfer;
-    assert_eq!(transfer(&harness), Some(CohortTransferParams::default()));
+    let transfer = |harness: &Harness<'_, Scene>| harness.state().poses.distances.transport;
+    assert_eq!(transfer(&harness), Some(CohortTransportParams::default()));
     choose(&mut harness, "Transport: onto the mean subject", "onto P2");
     assert_eq!(
         transfer(&harness).map(|transfer| transfer.reference),

@@ -2,7 +2,7 @@
 
 use super::*;
 use cardiomorph::analysis::embedding::{
-    LleParams, LocalWeights, Neighbours, isomap, lle, shortest_ways,
+    LleParams, LocalWeights, Neighbours, isomap, lle, shortest_paths,
 };
 
 fn curves() -> (Case, DistanceMatrix) {
@@ -55,7 +55,7 @@ fn classical_scaling_agrees_with_scipy() {
 fn stress_majorisation_agrees_with_scikit_learn() {
     let (case, distances) = curves();
     let params = SmacofParams {
-        most_iterations: 20_000,
+        max_iterations: 20_000,
         tolerance: 1e-14,
         ..SmacofParams::default()
     };
@@ -116,7 +116,7 @@ fn isomap_agrees_with_scikit_learn() {
     let (_, items, distances) = points(&case);
     let progress = Progress::default();
     let nearest = Neighbours::of_distances(&distances, 8, &progress).unwrap();
-    let (ways, parts) = shortest_ways(&distances, &nearest, &progress).unwrap();
+    let (ways, parts) = shortest_paths(&distances, &nearest, &progress).unwrap();
     assert_eq!(parts, 1);
     for (j, expected) in case.numbers("expected", "geodesic_row0").iter().enumerate() {
         assert!((ways.get(0, j) - expected).abs() <= 1e-9);

@@ -36,7 +36,7 @@ fn params(case: &Case) -> GeodesicParams {
         },
         in_betweens: stated["k_intermediate"].as_u64().unwrap() as u16,
         tolerance: 1e-6,
-        most_iterations: 2_000,
+        max_iterations: 2_000,
         ..GeodesicParams::default()
     }
 }

@@ -2,7 +2,7 @@
 
 use cardiomorph::analysis::medial::Atom;
 use cardiomorph::analysis::medial_space::{
-    AtomAction, AtomDifference, AtomNorm, MedialDistance, PoseDescriptor, RatioForm, StillAtom,
+    AkineticAtom, AtomAction, AtomDifference, AtomNorm, MedialDistance, PoseDescriptor, RatioForm,
     angle, atom_distance, atom_log, atom_log_pole, exp, exp_pole, frechet_mean, log, log_pole,
     mean_direction, mean_radius, medial_distance, pose_descriptor, pose_distance, spoke_angle_rad,
     spokes_from_gradient,
@@ -223,9 +223,9 @@ fn the_descriptor_of_a_pose_agrees_with_numpy() {
         .collect();
     all_near("PT", &ratios, &case.numbers("expected", "PT"), 1e-12);
     let selected = case.numbers("expected", "selected");
-    let still: Vec<StillAtom> = (0..ratios.len())
+    let still: Vec<AkineticAtom> = (0..ratios.len())
         .filter(|&i| (ratios[i] - 1.0).abs() <= 0.05)
-        .map(|i| StillAtom {
+        .map(|i| AkineticAtom {
             position: Point3::from(positions[i]),
             log_pt: ratios[i].ln(),
             normal: normals[i],

@@ -3,6 +3,7 @@
 use proptest::prelude::*;
 
 use super::*;
+use crate::analysis::embedding::{LleParamError, LleParams};
 use crate::progress::Stopped;
 
 fn params(neighbours: usize, dimensions: usize) -> CheckedLleParams {

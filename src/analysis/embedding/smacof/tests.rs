@@ -50,7 +50,7 @@ fn random_starts_never_make_the_map_worse_and_are_repeatable() {
 fn the_number_of_threads_changes_no_bit() {
     let matrix = distances(&cloud(2_100, 2.0));
     let params = SmacofParams {
-        most_iterations: 2,
+        max_iterations: 2,
         ..SmacofParams::default()
     };
     let with = |threads: usize| {
@@ -101,8 +101,8 @@ proptest! {
     fn a_step_never_raises_the_stress(upper in prop::collection::vec(0.0..5.0_f64, 45)) {
         let matrix = DistanceMatrix::from_upper(10, upper).unwrap();
         let mut last = f64::INFINITY;
-        for most_iterations in 0..12 {
-            let params = SmacofParams { most_iterations, tolerance: 0.0, ..SmacofParams::default() };
+        for max_iterations in 0..12 {
+            let params = SmacofParams { max_iterations, tolerance: 0.0, ..SmacofParams::default() };
             let stress = raw_stress(&matrix, &map_with(params, &matrix)).unwrap();
             prop_assert!(stress <= last * (1.0 + 1e-12));
             last = stress;
@@ -114,7 +114,7 @@ proptest! {
         let points = cloud(30, 2.0);
         let mut renumbered = points.clone();
         renumbered.rotate_left(shift);
-        let params = SmacofParams { tolerance: 1e-13, most_iterations: 20_000, ..SmacofParams::default() };
+        let params = SmacofParams { tolerance: 1e-13, max_iterations: 20_000, ..SmacofParams::default() };
         let map = map_with(params, &distances(&points));
         let other = map_with(params, &distances(&renumbered));
         for item in 0..30 {

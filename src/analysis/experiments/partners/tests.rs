@@ -27,11 +27,11 @@ fn study(id: impl Fn(usize) -> String) -> Study {
 
 /// The default and plain displacement, as they are.
 fn quick() -> PartnerParams {
-    let all = PartnerParams::all_metrics(CohortTransferParams::default());
+    let all = PartnerParams::all_metrics(CohortTransportParams::default());
     PartnerParams {
         methods: vec![all.methods[0], all.methods[8]],
-        carryings: all.carryings[..1].to_vec(),
-        uncarried: Vec::new(),
+        transport_options: all.transport_options[..1].to_vec(),
+        untransported: Vec::new(),
     }
 }
 
@@ -133,9 +133,9 @@ fn hearts_that_move_alike_are_at_one_motion_wherever_they_lie() {
 #[test]
 fn partners_are_ranked_the_same_by_any_number_of_threads_and_stop_at_once() {
     let study = study(|i| format!("P{}_{}", i / 3, i % 3));
-    let mut params = PartnerParams::all_metrics(CohortTransferParams::default());
+    let mut params = PartnerParams::all_metrics(CohortTransportParams::default());
     params.methods.truncate(1);
-    params.carryings.remove(1);
+    params.transport_options.remove(1);
     let on = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
         let pool = pool.build().unwrap();

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::analysis::experiments::noise_result::mean_and_error;
-use crate::analysis::experiments::noise_study::told_apart;
-use crate::analysis::experiments::transfer_study::difference;
+use crate::analysis::experiments::noise_study::classified;
+use crate::analysis::experiments::transport_study::difference;
 use crate::mesh::{Point3, phantom};
 
 #[test]
@@ -141,8 +141,8 @@ fn what_was_carried_is_held_against_the_truth_and_not_against_itself() {
         rest.vertices().iter().map(moved).collect()
     };
     let truth = moved(0.8);
-    let against = |carried: &[Point3]| {
-        difference(carried, &truth, rest.vertices(), rest.triangles()).unwrap()
+    let against = |transported: &[Point3]| {
+        difference(transported, &truth, rest.vertices(), rest.triangles()).unwrap()
     };
     // Elsewhere in space, but right.
     let shifted: Vec<Point3> = truth
@@ -189,8 +189,8 @@ fn a_deformation_that_cannot_be_compared_counts_as_wrong() {
     let labels: Vec<Option<usize>> = own.labels().into_iter().map(Some).collect();
     let method = &params.methods[0];
     let tau = |study: &crate::study::Study| {
-        let told = told_apart(&params, study, &labels, method, 1, &Progress::default());
-        told.unwrap().tau
+        let scored = classified(&params, study, &labels, method, 1, &Progress::default());
+        scored.unwrap().tau
     };
     assert!(tau(&study) > 0.9);
     study.subjects[0] = other.study().unwrap().subjects[0].clone();

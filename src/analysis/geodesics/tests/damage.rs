@@ -48,7 +48,7 @@ fn ends_that_do_not_fit_are_refused_with_their_numbers() {
 
 #[test]
 fn a_path_through_a_point_does_not_panic() {
-    // The straight line from a ball to the ball turned inside out meets the centre half-way.
+    // The straight line from a sphere to the sphere turned inside out meets the centre half-way.
     let ball = phantom::sphere(1, 1.0);
     let end: Vec<Point3> = ball
         .vertices()
@@ -156,7 +156,7 @@ fn settings_out_of_range_are_refused() {
             ..default
         },
         GeodesicParams {
-            most_vertices: Some(3),
+            max_vertices: Some(3),
             ..default
         },
         GeodesicParams {

@@ -87,9 +87,11 @@ impl Bounds {
         let middle = summary.low + 0.5 * (summary.high - summary.low);
         let axis = summary
             .normals
+            // Normals that cancel, as on a sphere, give no axis; any will do then.
             .try_normalize(1e-3)
             .unwrap_or_else(Vector3::z);
         let [centre, axis] = [middle.coords, axis].map(|v| <[f64; 3]>::from(v).map(|x| x as f32));
+        // Measured from the rounded centre, so that rounding it costs nothing in safety.
         let middle = Point3::from(centre.map(f64::from));
         let along = Vector3::from(axis.map(f64::from));
         let (mut begin, mut end) = (f64::INFINITY, f64::NEG_INFINITY);

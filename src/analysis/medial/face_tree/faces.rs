@@ -22,7 +22,7 @@ impl FacesOfPose<'_> {
 pub(in crate::analysis::medial) struct Facing {
     pub direction: Vector3,
     /// Cosine of that angle; above 1 all faces are found.
-    pub cos_least: f64,
+    pub cos_min_angle: f64,
     pub faces: Option<[u32; 2]>,
 }
 
@@ -31,7 +31,7 @@ impl Facing {
     pub fn any(faces: Option<[u32; 2]>) -> Self {
         Self {
             direction: Vector3::zeros(),
-            cos_least: 2.0,
+            cos_min_angle: 2.0,
             faces,
         }
     }

@@ -1,6 +1,7 @@
 //! The nearest face that faces a direction: cylinders and cones of normals around faces, four at a time.
 
 mod bounds;
+mod build;
 mod faces;
 mod node;
 mod plan;

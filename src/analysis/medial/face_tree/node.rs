@@ -55,8 +55,9 @@ impl Node {
         // Every normal in a cone is nearer than the angle where θ + spread < angle, which is θ < angle − spread.
         let direction = |k: usize| Vec4::splat(search.direction[k]);
         let cos = dot(self.axis, [direction(0), direction(1), direction(2)]);
-        let limit = search.cos_least * self.cos + search.sin_least * self.sin;
-        let within = self.cos.cmpgt(Vec4::splat(search.cos_least))
+        let limit = search.cos_min_angle * self.cos + search.sin_min_angle * self.sin;
+        // Half-angles beyond the limit would make the comparison of cosines wrong; such a cone is searched.
+        let within = self.cos.cmpgt(Vec4::splat(search.cos_min_angle))
             & cos.cmpgt(limit + Vec4::splat(ROUNDING));
         let squared = Vec4::select(within, Vec4::INFINITY, squared);
         let Some([from, to]) = search.faces else {
@@ -71,14 +72,14 @@ impl Node {
 pub(super) struct Search {
     point: [f32; 3],
     direction: [f32; 3],
-    cos_least: f32,
-    sin_least: f32,
+    cos_min_angle: f32,
+    sin_min_angle: f32,
     faces: Option<[u32; 2]>,
 }
 
 impl Search {
     pub fn new(point: Point3, facing: &Facing) -> Self {
-        let cos = facing.cos_least;
+        let cos = facing.cos_min_angle;
         Self {
             point: [point.x as f32, point.y as f32, point.z as f32],
             direction: [
@@ -86,8 +87,8 @@ impl Search {
                 facing.direction.y as f32,
                 facing.direction.z as f32,
             ],
-            cos_least: cos as f32,
-            sin_least: (1.0 - cos * cos).max(0.0).sqrt() as f32,
+            cos_min_angle: cos as f32,
+            sin_min_angle: (1.0 - cos * cos).max(0.0).sqrt() as f32,
             faces: facing.faces,
         }
     }

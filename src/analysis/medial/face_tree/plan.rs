@@ -1,27 +1,20 @@
-//! In which order a tree holds faces, and what it lays around them.
+//! In which order a tree holds faces.
 
-use rayon::prelude::*;
-
-use super::bounds::{Bounds, Summary};
-use super::faces::FacesOfPose;
-use super::node::Node;
-use super::search::FaceTree;
-use super::unit::Unit;
 use crate::mesh::Point3;
 
 /// Most faces of a leaf; more cost more tests of faces, fewer more cylinders.
 const LEAF: usize = 3;
 
 /// Faces from which a part is handed to another thread.
-const WORTH_HANDING: usize = 2048;
+pub(super) const WORTH_HANDING: usize = 2048;
 
 /// In which order a tree holds faces, made once for all poses.
 #[derive(Clone, Debug)]
 pub(in crate::analysis::medial) struct TreePlan {
     /// Faces in the order of the leaves.
-    order: Vec<u32>,
+    pub(super) order: Vec<u32>,
     /// Leaves are four to the power of this.
-    levels: usize,
+    pub(super) levels: usize,
 }
 
 impl TreePlan {
@@ -55,7 +48,7 @@ impl TreePlan {
     }
 
     /// The faces of a node, by its level and its place there.
-    fn members(&self, level: usize, place: usize) -> &[u32] {
+    pub(super) fn members(&self, level: usize, place: usize) -> &[u32] {
         let [from, to] = [place, place + 1].map(|place| start(self.order.len(), 2 * level, place));
         &self.order[from..to]
     }
@@ -63,44 +56,6 @@ impl TreePlan {
     /// The faces of a leaf.
     pub(super) fn leaf(&self, leaf: usize) -> &[u32] {
         self.members(self.levels, leaf)
-    }
-
-    /// Lays cylinders and cones around the faces of a pose.
-    pub fn around<'a>(&'a self, faces: FacesOfPose<'a>) -> FaceTree<'a> {
-        let unit = Unit::new(faces.points);
-        let points: Vec<Point3> = faces.points.iter().map(|&point| unit.of(point)).collect();
-        let scaled = FacesOfPose {
-            points: &points,
-            ..faces
-        };
-        let mut levels: Vec<Vec<Node>> = Vec::with_capacity(self.levels);
-        let mut summaries: Vec<Summary> = Vec::new();
-        for level in (1..=self.levels).rev() {
-            let nodes = 1 << (2 * level);
-            let least = WORTH_HANDING * nodes / (self.order.len() + 1);
-            let made: Vec<(Summary, Bounds)> = (0..nodes)
-                .into_par_iter()
-                .with_min_len(least.max(1))
-                .map(|place| {
-                    let members = self.members(level, place);
-                    let summary = match summaries.as_chunks::<4>().0.get(place) {
-                        Some(parts) => Summary::joined(parts),
-                        None => Summary::new(scaled, members),
-                    };
-                    (summary, Bounds::new(scaled, members, &summary))
-                })
-                .collect();
-            let (fours, _) = made.as_chunks::<4>();
-            let node = |four: &[(Summary, Bounds); 4]| Node::new(&four.map(|(_, bounds)| bounds));
-            levels.push(fours.iter().map(node).collect());
-            summaries = made.into_iter().map(|(summary, _)| summary).collect();
-        }
-        FaceTree {
-            plan: self,
-            faces,
-            unit,
-            nodes: levels.into_iter().rev().flatten().collect(),
-        }
     }
 }
 
@@ -128,6 +83,7 @@ impl Halving {
         });
         let axis = (high - low).imax();
         let half = start(self.faces, level + 1, 2 * place + 1) - start(self.faces, level, place);
+        // A half that takes all needs no order; the parts of a tree may be empty.
         if half < part.len() {
             part.select_nth_unstable_by(half, |a, b| {
                 a.1[axis].total_cmp(&b.1[axis]).then(a.0.cmp(&b.0))

@@ -8,7 +8,7 @@ use super::unit::{Unit, above};
 use crate::mesh::{Point3, Vector3};
 
 /// A tree of so many levels, four times as many nodes on each, holds more faces than there are numbers.
-const MOST_LEVELS: usize = 16;
+const MAX_LEVELS: usize = 16;
 
 /// Cylinders and cones of normals around the faces of a pose.
 ///
@@ -41,7 +41,7 @@ impl FaceTree<'_> {
         let mut try_face = |face: u32, least: &mut f64| {
             let normal = faces.normals[face as usize];
             let allowed = (from_face..to_face).contains(&face)
-                && normal.dot(&facing.direction) <= facing.cos_least
+                && normal.dot(&facing.direction) <= facing.cos_min_angle
                 && normal != Vector3::zeros();
             if allowed {
                 let (weights, nearest) = nearest_on_triangle(point, faces.corners(face));
@@ -62,26 +62,26 @@ impl FaceTree<'_> {
         }
         let search = Search::new(self.unit.of(point), facing);
         let in_units = |squared: f64| above(squared * self.unit.scale * self.unit.scale);
-        let mut least_in_units = in_units(least);
-        let mut open = [(0, 0.0); 3 * MOST_LEVELS + 1];
+        let mut min_in_units = in_units(least);
+        let mut open = [(0, 0.0); 3 * MAX_LEVELS + 1];
         let mut count = 1;
         while count > 0 {
             count -= 1;
             let (place, distance) = open[count];
-            if distance >= least_in_units {
+            if distance >= min_in_units {
                 continue;
             }
             let Some(node) = self.nodes.get(place) else {
                 for &face in self.plan.leaf(place - self.nodes.len()) {
                     try_face(face, &mut least);
                 }
-                least_in_units = in_units(least);
+                min_in_units = in_units(least);
                 continue;
             };
             let distances = node.distances(&search);
             let first = count;
             for entry in (4 * place + 1..).zip(distances) {
-                if entry.1 < least_in_units {
+                if entry.1 < min_in_units {
                     open[count] = entry;
                     // The nearest of the four stays last, to be looked at first.
                     if count > first && entry.1 > open[count - 1].1 {

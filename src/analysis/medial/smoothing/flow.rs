@@ -51,6 +51,7 @@ pub(in crate::analysis::medial) fn smooth_from(
         };
     }
     let start: Vec<Vector3> = points.iter().map(|p| p.coords).collect();
+    // The matrix depends on the shape: factor and field are kept apart so that both can come from different surfaces.
     let mut flow = Flow::new(connectivity, shape, length);
     let size_of = |points: &[Point3]| {
         let chunks = connectivity.triangles.par_chunks(CHUNK);
@@ -61,6 +62,8 @@ pub(in crate::analysis::medial) fn smooth_from(
     let mut once = as_points(flow.step(&start, guess));
     for _ in 0..passes {
         let now = size_of(&once);
+        // Noise enlarges areas, and smoothing takes that back: where the area no longer changes, M and L are those of
+        // the shape.
         if (now - size).abs() <= SETTLED * size {
             break;
         }
@@ -99,6 +102,7 @@ impl Flow {
     /// S applied to a field, found from a guess.
     fn step(&self, field: &[Vector3], guess: Vec<Vector3>) -> Vec<Vector3> {
         let mut found = guess;
+        // The rim first: the surface then takes it as given, and an open base does not shrink.
         self.rim.solve(field, &mut found);
         self.inside.solve(field, &mut found);
         found

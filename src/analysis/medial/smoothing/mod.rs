@@ -1,4 +1,4 @@
-//! Takes roughness off surfaces before balls are laid between them.
+//! Takes roughness off surfaces before spheres are fitted between them.
 
 mod flow;
 mod system;

@@ -16,11 +16,11 @@ const TOLERANCE: f64 = 2e-3;
 
 /// The system's condition is some 1 + 12 ℓ²/h² with edges h, so that ℓ = 10 h needs fewer. At the pole of a grid, where
 /// edges are far shorter, what is left after these is less smooth than it might be, and nothing else.
-const MOST_STEPS: usize = 64;
+const MAX_STEPS: usize = 64;
 
 /// Greatest cotangent that counts: that of 3°. Flatter corners, whose sides lie on each other, would tie vertices
 /// together without bound.
-const MOST_COTANGENT: f64 = 20.0;
+const MAX_COTANGENT: f64 = 20.0;
 
 /// (M + ℓ² L) y = M x for the vertices that are free; the others keep what they have.
 pub(super) struct System {
@@ -52,8 +52,9 @@ impl System {
                 mass[triangle[k] as usize] += doubled_area / 6.0;
                 let far = corners[(k + 2) % 3];
                 let dot = (corners[k] - far).dot(&(corners[(k + 1) % 3] - far));
-                let flattest = (dot.abs() / MOST_COTANGENT).max(f64::MIN_POSITIVE);
-                let cotangent = (dot / doubled_area.max(flattest)).max(0.0);
+                let min_doubled_area = (dot.abs() / MAX_COTANGENT).max(f64::MIN_POSITIVE);
+                // Negative cotangents, of obtuse corners, could make the system indefinite.
+                let cotangent = (dot / doubled_area.max(min_doubled_area)).max(0.0);
                 for &entry in entries {
                     weights[entry as usize] += 0.5 * length * length * cotangent;
                 }
@@ -129,27 +130,31 @@ impl System {
     }
 
     /// Conjugate gradients, the diagonal scaled to 1, for the three coordinates as one system, so that turning
-    /// the heart turns every step. Starts from, and holds, what is in `found`; ends where the residual is small against that of `field`.
+    /// the subject turns every step. Starts from, and holds, what is in `found`; ends where the residual is small against that of `field`.
     ///
     /// What is missing to the answer is found in 32 bits, as the residual of the start is in 64.
     pub fn solve(&self, field: &[Vector3], found: &mut [Vector3]) {
+        // Relative to the roughness of the field itself, so that smooth surfaces, which have little to lose, are not
+        // solved to excess.
         let goal = TOLERANCE * TOLERANCE * total(&self.residual(field, field));
         let residual = self.residual(field, found);
         let whole = total(&residual);
         if whole <= goal.max(f64::MIN_POSITIVE) {
             return;
         }
+        // Scaled to length 1, residuals of any unit of coordinates fit 32 bits.
         let (goal, unit) = (goal / whole, whole.sqrt());
         let mut residual: Vec<Vec3A> = (residual.iter()).map(|r| in_32_bits(r / unit)).collect();
         let mut direction = residual.clone();
         let mut image = vec![Vec3A::ZERO; residual.len()];
         let mut missing = image.clone();
         let mut size = 1.0;
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             if size <= goal {
                 break;
             }
             let bend = self.multiply(&direction, &mut image);
+            // Only rounding makes this happen: the direction has no length left.
             if bend <= 0.0 {
                 break;
             }

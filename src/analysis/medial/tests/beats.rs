@@ -1,4 +1,4 @@
-//! Hearts over the beat.
+//! Subjects over the beat.
 
 use super::*;
 use crate::progress::Stopped;

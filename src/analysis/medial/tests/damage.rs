@@ -87,12 +87,12 @@ fn where_sides_cross_there_is_no_room_and_the_sheet_ends() {
 
 #[test]
 fn a_wall_without_thickness_or_inside_out_is_refused_with_numbers() {
-    let ball = phantom::sphere(2, 1.0);
-    let error = surface(&ball, &[&ball], &usual()).unwrap_err();
+    let sphere = phantom::sphere(2, 1.0);
+    let error = surface(&sphere, &[&sphere], &usual()).unwrap_err();
     let words = "frame 0: 162 of 162 vertices have no ball between the sides";
     assert!(error.to_string().starts_with(words), "{error}");
-    let flat = moved(&ball, |_, _| Point3::origin());
-    let error = surface(&ball, &[&flat], &usual()).unwrap_err();
+    let flat = moved(&sphere, |_, _| Point3::origin());
+    let error = surface(&sphere, &[&flat], &usual()).unwrap_err();
     assert_eq!(
         error,
         MedialError::NoArea {

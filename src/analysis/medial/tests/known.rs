@@ -89,7 +89,7 @@ fn of_a_closed_cup_both_sides_have_atoms_and_the_rim_ends_them() {
 
 #[test]
 fn a_wall_of_two_nested_sheets_is_a_wall() {
-    // The outer one is turned, so that no ball touches a vertex, where several faces are equally near.
+    // The outer one is turned, so that no sphere touches a vertex, where several faces are equally near.
     let turn = nalgebra::Rotation3::from_euler_angles(0.3, 0.5, 0.7);
     let inner = phantom::sphere(3, 1.0);
     let outer = moved(&phantom::sphere(3, 1.4), |_, p| turn * p);

@@ -22,12 +22,12 @@ fn the_tree_finds_the_nearest_face_that_looking_at_each_finds() {
         let point = Point3::from(3.0 * roughness(trial, 3.0));
         let facing = Facing {
             direction: roughness(trial, 7.0).normalize(),
-            cos_least: 0.5,
+            cos_min_angle: 0.5,
             faces: Some([trial as u32, count - 5]),
         };
         let found = tree.nearest(point, &facing, f64::INFINITY, Some(trial as u32 + 9));
         let allowed = (trial as u32..count - 5)
-            .filter(|&face| normals[face as usize].dot(&facing.direction) <= facing.cos_least);
+            .filter(|&face| normals[face as usize].dot(&facing.direction) <= facing.cos_min_angle);
         // Of one face alone the tree has nothing to leave out.
         let least = allowed.map(|face| {
             let alone = Facing::any(Some([face, face + 1]));

@@ -3,7 +3,7 @@
 use nalgebra::Rotation3;
 
 use super::*;
-use crate::analysis::metrics::MetricParams;
+use crate::analysis::metrics::{Corners, Form, METRICS, MetricParams};
 use crate::mesh::{TriMesh, phantom};
 
 fn bent(mesh: &TriMesh) -> Vec<Point3> {
@@ -29,12 +29,7 @@ fn shares(mesh: &TriMesh, params: MetricParams, b: &[Point3]) -> (Vec<f64>, f64)
 #[test]
 fn shares_of_faces_add_up_to_half_the_energy_for_every_setting() {
     for mesh in [phantom::bowl(1.0, 5, 9), phantom::torus(1.5, 0.5, 9, 6)] {
-        for kind in [
-            MetricKind::Isometric,
-            MetricKind::Rigid,
-            MetricKind::AnglePreserving,
-            MetricKind::QuasiConformal,
-        ] {
+        for kind in METRICS {
             for form in [Form::Printed, Form::Bilinear, Form::Frozen, Form::Additive] {
                 for corners in [Corners::Raw, Corners::ScaleFree] {
                     for area_weights in [true, false] {

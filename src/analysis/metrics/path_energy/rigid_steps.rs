@@ -3,46 +3,44 @@
 use crate::mesh::{Point3, Vector3};
 use crate::numeric::LANES;
 
-use super::rigid::rigid_part;
-use super::state::{Along, Plan, Slopes};
+use crate::analysis::metrics::rigid::rigid_part;
 
-/// Memory of one side of a step.
-#[derive(Clone, Debug, Default)]
-pub(super) struct RigidScratch {
-    points: Vec<Point3>,
-    weights: Vec<f64>,
-    field: Vec<Vector3>,
-}
+use super::state::{Gradients, PathState, Plan, RigidScratch};
 
 /// Adds energies and slopes along vertices and their areas.
 ///
 /// The energy Σ w |X − k₁ − k₂ × p|² is least over k₁ and k₂, so its slopes are those at fixed k: with X' what is
 /// left of X, 2 w X' along X, −2 w X' × k₂ along p and |X'|² along w.
-pub(super) fn charge(plan: &Plan, along: &mut Along, slopes: &mut Slopes) {
-    let mut scratch = std::mem::take(&mut slopes.rigid);
+pub(in crate::analysis::metrics) fn add_energies(
+    plan: &Plan,
+    state: &mut PathState,
+    gradients: &mut Gradients,
+) {
+    // Taken out, so that the gradients can be written to while it is in use.
+    let mut scratch = std::mem::take(&mut gradients.rigid);
     for step in 0..plan.step_count() {
         for side in 0..2 {
-            charge_side(plan, along, slopes, step, side, &mut scratch);
+            add_side(plan, state, gradients, step, side, &mut scratch);
         }
     }
-    slopes.rigid = scratch;
+    gradients.rigid = scratch;
 }
 
-fn charge_side(
+fn add_side(
     plan: &Plan,
-    along: &mut Along,
-    slopes: &mut Slopes,
+    state: &mut PathState,
+    gradients: &mut Gradients,
     step: usize,
     side: usize,
     scratch: &mut RigidScratch,
 ) {
     let count = plan.mesh.vertex_count;
     let pose = step + side;
-    let point = |along: &Along, v: usize, pose: usize| {
-        Point3::from([0, 1, 2].map(|axis| along.points.at(3 * v + axis, pose)))
+    let point = |state: &PathState, v: usize, pose: usize| {
+        Point3::from([0, 1, 2].map(|axis| state.points.at(3 * v + axis, pose)))
     };
     let by_area = plan.params.area_weights;
-    let total = along.total_area.at(0, pose);
+    let total = state.total_area.at(0, pose);
     let scale = if by_area && total > 0.0 {
         1.0 / total
     } else {
@@ -54,13 +52,13 @@ fn charge_side(
         field,
     } = scratch;
     points.clear();
-    points.extend((0..count).map(|v| point(along, v, pose)));
+    points.extend((0..count).map(|v| point(state, v, pose)));
     field.clear();
-    field.extend((0..count).map(|v| point(along, v, step + 1) - point(along, v, step)));
+    field.extend((0..count).map(|v| point(state, v, step + 1) - point(state, v, step)));
     weights.clear();
     weights.extend((0..count).map(|v| {
         if by_area {
-            scale * along.vertex_area.at(v, pose)
+            scale * state.vertex_area.at(v, pose)
         } else {
             1.0
         }
@@ -75,7 +73,7 @@ fn charge_side(
         let along_point = -along_field.cross(&rigid.k2);
         let mut add = |pose: usize, slope: Vector3| {
             if let Some((block, lane)) = place(pose) {
-                let at = &mut slopes.points[v * plan.blocks + block];
+                let at = &mut gradients.points[v * plan.blocks + block];
                 for axis in 0..3 {
                     at[axis].0[lane] += slope[axis];
                 }
@@ -85,10 +83,10 @@ fn charge_side(
         add(step + 1, along_field);
         add(pose, along_point);
         if let Some((block, lane)) = place(pose) {
-            slopes.vertex_area[v * plan.blocks + block].0[lane] += scale * length2;
+            gradients.vertex_area[v * plan.blocks + block].0[lane] += scale * length2;
         }
     }
-    along.own[step / LANES][side].0[step % LANES] += energy;
+    state.own[step / LANES][side].0[step % LANES] += energy;
 }
 
 /// Block and lane of a pose; pose 0 is in none.

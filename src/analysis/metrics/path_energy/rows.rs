@@ -5,7 +5,7 @@ use crate::numeric::{LANES, Lanes};
 /// For each item its values at poses 0, 1, 2 …: a block of steps reads those where it begins and,
 /// one place later, those where it ends.
 #[derive(Clone, Debug)]
-pub(super) struct Rows {
+pub(in crate::analysis::metrics) struct Rows {
     values: Vec<f64>,
     stride: usize,
 }

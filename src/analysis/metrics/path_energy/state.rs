@@ -1,18 +1,21 @@
 //! What a path is made of, and the slopes of its energy: all memory that an evaluation uses.
 
+use crate::mesh::{Point3, Vector3};
 use crate::numeric::{LANES, Lanes};
 
-use super::rigid_steps::RigidScratch;
+use crate::analysis::metrics::connectivity::Connectivity;
+use crate::analysis::metrics::params::{CheckedMetricParams, Corners, CurvatureRole, Regulariser};
+
 use super::rows::Rows;
-use super::{CheckedMetricParams, Connectivity, Corners, Form, MetricKind, Regulariser};
 
 /// What does not change between evaluations.
 #[derive(Clone, Debug)]
-pub(super) struct Plan {
+pub(in crate::analysis::metrics) struct Plan {
     pub mesh: Connectivity,
     pub params: CheckedMetricParams,
+    pub curvature: CurvatureRole,
     pub in_betweens: usize,
-    /// Blocks of [`LANES`] steps; those past the end of the path stand still there.
+    /// Blocks of [`LANES`] steps; those past the end of the path repeat the last pose.
     pub blocks: usize,
     /// |ΔK| of the two ends, per vertex; empty unless the form is frozen.
     pub frozen: Vec<f64>,
@@ -22,36 +25,17 @@ pub(super) struct Plan {
     pub side_parts: Vec<[f64; 3]>,
 }
 
-/// Factors of corner terms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Factor {
-    /// None.
-    One,
-    /// Curvature change of the step.
-    Change,
-    /// Curvature change of the ends.
-    Frozen,
-}
-
 impl Plan {
-    pub fn factor(&self) -> Factor {
-        match (self.params.kind, self.params.form) {
-            (MetricKind::QuasiConformal, Form::Printed | Form::Bilinear) => Factor::Change,
-            (MetricKind::QuasiConformal, Form::Frozen) => Factor::Frozen,
-            _ => Factor::One,
-        }
-    }
-
     /// Weight μ of the curvature change, 0 where it is no term of its own.
     pub fn mu(&self) -> f64 {
-        match (self.params.kind, self.params.form) {
-            (MetricKind::QuasiConformal, Form::Additive) => self.params.mu,
-            _ => 0.0,
+        match self.curvature {
+            CurvatureRole::Term => self.params.mu,
+            CurvatureRole::Unused | CurvatureRole::StepFactor | CurvatureRole::FrozenFactor => 0.0,
         }
     }
 
     pub fn needs_curvature(&self) -> bool {
-        self.mu() > 0.0 || self.factor() == Factor::Change
+        self.mu() > 0.0 || self.curvature == CurvatureRole::StepFactor
     }
 
     pub fn raw(&self) -> bool {
@@ -69,7 +53,7 @@ impl Plan {
 
 /// Measures of all poses, and of the steps between them.
 #[derive(Clone, Debug)]
-pub(super) struct Along {
+pub(in crate::analysis::metrics) struct PathState {
     /// Coordinates x, y, z of each vertex, three rows.
     pub points: Rows,
     /// 1 / |p − q|² of each edge, 0 where it has no length.
@@ -94,9 +78,9 @@ pub(super) struct Along {
     pub rest: Vec<[Lanes; 2]>,
 }
 
-/// Slopes of the energy along those measures.
+/// Gradients of the energy along those measures.
 #[derive(Clone, Debug)]
-pub(super) struct Slopes {
+pub(in crate::analysis::metrics) struct Gradients {
     pub points: Vec<[Lanes; 3]>,
     pub stretch: Vec<[Lanes; 2]>,
     pub length2: Vec<Lanes>,
@@ -111,13 +95,22 @@ pub(super) struct Slopes {
     pub rigid: RigidScratch,
 }
 
-impl Along {
+/// Memory of the rigid metric for one side of a step.
+#[derive(Clone, Debug, Default)]
+pub(in crate::analysis::metrics) struct RigidScratch {
+    pub points: Vec<Point3>,
+    pub weights: Vec<f64>,
+    pub field: Vec<Vector3>,
+}
+
+impl PathState {
     pub fn new(plan: &Plan) -> Self {
         let blocks = plan.blocks;
         let (vertices, edges, faces) = sizes(plan);
         Self {
             points: Rows::new(3 * vertices, blocks),
             inverse_length2: Rows::new(edges, blocks),
+            // Scale-free corners read stretches only, and rows are the largest arrays here.
             length2: Rows::new(if plan.raw() { edges } else { 0 }, blocks),
             face_area: Rows::new(faces, blocks),
             vertex_area: Rows::new(vertices, blocks),
@@ -153,7 +146,7 @@ impl Along {
     }
 }
 
-impl Slopes {
+impl Gradients {
     pub fn new(plan: &Plan) -> Self {
         let blocks = plan.blocks;
         let (vertices, edges, faces) = sizes(plan);

@@ -5,33 +5,28 @@ use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
-use crate::analysis::metrics::{MetricParams, PairScratch};
+use crate::analysis::metrics::{
+    Corners, CurvatureRole, Form, METRICS, MetricKind, MetricParams, PairScratch, Regulariser,
+};
 use crate::mesh::{Faces, TriMesh, phantom};
 
 /// Every kind, form, corner, weight, regulariser and number of rings that differ in what they compute.
 fn all_settings() -> Vec<MetricParams> {
     use Form::{Additive, Bilinear, Frozen, Printed};
-    let kinds: [(MetricKind, &[Form]); 4] = [
-        (MetricKind::Isometric, &[Additive]),
-        (MetricKind::Rigid, &[Additive]),
-        (MetricKind::AnglePreserving, &[Printed, Bilinear]),
-        (
-            MetricKind::QuasiConformal,
-            &[Printed, Bilinear, Frozen, Additive],
-        ),
-    ];
     let mut all = Vec::new();
-    for (kind, forms) in kinds {
+    for kind in METRICS {
+        let forms: &[Form] = if kind.has_forms() {
+            &[Printed, Bilinear, Frozen, Additive]
+        } else {
+            &[Additive]
+        };
         for (&form, corners) in forms
             .iter()
             .flat_map(|form| [(form, Corners::Raw), (form, Corners::ScaleFree)])
         {
             for (area_weights, curvature_rings) in [(false, 0), (true, 0), (true, 3)] {
-                if curvature_rings > 0 && kind != MetricKind::QuasiConformal {
-                    continue;
-                }
                 for regulariser in [Regulariser::Area, Regulariser::Uniform] {
-                    all.push(MetricParams {
+                    let params = MetricParams {
                         kind,
                         form,
                         corners,
@@ -40,7 +35,11 @@ fn all_settings() -> Vec<MetricParams> {
                         curvature_rings,
                         lambda: 0.3,
                         regulariser,
-                    });
+                    };
+                    let averages = params.curvature_role() != CurvatureRole::Unused;
+                    if averages || curvature_rings == 0 {
+                        all.push(params);
+                    }
                 }
             }
         }

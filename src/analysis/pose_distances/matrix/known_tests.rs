@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::tests::{beat, subject};
 use super::*;
 use crate::analysis::pose_distances::{ComputedDistances, PoseDistanceParams};
-use crate::analysis::transport::{CohortTransferParams, Reference};
+use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::mesh::TriMesh;
 use crate::study::{ShapeKey, Subject};
 
@@ -26,10 +26,10 @@ fn hearts() -> Vec<Arc<Subject>> {
 
 fn carried_onto(reference: Reference) -> PoseDistanceParams {
     PoseDistanceParams {
-        transfer: Some(CohortTransferParams {
+        transport: Some(CohortTransportParams {
             reference,
             in_betweens: 0,
-            ..CohortTransferParams::default()
+            ..CohortTransportParams::default()
         }),
         ..PoseDistanceParams::default()
     }
@@ -133,11 +133,11 @@ fn one_motion_of_two_hearts_is_no_distance_after_a_transfer() {
     let moved = |mesh: &TriMesh| vec![mesh.clone(), grown(mesh, 1.1)];
     let study = study(&[subject("a", moved(&rest)), subject("b", moved(&other))]);
     let plain = computed(&study, PoseDistanceParams::default(), None).distances;
-    let carried = computed(&study, carried_onto(Reference::Subject(0)), None).distances;
+    let transported = computed(&study, carried_onto(Reference::Subject(0)), None).distances;
     // At end-diastole all are the reference.
     assert!(plain.distances.get(0, 2) > 1e-2);
-    assert!(carried.distances.get(0, 2) < 1e-12);
-    assert!(carried.distances.get(1, 3) < 0.3 * plain.distances.get(1, 3));
+    assert!(transported.distances.get(0, 2) < 1e-12);
+    assert!(transported.distances.get(1, 3) < 0.3 * plain.distances.get(1, 3));
 }
 
 #[test]

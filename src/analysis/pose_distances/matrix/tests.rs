@@ -5,7 +5,7 @@ use std::sync::Arc;
 use nalgebra::Rotation3;
 
 use super::*;
-use crate::analysis::metrics::{Corners, Form, MetricKind, MetricParams};
+use crate::analysis::metrics::{Corners, Form, METRICS, MetricParams};
 use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::mesh::{Point3, TriMesh, Vector3, phantom};
 use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
@@ -82,7 +82,7 @@ fn rows_go_by_subject_and_then_by_frame() {
             frame: 0
         }
     );
-    // Both hearts have one shape at frame 0, in two sizes.
+    // Both subjects have one shape at frame 0, in two sizes.
     assert!(result.distances.get(0, 5) < 1e-12);
     assert!(result.distances.get(0, 2) > 1e-2 && result.distances.get(2, 6) > 1e-2);
     assert!(result.left_out.is_empty());
@@ -167,12 +167,7 @@ fn folded_faces_and_coinciding_vertices_give_finite_distances() {
         subject("damaged", [frames, vec![collapsed.unwrap()]].concat()),
         subject("a", beat(40.0, 0.2, 2)),
     ]);
-    for kind in [
-        MetricKind::Isometric,
-        MetricKind::Rigid,
-        MetricKind::AnglePreserving,
-        MetricKind::QuasiConformal,
-    ] {
+    for kind in METRICS {
         for form in [Form::Printed, Form::Bilinear, Form::Frozen, Form::Additive] {
             for (corners, area_weights) in [(Corners::Raw, false), (Corners::ScaleFree, true)] {
                 let metric = MetricParams {
@@ -184,7 +179,7 @@ fn folded_faces_and_coinciding_vertices_give_finite_distances() {
                 };
                 let params = PoseDistanceParams {
                     metric,
-                    transfer: None,
+                    transport: None,
                     ..PoseDistanceParams::default()
                 }
                 .check()

@@ -1,4 +1,4 @@
-//! Whole beats on other hearts.
+//! Whole beats on other subjects.
 
 use super::*;
 use crate::analysis::alignment::rigid_motion;
@@ -35,7 +35,7 @@ fn a_beat_on_the_same_heart_comes_back_unchanged() {
         ..heart(1.0, 6)
     };
     for params in [straight(), TransportParams::default().check().unwrap()] {
-        let back = transferred_beat(&one, &one, &params, &Progress::default()).unwrap();
+        let back = transported_motion(&one, &one, &params, &Progress::default()).unwrap();
         assert!(greatest_gap(&back, &one.sequence) < 1e-9);
         assert_eq!(back.pose(2), one.sequence.pose(2));
     }
@@ -47,7 +47,7 @@ fn a_heart_that_was_turned_and_enlarged_moves_as_it_did_but_larger() {
     let turn = Rotation3::from_euler_angles(0.3, -1.0, 2.0);
     let place = |p: &Point3| turn * (p * 1.25) + Vector3::new(100.0, -20.0, 7.0);
     let other = changed(&one, place);
-    let there = transferred_beat(&one, &other, &straight(), &Progress::default()).unwrap();
+    let there = transported_motion(&one, &other, &straight(), &Progress::default()).unwrap();
     assert!(greatest_gap(&there, &other.sequence) < 1e-8);
 }
 
@@ -62,7 +62,7 @@ fn a_beat_starts_from_the_heart_it_is_carried_onto_at_its_own_end_diastole() {
         ..heart(2.0, 3)
     };
     let params = TransportParams::default().check().unwrap();
-    let there = transferred_beat(&from, &onto, &params, &Progress::default()).unwrap();
+    let there = transported_motion(&from, &onto, &params, &Progress::default()).unwrap();
     assert_eq!(there.frame_count(), 5);
     assert_eq!(there.pose(4), onto.sequence.pose(1));
     assert_eq!(there.correspondence(), onto.sequence.correspondence());
@@ -74,19 +74,21 @@ fn it_does_not_matter_where_the_moving_heart_lies_or_how_large_it_is() {
     let (from, onto) = (heart(0.0, 4), heart(2.0, 4));
     let turn = Rotation3::from_euler_angles(-0.4, 0.2, 1.0);
     let elsewhere = changed(&from, |p| turn * (p * 0.8) + Vector3::new(3.0, 40.0, -9.0));
-    let beat =
-        |from: &Subject| transferred_beat(from, &onto, &straight(), &Progress::default()).unwrap();
+    let beat = |from: &Subject| {
+        transported_motion(from, &onto, &straight(), &Progress::default()).unwrap()
+    };
     assert!(greatest_gap(&beat(&from), &beat(&elsewhere)) < 1e-8);
 }
 
 #[test]
 fn the_deformation_of_one_frame_is_the_heart_itself() {
     let one = heart(0.0, 1);
-    let there = transferred_beat(&one, &heart(1.0, 3), &straight(), &Progress::default()).unwrap();
+    let there =
+        transported_motion(&one, &heart(1.0, 3), &straight(), &Progress::default()).unwrap();
     assert_eq!(there.frame_count(), 1);
     assert_eq!(there.pose(0), heart(1.0, 3).sequence.pose(0));
     let faces = one.sequence.joined_faces();
-    let none = transfer_deformation(&faces, &[], &[], &straight(), &Progress::default());
+    let none = transport_deformation(&faces, &[], &[], &straight(), &Progress::default());
     assert_eq!(none, Err(TransportError::NoPoses));
 }
 
@@ -96,7 +98,7 @@ fn hearts_that_do_not_fit_are_refused_with_both_names() {
     let ball = MeshSequence::new(vec![surface]).unwrap();
     let ball = Subject::new("ball", ball, LengthUnit::Millimetre);
     let error = |from: &Subject, onto: &Subject| {
-        let beat = transferred_beat(from, onto, &straight(), &Progress::default());
+        let beat = transported_motion(from, onto, &straight(), &Progress::default());
         beat.unwrap_err().to_string()
     };
     assert_eq!(
@@ -124,11 +126,11 @@ fn a_cohort_is_carried_onto_its_mean_or_onto_one_of_it() {
     let cohort = study((0..4).map(|who| heart(f64::from(who), 5)).collect());
     let metric = MetricParams::default().check().unwrap();
     for reference in [Reference::Mean, Reference::Subject(2)] {
-        let params = CohortTransferParams {
+        let params = CohortTransportParams {
             reference,
-            ..CohortTransferParams::default()
+            ..CohortTransportParams::default()
         };
-        let there = transfer_cohort(&cohort, &metric, &params, &Progress::default()).unwrap();
+        let there = transport_cohort(&cohort, &metric, &params, &Progress::default()).unwrap();
         assert!(there.left_out.is_empty());
         assert_eq!(there.members.len(), 4);
         for member in &there.members {
@@ -155,9 +157,9 @@ fn the_mean_of_equal_hearts_is_that_heart() {
         Rotation3::from_euler_angles(1.0, 0.0, 0.2) * (p * 3.0)
     });
     let metric = MetricParams::default().check().unwrap();
-    let params = CohortTransferParams::default();
+    let params = CohortTransportParams::default();
     let cohort = study(vec![one, other]);
-    let there = transfer_cohort(&cohort, &metric, &params, &Progress::default()).unwrap();
+    let there = transport_cohort(&cohort, &metric, &params, &Progress::default()).unwrap();
     let first = &there.members[0];
     let rest: Vec<Point3> = (cohort.subjects[0].sequence.pose(0).unwrap().iter())
         .map(|p| first.scale.normalised(p))
@@ -180,13 +182,13 @@ fn the_mean_of_equal_hearts_is_that_heart() {
 fn the_same_cohort_gives_the_same_bits_with_any_number_of_threads() {
     let cohort = study((0..5).map(|who| heart(f64::from(who), 4)).collect());
     let metric = MetricParams::default().check().unwrap();
-    let params = CohortTransferParams::default();
+    let params = CohortTransportParams::default();
     let with = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new()
             .num_threads(threads)
             .build()
             .unwrap();
-        pool.install(|| transfer_cohort(&cohort, &metric, &params, &Progress::default()))
+        pool.install(|| transport_cohort(&cohort, &metric, &params, &Progress::default()))
             .unwrap()
     };
     assert_eq!(with(1), with(4));
@@ -212,11 +214,11 @@ fn who_cannot_take_part_is_left_out_with_a_reason() {
     let ball = Subject::new("ball", ball, LengthUnit::Millimetre);
     let cohort = study(vec![heart(0.0, 3), far, ball, heart(2.0, 3)]);
     let metric = MetricParams::default().check().unwrap();
-    let params = CohortTransferParams {
+    let params = CohortTransportParams {
         in_betweens: 0,
-        ..CohortTransferParams::default()
+        ..CohortTransportParams::default()
     };
-    let there = transfer_cohort(&cohort, &metric, &params, &Progress::default()).unwrap();
+    let there = transport_cohort(&cohort, &metric, &params, &Progress::default()).unwrap();
     let left: Vec<usize> = there.left_out.iter().map(|left| left.subject).collect();
     assert_eq!(left, [1, 2]);
     assert!(
@@ -225,24 +227,24 @@ fn who_cannot_take_part_is_left_out_with_a_reason() {
             .starts_with("its motion cannot be carried")
     );
     assert_eq!(there.members.len(), 2);
-    let onto_ball = CohortTransferParams {
+    let onto_ball = CohortTransportParams {
         reference: Reference::Subject(2),
         ..params
     };
-    let error = transfer_cohort(&cohort, &metric, &onto_ball, &Progress::default()).unwrap_err();
+    let error = transport_cohort(&cohort, &metric, &onto_ball, &Progress::default()).unwrap_err();
     assert!(
         error.to_string().starts_with(
             "the reference is to be subject 2 of 4, which cannot be used: its vertices"
         )
     );
-    let nobody = CohortTransferParams {
+    let nobody = CohortTransportParams {
         reference: Reference::Subject(9),
         ..params
     };
-    let error = transfer_cohort(&cohort, &metric, &nobody, &Progress::default()).unwrap_err();
+    let error = transport_cohort(&cohort, &metric, &nobody, &Progress::default()).unwrap_err();
     assert!(error.to_string().ends_with("there is none"));
-    let empty = transfer_cohort(&Study::default(), &metric, &params, &Progress::default());
-    assert_eq!(empty, Ok(TransferredCohort::default()));
+    let empty = transport_cohort(&Study::default(), &metric, &params, &Progress::default());
+    assert_eq!(empty, Ok(TransportedCohort::default()));
 }
 
 #[test]
@@ -251,11 +253,11 @@ fn a_stopped_transfer_says_so() {
     let metric = MetricParams::default().check().unwrap();
     let progress = Progress::default();
     progress.stop();
-    let params = CohortTransferParams::default();
-    let stopped = transfer_cohort(&cohort, &metric, &params, &progress);
+    let params = CohortTransportParams::default();
+    let stopped = transport_cohort(&cohort, &metric, &params, &progress);
     assert_eq!(stopped, Err(TransportError::Stopped(Stopped)));
     let (a, b) = (&cohort.subjects[0], &cohort.subjects[1]);
-    let stopped = transferred_beat(a, b, &straight(), &progress);
+    let stopped = transported_motion(a, b, &straight(), &progress);
     assert_eq!(stopped, Err(TransportError::Stopped(Stopped)));
 }
 
@@ -266,11 +268,11 @@ fn one_geodesic_bent_for_all_steps_is_near_a_geodesic_for_each() {
         let params = TransportParams {
             in_betweens,
             geodesics,
-            most_vertices: None,
+            max_vertices: None,
             ..TransportParams::default()
         };
         let params = params.check().unwrap();
-        transferred_beat(&from, &onto, &params, &Progress::default()).unwrap()
+        transported_motion(&from, &onto, &params, &Progress::default()).unwrap()
     };
     let moved = greatest_gap(
         &beat(0, Geodesics::First),
@@ -280,7 +282,7 @@ fn one_geodesic_bent_for_all_steps_is_near_a_geodesic_for_each() {
     let first = greatest_gap(&beat(3, Geodesics::First), &best) / moved;
     let straight = greatest_gap(&beat(0, Geodesics::First), &best) / moved;
     assert!(first < 0.02, "{first}");
-    // Hearts this different: the straight way misses a tenth of the motion.
+    // Subjects this different: the straight way misses a tenth of the motion.
     assert!(straight > 4.0 * first, "{straight} {first}");
 }
 

@@ -1,21 +1,15 @@
 //! Laws of the scheme along given samples.
 
 use super::*;
-
-const KINDS: [MetricKind; 4] = [
-    MetricKind::Isometric,
-    MetricKind::Rigid,
-    MetricKind::AnglePreserving,
-    MetricKind::QuasiConformal,
-];
+use crate::analysis::metrics::METRICS;
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(24))]
 
     #[test]
-    fn norm_and_product_with_the_direction_are_kept(seed in 0.0..50.0, kind in 0..4_usize) {
+    fn norm_and_product_with_the_direction_are_kept(seed in 0.0..50.0, kind in 0..METRICS.len()) {
         let mesh = phantom::sphere(1, 1.0);
-        let metric = metric(mesh.faces(), KINDS[kind]);
+        let metric = metric(mesh.faces(), METRICS[kind]);
         let path = bent_path(mesh.vertices(), seed, 6);
         let field = wave(mesh.vertices(), seed + 7.0, 0.1);
         let there = transport_along(&metric, &path, &field, true).unwrap();
@@ -41,10 +35,10 @@ proptest! {
         let path = bent_path(mesh.vertices(), seed, 4);
         let (x, y) = (wave(mesh.vertices(), seed, 0.1), wave(mesh.vertices(), seed + 1.0, 0.2));
         let sum: Vec<Vector3> = x.iter().zip(&y).map(|(x, y)| x + y * factor).collect();
-        let carried = |field: &[Vector3]| transport_along(&metric, &path, field, false).unwrap();
-        let (x, y) = (carried(&x), carried(&y));
+        let transported = |field: &[Vector3]| transport_along(&metric, &path, field, false).unwrap();
+        let (x, y) = (transported(&x), transported(&y));
         let expected: Vec<Vector3> = x.iter().zip(&y).map(|(x, y)| x + y * factor).collect();
-        prop_assert!(apart(&carried(&sum), &expected) < 1e-11);
+        prop_assert!(apart(&transported(&sum), &expected) < 1e-11);
     }
 
     #[test]
@@ -134,13 +128,13 @@ fn along_a_straight_path_the_number_of_samples_does_not_matter() {
     let along = wave(mesh.vertices(), 5.0, 0.4);
     let field = wave(mesh.vertices(), 9.0, 0.1);
     for keep_norm in [true, false] {
-        let carried = |steps: usize| {
+        let transported = |steps: usize| {
             let path: Vec<Vec<Point3>> = (0..=steps)
                 .map(|k| moved(mesh.vertices(), &along, k as f64 / steps as f64))
                 .collect();
             transport_along(&metric, &path, &field, keep_norm).unwrap()
         };
-        assert!(apart(&carried(1), &carried(17)) < 1e-11);
+        assert!(apart(&transported(1), &transported(17)) < 1e-11);
     }
 }
 
@@ -169,12 +163,12 @@ fn finer_sampling_converges() {
     let mesh = phantom::sphere(2, 1.0);
     let metric = metric(mesh.faces(), MetricKind::QuasiConformal);
     let field = wave(mesh.vertices(), 2.0, 0.1);
-    let carried = |steps: usize| {
+    let transported = |steps: usize| {
         let path = bent_path(mesh.vertices(), 6.0, steps);
         transport_along(&metric, &path, &field, true).unwrap()
     };
-    let best = carried(256);
-    let errors = [4, 8, 16, 32].map(|steps| apart(&carried(steps), &best));
+    let best = transported(256);
+    let errors = [4, 8, 16, 32].map(|steps| apart(&transported(steps), &best));
     assert!(errors[0] > 1e-4, "{errors:?}");
     for pair in errors.windows(2) {
         assert!(pair[1] < 0.65 * pair[0], "{errors:?}");
@@ -188,7 +182,7 @@ fn three_products_at_once_are_those_one_by_one() {
         wave(mesh.vertices(), 1.0, 0.1),
         wave(mesh.vertices(), 2.0, 0.1),
     );
-    for kind in KINDS {
+    for kind in METRICS {
         for (form, area_weights) in [
             (Form::Additive, true),
             (Form::Additive, false),

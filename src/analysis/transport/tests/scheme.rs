@@ -1,4 +1,4 @@
-//! The scheme on paths of one point, written by hand, and what a transfer hands on to it.
+//! The scheme on paths of one point, written by hand, and what a transport hands on to it.
 
 use super::*;
 use crate::analysis::transport::pose_path::transport_nearest;
@@ -48,9 +48,9 @@ fn where_a_path_rests_the_norm_alone_is_kept() {
         normals: vec![Vector3::zeros(); 2],
     };
     let field = [Vector3::new(2.0, -1.0, 0.5)];
-    let carried = |keep_norm| parallel_transport(&path, &field, Nearness::Metric, keep_norm);
-    assert_eq!(carried(true), [field[0] * 0.5]);
-    assert_eq!(carried(false), field);
+    let transported = |keep_norm| parallel_transport(&path, &field, Nearness::Metric, keep_norm);
+    assert_eq!(transported(true), [field[0] * 0.5]);
+    assert_eq!(transported(false), field);
 }
 
 #[test]
@@ -61,8 +61,8 @@ fn what_leaves_the_tangent_space_is_taken_off_at_every_sample() {
         normals: vec![Vector3::zeros(), Vector3::z()],
     };
     let field = [Vector3::new(3.0, 2.0, 1.0)];
-    let carried = parallel_transport(&path, &field, Nearness::Metric, false);
-    assert_eq!(carried, [Vector3::new(3.0, 2.0, 0.0)]);
+    let transported = parallel_transport(&path, &field, Nearness::Metric, false);
+    assert_eq!(transported, [Vector3::new(3.0, 2.0, 0.0)]);
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn a_transfer_keeps_the_norm_only_if_it_is_told_to() {
         .collect();
     let source = [mesh.vertices().to_vec(), moving];
     let ends = [mesh.vertices().to_vec(), onto.clone()];
-    let carried = [true, false].map(|keep_norm| {
+    let transported = [true, false].map(|keep_norm| {
         let params = TransportParams {
             in_betweens: 0,
             keep_norm,
@@ -103,12 +103,13 @@ fn a_transfer_keeps_the_norm_only_if_it_is_told_to() {
         };
         let checked = params.check().unwrap();
         let progress = Progress::default();
-        let beat = transfer_deformation(mesh.faces(), &source, &onto, &checked, &progress).unwrap();
+        let beat =
+            transport_deformation(mesh.faces(), &source, &onto, &checked, &progress).unwrap();
         let found: Vec<Vector3> = (beat[1].iter().zip(&onto)).map(|(b, a)| b - a).collect();
         let metric = Metric::new(mesh.faces(), params.metric.check().unwrap());
         let alone = transport_nearest(&metric, &ends, &field, params.nearness, keep_norm).unwrap();
         assert!(apart(&found, &alone) < 1e-12);
         alone
     });
-    assert!(apart(&carried[0], &carried[1]) > 1e-6);
+    assert!(apart(&transported[0], &transported[1]) > 1e-6);
 }

@@ -90,7 +90,7 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
     for feature in Feature::ALL {
         let [a, b] =
             [0, 1].map(|subject| assessed(&verdicts, subject).features.get(feature).unwrap());
-        // The heart's size is the largest side of an upright box, which turns do change.
+        // The subject's size is the largest side of an upright box, which turns do change.
         let most = if matches!(feature, Feature::Gap | Feature::Closeness) {
             0.05
         } else {
@@ -113,11 +113,11 @@ fn settings_out_of_range_are_refused() {
             ..default
         },
         VerdictParams {
-            least_labelled: 2,
+            min_labelled: 2,
             ..default
         },
         VerdictParams {
-            least_wall_volume: 1.5,
+            min_wall_volume: 1.5,
             ..default
         },
         VerdictParams {

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::analysis::metrics::{MetricKind, MetricParams};
-use crate::analysis::transport::{Nearness, transferred_beat};
+use crate::analysis::transport::{Nearness, transported_motion};
 
 /// Settings that are none of those the program starts with.
 fn other_distances() -> PoseDistanceParams {
@@ -113,7 +113,7 @@ fn a_beat_is_carried_with_the_settings_of_its_request() {
     let outcome = run(&study, &request, &cache, &progress).unwrap();
     let (from, onto) = (&study.subjects[3], &study.subjects[0]);
     let checked = params.check().unwrap();
-    let expected = transferred_beat(from, onto, &checked, &progress).unwrap();
+    let expected = transported_motion(from, onto, &checked, &progress).unwrap();
     assert_eq!(**outcome.transfer().unwrap(), expected);
 }
 

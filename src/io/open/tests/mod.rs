@@ -130,7 +130,7 @@ fn a_manifest_rules_its_folder() {
             warnings,
             [
                 "2 times for 3 frames: times are left out",
-                "end-systole is stated at frame 7, but the last frame is 2; it is found from the volumes"
+                "end-systole is set to frame 7, but the last frame is 2; it is computed from the volumes"
             ]
         );
     }

@@ -1,4 +1,4 @@
-//! The built-in hearts twist and turn in the order of the four phases.
+//! The built-in subjects twist and turn in the order of the four phases.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! A whole deformation carried to another heart, step after step.
+//! A whole deformation transported to another subject, step after step.
 
 use crate::analysis::geodesics::GeodesicSolver;
 use crate::analysis::metrics::Metric;
@@ -8,9 +8,9 @@ use crate::progress::{Progress, Stopped};
 use super::pose_path::transport_nearest;
 use super::{CheckedTransportParams, Geodesics, TransportError};
 
-/// Carries many deformations on one connectivity: what does not depend on the hearts is computed once.
+/// Transports many deformations on one connectivity: what does not depend on the subjects is computed once.
 #[derive(Clone, Debug)]
-pub struct DeformationTransfer {
+pub struct DeformationTransport {
     metric: Metric,
     /// `None` where the way is straight.
     solver: Option<GeodesicSolver>,
@@ -18,8 +18,8 @@ pub struct DeformationTransfer {
     vertex_count: usize,
 }
 
-impl DeformationTransfer {
-    /// Prepares for hearts near a reference pose, such as the one that is to move: it makes the
+impl DeformationTransport {
+    /// Prepares for subjects near a reference pose, such as the one that is to move: it makes the
     /// search for geodesics short.
     ///
     /// # Errors
@@ -40,7 +40,7 @@ impl DeformationTransfer {
         })
     }
 
-    /// The deformation `source` of the heart `source[0]`, carried to the heart `onto`: as many
+    /// The deformation `source` of the subject `source[0]`, transported to the subject `onto`: as many
     /// poses, the first of which is `onto`.
     ///
     /// N₀ = `onto`, N_{i+1} = N_i + X̄_i, where X̄_i is M_{i+1} − M_i transported along the path from M_i
@@ -49,7 +49,7 @@ impl DeformationTransfer {
     ///
     /// # Errors
     /// If stopped, there is no pose, counts differ, or squares of lengths overflow.
-    pub fn carry(
+    pub fn transport(
         &self,
         source: &[Vec<Point3>],
         onto: &[Point3],
@@ -65,15 +65,17 @@ impl DeformationTransfer {
             }
         }
         let bend = match self.params.geodesics {
+            // Computed once: paths of later steps bend alike, and on real meshes their differences are noise.
             Geodesics::First if source.len() > 1 => self.bend(first, onto, progress)?,
             _ => Vec::new(),
         };
-        let mut carried = vec![onto.to_vec()];
+        let mut transported = vec![onto.to_vec()];
         let mut here = onto.to_vec();
         for (pose, pair) in source.windows(2).enumerate() {
             progress.step()?;
             let path = match self.params.geodesics {
                 Geodesics::First => bent_line(&pair[0], &here, &bend),
+                // Between the poses reached so far, as the text has it; the cost is a geodesic for every frame.
                 Geodesics::EveryStep => self.path(&pair[0], &here, progress)?,
             };
             let field = difference(&pair[0], &pair[1]);
@@ -88,9 +90,9 @@ impl DeformationTransfer {
             for (point, x) in here.iter_mut().zip(&moved) {
                 *point += x;
             }
-            carried.push(here.clone());
+            transported.push(here.clone());
         }
-        Ok(carried)
+        Ok(transported)
     }
 
     /// How far each in-between of the geodesic lies from the straight line.
@@ -145,11 +147,11 @@ fn difference(from: &[Point3], to: &[Point3]) -> Vec<Vector3> {
     from.iter().zip(to).map(|(a, b)| b - a).collect()
 }
 
-/// One deformation carried to one heart, see [`DeformationTransfer::carry`].
+/// One deformation transported to one subject, see [`DeformationTransport::transport`].
 ///
 /// # Errors
 /// If stopped, there is no pose, counts differ, or squares of lengths overflow.
-pub fn transfer_deformation(
+pub fn transport_deformation(
     faces: &Faces,
     source: &[Vec<Point3>],
     onto: &[Point3],
@@ -157,5 +159,5 @@ pub fn transfer_deformation(
     progress: &Progress,
 ) -> Result<Vec<Vec<Point3>>, TransportError> {
     progress.expect_steps(source.len().saturating_sub(1));
-    DeformationTransfer::new(faces, onto, params)?.carry(source, onto, progress)
+    DeformationTransport::new(faces, onto, params)?.transport(source, onto, progress)
 }

@@ -2,13 +2,13 @@
 
 use crate::numeric::{Arithmetic, three};
 
-use super::corner::{charge, charge_slopes, corner_terms, raw_units, times};
+use super::corner::{corner_terms, energy, energy_gradient, raw_units, times};
 
 /// A charge with its slopes along the stretches and squared lengths of the sides ab, bc, ca, and along
 /// the factors of the corners a, b, c.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct FaceCharge<T> {
-    pub charge: T,
+pub(super) struct FaceEnergy<T> {
+    pub energy: T,
     pub stretch: [T; 3],
     /// None where corners are scale-free.
     pub length2: Option<[T; 3]>,
@@ -24,16 +24,16 @@ pub(super) fn of_corners<T: Arithmetic>(
     l: Option<[T; 3]>,
     k: Option<[T; 3]>,
     printed: bool,
-) -> FaceCharge<T> {
+) -> FaceEnergy<T> {
     let bare = corner_terms(s);
     let long = l.map_or(bare, |l| times(bare, raw_units(l)));
     let t = k.map_or(long, |k| times(long, k));
-    let slopes = charge_slopes(t, printed);
-    let along_long = k.map_or(slopes, |k| times(slopes, k));
+    let gradients = energy_gradient(t, printed);
+    let along_long = k.map_or(gradients, |k| times(gradients, k));
     let along_bare = l.map_or(along_long, |l| times(along_long, raw_units(l)));
     let [a, b, c] = along_bare;
-    FaceCharge {
-        charge: charge(t, printed),
+    FaceEnergy {
+        energy: energy(t, printed),
         stretch: [a - b, b - c, c - a],
         length2: l.map(|l| {
             // The units are l₀l₂, l₁l₀ and l₂l₁.
@@ -44,7 +44,7 @@ pub(super) fn of_corners<T: Arithmetic>(
                 c * l[1] + a * l[0],
             ]
         }),
-        factor: k.map(|_| times(slopes, long)),
+        factor: k.map(|_| times(gradients, long)),
     }
 }
 
@@ -54,15 +54,15 @@ pub(super) fn of_sides<T: Arithmetic>(
     s: [T; 3],
     l: Option<[T; 3]>,
     parts: [T; 3],
-) -> FaceCharge<T> {
+) -> FaceEnergy<T> {
     let rate = l.map_or(s, |l| times(s, l));
     let weighted = times(parts, rate);
     let [a, b, c] = times(weighted, rate);
-    let slopes = three(|e| weighted[e] + weighted[e]);
-    FaceCharge {
-        charge: a + b + c,
-        stretch: l.map_or(slopes, |l| times(slopes, l)),
-        length2: l.map(|_| times(slopes, s)),
+    let gradients = three(|e| weighted[e] + weighted[e]);
+    FaceEnergy {
+        energy: a + b + c,
+        stretch: l.map_or(gradients, |l| times(gradients, l)),
+        length2: l.map(|_| times(gradients, s)),
         factor: None,
     }
 }

@@ -1,24 +1,30 @@
-//! Finds by a trial what an OpenGL driver can do, since its version alone does not tell.
+//! Tests what an OpenGL driver can do by drawing a small picture, since its version alone does not say.
 
 use std::sync::Arc;
 
-use super::targets::Means;
+use super::error_scope::ErrorScope;
+use super::targets::Capabilities;
 use super::uniforms::{Shot, Tile};
 use super::uploads::Gpu;
-use super::watch::Watch;
 use super::{
-    Camera, Geometry, GeometryPose, Lines, Points, Renderer, Scene, Shading, Surface,
-    SurfaceColour, ViewId,
+    Camera, Geometry, GeometryPose, Lines, Points, Scene, Shading, Surface, SurfaceColour,
 };
 
-/// The best means that draw a small picture without complaint, or what the driver said against the last.
-pub(super) fn means(gpu: Gpu<'_>, format: wgpu::TextureFormat) -> Result<Means, String> {
-    works(gpu, format, Means::Peeled).or_else(|_| works(gpu, format, Means::Plain))
+/// Records a picture with these capabilities.
+type Draw<'a> = &'a dyn Fn(
+    Capabilities,
+    &mut wgpu::CommandEncoder,
+    (&Scene, &Camera),
+    Shot,
+) -> Result<(), String>;
+
+/// The best capabilities by which `draw` makes a small picture without an error, or the driver's message about the last.
+pub(super) fn capabilities(gpu: Gpu<'_>, draw: Draw<'_>) -> Result<Capabilities, String> {
+    works(gpu, draw, Capabilities::Peeled).or_else(|_| works(gpu, draw, Capabilities::Plain))
 }
 
-fn works(gpu: Gpu<'_>, format: wgpu::TextureFormat, means: Means) -> Result<Means, String> {
-    let mut renderer = Renderer::new(gpu.device, format).with_means(means);
-    let watch = Watch::begin(gpu.device);
+fn works(gpu: Gpu<'_>, draw: Draw<'_>, capabilities: Capabilities) -> Result<Capabilities, String> {
+    let error_scope = ErrorScope::begin(gpu.device);
     let descriptor = wgpu::CommandEncoderDescriptor::default();
     let mut encoder = gpu.device.create_command_encoder(&descriptor);
     let shot = Shot {
@@ -27,10 +33,14 @@ fn works(gpu: Gpu<'_>, format: wgpu::TextureFormat, means: Means) -> Result<Mean
         folds: true,
         occlusion_of: None,
     };
-    let view = (&scene(), &Camera::default());
-    renderer.draw(gpu, &mut encoder, ViewId(0), view, shot)?;
+    draw(
+        capabilities,
+        &mut encoder,
+        (&scene(), &Camera::default()),
+        shot,
+    )?;
     gpu.queue.submit([encoder.finish()]);
-    watch.end().map(|()| means)
+    error_scope.end().map(|()| capabilities)
 }
 
 /// One of everything, opaque and translucent.

@@ -1,21 +1,22 @@
-//! How steady the still part is over the beat: spread of ANV and MP, and how far MP lies off the wall.
+//! How steady the akinetic region is over the beat: spread of ANV and MP, and how far MP lies off the wall.
 
 use crate::analysis::medial_space::{PoseDescriptor, angle, mean_direction, pose_distance};
 use crate::mesh::{Point3, Vector3};
 
-use super::result::Steadiness;
+use super::result::TemporalConsistency;
 
-/// Steadiness of a path of descriptors with the gaps of their MP, both in coordinates, of a heart of
+/// TemporalConsistency of a path of descriptors with the gaps of their MP, both in coordinates, of a subject of
 /// this size.
 ///
 /// "Does not change so much over time" and "close to the medial surface" (4.4.1, 4.4.2) in numbers: root mean square
 /// distances from the mean over the poses, and mean gap.
-pub(super) fn steadiness(
+pub(super) fn temporal_consistency(
     path: &[Option<PoseDescriptor>],
     gaps: &[Option<f64>],
     size: f64,
-) -> Steadiness {
+) -> TemporalConsistency {
     let poses: Vec<PoseDescriptor> = (path.iter().flatten())
+        // In sizes of the subject, so that positions can be added to angles and compared between subjects.
         .map(|pose| pose.relative_to(&Point3::origin(), size))
         .collect();
     let normals: Vec<Vector3> = poses.iter().filter_map(|pose| pose.normal).collect();
@@ -25,7 +26,7 @@ pub(super) fn steadiness(
         .map(|pose| pose.position.coords)
         .sum::<Vector3>()
         / poses.len().max(1) as f64;
-    Steadiness {
+    TemporalConsistency {
         poses: poses.len(),
         normal_spread_rad: middle
             .and_then(|middle| root_mean(normals.iter().map(|n| angle(n, &middle).powi(2)))),
@@ -112,7 +113,7 @@ mod tests {
             normal: Some(Vector3::y()),
             ..pose
         };
-        let still = steadiness(
+        let still = temporal_consistency(
             &[Some(pose), None, Some(pose)],
             &[Some(1.0), None, Some(3.0)],
             10.0,
@@ -121,11 +122,14 @@ mod tests {
         assert_eq!(still.normal_spread_rad, Some(0.0));
         assert_eq!(still.position_spread, Some(0.0));
         assert_eq!(still.gap, Some(0.2));
-        let wandering = steadiness(&[Some(pose), Some(moved)], &[], 10.0);
+        let wandering = temporal_consistency(&[Some(pose), Some(moved)], &[], 10.0);
         let quarter = std::f64::consts::FRAC_PI_4;
         assert!((wandering.normal_spread_rad.unwrap() - quarter).abs() < 1e-12);
         assert!((wandering.position_spread.unwrap() - 0.1).abs() < 1e-12);
         assert_eq!(wandering.gap, None);
-        assert_eq!(steadiness(&[], &[], 1.0), Steadiness::default());
+        assert_eq!(
+            temporal_consistency(&[], &[], 1.0),
+            TemporalConsistency::default()
+        );
     }
 }

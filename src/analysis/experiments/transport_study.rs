@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use crate::analysis::alignment::rigid_motion;
-use crate::analysis::transport::{TransportError, TransportParams, transfer_deformation};
+use crate::analysis::transport::{TransportError, TransportParams, transport_deformation};
 use crate::mesh::{Point3, TriMesh, Vector3, face_normals};
 use crate::progress::Progress;
 
@@ -12,18 +12,18 @@ use super::{
     Deformation, ExperimentError, Motion, ObjectKind, Solid, SyntheticParams, synthetic_cohort,
 };
 
-/// How many deformations are carried, and by what.
+/// How many deformations are transported, and by what.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransferStudyParams {
+pub struct TransportStudyParams {
     /// Kinds of objects.
     pub objects: Vec<ObjectKind>,
     /// The deformations; the object is replaced by each of `objects`.
     pub cohort: SyntheticParams,
-    /// How they are carried.
+    /// How they are transported.
     pub transport: TransportParams,
 }
 
-impl Default for TransferStudyParams {
+impl Default for TransportStudyParams {
     /// 6 kinds × 4 motions × 3: 72 deformations.
     fn default() -> Self {
         Self {
@@ -39,19 +39,19 @@ impl Default for TransferStudyParams {
 
 /// One deformation on another object.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransferCase {
+pub struct TransportCase {
     /// What moved.
     pub object: ObjectKind,
     /// What followed: an ellipsoid, or a deformed torus.
     pub target: &'static str,
     /// How.
     pub motion: Motion,
-    /// ‖carried − true‖ / ‖true‖ of the last displacement, the truth being the same motion applied
+    /// ‖transported − true‖ / ‖true‖ of the last displacement, the truth being the same motion applied
     /// to the target itself, after rigid alignment.
     pub relative_error: f64,
     /// Cosine of the angle between both displacements.
     pub cosine: f64,
-    /// ‖carried‖ / ‖true‖.
+    /// ‖transported‖ / ‖true‖.
     pub norm_ratio: f64,
     /// Faces of the last pose whose normal points away from that of the truth.
     pub flipped_faces: usize,
@@ -61,27 +61,27 @@ pub struct TransferCase {
 
 /// All cases.
 #[derive(Clone, Debug, PartialEq)]
-pub struct TransferStudy {
+pub struct TransportStudy {
     /// What was run.
-    pub params: TransferStudyParams,
+    pub params: TransportStudyParams,
     /// By kind of object, then class.
-    pub cases: Vec<TransferCase>,
+    pub cases: Vec<TransportCase>,
 }
 
 /// A direction nearer than 26° is the same motion to the eye.
-const LEAST_COSINE: f64 = 0.9;
+const MIN_COSINE: f64 = 0.9;
 /// And a size within a third.
 const NORM_RANGE: std::ops::RangeInclusive<f64> = 2.0 / 3.0..=1.5;
 
-/// Carries every deformation onto an ellipsoid (of a sphere) or a deformed torus (of a torus), and
+/// Transports every deformation onto an ellipsoid (of a sphere) or a deformed torus (of a torus), and
 /// measures it against the same motion of the target itself. The same bits for any number of threads.
 ///
 /// # Errors
-/// If settings are out of range, it was stopped, or a motion cannot be carried at all.
-pub fn transfer_study(
-    params: &TransferStudyParams,
+/// If settings are out of range, it was stopped, or a motion cannot be transported at all.
+pub fn transport_study(
+    params: &TransportStudyParams,
     progress: &Progress,
-) -> Result<TransferStudy, ExperimentError> {
+) -> Result<TransportStudy, ExperimentError> {
     let mut tasks = Vec::new();
     for &object in &params.objects {
         let still = SyntheticParams {
@@ -98,37 +98,37 @@ pub fn transfer_study(
         .par_iter()
         .map(|(object, template, deformation)| {
             progress.step()?;
-            carried(params, *object, template, deformation, progress)
+            transported(params, *object, template, deformation, progress)
         })
         .collect::<Result<_, ExperimentError>>()?;
-    Ok(TransferStudy {
+    Ok(TransportStudy {
         params: params.clone(),
         cases,
     })
 }
 
-fn carried(
-    params: &TransferStudyParams,
+fn transported(
+    params: &TransportStudyParams,
     object: ObjectKind,
     template: &TriMesh,
     deformation: &Deformation,
     progress: &Progress,
-) -> Result<TransferCase, ExperimentError> {
+) -> Result<TransportCase, ExperimentError> {
     let checked = params.transport.check();
-    let checked = checked.map_err(|error| step("carrying a motion", &error))?;
+    let checked = checked.map_err(|error| step("transporting a motion", &error))?;
     let (target, shaped) = target(object);
     let rest: Vec<Point3> = template.vertices().iter().map(shaped).collect();
     let (motion, poses) = (Motion::ALL[deformation.class], &deformation.poses);
     let truth: Vec<Point3> = (rest.iter())
         .map(|p| motion.moved(object.solid, p, deformation.amplitude))
         .collect();
-    // The source lies anywhere in space; its motion is carried from beside the target.
+    // The source lies anywhere in space; its motion is transported from beside the target.
     let source = poses.first().cloned().unwrap_or_default();
     let beside = rigid_motion(&source, &rest).map_err(|e| step("aligning objects", &e))?;
     let moved: Vec<Vec<Point3>> = (poses.iter())
         .map(|pose| pose.iter().map(|p| beside.apply(p)).collect())
         .collect();
-    let result = transfer_deformation(
+    let result = transport_deformation(
         template.faces(),
         &moved,
         &rest,
@@ -137,7 +137,7 @@ fn carried(
     )
     .map_err(|error| match error {
         TransportError::Stopped(stopped) => stopped.into(),
-        other => step("carrying a motion", &other),
+        other => step("transporting a motion", &other),
     })?;
     let last = result.last().cloned().unwrap_or_default();
     let Difference {
@@ -146,7 +146,7 @@ fn carried(
         norm_ratio,
         flipped_faces,
     } = difference(&last, &truth, &rest, template.triangles())?;
-    Ok(TransferCase {
+    Ok(TransportCase {
         object,
         target,
         motion,
@@ -154,11 +154,11 @@ fn carried(
         cosine,
         norm_ratio,
         flipped_faces,
-        followed: cosine >= LEAST_COSINE && NORM_RANGE.contains(&norm_ratio) && flipped_faces == 0,
+        followed: cosine >= MIN_COSINE && NORM_RANGE.contains(&norm_ratio) && flipped_faces == 0,
     })
 }
 
-/// How a carried pose differs from the truth; see [`TransferCase`].
+/// How a transported pose differs from the truth; see [`TransportCase`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Difference {
     pub relative_error: f64,
@@ -167,15 +167,15 @@ pub(super) struct Difference {
     pub flipped_faces: usize,
 }
 
-/// Compares a carried pose, laid onto the true one, with that, both as displacements from rest.
+/// Compares a transported pose, aligned with the true one, with that, both as displacements from rest.
 pub(super) fn difference(
-    carried: &[Point3],
+    transported: &[Point3],
     truth: &[Point3],
     rest: &[Point3],
     triangles: &[[u32; 3]],
 ) -> Result<Difference, ExperimentError> {
-    let onto = rigid_motion(carried, truth).map_err(|e| step("aligning objects", &e))?;
-    let laid: Vec<Point3> = carried.iter().map(|p| onto.apply(p)).collect();
+    let onto = rigid_motion(transported, truth).map_err(|e| step("aligning objects", &e))?;
+    let laid: Vec<Point3> = transported.iter().map(|p| onto.apply(p)).collect();
     let field =
         |pose: &[Point3]| -> Vec<Vector3> { pose.iter().zip(rest).map(|(p, q)| p - q).collect() };
     let (found, true_field) = (field(&laid), field(truth));

@@ -2,13 +2,13 @@
 
 use rayon::prelude::*;
 
-use crate::numeric::{LowerColumns, SparseCholesky, leading_eigen, symmetric_eigen};
+use crate::numeric::{LowerCsc, SparseCholesky, leading_eigen, symmetric_eigen};
 use crate::progress::{Progress, Stopped};
 
 use super::{EmbeddingError, LocalWeights};
 
 /// Items up to which all eigenvectors are computed, some 3 ms; past it only those asked for.
-const MOST_FOR_ALL: usize = 160;
+const MAX_FOR_ALL: usize = 160;
 /// Shift of the factorised matrix over its largest diagonal entry: some hundred times what
 /// round-off leaves of the eigenvalue zero, and a thousandth of the least other ones seen (10⁻⁹).
 const SHIFT: f64 = 1e-13;
@@ -21,23 +21,25 @@ const MORE_SHIFT: f64 = 100.0;
 /// they are the leading ones of (M + σ)⁻¹ there, by sparse Cholesky factors and Lanczos iteration;
 /// σ changes how fast that goes, not what is found. Within the space found, values are taken from
 /// (1 − W) v, without squaring: so they keep the digits that M loses to round-off.
-pub(super) fn flattest(
+pub(super) fn bottom_eigenvectors(
     weights: &LocalWeights,
     count: usize,
     progress: &Progress,
 ) -> Result<(Vec<f64>, Vec<Vec<f64>>), EmbeddingError> {
     let size = weights.neighbours().len();
     let columns = normal_matrix(weights, progress)?;
-    let vectors = if size <= MOST_FOR_ALL {
+    // A full decomposition grows with the cube of the size, Lanczos steps with the number of entries.
+    let vectors = if size <= MAX_FOR_ALL {
         by_whole_decomposition(&columns, count)?
     } else {
         by_shifted_inverse(&columns, count, progress)?
     };
+    // Both routes leave vectors that are accurate as a space and not one by one.
     settled(weights, &vectors)
 }
 
 /// M = (1 − W)ᵀ(1 − W), its lower triangle.
-fn normal_matrix(weights: &LocalWeights, progress: &Progress) -> Result<LowerColumns, Stopped> {
+fn normal_matrix(weights: &LocalWeights, progress: &Progress) -> Result<LowerCsc, Stopped> {
     let neighbours = weights.neighbours();
     let size = neighbours.len();
     // Who names an item as a neighbour, ascending.
@@ -77,7 +79,7 @@ fn normal_matrix(weights: &LocalWeights, progress: &Progress) -> Result<LowerCol
             },
         )
         .collect::<Result<Vec<_>, Stopped>>()?;
-    let mut matrix = LowerColumns {
+    let mut matrix = LowerCsc {
         starts: vec![0],
         rows: Vec::new(),
         values: Vec::new(),
@@ -90,13 +92,13 @@ fn normal_matrix(weights: &LocalWeights, progress: &Progress) -> Result<LowerCol
     Ok(matrix)
 }
 
-fn largest_diagonal(matrix: &LowerColumns) -> f64 {
+fn largest_diagonal(matrix: &LowerCsc) -> f64 {
     let diagonal = matrix.starts[..matrix.size()].iter();
     diagonal.fold(0.0, |m, &start| matrix.values[start].max(m))
 }
 
 fn by_whole_decomposition(
-    matrix: &LowerColumns,
+    matrix: &LowerCsc,
     count: usize,
 ) -> Result<Vec<Vec<f64>>, EmbeddingError> {
     let size = matrix.size();
@@ -118,7 +120,7 @@ fn by_whole_decomposition(
 }
 
 fn by_shifted_inverse(
-    matrix: &LowerColumns,
+    matrix: &LowerCsc,
     count: usize,
     progress: &Progress,
 ) -> Result<Vec<Vec<f64>>, EmbeddingError> {
@@ -137,6 +139,7 @@ fn by_shifted_inverse(
     };
     let eigen = leading_eigen(size, count, |x, out| {
         out.copy_from_slice(x);
+        // The constant vector has eigenvalue 0 and would be the first one found; rounding brings it back each time.
         centre(out);
         factor.solve(out);
         centre(out);

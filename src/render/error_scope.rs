@@ -5,13 +5,13 @@ use std::pin::pin;
 use std::task::{Context, Poll, Waker};
 
 /// Listens from `begin` to `end`, on this thread. Scopes must end in the reverse order, and fields are let go in this one.
-pub(super) struct Watch {
+pub(super) struct ErrorScope {
     memory: wgpu::ErrorScopeGuard,
     internal: wgpu::ErrorScopeGuard,
     validation: wgpu::ErrorScopeGuard,
 }
 
-impl Watch {
+impl ErrorScope {
     /// Begins to listen.
     pub fn begin(device: &wgpu::Device) -> Self {
         let scope = |filter| device.push_error_scope(filter);

@@ -1,0 +1,122 @@
+//! The angle-preserving metric: change of angles (eq. 3.3, 3.4).
+
+use nalgebra::Matrix3;
+
+use crate::analysis::metrics::metric::{Metric, PairScratch};
+use crate::analysis::metrics::pair_sums::{Both, angles, stretches};
+use crate::analysis::metrics::params::{Corners, CurvatureRole, Form, MetricParams};
+use crate::analysis::metrics::path_energy::state::{Gradients, PathState, Plan};
+use crate::analysis::metrics::pose::PreparedPose;
+use crate::mesh::{Point3, Vector3};
+
+use super::corner_passes::{add_corner_energies, add_corner_shares, corner_stiffness};
+use super::metric_terms::{MetricTerms, MetricWords, Motion};
+
+pub(super) struct AnglePreserving;
+
+impl MetricTerms for AnglePreserving {
+    fn words(&self) -> MetricWords {
+        MetricWords {
+            name: "Angle-preserving",
+            id: "angle-preserving",
+            summary: "Change of angles",
+            ignores: "position, rotation and uniform scaling",
+            penalises: "changes of angles",
+        }
+    }
+
+    fn has_forms(&self) -> bool {
+        true
+    }
+
+    fn ignores_scale(&self) -> bool {
+        true
+    }
+
+    fn penalises_displacement(&self) -> bool {
+        false
+    }
+
+    fn curvature_role(&self, _: Form) -> CurvatureRole {
+        CurvatureRole::Unused
+    }
+
+    fn is_inner_product(&self, form: Form) -> bool {
+        match form {
+            Form::Printed => false,
+            Form::Bilinear | Form::Frozen | Form::Additive => true,
+        }
+    }
+
+    fn path_energy_can_vanish(&self, params: &MetricParams) -> bool {
+        params.corners == Corners::Raw || !self.is_inner_product(params.form)
+    }
+
+    fn pair(
+        &self,
+        metric: &Metric,
+        [a, b]: [&PreparedPose; 2],
+        (rotation, _): Motion,
+        scratch: &mut PairScratch,
+    ) -> Both {
+        stretches(a, b, rotation, &mut scratch.stretch);
+        angles(metric, a, b, &scratch.stretch, None)
+    }
+
+    /// Printed Σ_f (Σ_c |t_c(X)|)(Σ_c |t_c(Y)|) (eq. 3.4), else Σ_f Σ_c t_c(X) t_c(Y).
+    fn product(&self, metric: &Metric, at: &PreparedPose, x: &[Vector3], y: &[Vector3]) -> f64 {
+        metric.corner_product(at, x, y, None)
+    }
+
+    fn products(
+        &self,
+        metric: &Metric,
+        at: &PreparedPose,
+        x: &[Vector3],
+        y: &[Vector3],
+    ) -> [f64; 3] {
+        if self.is_inner_product(metric.params.form) {
+            metric.corner_products(at, x, y)
+        } else {
+            [(x, x), (x, y), (y, y)].map(|(x, y)| self.product(metric, at, x, y))
+        }
+    }
+
+    fn add_face_shares(
+        &self,
+        metric: &Metric,
+        poses: [&PreparedPose; 2],
+        rotation: &Matrix3<f64>,
+        scratch: &mut PairScratch,
+        shares: &mut [f64],
+    ) {
+        stretches(poses[0], poses[1], rotation, &mut scratch.stretch);
+        add_corner_shares(metric, poses, &scratch.stretch, None, shares);
+    }
+
+    fn vertex_terms(
+        &self,
+        _: &Metric,
+        _: [&PreparedPose; 2],
+        _: &PreparedPose,
+        _: &[Point3],
+        _: &[Vector3],
+    ) -> Option<Vec<f64>> {
+        None
+    }
+
+    fn add_face_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
+        add_corner_energies(plan, state, gradients);
+    }
+
+    fn add_vertex_energies(&self, _: &Plan, _: &mut PathState, _: &mut Gradients) {}
+
+    fn side_stiffness(
+        &self,
+        params: &MetricParams,
+        length2: [f64; 3],
+        corner_weights: Option<[f64; 3]>,
+    ) -> Option<[[f64; 3]; 3]> {
+        Some(corner_stiffness(params, length2, corner_weights))
+    }
+}

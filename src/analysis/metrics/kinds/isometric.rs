@@ -1,0 +1,151 @@
+//! The isometric metric: change of edge lengths (2.3.6).
+
+use nalgebra::Matrix3;
+
+use crate::analysis::metrics::face_energy::of_sides;
+use crate::analysis::metrics::face_shares::add_face_shares;
+use crate::analysis::metrics::metric::{Metric, PairScratch};
+use crate::analysis::metrics::pair_sums::{Both, stretches};
+use crate::analysis::metrics::params::{Corners, CurvatureRole, Form, MetricParams};
+use crate::analysis::metrics::path_energy::faces::add_faces;
+use crate::analysis::metrics::path_energy::state::{Gradients, PathState, Plan};
+use crate::analysis::metrics::pose::PreparedPose;
+use crate::mesh::{Point3, Vector3};
+use crate::numeric::{Arithmetic, Lanes, three};
+
+use super::metric_terms::{MetricTerms, MetricWords, Motion};
+
+pub(super) struct Isometric;
+
+impl MetricTerms for Isometric {
+    fn words(&self) -> MetricWords {
+        MetricWords {
+            name: "Isometric",
+            id: "isometric",
+            summary: "Change of edge lengths",
+            ignores: "position, rotation and bending without stretch",
+            penalises: "changes of lengths on the surface",
+        }
+    }
+
+    fn has_forms(&self) -> bool {
+        false
+    }
+
+    fn ignores_scale(&self) -> bool {
+        false
+    }
+
+    fn penalises_displacement(&self) -> bool {
+        false
+    }
+
+    fn curvature_role(&self, _: Form) -> CurvatureRole {
+        CurvatureRole::Unused
+    }
+
+    fn is_inner_product(&self, _: Form) -> bool {
+        true
+    }
+
+    fn path_energy_can_vanish(&self, _: &MetricParams) -> bool {
+        false
+    }
+
+    fn pair(
+        &self,
+        metric: &Metric,
+        [a, b]: [&PreparedPose; 2],
+        (rotation, _): Motion,
+        scratch: &mut PairScratch,
+    ) -> Both {
+        stretches(a, b, rotation, &mut scratch.stretch);
+        let raw = metric.params.corners == Corners::Raw;
+        let weights = [metric.edge_weights(a), metric.edge_weights(b)];
+        let mut sums = [0.0; 2];
+        for (e, both) in scratch.stretch.iter().enumerate() {
+            for (side, pose) in [a, b].into_iter().enumerate() {
+                let unit = if raw { pose.length2[e] } else { 1.0 };
+                sums[side] += weights[side][e] * (both[side] * unit).powi(2);
+            }
+        }
+        sums
+    }
+
+    /// Σ_e w_e ⟨X_p − X_q, p − q⟩⟨Y_p − Y_q, p − q⟩, each factor over |p − q|² where corners are scale-free.
+    fn product(&self, metric: &Metric, at: &PreparedPose, x: &[Vector3], y: &[Vector3]) -> f64 {
+        let weights = metric.edge_weights(at);
+        let rates = (metric.field_stretch(at, x).into_iter()).zip(metric.field_stretch(at, y));
+        let raw = metric.params.corners == Corners::Raw;
+        (rates.zip(weights).enumerate())
+            .map(|(e, ((x, y), weight))| {
+                let unit = if raw { at.length2[e] } else { 1.0 };
+                weight * (x * unit) * (y * unit)
+            })
+            .sum()
+    }
+
+    fn products(
+        &self,
+        metric: &Metric,
+        at: &PreparedPose,
+        x: &[Vector3],
+        y: &[Vector3],
+    ) -> [f64; 3] {
+        [(x, x), (x, y), (y, y)].map(|(x, y)| self.product(metric, at, x, y))
+    }
+
+    fn add_face_shares(
+        &self,
+        metric: &Metric,
+        poses: [&PreparedPose; 2],
+        rotation: &Matrix3<f64>,
+        scratch: &mut PairScratch,
+        shares: &mut [f64],
+    ) {
+        stretches(poses[0], poses[1], rotation, &mut scratch.stretch);
+        let parts: Vec<_> = metric.mesh.side_parts(metric.params.area_weights).collect();
+        add_face_shares(metric, poses, &scratch.stretch, shares, |f, s, l| {
+            of_sides(s, l, parts[f]).energy
+        });
+    }
+
+    fn vertex_terms(
+        &self,
+        _: &Metric,
+        _: [&PreparedPose; 2],
+        _: &PreparedPose,
+        _: &[Point3],
+        _: &[Vector3],
+    ) -> Option<Vec<f64>> {
+        None
+    }
+
+    fn add_face_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
+        let (raw, role) = (plan.raw(), CurvatureRole::Unused);
+        add_faces(plan, state, gradients, raw, role, |f, s, l, _| {
+            of_sides(s, l, three(|e| Lanes::splat(plan.side_parts[f][e])))
+        });
+    }
+
+    fn add_vertex_energies(&self, _: &Plan, _: &mut PathState, _: &mut Gradients) {}
+
+    fn side_stiffness(
+        &self,
+        params: &MetricParams,
+        length2: [f64; 3],
+        _: Option<[f64; 3]>,
+    ) -> Option<[[f64; 3]; 3]> {
+        // An edge belongs to two faces, or counts a third in each of them.
+        let part = if params.area_weights { 1.0 / 3.0 } else { 0.5 };
+        let mut form = [[0.0; 3]; 3];
+        for (side, length2) in length2.into_iter().enumerate() {
+            form[side][side] = part
+                * match params.corners {
+                    Corners::Raw => length2 * length2,
+                    Corners::ScaleFree => 1.0,
+                };
+        }
+        Some(form)
+    }
+}

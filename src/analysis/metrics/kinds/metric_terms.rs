@@ -1,0 +1,110 @@
+//! What a file of a metric says: words, properties and terms.
+//!
+//! A method is called once per pass over a mesh, never once per face: the loops inside are compiled for their metric.
+//! Only [`MetricTerms::side_stiffness`], which is rarely needed, is called for each face.
+
+use nalgebra::Matrix3;
+
+use crate::mesh::{Point3, Vector3};
+
+use crate::analysis::metrics::metric::{Metric, PairScratch};
+use crate::analysis::metrics::params::{CurvatureRole, Form, MetricParams};
+use crate::analysis::metrics::path_energy::state::{Gradients, PathState, Plan};
+use crate::analysis::metrics::pose::PreparedPose;
+
+/// What a person reads about a metric.
+#[derive(Clone, Copy, Debug)]
+pub struct MetricWords {
+    /// Name in the window.
+    pub name: &'static str,
+    /// Name in running text and as a value of `--metric`.
+    pub id: &'static str,
+    /// What it penalises, as the help of the command line says it.
+    pub summary: &'static str,
+    /// Changes that cost nothing without a regulariser.
+    pub ignores: &'static str,
+    /// Changes that cost something.
+    pub penalises: &'static str,
+}
+
+/// A rigid motion that is applied to pose B of a pair.
+pub(in crate::analysis::metrics) type Motion<'a> = (&'a Matrix3<f64>, &'a Vector3);
+
+/// What is specific to a metric. The regulariser is common to all and no part of it.
+pub(in crate::analysis::metrics) trait MetricTerms: Sync {
+    fn words(&self) -> MetricWords;
+
+    /// Whether a [`Form`] makes a difference.
+    fn has_forms(&self) -> bool;
+
+    /// Whether uniform scaling costs nothing where corners are scale-free.
+    fn ignores_scale(&self) -> bool;
+
+    /// Whether displacement of vertices itself is penalised.
+    fn penalises_displacement(&self) -> bool;
+
+    fn curvature_role(&self, form: Form) -> CurvatureRole;
+
+    /// Whether products of two fields are linear in each of them.
+    fn is_inner_product(&self, form: Form) -> bool;
+
+    /// Whether paths of several steps can cost nothing although their ends differ.
+    fn path_energy_can_vanish(&self, params: &MetricParams) -> bool;
+
+    /// Squared norms of X = (R B + t) − A at A and at B.
+    fn pair(
+        &self,
+        metric: &Metric,
+        poses: [&PreparedPose; 2],
+        motion: Motion,
+        scratch: &mut PairScratch,
+    ) -> [f64; 2];
+
+    /// ⟨⟨X, Y⟩⟩ at a pose.
+    fn product(&self, metric: &Metric, at: &PreparedPose, x: &[Vector3], y: &[Vector3]) -> f64;
+
+    /// ⟨⟨X, X⟩⟩, ⟨⟨X, Y⟩⟩ and ⟨⟨Y, Y⟩⟩ at a pose, equal to [`Self::product`] up to round-off.
+    fn products(
+        &self,
+        metric: &Metric,
+        at: &PreparedPose,
+        x: &[Vector3],
+        y: &[Vector3],
+    ) -> [f64; 3];
+
+    /// Adds to each face half its own terms at both poses.
+    fn add_face_shares(
+        &self,
+        metric: &Metric,
+        poses: [&PreparedPose; 2],
+        rotation: &Matrix3<f64>,
+        scratch: &mut PairScratch,
+        shares: &mut [f64],
+    );
+
+    /// Terms of vertices before their weights, for the displacements `field` of `points` at the pose `at`.
+    fn vertex_terms(
+        &self,
+        metric: &Metric,
+        poses: [&PreparedPose; 2],
+        at: &PreparedPose,
+        points: &[Point3],
+        field: &[Vector3],
+    ) -> Option<Vec<f64>>;
+
+    /// Energies of the faces at all steps of a path, with their gradients.
+    fn add_face_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients);
+
+    /// Energies of the vertices that are neither curvature change nor regulariser, with their gradients. Called
+    /// after the faces and the other vertices.
+    fn add_vertex_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients);
+
+    /// The quadratic form of a face on the relative rates of length of its sides ab, bc, ca; `None` where faces have
+    /// no terms. Squared terms of corners are multiplied by `corner_weights`.
+    fn side_stiffness(
+        &self,
+        params: &MetricParams,
+        length2: [f64; 3],
+        corner_weights: Option<[f64; 3]>,
+    ) -> Option<[[f64; 3]; 3]>;
+}

@@ -1,0 +1,138 @@
+//! The medial surface as far as it takes part: its mean shape, areas, neighbours and phases.
+
+use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::medial::MedialBeat;
+use crate::mesh::{Point3, Vector3, bounding_box};
+
+use super::diffusion::{Diffusion, RegularMesh};
+use super::error::ThickeningError;
+use super::neighbours::Neighbours;
+
+/// The medial surface as far as it takes part.
+pub(super) struct Surface {
+    /// Mean position of each atom over the beat, whose edges have less noise than those of a pose.
+    pub middle: Vec<Point3>,
+    /// With areas there.
+    pub mesh: RegularMesh,
+    /// With areas at end-diastole.
+    pub at_end_diastole: RegularMesh,
+    pub neighbours: Neighbours,
+    /// Poses of end-diastole and end-systole.
+    pub phases: [usize; 2],
+    /// Largest side of the box at end-diastole.
+    pub size: f64,
+}
+
+impl Surface {
+    pub fn new(beat: &MedialBeat, measures: &SubjectMeasures) -> Result<Self, ThickeningError> {
+        let middle = mean_shape(beat);
+        let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
+        let phases = phases(beat, measures);
+        let rest = positions(beat, phases[0]);
+        let at_end_diastole = RegularMesh::new(beat.faces.triangles(), &rest, &beat.regular);
+        if !(mesh.whole > 0.0 && at_end_diastole.whole > 0.0) {
+            return Err(ThickeningError::NoArea);
+        }
+        Ok(Self {
+            neighbours: Neighbours::new(middle.len(), &mesh.triangles),
+            size: bounding_box(&rest).map_or(0.0, |[low, high]| (high - low).max()),
+            middle,
+            mesh,
+            at_end_diastole,
+            phases,
+        })
+    }
+}
+
+/// Areas that fall by more than this share when positions are smoothed are those of noise: smoothing takes some hundredths
+/// off a clean cup.
+const ROUGH: f64 = 0.05;
+
+impl Surface {
+    /// Areas at end-diastole without what noise adds: it makes faces larger, most where atoms stand close, and so draws
+    /// centroids there. Where positions are rough, areas are those of positions smoothed as thickening is, 2 D − D², which keeps curvature.
+    pub fn steady(&mut self, beat: &MedialBeat, diffusion: &Diffusion) {
+        let raw = positions(beat, self.phases[0]);
+        let columns = |points: &[Vector3]| -> Vec<f64> {
+            (0..3)
+                .flat_map(|axis| points.iter().map(move |point| point[axis]))
+                .collect()
+        };
+        let points = |columns: &[f64]| -> Vec<Vector3> {
+            (0..raw.len())
+                .map(|i| Vector3::from_fn(|axis, _| columns[axis * raw.len() + i]))
+                .collect()
+        };
+        let smoothed = |field: &[Vector3]| {
+            let mut columns = columns(field);
+            diffusion.apply(&mut columns);
+            points(&columns)
+        };
+        let rest: Vec<Vector3> = raw.iter().map(|point| point.coords).collect();
+        let once = smoothed(&rest);
+        let lost: Vec<Vector3> = rest.iter().zip(&once).map(|(x, s)| x - s).collect();
+        // 2 D − D² instead of D: averaging alone shrinks a cup, and with it every area.
+        let twice: Vec<Point3> = (once.iter().zip(smoothed(&lost)))
+            .map(|(s, back)| Point3::from(s + back))
+            .collect();
+        let steady = RegularMesh::new(beat.faces.triangles(), &twice, &beat.regular);
+        // Only where noise was large enough to matter: clean surfaces keep their measured areas.
+        if steady.whole < (1.0 - ROUGH) * self.at_end_diastole.whole && steady.whole > 0.0 {
+            self.at_end_diastole = steady;
+        }
+    }
+}
+
+fn positions(beat: &MedialBeat, pose: usize) -> Vec<Point3> {
+    beat.frames[pose]
+        .atoms
+        .iter()
+        .map(|atom| atom.position)
+        .collect()
+}
+
+/// Mean position of each atom over the beat, whose edges have less noise than those of a pose.
+fn mean_shape(beat: &MedialBeat) -> Vec<Point3> {
+    let mut sums = vec![Vector3::zeros(); beat.faces.vertex_count()];
+    for frame in &beat.frames {
+        sums.iter_mut()
+            .zip(&frame.atoms)
+            .for_each(|(sum, atom)| *sum += atom.position.coords);
+    }
+    let poses = beat.frames.len() as f64;
+    sums.into_iter()
+        .map(|sum| Point3::from(sum / poses))
+        .collect()
+}
+
+/// Poses of end-diastole and end-systole: by volume or as stated; where that is not known, the greatest and
+/// least area of the medial surface.
+pub fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
+    let count = beat.frames.len();
+    let told = |pose: Option<usize>| pose.filter(|&pose| pose < count);
+    match [told(measures.end_diastole), told(measures.end_systole)] {
+        [Some(ed), Some(es)] if ed != es => [ed, es],
+        _ => {
+            let area = |pose: usize| {
+                RegularMesh::new(
+                    beat.faces.triangles(),
+                    &positions(beat, pose),
+                    &beat.regular,
+                )
+                .whole
+            };
+            let areas: Vec<f64> = (0..count).map(area).collect();
+            let extreme = |sign: f64| {
+                let better =
+                    |a: &usize, b: &usize| (sign * areas[*a]).total_cmp(&(sign * areas[*b]));
+                // From the last, so that of equal areas the first pose is taken.
+                (0..count).rev().max_by(better).unwrap_or(0)
+            };
+            match [extreme(1.0), extreme(-1.0)] {
+                [ed, es] if ed != es => [ed, es],
+                // A surface whose area never changes has neither: the first two poses stand in.
+                _ => [0, 1],
+            }
+        }
+    }
+}
