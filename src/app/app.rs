@@ -184,7 +184,7 @@ impl App {
         if let Some(reason) = refused.as_ref().filter(|_| refused != self.refused) {
             super::errors::push_card(
                 &mut self.state.errors,
-                "The subject could not be drawn",
+                "The heart could not be drawn",
                 reason,
                 None,
             );
@@ -301,7 +301,7 @@ impl App {
                 self.background.dialogs.ask(question);
             }
             (Err(NoFigure::Refused(reason)), _) => {
-                let title = "There is no patch figure of this subject";
+                let title = "There is no patch figure of this heart";
                 super::errors::push_card(&mut self.state.errors, title, reason, None);
             }
             (Err(NoFigure::NotYet), path) => {

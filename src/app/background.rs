@@ -33,20 +33,14 @@ const FAILURES: [(WorkKind, &str); 10] = [
         WorkKind::DeformationMap,
         "The map of deformations could not be computed",
     ),
-    (
-        WorkKind::Classes,
-        "The deformations could not be classified",
-    ),
-    (
-        WorkKind::InBetweens,
-        "Interpolated poses could not be computed",
-    ),
-    (WorkKind::Transfer, "The motion could not be transported"),
+    (WorkKind::Classes, "Classes could not be told apart"),
+    (WorkKind::InBetweens, "No poses between frames were found"),
+    (WorkKind::Transfer, "The beat could not be transferred"),
     (
         WorkKind::Contribution,
-        "The contributions to the distance could not be computed",
+        "The poses could not be compared by place",
     ),
-    (WorkKind::Verdicts, "The subjects could not be classified"),
+    (WorkKind::Verdicts, "The hearts could not be judged"),
     (WorkKind::Export, "Nothing was exported"),
 ];
 
@@ -94,12 +88,7 @@ impl Background {
     /// Takes in what finished since the last frame.
     pub fn poll(&mut self, state: &mut State) {
         for problem in self.pictures.poll() {
-            push_card(
-                &mut state.errors,
-                "A subject cannot be drawn",
-                problem,
-                None,
-            );
+            push_card(&mut state.errors, "A heart cannot be drawn", problem, None);
         }
         self.engine.poll();
         // Results first: they belong to the study that is on screen until now.

@@ -162,7 +162,7 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 1, "End-systole from the volume curve", None, Command::StateEndSystole(None)),
     action(Menu::Analysis, 2, "Map of poses", None, Command::ShowPane(Pane::PoseMap)),
     action(Menu::Analysis, 2, "Map of deformations", None, Command::ShowPane(Pane::DeformationMap)),
-    action(Menu::Analysis, 2, "Spatiotemporal plot", None, Command::ShowPane(Pane::SpaceTime)),
+    action(Menu::Analysis, 2, "Spatiotemporal plot (3D)", None, Command::ShowPane(Pane::SpaceTime)),
     action(Menu::Analysis, 2, "Medial map", None, Command::ShowPane(Pane::MedialMap)),
     action(Menu::Analysis, 2, "Clusters of deformations", None, Command::ToggleClusters),
     action(Menu::Analysis, 3, "Metric and maps…", None, Command::ShowPane(Pane::Metric)),

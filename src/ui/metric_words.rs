@@ -88,7 +88,7 @@ pub fn form_sentence(metric: &MetricParams) -> &'static str {
 pub fn corners_sentence(corners: Corners) -> &'static str {
     match corners {
         Corners::ScaleFree => "Scale-invariant: corners are measured relative to their edges",
-        Corners::Raw => "As printed: a corner has the fourth power of its size as weight",
+        Corners::Raw => "As printed: corners count with the fourth power of their size",
     }
 }
 

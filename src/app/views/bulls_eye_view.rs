@@ -32,7 +32,7 @@ fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) 
     let what = match standing {
         PatchStanding::Untold => "",
         PatchStanding::Abnormal => " · abnormal",
-        PatchStanding::ThickensLittle => " · low thickening",
+        PatchStanding::ThickensLittle => " · thickens little",
     };
     let part = part_name(standing, index);
     format!("{part}{what} · {} of the LV", percent(share))

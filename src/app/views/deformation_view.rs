@@ -118,9 +118,9 @@ impl DeformationData {
             Showing::Nothing => ClassesView::Absent,
             _ if !self.rules.is_empty() => ClassesView::Ready(&self.rules),
             Showing::Ready(_) => {
-                ClassesView::Unanswerable("too few labels; subjects of two classes are needed")
+                ClassesView::Unanswerable("not enough labels; hearts of two classes are needed")
             }
-            Showing::Failed { .. } => ClassesView::Unanswerable("the classification failed"),
+            Showing::Failed { .. } => ClassesView::Unanswerable("they could not be told apart"),
             _ => ClassesView::Absent,
         }
     }
@@ -225,25 +225,24 @@ fn rules(classes: &Classes) -> Vec<RuleView> {
     [
         rule(
             "Nearest neighbour",
-            "Each subject in turn gets the class of the subject with the most similar motion (leave-one-out)",
+            "Each heart in turn is given the label of the heart that moves most like it",
             classes.nearest_neighbour,
         ),
         rule(
-            "Linear classifier",
-            "Each subject in turn is classified from the distances of motions by a linear classifier \
-             trained on all others (leave-one-out)",
+            "Linear rule",
+            "Each heart in turn is judged by a linear rule on the distances of deformations, made \
+             from all others",
             classes.linear_rule,
         ),
         rule(
-            "2-D classifier",
-            "Each subject in turn is classified on this 2-D embedding by a straight line trained on \
-             all others (leave-one-out)",
+            "Rule in this plane",
+            "Each heart in turn is judged by a straight line on this map, made from all others",
             classes.plane_rule,
         ),
         rule(
-            "Cluster agreement τ",
-            "Share of subjects whose cluster is matched to their class, with the best one-to-one \
-             matching of clusters and classes (eq. 3.6)",
+            "Clusters, τ",
+            "Share of hearts whose cluster stands for their label, where clusters and labels are \
+             matched as well as can be",
             classes.tau,
         ),
     ]

@@ -19,12 +19,12 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
         .and_then(|told| told.as_ref().ok());
     let why = match (state.patch_standing(subject), verdict.map(|v| v.finding)) {
         (PatchStanding::Abnormal, _) => return String::new(),
-        (PatchStanding::Untold, _) => "There is no verdict yet",
+        (PatchStanding::Untold, _) => "Whether that is abnormal is not told yet",
         (_, Some(Finding::Nothing)) => {
-            "The verdict is no regional abnormality: the wall thickens as in the normal subjects"
+            "The verdict is no abnormal patch: the wall works as in normal hearts"
         }
-        (_, Some(Finding::GlobalFailure)) => "The verdict is global hypokinesia",
-        _ => "The verdict is not an abnormal patch",
+        (_, Some(Finding::GlobalFailure)) => "The verdict is global failure: no part stands out",
+        _ => "The verdict is no abnormal patch",
     };
     format!(". {why}")
 }
@@ -65,7 +65,7 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
         }
         let area = patch.area_cm2.map(|area| format!("{} · ", area_text(area)));
         lines.push(format!(
-            "{}PT {:.2} × · remote {:.2} ×",
+            "{}PT {:.2} × · elsewhere {:.2} ×",
             area.unwrap_or_default(),
             patch.thickening.exp(),
             thickening.well.exp()

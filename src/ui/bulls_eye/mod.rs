@@ -108,7 +108,9 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
             }
         })
         .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
-        let segments = egui::Button::new("Segment values").selected(view.by_segment);
+        let narrow = ui.available_width() < 110.0;
+        let name = if narrow { "AHA 17" } else { "Segment values" };
+        let segments = egui::Button::new(name).selected(view.by_segment);
         let response = ui.add(segments);
         response.widget_info(|| {
             WidgetInfo::selected(Role::Button, true, view.by_segment, "Segment values")

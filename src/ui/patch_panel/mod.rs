@@ -43,13 +43,13 @@ pub struct PatchRow {
     pub share: f64,
     /// Mean thickening from end-diastole to end-systole, 0.1 for 10 %.
     pub thickening: f64,
-    /// Detection stability: share of noise redraws in which it is detected again.
+    /// Share of redraws of the noise in which it is found again.
     pub confidence: f64,
     /// Segments in words, or why there are none.
     pub segments: String,
     /// Whether it is selected.
     pub selected: bool,
-    /// From where it is seen, in the heart's axes; `None` while the subject is not on screen.
+    /// From where it is seen, in the heart's axes; `None` while the heart is not on screen.
     pub camera: Option<Camera>,
 }
 
@@ -111,8 +111,8 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
         return;
     }
     if !view.heading.is_empty() {
-        let low_thickening = view.standing == PatchStanding::ThickensLittle;
-        let colour = if view.rows.is_empty() || low_thickening {
+        let little = view.standing == PatchStanding::ThickensLittle;
+        let colour = if view.rows.is_empty() || little {
             colours(ui).strong
         } else {
             colours(ui).selection

@@ -239,9 +239,9 @@ fn curves(points: &[MapPoint]) -> Vec<SpaceTimeCurve> {
 fn rules() -> Vec<RuleView> {
     [
         ("Nearest neighbour", 20, 12.4, 0.002),
-        ("Linear classifier", 19, 12.1, 0.006),
-        ("2-D classifier", 18, 12.2, 0.013),
-        ("Cluster agreement τ", 21, 13.8, 0.0004),
+        ("Linear rule", 19, 12.1, 0.006),
+        ("Rule in this plane", 18, 12.2, 0.013),
+        ("Clusters, τ", 21, 13.8, 0.0004),
     ]
     .into_iter()
     .map(|(name, correct, chance, p_value)| RuleView {

@@ -5,7 +5,7 @@ use super::*;
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
 use cardiomorph::io::{MeshFormat, write_study};
 use cardiomorph::mesh::TriMesh;
-use cardiomorph::picture::{PatchStanding, patch_heading};
+use cardiomorph::picture::PatchStanding;
 use cardiomorph::progress::Progress;
 use cardiomorph::study::built_in::cohort;
 use cardiomorph::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
@@ -101,7 +101,6 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     assert!(!wall.thickening.patches.is_empty(), "places thicken little");
     assert_eq!(verdict(harness.state(), normal).finding, Finding::Nothing);
     assert_eq!(state.patch_standing(normal), PatchStanding::ThickensLittle);
-    let heading = patch_heading(&wall.thickening, PatchStanding::ThickensLittle);
     harness.run_steps(2);
     harness.get_by_label("No regional abnormality");
     assert!(
@@ -109,7 +108,14 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
             .query_by_label_contains(" abnormal patch ·")
             .is_none()
     );
-    assert!(harness.query_all_by_label(&heading).count() >= 1);
+    assert!(
+        harness
+            .query_by_label_contains(" thickens little · ")
+            .is_some()
+            || harness
+                .query_by_label_contains(" thicken little · ")
+                .is_some()
+    );
     let id = state_id(&harness, normal);
     assert_eq!(told_in_row(&harness, &id).as_deref(), Some("no finding"));
 }
