@@ -70,7 +70,13 @@ fn the_built_in_cohort_is_judged_in_table_and_pane() {
     );
     harness.get_by_label_contains("Accuracy (leave-one-out): ");
     harness.get_by_label_contains("Angular SD of ANV: ");
-    harness.get_by_label("Research use, not for diagnosis");
+    // In the pane and in the status bar.
+    assert_eq!(
+        harness
+            .get_all_by_label("Research use, not for diagnosis")
+            .count(),
+        2
+    );
     // The note over the picture and the table of patches say the same.
     assert_eq!(
         harness.state().state().patch_standing(PATCHED),
