@@ -186,7 +186,7 @@ fn colour_bar(legend: &ColourLegend) -> ColourBarView<'_> {
         below: bytes(legend.map.below),
         above: bytes(legend.map.above),
         note: legend.note,
-        typed: legend.note.contains("typed"),
+        typed: legend.note.starts_with("limits"),
     }
 }
 
