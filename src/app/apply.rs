@@ -91,7 +91,7 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         C::SetViewMode(_)
         | C::SetCamera { .. }
         | C::ViewFrom(_)
-        | C::FrameAll
+        | C::FitView
         | C::ToggleFreeCamera
         | C::ToggleEndocardium
         | C::ToggleEpicardium
@@ -122,11 +122,11 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         | C::NextBullsEye
         | C::ToggleBullsEyeSegments => apply_wall::apply(state, &command, moment),
 
-        C::TakeUpView(view) => saved_views::apply(state, &view, moment),
+        C::RestoreView(view) => saved_views::apply(state, &view, moment),
 
-        C::CarryBeat { .. }
-        | C::CarryBeatBeside
-        | C::StopCarrying
+        C::TransportMotion { .. }
+        | C::TransportToOther
+        | C::StopTransport
         | C::SetInBetweens(_)
         | C::StepPose(_) => return apply_carry::apply(state, &command, moment),
 

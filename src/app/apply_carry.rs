@@ -14,13 +14,13 @@ use super::undo::Gesture;
 /// Carries out a command about carried beats or poses between frames.
 pub fn apply(state: &mut State, command: &Command, moment: &Moment) -> Vec<Effect> {
     match *command {
-        Command::CarryBeat { from, onto } => return carry(state, moment, from, onto),
-        Command::CarryBeatBeside => {
+        Command::TransportMotion { from, onto } => return carry(state, moment, from, onto),
+        Command::TransportToOther => {
             if let Some(onto) = state.document.compared() {
                 return carry(state, moment, state.document.subject, onto);
             }
         }
-        Command::StopCarrying => change(state, moment, None, |document| document.carried = None),
+        Command::StopTransport => change(state, moment, None, |document| document.carried = None),
         Command::SetInBetweens(count) => {
             state.results.in_betweens.resume();
             change(state, moment, None, |document| document.in_betweens = count);
@@ -40,9 +40,12 @@ fn carry(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Ef
     }
     let (ours, theirs) = (&source.sequence, &target.sequence);
     if ours.correspondence() != theirs.correspondence() {
-        let title = format!("{}’s beat cannot be played on {}", source.id, target.id);
+        let title = format!(
+            "The motion of {} cannot be transported to {}",
+            source.id, target.id
+        );
         let message = format!(
-            "their meshes do not correspond: {} vertices and {} faces, {} vertices and {} faces",
+            "the meshes do not correspond: {} vertices and {} faces, {} vertices and {} faces",
             ours.vertex_count(),
             ours.face_count(),
             theirs.vertex_count(),
@@ -142,13 +145,13 @@ mod tests {
         let mut state = three_hearts();
         let before = state.document.clone();
         let beat = CarriedBeat { from: 1, onto: 0 };
-        let effects = give(&mut state, Command::CarryBeat { from: 1, onto: 0 });
+        let effects = give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
         assert_eq!(effects, []);
         assert_eq!(state.document.carrying(), Some(beat));
         assert_eq!(state.document.subject, 1);
         assert_eq!(state.document.quantity, Quantity::CarriedDistance);
         assert!(state.play.playing);
-        let again = give(&mut state, Command::CarryBeat { from: 1, onto: 0 });
+        let again = give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
         assert_eq!(again, [Effect::Retry(WorkKind::Transfer)]);
         give(&mut state, Command::Undo);
         assert_eq!(state.document, before);
@@ -159,13 +162,13 @@ mod tests {
     #[test]
     fn whatever_shows_other_hearts_ends_the_carried_beat() {
         for command in [
-            Command::StopCarrying,
+            Command::StopTransport,
             Command::SelectSubject(0),
             Command::SetViewMode(ViewMode::Single),
             Command::CompareWith(Some(2)),
         ] {
             let mut state = three_hearts();
-            give(&mut state, Command::CarryBeat { from: 1, onto: 0 });
+            give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
             give(&mut state, command.clone());
             assert_eq!(state.document.carried, None, "{command:?}");
             assert_eq!(state.document.quantity, Quantity::Tissue, "{command:?}");
@@ -175,7 +178,7 @@ mod tests {
     #[test]
     fn colours_can_be_chosen_beside_a_carried_beat() {
         let mut state = three_hearts();
-        give(&mut state, Command::CarryBeat { from: 1, onto: 0 });
+        give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
         give(&mut state, Command::SetQuantity(Quantity::Tissue));
         assert!(state.document.carrying().is_some());
         assert_eq!(state.document.quantity, Quantity::Tissue);
@@ -185,20 +188,20 @@ mod tests {
     fn a_heart_that_does_not_correspond_is_refused_in_words() {
         let mut state = three_hearts();
         let before = state.document.clone();
-        give(&mut state, Command::CarryBeat { from: 0, onto: 2 });
+        give(&mut state, Command::TransportMotion { from: 0, onto: 2 });
         assert_eq!(state.document, before);
         let card = &state.errors[0];
-        assert_eq!(card.title, "a’s beat cannot be played on c");
+        assert_eq!(card.title, "The motion of a cannot be transported to c");
         assert!(card.message.contains("42 vertices") && card.message.contains("162 vertices"));
-        give(&mut state, Command::CarryBeat { from: 0, onto: 0 });
-        give(&mut state, Command::CarryBeat { from: 0, onto: 7 });
+        give(&mut state, Command::TransportMotion { from: 0, onto: 0 });
+        give(&mut state, Command::TransportMotion { from: 0, onto: 7 });
         assert_eq!(state.document, before);
     }
 
     #[test]
     fn the_beat_beside_is_chosen_without_a_pointer() {
         let mut state = three_hearts();
-        give(&mut state, Command::CarryBeatBeside);
+        give(&mut state, Command::TransportToOther);
         let beat = CarriedBeat { from: 0, onto: 1 };
         assert_eq!(state.document.carrying(), Some(beat));
     }

@@ -141,7 +141,7 @@ fn hundred_changes_of_many_kinds_are_taken_back_one_by_one() {
             2 => Command::SelectSubject((step / 5 + 1) % 2),
             3 => Command::SortCohort(1),
             _ => Command::SetViewMode(if (step / 5) % 2 == 0 {
-                ViewMode::AllPhases
+                ViewMode::AllFrames
             } else {
                 ViewMode::Single
             }),

@@ -37,7 +37,7 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) {
                 };
             }
             Command::ViewFrom(side) => d.look.direction = Direction::From(side),
-            Command::FrameAll => {
+            Command::FitView => {
                 d.look = Look {
                     direction: d.look.direction,
                     ..Look::default()

@@ -190,7 +190,7 @@ fn wanted_in_betweens(state: &State, moving: impl Fn(&OnStage) -> bool) -> Optio
     let store = &state.results.in_betweens;
     let mut wanted = None;
     let mut places = on_stage(state);
-    if state.document.view_mode == ViewMode::AllPhases {
+    if state.document.view_mode == ViewMode::AllFrames {
         places.truncate(1);
     }
     if let Some(selected) = places.first_mut() {

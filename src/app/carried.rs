@@ -67,9 +67,9 @@ impl CarriedHeart {
     }
 }
 
-/// `P07’s beat on N03`.
+/// `Motion of P07 on N03`.
 pub fn carried_title(from: &Subject, onto: &Subject) -> String {
-    format!("{}’s beat on {}", from.id, onto.id)
+    format!("Motion of {} on {}", from.id, onto.id)
 }
 
 /// Settings with which the document has beats carried over.
@@ -126,7 +126,7 @@ mod tests {
         let carried = CarriedHeart::new(key, &sequence, &heart, &heart);
         assert_eq!(carried.distances.len(), 6);
         assert!(carried.distances.iter().flatten().all(|d| *d < 1e-6));
-        assert_eq!(carried.subject.id, "a’s beat on a");
+        assert_eq!(carried.subject.id, "Motion of a on a");
     }
 
     #[test]

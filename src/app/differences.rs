@@ -100,13 +100,15 @@ pub fn pair_on_screen(document: &Document) -> Option<PosePair> {
 /// Why there is no difference to another heart on screen; `None` if there is one.
 pub fn hindrance(document: &Document) -> Option<&'static str> {
     let Some((selected, _, other)) = both_hearts(document) else {
-        return Some("A difference needs two hearts side by side");
+        return Some("The contribution to the distance needs two subjects side by side");
     };
     if document.carrying().is_some() {
-        return Some("Beside a carried beat, choose its distance from the heart’s own beat");
+        return Some(
+            "For a transported motion, choose the difference from the subject’s own motion",
+        );
     }
     let corresponds = selected.sequence.correspondence() == other.sequence.correspondence();
-    (!corresponds).then_some("A difference needs hearts whose meshes correspond")
+    (!corresponds).then_some("The contribution to the distance needs vertex correspondence")
 }
 
 fn both_hearts(document: &Document) -> Option<(&Arc<Subject>, usize, &Arc<Subject>)> {

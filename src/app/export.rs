@@ -179,7 +179,7 @@ fn selected_on_screen<'a>(state: &State, viewport: &'a Viewport) -> Option<&'a S
         .shown()
         .iter()
         .filter(|shown| Arc::ptr_eq(&shown.subject, selected));
-    if document.view_mode == ViewMode::AllPhases {
+    if document.view_mode == ViewMode::AllFrames {
         own.find(|shown| {
             nearest_frame(shown.position, shown.heart.prepared.frame_count) == document.frame()
         })

@@ -78,7 +78,7 @@ impl Fits {
         rotation: glam::Quat,
         rect: Rect,
     ) -> Camera {
-        let room = if mode == ViewMode::AllPhases {
+        let room = if mode == ViewMode::AllFrames {
             GRID_ROOM
         } else {
             ROOM.map(|room| room.min(0.12 * rect.height()))

@@ -148,7 +148,7 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
         bulls_eye: drawing.bulls_eye.view(state, patches.state()),
         activity: &activity,
         measuring,
-        judging: verdict.judging(),
+        classifying: verdict.classifying(),
         opening: matches!(drawing.engine.opening(), Showing::Computing { .. }),
         viewport: drawing.viewport,
         meter: &drawing.meter,
@@ -204,7 +204,7 @@ fn files_hover_ui(ui: &Ui, state: &State) {
     painter.text(
         area.center(),
         egui::Align2::CENTER_CENTER,
-        "Let go to open",
+        "Drop to open",
         egui::FontId::proportional(ui::theme::type_size::TITLE),
         colours.strong,
     );

@@ -177,34 +177,35 @@ pub fn between_words(
     }
     let path = in_betweens.and_then(|beat| beat.path(position.floor() as usize));
     let Some(path) = path else {
-        let mut note = "Every vertex moves straight from one frame to the next".to_owned();
+        let mut note =
+            "Every vertex moves along a straight line from one frame to the next".to_owned();
         if !pending.is_empty() {
             note.push_str(". ");
             note.push_str(pending);
         }
         return BetweenWords {
-            short: Some("straight in-between"),
-            badge: Some("straight in-between"),
+            short: Some("linear interpolation"),
+            badge: Some("linear interpolation"),
             note,
         };
     };
     let mut note = match inner(path).len() {
-        1 => "1 pose between these frames".to_owned(),
-        count => format!("{count} poses between these frames"),
+        1 => "1 interpolated pose between these frames".to_owned(),
+        count => format!("{count} interpolated poses between these frames"),
     };
-    note.push_str(", found as the shortest way by the metric of the map");
+    note.push_str(", on the geodesic of the metric of the map");
     match path.self_intersections {
         0 => {}
-        1 => note.push_str(". 1 pair of faces crosses"),
-        pairs => note.push_str(&format!(". {pairs} pairs of faces cross")),
+        1 => note.push_str(". 1 pair of faces intersects"),
+        pairs => note.push_str(&format!(". {pairs} pairs of faces intersect")),
     }
     if !path.converged {
-        note.push_str(". The search ended before it met its tolerance");
+        note.push_str(". The optimisation ended before it reached its tolerance");
     }
     BetweenWords {
         short: Some("interpolated"),
         badge: Some(if path.self_intersections > 0 {
-            "interpolated, faces cross"
+            "interpolated, faces intersect"
         } else {
             "interpolated"
         }),
@@ -305,15 +306,19 @@ pub(super) mod tests {
         assert_eq!(between_words(Some(beat), 1.0, ""), BetweenWords::default());
         let words = between_words(Some(beat), 0.25, "");
         assert_eq!(words.badge, Some("interpolated"));
-        assert!(words.note.starts_with("3 poses between these frames"));
+        assert!(
+            words
+                .note
+                .starts_with("3 interpolated poses between these frames")
+        );
         let words = between_words(Some(beat), 1.5, "");
         assert!(
-            words.note.ends_with("2 pairs of faces cross"),
+            words.note.ends_with("2 pairs of faces intersect"),
             "{}",
             words.note
         );
-        let words = between_words(None, 1.5, "Poses between frames are switched off");
-        assert_eq!(words.badge, Some("straight in-between"));
-        assert!(words.note.ends_with("switched off"));
+        let words = between_words(None, 1.5, "Interpolated poses are off");
+        assert_eq!(words.badge, Some("linear interpolation"));
+        assert!(words.note.ends_with("are off"));
     }
 }

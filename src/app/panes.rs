@@ -61,7 +61,7 @@ pub struct Panes<'a> {
     /// Whether volumes are being computed.
     pub measuring: bool,
     /// Whether verdicts are still to come.
-    pub judging: bool,
+    pub classifying: bool,
     /// Whether something is being opened.
     pub opening: bool,
     /// The 3D view.
@@ -108,8 +108,8 @@ pub fn pane_title(pane: Pane) -> &'static str {
         Pane::Viewport => "3D view",
         Pane::PoseMap => "Poses",
         Pane::DeformationMap => "Deformations",
-        Pane::SpaceTime => "3D",
-        Pane::Metric => "Metric",
+        Pane::SpaceTime => "Spatiotemporal",
+        Pane::Metric => "Metric and maps",
         Pane::Curves => "Volume",
         Pane::Measures => "Measures",
         Pane::Patch => "Patch",
@@ -157,7 +157,9 @@ impl Panes<'_> {
     fn content_ui(&mut self, ui: &mut Ui, pane: Pane) {
         match pane {
             Pane::Cohort => {
-                let view = self.cohort.view(self.state, [self.measuring, self.judging]);
+                let view = self
+                    .cohort
+                    .view(self.state, [self.measuring, self.classifying]);
                 cohort_table_ui(ui, &view, self.commands);
             }
             Pane::Activity => activity_ui(ui, self.activity, self.commands),

@@ -156,14 +156,14 @@ fn number(prepared: &PreparedSubject, quantity: Quantity, value: f64) -> String 
     match quantity {
         Quantity::Tissue => String::new(),
         Quantity::Displacement => {
-            format!("moved {value:.1} {}", prepared.unit.length_symbol())
+            format!("displacement {value:.1} {}", prepared.unit.length_symbol())
         }
-        Quantity::AreaRatio => format!("area × {value:.2}"),
+        Quantity::AreaRatio => format!("area ratio {value:.2}"),
         Quantity::ThicknessRatio => format!("PT {value:.2} ×"),
-        Quantity::Contribution => format!("difference {value:.2} × mean"),
+        Quantity::Contribution => format!("contribution {value:.2} × the mean"),
         Quantity::CarriedDistance => {
             format!(
-                "{value:.1} {} from its own beat",
+                "{value:.1} {} from own motion",
                 prepared.unit.length_symbol()
             )
         }
@@ -194,16 +194,16 @@ mod tests {
         let numbers = SurfaceScalars::of_heart(&prepared, Quantity::CarriedDistance, &lists);
         let words = |quantity| picked.words(&prepared, numbers.as_ref(), quantity, half_way);
         let carried = words(Quantity::CarriedDistance);
-        assert_eq!(carried, "cavity · vertex 7 · 2.5 mm from its own beat");
+        assert_eq!(carried, "cavity · vertex 7 · 2.5 mm from own motion");
         assert_eq!(words(Quantity::Contribution), "cavity · vertex 7");
         assert_eq!(words(Quantity::Tissue), "cavity · vertex 7");
         assert_eq!(
             words(Quantity::Displacement),
-            "cavity · vertex 7 · moved 2.5 mm"
+            "cavity · vertex 7 · displacement 2.5 mm"
         );
         assert_eq!(
             words(Quantity::AreaRatio),
-            "cavity · vertex 7 · area × 0.84"
+            "cavity · vertex 7 · area ratio 0.84"
         );
     }
 }

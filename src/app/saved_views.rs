@@ -23,7 +23,7 @@ use super::state::State;
 const MOST_HEAD: u64 = 1 << 20;
 
 /// What a card says where a picture gives no view.
-const FAILED: &str = "The view of the picture could not be taken up";
+const FAILED: &str = "The view of the picture could not be restored";
 
 /// Reads picture files, one at a time; a later one takes the place of an earlier.
 pub struct SavedViews {
@@ -67,7 +67,7 @@ impl SavedViews {
         let outcome = self.reading.as_mut()?.poll()?;
         self.reading = None;
         Some(match outcome {
-            Ok(view) => Ok(Command::TakeUpView(Box::new(view))),
+            Ok(view) => Ok(Command::RestoreView(Box::new(view))),
             Err(error) => Err(error.to_string()),
         })
     }
@@ -76,7 +76,7 @@ impl SavedViews {
 fn saved_view(path: &Path) -> Result<SavedView, String> {
     let head = read_head(path, MOST_HEAD).map_err(|error| error.reason)?;
     let text = png_text(Cursor::new(head), VIEW_KEY).map_err(|error| error.to_string())?;
-    let text = text.ok_or("this picture carries no view of Cardiomorph")?;
+    let text = text.ok_or("this picture contains no view of Cardiomorph")?;
     SavedView::read(&text).map_err(|error| error.to_string())
 }
 
@@ -133,7 +133,7 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
         d.bulls_eye = view.bulls_eye;
         d.thickening = settings;
     });
-    state.message = format!("Took up the view of {}", view.subject.id);
+    state.message = format!("View of {} restored", view.subject.id);
 }
 
 #[cfg(test)]

@@ -58,7 +58,7 @@ pub fn on_stage(state: &State) -> Vec<OnStage> {
             });
             [Some(one), other].into_iter().flatten().collect()
         }
-        ViewMode::AllPhases => (0..selected.sequence.frame_count())
+        ViewMode::AllFrames => (0..selected.sequence.frame_count())
             .map(|frame| OnStage {
                 subject: document.subject,
                 position: frame as f64,
@@ -72,7 +72,7 @@ pub fn on_stage(state: &State) -> Vec<OnStage> {
 pub fn places(mode: ViewMode, area: Rect, count: usize) -> Vec<Rect> {
     match mode {
         _ if count <= 1 => vec![area; count],
-        ViewMode::AllPhases => {
+        ViewMode::AllFrames => {
             let [above, below] = GRID_MARGINS.map(|margin| margin.min(0.2 * area.height()));
             let mut inner = area;
             inner.min.y += above;
@@ -144,9 +144,9 @@ mod tests {
     #[test]
     fn all_phases_fill_the_view_without_overlap() {
         let mut state = state_of(vec![subject_with_frames("a", 25)]);
-        state.document.view_mode = ViewMode::AllPhases;
+        state.document.view_mode = ViewMode::AllFrames;
         assert_eq!(on_stage(&state).len(), 25);
-        let rects = places(ViewMode::AllPhases, area(), 25);
+        let rects = places(ViewMode::AllFrames, area(), 25);
         assert_eq!(rects.len(), 25);
         for (i, a) in rects.iter().enumerate() {
             assert!(area().expand(0.01).contains_rect(*a));

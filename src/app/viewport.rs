@@ -178,13 +178,13 @@ impl Viewport {
     /// A double click fits the heart; a click on one of all phases goes there.
     fn click_command(&self, response: &Response, cells: &[Cell]) -> Option<Command> {
         if response.double_clicked() {
-            return Some(Command::FrameAll);
+            return Some(Command::FitView);
         }
         let at = response
             .interact_pointer_pos()
             .filter(|_| response.clicked())?;
         let cell = cells.iter().find(|cell| cell.rect.contains(at))?;
-        (self.mode == ViewMode::AllPhases).then_some(Command::SetPosition(cell.heart.position))
+        (self.mode == ViewMode::AllFrames).then_some(Command::SetPosition(cell.heart.position))
     }
 
     /// Hands the hearts to our renderer; returns what the colours mean, and at which heart it stands.
@@ -229,7 +229,7 @@ impl Viewport {
         (area, legends): (Rect, Option<&(usize, HeartScene)>),
         commands: &mut Vec<Command>,
     ) {
-        let whole_beat = self.mode == ViewMode::AllPhases;
+        let whole_beat = self.mode == ViewMode::AllFrames;
         let shown = if whole_beat {
             &cells[..cells.len().min(1)]
         } else {

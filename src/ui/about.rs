@@ -1,4 +1,4 @@
-//! What the program is, whose method it follows, and what it is not for.
+//! About: what the program is, the method, the licences.
 
 use egui::{RichText, Ui};
 
@@ -26,19 +26,19 @@ fn text_ui(ui: &mut Ui, adapter: &str) {
     );
     ui.label(note(concat!("Version ", env!("CARGO_PKG_VERSION"))));
     ui.add_space(space::MEDIUM);
-    ui.label("Reads how a left ventricle moves: beating meshes in 3D, live maps of poses, measures and figures.");
+    ui.label("Analyses how a left ventricle moves: volumes, wall thickening, maps of poses and motions, figures");
     ui.add_space(space::MEDIUM);
     let warning = colours(ui).warning;
     ui.label(
-        RichText::new("A research tool. It makes no diagnosis and must not be used for one.")
+        RichText::new("A research tool. It makes no diagnosis and is not a medical device.")
             .color(warning),
     );
     ui.add_space(space::MEDIUM);
-    ui.label("Method: V. Taimouri, Shape Analysis in Shape Space (dissertation).");
-    ui.label("Typeface: Inter, SIL Open Font License 1.1.");
-    ui.label("Licence: MIT or Apache 2.0.");
+    ui.label("Method: V. Taimouri, Shape Analysis in Shape Space (dissertation)");
+    ui.label("Typeface: Inter, SIL Open Font License 1.1");
+    ui.label("Licence: MIT or Apache 2.0");
     if !adapter.is_empty() {
         ui.add_space(space::MEDIUM);
-        ui.label(note(format!("Drawn by {adapter}")));
+        ui.label(note(format!("Graphics driver: {adapter}")));
     }
 }

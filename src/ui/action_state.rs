@@ -17,13 +17,13 @@ pub struct ActionState {
     pub can_undo: bool,
     /// Whether an undo can be taken back.
     pub can_redo: bool,
-    /// Whether the beat plays.
+    /// Whether the motion plays.
     pub playing: bool,
     /// Whether playing starts over.
     pub looping: bool,
-    /// Whether the inner surface is shown.
+    /// Whether the endocardium is shown.
     pub shows_endocardium: bool,
-    /// Whether the outer surface or wall is shown.
+    /// Whether the epicardium or the wall is shown.
     pub shows_epicardium: bool,
     /// Whether edges are shown.
     pub shows_wireframe: bool,
@@ -47,9 +47,9 @@ pub struct ActionState {
     pub full_screen: bool,
     /// Smooth or flat.
     pub shading: Shading,
-    /// One heart, two, or all phases.
+    /// One subject, two, or all frames of one.
     pub view_mode: ViewMode,
-    /// What colours stand for.
+    /// The quantity shown in colour.
     pub quantity: Quantity,
     /// Which metric compares poses.
     pub metric: MetricKind,
@@ -57,10 +57,10 @@ pub struct ActionState {
     pub map_method: MapMethod,
     /// Poses computed between two frames.
     pub in_betweens: u16,
-    /// Whether there is another heart to show beside the selected one.
+    /// Whether there is another subject to show beside the selected one.
     pub has_other: bool,
-    /// Whether a beat plays on another heart.
-    pub carrying: bool,
+    /// Whether a motion is transported.
+    pub transporting: bool,
     /// Light or dark.
     pub theme: ThemeChoice,
     /// Whether clusters of deformations are shown.
@@ -75,12 +75,12 @@ impl ActionState {
         match command {
             Command::Undo => self.can_undo,
             Command::Redo => self.can_redo,
-            Command::CarryBeatBeside => self.has_other,
-            Command::StopCarrying => self.carrying,
+            Command::TransportToOther => self.has_other,
+            Command::StopTransport => self.transporting,
             Command::SetQuantity(Quantity::Contribution) => {
                 self.has_other && self.view_mode == ViewMode::SideBySide
             }
-            Command::SetQuantity(Quantity::CarriedDistance) => self.carrying,
+            Command::SetQuantity(Quantity::CarriedDistance) => self.transporting,
             Command::ChooseFiles
             | Command::ChooseFolder
             | Command::Open(_)

@@ -1,4 +1,4 @@
-//! Every action once: its name, its key, where it stands; menus, palette and sheet derive from it.
+//! Every action once: its name, its key, its menu; menus, palette and shortcut sheet read this table.
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
@@ -13,11 +13,11 @@ use crate::ui::command::{Command, Pane, ThemeChoice, ViewMode};
 pub enum Menu {
     /// Opening and leaving.
     File,
-    /// Undo and what is stated by hand.
+    /// Undo and selection.
     Edit,
     /// What is seen, and from where.
     View,
-    /// The beat and what is computed.
+    /// Playback and analyses.
     Analysis,
     /// What leaves the program.
     Export,
@@ -36,7 +36,7 @@ impl Menu {
         Self::Help,
     ];
 
-    /// What the bar says.
+    /// The title in the menu bar.
     pub fn name(self) -> &'static str {
         match self {
             Self::File => "File",
@@ -54,9 +54,9 @@ impl Menu {
 pub struct Action {
     /// Sentence case; ends in `…` when it asks for more.
     pub name: &'static str,
-    /// Where it stands.
+    /// Its menu.
     pub menu: Menu,
-    /// Actions of one group stand together, groups are divided by a line.
+    /// Groups of a menu are divided by a line.
     pub group: u8,
     /// The key that does it.
     pub shortcut: Option<KeyboardShortcut>,
@@ -102,37 +102,37 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Edit, 1, "Previous subject", Some((SHIFT, Key::Tab)), Command::StepSubject(-1)),
     action(Menu::View, 0, "3D view", None, Command::SetViewMode(ViewMode::Single)),
     action(Menu::View, 0, "Side by side", None, Command::SetViewMode(ViewMode::SideBySide)),
-    action(Menu::View, 0, "All phases", None, Command::SetViewMode(ViewMode::AllPhases)),
+    action(Menu::View, 0, "All frames", None, Command::SetViewMode(ViewMode::AllFrames)),
     action(Menu::View, 1, "From anterior", Some((NONE, Key::Num1)), Command::ViewFrom(AnatomicalView::Anterior)),
     action(Menu::View, 1, "From inferior", Some((NONE, Key::Num2)), Command::ViewFrom(AnatomicalView::Inferior)),
     action(Menu::View, 1, "From septal", Some((NONE, Key::Num3)), Command::ViewFrom(AnatomicalView::Septal)),
     action(Menu::View, 1, "From lateral", Some((NONE, Key::Num4)), Command::ViewFrom(AnatomicalView::Lateral)),
     action(Menu::View, 1, "From apex", Some((NONE, Key::Num5)), Command::ViewFrom(AnatomicalView::Apex)),
     action(Menu::View, 1, "From base", Some((NONE, Key::Num6)), Command::ViewFrom(AnatomicalView::Base)),
-    action(Menu::View, 1, "Frame all", Some((NONE, Key::Num0)), Command::FrameAll),
+    action(Menu::View, 1, "Fit to view", Some((NONE, Key::Num0)), Command::FitView),
     action(Menu::View, 1, "Free rotation", None, Command::ToggleFreeCamera),
-    action(Menu::View, 2, "Inner surface", Some((NONE, Key::S)), Command::ToggleEndocardium),
-    action(Menu::View, 2, "Wall", Some((NONE, Key::W)), Command::ToggleEpicardium),
+    action(Menu::View, 2, "Endocardium", Some((NONE, Key::S)), Command::ToggleEndocardium),
+    action(Menu::View, 2, "Epicardium", Some((NONE, Key::W)), Command::ToggleEpicardium),
     action(Menu::View, 2, "Edges", None, Command::ToggleWireframe),
     action(Menu::View, 2, "Vertices", None, Command::ToggleVertices),
     action(Menu::View, 2, "Medial atoms", Some((NONE, Key::M)), Command::ToggleAtoms),
     action(Menu::View, 2, "Spokes of the atoms", None, Command::ToggleSpokes),
-    action(Menu::View, 2, "Patch", Some((NONE, Key::P)), Command::TogglePatches),
+    action(Menu::View, 2, "Patch outlines", Some((NONE, Key::P)), Command::TogglePatches),
     action(Menu::View, 2, "ANV and MP of the patch", None, Command::ToggleDirection),
     action(Menu::View, 3, "Next colour quantity", Some((NONE, Key::C)), Command::NextQuantity),
     action(Menu::View, 3, "Colour: tissue", None, Command::SetQuantity(Quantity::Tissue)),
     action(Menu::View, 3, "Colour: displacement", None, Command::SetQuantity(Quantity::Displacement)),
     action(Menu::View, 3, "Colour: area ratio", None, Command::SetQuantity(Quantity::AreaRatio)),
     action(Menu::View, 3, "Colour: thickness ratio", None, Command::SetQuantity(Quantity::ThicknessRatio)),
-    action(Menu::View, 3, "Colour: difference to the other heart", Some((NONE, Key::D)), Command::SetQuantity(Quantity::Contribution)),
-    action(Menu::View, 3, "Colour: distance from its own beat", None, Command::SetQuantity(Quantity::CarriedDistance)),
-    action(Menu::View, 3, "Next quantity of the bull's-eye", Some((NONE, Key::B)), Command::NextBullsEye),
+    action(Menu::View, 3, "Colour: contribution to the distance", Some((NONE, Key::D)), Command::SetQuantity(Quantity::Contribution)),
+    action(Menu::View, 3, "Colour: difference from own motion", None, Command::SetQuantity(Quantity::CarriedDistance)),
+    action(Menu::View, 3, "Next bull's-eye quantity", Some((NONE, Key::B)), Command::NextBullsEye),
     action(Menu::View, 3, "Bull's-eye: PT of this pose", None, Command::SetBullsEye(BullsEyeQuantity::Ratio)),
     action(Menu::View, 3, "Bull's-eye: thickening", None, Command::SetBullsEye(BullsEyeQuantity::Thickening)),
     action(Menu::View, 3, "Bull's-eye: displacement", None, Command::SetBullsEye(BullsEyeQuantity::Displacement)),
     action(Menu::View, 3, "Bull's-eye: area ratio", None, Command::SetBullsEye(BullsEyeQuantity::AreaRatio)),
-    action(Menu::View, 3, "Bull's-eye by segment", None, Command::ToggleBullsEyeSegments),
-    action(Menu::View, 4, "Theme: as the system", None, Command::SetTheme(ThemeChoice::System)),
+    action(Menu::View, 3, "Bull's-eye: segment values", None, Command::ToggleBullsEyeSegments),
+    action(Menu::View, 4, "Theme: system", None, Command::SetTheme(ThemeChoice::System)),
     action(Menu::View, 4, "Theme: dark", None, Command::SetTheme(ThemeChoice::Dark)),
     action(Menu::View, 4, "Theme: light", None, Command::SetTheme(ThemeChoice::Light)),
     action(Menu::View, 5, "Pane: cohort", None, Command::TogglePane(Pane::Cohort)),
@@ -154,16 +154,16 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 0, "Loop", None, Command::ToggleLoop),
     action(Menu::Analysis, 0, "Next frame", Some((NONE, Key::ArrowRight)), Command::StepFrame(1)),
     action(Menu::Analysis, 0, "Previous frame", Some((NONE, Key::ArrowLeft)), Command::StepFrame(-1)),
-    action(Menu::Analysis, 0, "Next pose, in-betweens too", Some((NONE, Key::Period)), Command::StepPose(1)),
-    action(Menu::Analysis, 0, "Previous pose, in-betweens too", Some((NONE, Key::Comma)), Command::StepPose(-1)),
+    action(Menu::Analysis, 0, "Next pose, recorded or interpolated", Some((NONE, Key::Period)), Command::StepPose(1)),
+    action(Menu::Analysis, 0, "Previous pose, recorded or interpolated", Some((NONE, Key::Comma)), Command::StepPose(-1)),
     action(Menu::Analysis, 0, "Go to end-diastole", Some((SHIFT, Key::ArrowLeft)), Command::GoToEndDiastole),
     action(Menu::Analysis, 0, "Go to end-systole", Some((SHIFT, Key::ArrowRight)), Command::GoToEndSystole),
-    action(Menu::Analysis, 1, "Find end-diastole by volume", None, Command::StateEndDiastole(None)),
-    action(Menu::Analysis, 1, "Find end-systole by volume", None, Command::StateEndSystole(None)),
+    action(Menu::Analysis, 1, "End-diastole from the volume curve", None, Command::StateEndDiastole(None)),
+    action(Menu::Analysis, 1, "End-systole from the volume curve", None, Command::StateEndSystole(None)),
     action(Menu::Analysis, 2, "Map of poses", None, Command::ShowPane(Pane::PoseMap)),
     action(Menu::Analysis, 2, "Map of deformations", None, Command::ShowPane(Pane::DeformationMap)),
     action(Menu::Analysis, 2, "Spatiotemporal plot (3D)", None, Command::ShowPane(Pane::SpaceTime)),
-    action(Menu::Analysis, 2, "Map of the medial shape space", None, Command::ShowPane(Pane::MedialMap)),
+    action(Menu::Analysis, 2, "Medial map", None, Command::ShowPane(Pane::MedialMap)),
     action(Menu::Analysis, 2, "Clusters of deformations", None, Command::ToggleClusters),
     action(Menu::Analysis, 3, "Metric and maps…", None, Command::ShowPane(Pane::Metric)),
     action(Menu::Analysis, 3, "Metric: quasi-conformal", None, Command::SetMetric(MetricKind::QuasiConformal)),
@@ -174,17 +174,17 @@ pub static ACTIONS: &[Action] = &[
     action(Menu::Analysis, 3, "Map of poses by classical MDS", None, Command::SetMapMethod(MapMethod::ClassicalMds)),
     action(Menu::Analysis, 3, "Map of poses by Isomap", None, Command::SetMapMethod(MapMethod::ISOMAP)),
     action(Menu::Analysis, 3, "Reset metric and maps", None, Command::ResetMaps),
-    action(Menu::Analysis, 3, "Patch of the wall", None, Command::ShowPane(Pane::Patch)),
-    action(Menu::Analysis, 3, "Verdict on this heart", None, Command::ShowPane(Pane::Verdict)),
+    action(Menu::Analysis, 3, "Patch table and thresholds", None, Command::ShowPane(Pane::Patch)),
+    action(Menu::Analysis, 3, "Verdict", None, Command::ShowPane(Pane::Verdict)),
     action(Menu::Analysis, 3, "Bull's-eye", None, Command::ShowPane(Pane::BullsEye)),
-    action(Menu::Analysis, 3, "Ways of measuring thickness", None, Command::ShowPane(Pane::Thickness)),
-    action(Menu::Analysis, 3, "Reset the thresholds of patches", None, Command::ResetThickening),
-    action(Menu::Analysis, 4, "In-betweens: off", None, Command::SetInBetweens(0)),
-    action(Menu::Analysis, 4, "In-betweens: 1 per interval", None, Command::SetInBetweens(1)),
-    action(Menu::Analysis, 4, "In-betweens: 3 per interval", None, Command::SetInBetweens(3)),
-    action(Menu::Analysis, 4, "In-betweens: 7 per interval", None, Command::SetInBetweens(7)),
-    action(Menu::Analysis, 5, "Play this beat on the heart beside it", Some((NONE, Key::T)), Command::CarryBeatBeside),
-    action(Menu::Analysis, 5, "Stop playing the carried beat", None, Command::StopCarrying),
+    action(Menu::Analysis, 3, "Wall thickness by five methods", None, Command::ShowPane(Pane::Thickness)),
+    action(Menu::Analysis, 3, "Reset patch thresholds", None, Command::ResetThickening),
+    action(Menu::Analysis, 4, "Interpolated poses: off", None, Command::SetInBetweens(0)),
+    action(Menu::Analysis, 4, "Interpolated poses: 1 per interval", None, Command::SetInBetweens(1)),
+    action(Menu::Analysis, 4, "Interpolated poses: 3 per interval", None, Command::SetInBetweens(3)),
+    action(Menu::Analysis, 4, "Interpolated poses: 7 per interval", None, Command::SetInBetweens(7)),
+    action(Menu::Analysis, 5, "Transport motion to the other subject", Some((NONE, Key::T)), Command::TransportToOther),
+    action(Menu::Analysis, 5, "Show own motion", None, Command::StopTransport),
     action(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), Command::ExportPatchFigure(None)),
     action(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), Command::ExportFigure(None)),
     action(Menu::Export, 0, "Tables…", Some((CTRL, Key::E)), Command::ExportTables(None)),

@@ -9,14 +9,14 @@ use crate::ui::status_bar::progress_text;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 
-/// How a piece of work stands.
+/// State of a job.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WorkState {
-    /// It goes on.
+    /// It runs.
     Running {
         /// Done share in `0..=1`.
         fraction: f32,
-        /// Estimated seconds left, once they can be told.
+        /// Estimated seconds left, once there is one.
         seconds_left: Option<f64>,
     },
     /// It brought its result.
@@ -38,7 +38,7 @@ pub struct WorkItem {
     pub parameters: String,
     /// Seconds that it took, or takes so far.
     pub duration_s: f64,
-    /// How it stands.
+    /// Its state.
     pub state: WorkState,
 }
 
@@ -47,8 +47,8 @@ pub fn activity_ui(ui: &mut Ui, items: &[WorkItem], commands: &mut Vec<Command>)
     if items.is_empty() {
         empty_pane_ui(
             ui,
-            "No work yet",
-            "Reading, measures and maps are listed here with their duration.",
+            "No activity yet",
+            "Files, analyses and exports are listed here with their duration",
             |_| {},
         );
         return;
@@ -93,7 +93,7 @@ fn item_ui(ui: &mut Ui, item: &WorkItem, commands: &mut Vec<Command>) {
                 |ui| {
                     if ui
                         .button(note("Cancel"))
-                        .on_hover_text(format!("Stop: {}", item.title))
+                        .on_hover_text(format!("Cancel: {}", item.title))
                         .clicked()
                     {
                         commands.push(Command::Cancel(item.kind));
@@ -127,7 +127,7 @@ fn again_ui(
         |ui| {
             if ui
                 .button(note("Retry"))
-                .on_hover_text(format!("Again: {}", item.title))
+                .on_hover_text(format!("Retry: {}", item.title))
                 .clicked()
             {
                 commands.push(Command::Retry(item.kind));
@@ -203,7 +203,7 @@ mod tests {
     }
 
     #[test]
-    fn durations_are_told_with_the_digits_they_deserve() {
+    fn durations_have_few_digits() {
         assert_eq!(duration_text(0.44), "0.4 s");
         assert_eq!(duration_text(12.4), "12 s");
         assert_eq!(duration_text(185.0), "3 min 5 s");

@@ -1,10 +1,10 @@
-//! Positions counted in frames, and the share of the beat at which each lies.
+//! Positions counted in frames, and the share of the cardiac cycle of each.
 
-/// Where frames lie within the beat: one share in `0..1` per frame, ascending; after the last
-/// frame the beat runs into its first.
+/// Times of the frames within the cardiac cycle: one share in `0..1` per frame, ascending; after the last
+/// frame the cycle continues with the first.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BeatAxis<'a> {
-    /// Share of the beat of each frame.
+    /// Share of the cycle of each frame.
     pub frame_shares: &'a [f64],
 }
 
@@ -14,12 +14,12 @@ impl BeatAxis<'_> {
         self.frame_shares.len()
     }
 
-    /// Share of a whole frame; the frame after the last is the end of the beat.
+    /// Share of a whole frame; the frame after the last is the end of the cycle.
     fn share_of(&self, frame: usize) -> f64 {
         self.frame_shares.get(frame).copied().unwrap_or(1.0)
     }
 
-    /// Share of the beat at a position: 1.5 is half-way from frame 1 to frame 2.
+    /// Share of the cycle at a position: 1.5 is half-way from frame 1 to frame 2.
     pub fn share_at(&self, position: f64) -> f64 {
         let position = position.clamp(0.0, self.frame_count() as f64);
         let frame = position.floor() as usize;
@@ -28,7 +28,7 @@ impl BeatAxis<'_> {
         here + part * (next - here)
     }
 
-    /// Position at a share of the beat, in `0..=frame_count`.
+    /// Position at a share of the cycle, in `0..=frame_count`.
     pub fn position_at(&self, share: f64) -> f64 {
         let count = self.frame_count();
         let after = self.frame_shares.partition_point(|given| *given <= share);
@@ -65,7 +65,7 @@ mod tests {
     }
 
     #[test]
-    fn a_beat_without_frames_stays_at_its_start() {
+    fn a_motion_without_frames_stays_at_its_start() {
         let axis = BeatAxis { frame_shares: &[] };
         assert!(axis.position_at(0.7).abs() < 1e-12);
     }

@@ -5,14 +5,14 @@ use std::cmp::Ordering;
 use crate::study::LabelRole;
 use crate::ui::verdict_marks::VerdictMark;
 
-/// What is said of one subject.
+/// The verdict on one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CohortVerdict {
-    /// What was found.
+    /// The verdict as a shape.
     pub mark: VerdictMark,
-    /// Share of the wall in abnormal patches; `None` where none was found.
+    /// Share of the wall in abnormal patches; `None` without one.
     pub share: Option<f64>,
-    /// That the heart counts as abnormal, in `0..=1`; `None` where it is not assessed.
+    /// Predicted probability of class abnormal, in `0..=1`; `None` where it is not assessed.
     pub probability: Option<f64>,
     /// In a sentence or two.
     pub words: String,
@@ -28,13 +28,10 @@ impl CohortVerdict {
         }
     }
 
-    /// What a narrow column has room for, beside the mark: "31 %".
+    /// For a narrow column, beside the mark: "31 %"; empty without an abnormal patch.
     pub fn short(&self) -> String {
-        match (self.share, self.mark) {
-            (Some(share), _) => format!("{:.0} %", 100.0 * share),
-            (None, VerdictMark::NotAssessed) => String::new(),
-            (None, mark) => mark.word().to_owned(),
-        }
+        self.share
+            .map_or_else(String::new, |share| format!("{:.0} %", 100.0 * share))
     }
 }
 
@@ -43,19 +40,19 @@ impl CohortVerdict {
 pub struct CohortRow {
     /// Pseudonym.
     pub id: String,
-    /// Free text, as the study says it.
+    /// Free text of the study.
     pub label: Option<String>,
-    /// What the label counts as.
+    /// Class of the label.
     pub role: LabelRole,
     /// Ejection fraction as a fraction; `None` until it is computed or where it cannot be.
     pub ejection_fraction: Option<f64>,
-    /// What is said of it; `None` until that is known.
+    /// Its verdict; `None` until there is one.
     pub verdict: Option<CohortVerdict>,
-    /// Number of poses.
+    /// Number of frames.
     pub frame_count: usize,
-    /// Findings of the load report that can affect results.
+    /// Warnings of the load report.
     pub warning_count: usize,
-    /// Hearts whose vertices correspond have the same number.
+    /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
 }
 
@@ -144,14 +141,14 @@ fn compare(a: &CohortRow, b: &CohortRow, sort: CohortSort) -> Ordering {
                 turn(a.total_cmp(&b))
             })
         }
-        CohortColumn::Verdict => missing_last(certainty(a), certainty(b), |a, b| {
+        CohortColumn::Verdict => missing_last(verdict_order(a), verdict_order(b), |a, b| {
             turn(a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
         }),
     }
 }
 
-/// Finding and probability; `None` where nothing is said or nothing can be.
-fn certainty(row: &CohortRow) -> Option<(VerdictMark, f64)> {
+/// Verdict and probability; `None` where there is none.
+fn verdict_order(row: &CohortRow) -> Option<(VerdictMark, f64)> {
     let verdict = row.verdict.as_ref()?;
     Some((verdict.mark, verdict.probability?))
 }
@@ -250,10 +247,10 @@ mod tests {
         let mut rows = cohort();
         rows[0].verdict = verdict(VerdictMark::Patch, Some(0.312), Some(0.98));
         rows[1].verdict = verdict(VerdictMark::NotAssessed, None, None);
-        rows[2].verdict = verdict(VerdictMark::Nothing, None, Some(0.03));
+        rows[2].verdict = verdict(VerdictMark::NoAbnormality, None, Some(0.03));
         let texts = rows.iter().map(|row| row.verdict.as_ref().unwrap().text());
         let texts: Vec<String> = texts.collect();
-        assert_eq!(texts, ["patch 31 %", "not assessed", "none"]);
+        assert_eq!(texts, ["patch 31 %", "not assessed", "no finding"]);
         assert_eq!(visible_rows(&rows, "patch", None), [0]);
         assert_eq!(visible_rows(&rows, "not assessed", None), [1]);
         for (descending, order) in [(false, [2, 0, 1]), (true, [0, 2, 1])] {

@@ -1,4 +1,4 @@
-//! The list of subjects: find one, sort them, select one.
+//! The table of subjects: filter, sort, select.
 
 mod columns;
 
@@ -16,7 +16,7 @@ use crate::ui::style::{note, note_font, text_font};
 use crate::ui::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::theme::{colours, space};
 
-use columns::{Columns, Told, cell, verdict_cell};
+use columns::{Columns, VerdictRoom, cell, verdict_cell};
 
 /// What the cohort pane shows.
 #[derive(Clone, Debug)]
@@ -31,12 +31,12 @@ pub struct CohortView<'a> {
     pub sort: Option<CohortSort>,
     /// The selected subject.
     pub selected: Option<usize>,
-    /// The second heart of the side-by-side view.
+    /// The second subject of the side-by-side view.
     pub compared: Option<usize>,
-    /// Whether ejection fractions are still to come.
+    /// Whether ejection fractions are being computed.
     pub measuring: bool,
-    /// Whether verdicts are still to come.
-    pub judging: bool,
+    /// Whether verdicts are being computed.
+    pub classifying: bool,
 }
 
 /// Draws the filter box and the table.
@@ -45,7 +45,7 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
         empty_pane_ui(
             ui,
             "No subjects",
-            "Meshes, or a folder of them, fill this list.",
+            "Open mesh files, a folder of them or a study",
             |ui| {
                 if ui.button("Open folder…").clicked() {
                     commands.push(Command::ChooseFolder);
@@ -80,7 +80,7 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
         .show(ui, |ui| {
             let mut text = view.search.to_owned();
             let edit = TextEdit::singleline(&mut text)
-                .hint_text("Filter by name, label, EF, verdict…")
+                .hint_text("Filter by name, label, EF, verdict")
                 .margin(vec2(space::MEDIUM, 3.0))
                 .desired_width(f32::INFINITY);
             let response = ui.add(edit).accessible_name("Filter subjects");
@@ -97,9 +97,9 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
 
 fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
     let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
-    let verdict = match columns.told {
-        Told::Words | Told::Short => "Verdict",
-        Told::Mark => "",
+    let verdict = match columns.room {
+        VerdictRoom::Words | VerdictRoom::Share => "Verdict",
+        VerdictRoom::Mark => "",
     };
     let names = ["", "Subject", "Label", "EF %", verdict];
     let readable = ["Role", "Subject", "Label", "EF %", "Verdict"];
@@ -141,7 +141,7 @@ fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut V
         crate::ui::controls::focus_ring(ui, &response);
         let hint = match column {
             CohortColumn::Verdict => {
-                "Sort by verdict: by the probability that the heart counts as abnormal".to_owned()
+                "Sort by verdict (predicted probability of abnormal)".to_owned()
             }
             _ => format!("Sort by {}", readable[index]),
         };
@@ -250,7 +250,7 @@ fn row_ui(
         text_font(),
         colour,
     );
-    verdict_cell(ui, columns, y, row.verdict.as_ref(), view.judging);
+    verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying);
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
         commands.push(Command::SelectSubject(index));
@@ -285,47 +285,52 @@ fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &
         }
         if let Some(selected) = view.selected.filter(|selected| *selected != index) {
             ui.separator();
-            carry_choices_ui(ui, view, [selected, index], commands);
+            transport_choices_ui(ui, view, [selected, index], commands);
         }
     });
 }
 
-/// One heart's beat on the other, in both directions.
-fn carry_choices_ui(ui: &mut Ui, view: &CohortView, pair: [usize; 2], commands: &mut Vec<Command>) {
+/// Transport of one subject's motion to the other, in both directions.
+fn transport_choices_ui(
+    ui: &mut Ui,
+    view: &CohortView,
+    pair: [usize; 2],
+    commands: &mut Vec<Command>,
+) {
     let [a, b] = pair.map(|index| &view.rows[index]);
-    let fits = a.correspondence == b.correspondence;
+    let correspond = a.correspondence == b.correspondence;
     for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {
         let name = format!(
-            "Play {}’s beat on {}",
+            "Transport motion: {} → {}",
             view.rows[from].id, view.rows[onto].id
         );
         let button = ui
-            .add_enabled(fits, egui::Button::new(name))
-            .on_disabled_hover_text("Their meshes do not correspond");
+            .add_enabled(correspond, egui::Button::new(name))
+            .on_disabled_hover_text("No vertex correspondence");
         if button.clicked() {
-            commands.push(Command::CarryBeat { from, onto });
+            commands.push(Command::TransportMotion { from, onto });
         }
     }
 }
 
 fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
     ui.label(RichText::new(&row.id).strong());
-    let label = row.label.as_deref().unwrap_or("no label");
-    ui.label(format!("{label}, counts as {}", role_name(row.role)));
+    let label = row.label.as_deref().unwrap_or("none");
+    ui.label(format!("Label {label}, class {}", role_name(row.role)));
     match row.ejection_fraction {
         Some(ef) => ui.label(format!(
             "Ejection fraction {:.0} %, {}",
             100.0 * ef,
             EJECTION_FRACTION.short
         )),
-        None => ui.label("Ejection fraction not known"),
+        None => ui.label("Ejection fraction unknown"),
     };
     if let Some(verdict) = &row.verdict {
         ui.label(&verdict.words);
     }
     ui.label(note(match row.frame_count {
-        1 => "1 pose".to_owned(),
-        count => format!("{count} poses"),
+        1 => "1 frame".to_owned(),
+        count => format!("{count} frames"),
     }));
     if row.warning_count > 0 {
         ui.colored_label(

@@ -1,4 +1,4 @@
-//! Everything the user can ask for; panels push these, `app::apply` carries them out.
+//! Every command of the user; panes push them, `app::apply` applies them.
 
 use std::path::PathBuf;
 
@@ -13,13 +13,13 @@ use crate::render::{Camera, Shading};
 /// What the 3D view shows at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ViewMode {
-    /// One heart.
+    /// One subject.
     #[default]
     Single,
-    /// Two hearts with linked cameras and phase.
+    /// Two subjects with linked cameras and time.
     SideBySide,
-    /// Every pose of one heart.
-    AllPhases,
+    /// All frames of one subject.
+    AllFrames,
 }
 
 /// A tile of the window.
@@ -39,26 +39,26 @@ pub enum Pane {
     SpaceTime,
     /// How poses and deformations are compared and mapped.
     Metric,
-    /// Volumes over the beat.
+    /// Volumes over the cardiac cycle.
     Curves,
     /// Clinical measures of the selected subject.
     Measures,
-    /// The part of the wall that does not thicken.
+    /// Regions of low thickening, and the thresholds.
     Patch,
-    /// What is said of the selected heart, and why.
+    /// The verdict on the selected subject, with its evidence.
     Verdict,
-    /// The wall laid flat, by segments.
+    /// The polar map of the wall, by AHA segment.
     BullsEye,
     /// The map of the medial shape space.
     MedialMap,
-    /// The wall's thickness in several ways of measuring it.
+    /// Wall thickness by several methods.
     Thickness,
 }
 
 /// Light or dark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum ThemeChoice {
-    /// As the system says.
+    /// As the desktop is set.
     #[default]
     System,
     /// Dark.
@@ -78,7 +78,7 @@ pub enum Command {
     Open(Vec<PathBuf>),
     /// Open the cohort that ships inside.
     OpenBuiltIn,
-    /// Show a subject at a frame and, from a map, play its beat.
+    /// Show a subject at a frame and, from a map, play its motion.
     SelectPose {
         /// Index into the study's subjects.
         subject: usize,
@@ -91,9 +91,9 @@ pub enum Command {
     SelectSubject(usize),
     /// The next subject of the table, or the one before for −1.
     StepSubject(i32),
-    /// The second heart of the side-by-side view.
+    /// The second subject of the side-by-side view.
     CompareWith(Option<usize>),
-    /// Move to a position in the beat, counted in frames; fractions lie between poses.
+    /// Move to a position in the cycle, counted in frames; fractions lie between poses.
     SetPosition(f64),
     /// Whole frames forward or back.
     StepFrame(i32),
@@ -101,32 +101,32 @@ pub enum Command {
     StepPose(i32),
     /// How many poses are computed between two frames; 0 blends frames straight.
     SetInBetweens(u16),
-    /// Play one subject's beat on another one's heart, beside the original.
-    CarryBeat {
-        /// Whose motion.
+    /// Transport the motion of one subject to another, and show both side by side.
+    TransportMotion {
+        /// Subject of the motion.
         from: usize,
-        /// On whose heart.
+        /// Subject that it is transported to.
         onto: usize,
     },
-    /// Play the selected subject's beat on the heart beside it.
-    CarryBeatBeside,
-    /// Show the heart beside with its own beat again.
-    StopCarrying,
+    /// Transport the motion of the selected subject to the other one of the side-by-side view.
+    TransportToOther,
+    /// Show the other subject with its own motion again.
+    StopTransport,
     /// Jump to end-diastole.
     GoToEndDiastole,
     /// Jump to end-systole.
     GoToEndSystole,
-    /// Say that the selected subject's end-diastole is this frame; `None` finds it again.
+    /// Set the end-diastole of the selected subject; `None` takes it from the volume curve.
     StateEndDiastole(Option<usize>),
-    /// Say that the selected subject's end-systole is this frame; `None` finds it again.
+    /// Set the end-systole of the selected subject; `None` takes it from the volume curve.
     StateEndSystole(Option<usize>),
     /// Play or pause.
     TogglePlay,
-    /// Beats per recorded beat: 1 is real time.
+    /// Speed relative to the recorded motion: 1 is real time.
     SetSpeed(f32),
     /// Whether playing starts over.
     ToggleLoop,
-    /// One heart, two, or all phases.
+    /// One subject, two, or all frames of one.
     SetViewMode(ViewMode),
     /// Move the camera; `drag` groups the steps of one drag for undo.
     SetCamera {
@@ -138,12 +138,12 @@ pub enum Command {
     /// Look from an anatomical direction.
     ViewFrom(AnatomicalView),
     /// Fit everything into view.
-    FrameAll,
+    FitView,
     /// Turntable, or free rotation.
     ToggleFreeCamera,
-    /// Show or hide the inner surface.
+    /// Show or hide the endocardium.
     ToggleEndocardium,
-    /// Show or hide the outer surface or wall.
+    /// Show or hide the epicardium or the wall.
     ToggleEpicardium,
     /// Show or hide edges.
     ToggleWireframe,
@@ -157,17 +157,17 @@ pub enum Command {
     TogglePatches,
     /// Show or hide ANV and MP.
     ToggleDirection,
-    /// What counts as still, and as a patch.
+    /// Thresholds of patches.
     SetThickening(ThickeningSettings),
     /// Settings of patches as they were at the start.
     ResetThickening,
-    /// Select a patch of this heart or a segment of every heart.
+    /// Select a patch of this subject or a segment of every subject.
     SelectPart(Option<WallPart>),
     /// Select a patch and look at it.
     ShowPatch {
         /// Its place in the list.
         patch: usize,
-        /// From where, in the heart's axes.
+        /// From where, in the axes of the heart.
         camera: Camera,
     },
     /// What the bull's-eye shows.
@@ -178,9 +178,9 @@ pub enum Command {
     ToggleBullsEyeSegments,
     /// Smooth or flat.
     SetShading(Shading),
-    /// What colours stand for.
+    /// The quantity shown in colour.
     SetQuantity(Quantity),
-    /// The next thing that colours can stand for.
+    /// The next quantity shown in colour.
     NextQuantity,
     /// Typed limits of the colours; `None` goes back to the fixed range.
     SetColourLimits(Option<[f64; 2]>),
@@ -227,7 +227,7 @@ pub enum Command {
     /// Write the figure of the patch: heart, bull's-eye, table, verdict; `None` asks where.
     ExportPatchFigure(Option<PathBuf>),
     /// Show what a picture shows.
-    TakeUpView(Box<SavedView>),
+    RestoreView(Box<SavedView>),
     /// Write all tables; `None` asks where.
     ExportTables(Option<PathBuf>),
     /// Undo the last change of state.

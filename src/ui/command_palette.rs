@@ -20,7 +20,7 @@ pub struct CommandPaletteView<'a> {
     pub actions: &'a ActionState,
     /// All subjects in the order of the study.
     pub subjects: &'a [CohortRow],
-    /// The selected subject, whose beat can be played on others.
+    /// The selected subject, whose motion can be transported.
     pub selected: Option<usize>,
 }
 
@@ -43,8 +43,8 @@ struct Typed {
     pass: u64,
 }
 
-/// Lines shown at most.
-const MOST: usize = 50;
+/// Greatest number of lines shown.
+const MAX_LINES: usize = 50;
 
 /// Draws the palette. It pushes the chosen command after [`Command::TogglePalette`], which closes it.
 pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut Vec<Command>) {
@@ -105,7 +105,7 @@ pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut
     }
 }
 
-/// Takes the keys that move through the list before the text field hears them.
+/// Takes the keys that move through the list before the text field gets them.
 fn taken_keys(ctx: &egui::Context) -> [bool; 4] {
     ctx.input_mut(|input| {
         [Key::ArrowUp, Key::ArrowDown, Key::Enter, Key::Escape]
@@ -147,24 +147,24 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         enabled: true,
         command: Command::SelectSubject(index),
     });
-    let beat = view
+    let motion = view
         .selected
         .and_then(|from| Some((from, view.subjects.get(from)?)));
-    let carried = beat.into_iter().flat_map(|(from, row)| {
+    let transports = motion.into_iter().flat_map(|(from, row)| {
         let others = view.subjects.iter().enumerate();
         others
             .filter(move |(onto, _)| *onto != from)
             .map(move |(onto, other)| Offer {
-                name: format!("Play this beat on {}", other.id),
-                where_it_stands: format!("Beat of {}", row.id),
+                name: format!("Transport motion: {} → {}", row.id, other.id),
+                where_it_stands: "Transport".to_owned(),
                 keys: String::new(),
                 enabled: other.correspondence == row.correspondence,
-                command: Command::CarryBeat { from, onto },
+                command: Command::TransportMotion { from, onto },
             })
     });
     let mut scored: Vec<(i32, Offer)> = actions
         .chain(subjects)
-        .chain(carried)
+        .chain(transports)
         .filter_map(|offer| Some((fuzzy_score(&offer.name, text)?, offer)))
         .collect();
     if !text.trim().is_empty() {
@@ -173,7 +173,7 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
     scored
         .into_iter()
         .map(|(_, offer)| offer)
-        .take(MOST)
+        .take(MAX_LINES)
         .collect()
 }
 
@@ -182,7 +182,7 @@ fn offers_ui(ui: &mut Ui, offers: &[Offer], place: usize, moved: bool) -> Option
     ui.add_space(space::SMALL);
     ui.spacing_mut().item_spacing.y = 0.0;
     if offers.is_empty() {
-        ui.label(note("No command or subject fits"));
+        ui.label(note("No matching command or subject"));
     }
     ScrollArea::vertical()
         .max_height(12.0 * 26.0)
@@ -308,13 +308,13 @@ mod tests {
     }
 
     #[test]
-    fn a_beat_is_played_on_a_heart_by_its_name() {
+    fn a_motion_is_transported_to_a_subject_by_its_name() {
         let commands = chosen_by(|harness| {
-            type_text(harness, "beat on n007");
+            type_text(harness, "transport n007");
             harness.key_press(Key::Enter);
         });
-        let carried = Command::CarryBeat { from: 0, onto: 1 };
-        assert_eq!(commands, [Command::TogglePalette, carried]);
+        let wanted = Command::TransportMotion { from: 0, onto: 1 };
+        assert_eq!(commands, [Command::TogglePalette, wanted]);
     }
 
     #[test]

@@ -101,7 +101,7 @@ pub fn icon_button_ui(ui: &mut Ui, symbol: Icon, name: &str, hint: &str, on: boo
     response.on_hover_text(hint)
 }
 
-/// A quiet button that opens a menu; `name` tells what is chosen, `shown` the choice.
+/// A plain button that opens a menu; `name` is what is chosen, `shown` the choice.
 pub fn chooser_ui<R>(
     ui: &mut Ui,
     name: &str,
@@ -155,7 +155,7 @@ pub fn progress_bar_ui(ui: &mut Ui, width: f32, fraction: f32, name: &str) -> Re
     response
 }
 
-/// What an empty pane says: a heading, what would fill it, and room for a button below.
+/// An empty pane: a heading, what would fill it, and room for a button below.
 pub fn empty_pane_ui(ui: &mut Ui, heading: &str, what: &str, buttons: impl FnOnce(&mut Ui)) {
     let height = 96.0;
     ui.vertical_centered(|ui| {
@@ -215,7 +215,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn time_left_is_told_in_the_unit_that_fits() {
+    fn time_left_is_shown_in_seconds_or_minutes() {
         assert_eq!(time_left_text(0.2), "1 s left");
         assert_eq!(time_left_text(3.4), "4 s left");
         assert_eq!(time_left_text(130.0), "2 min left");

@@ -1,4 +1,4 @@
-//! Volumes over the beat, with end-diastole, end-systole and where the beat stands now.
+//! Volumes over the cardiac cycle, with end-diastole, end-systole and the present position.
 
 use egui::{
     Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
@@ -16,7 +16,7 @@ use crate::ui::theme::{Colours, colours, line, space};
 pub enum CurveKind {
     /// The blood pool: what the ejection fraction comes from.
     Endocardium,
-    /// The heart with its muscle.
+    /// Cavity and myocardium.
     Epicardium,
 }
 
@@ -32,13 +32,13 @@ pub struct Curve<'a> {
 /// What the volume pane shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CurvesView<'a> {
-    /// The selected subject's curves; empty where no volume can be told.
+    /// The selected subject's curves; empty without a volume.
     pub curves: &'a [Curve<'a>],
     /// `ml`, or `units³`.
     pub unit: &'a str,
-    /// Where the frames lie within the beat.
+    /// Times of the frames within the cycle.
     pub axis: BeatAxis<'a>,
-    /// Length of the beat, where the study says it.
+    /// Length of the cycle, where the study states it.
     pub beat_ms: Option<f64>,
     /// Position in frames.
     pub position: f64,
@@ -46,17 +46,17 @@ pub struct CurvesView<'a> {
     pub end_diastole: Option<usize>,
     /// Frame of end-systole.
     pub end_systole: Option<usize>,
-    /// Whether volumes are still to come.
+    /// Whether volumes are being computed.
     pub computing: bool,
 }
 
-/// Draws the plot; a click or drag moves through the beat.
+/// Draws the plot; a click or drag moves through the cycle.
 pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
     let Some((low, high)) = range(view.curves) else {
         let what = if view.computing {
-            "Volumes are being computed."
+            "Volumes are being computed"
         } else {
-            "The volume over the beat appears here for a heart with a closed or capped surface."
+            "The volume curve is shown for subjects with a closed or capped surface"
         };
         empty_pane_ui(ui, "No volumes", what, |_| {});
         return;
@@ -65,7 +65,8 @@ pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
         ui.available_size().max(vec2(80.0, 60.0)),
         Sense::click_and_drag(),
     );
-    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Volume over the beat"));
+    response
+        .widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Volume over the cardiac cycle"));
     let plot = Plot::new(rect, numbers_width(ui, low, high), low, high);
     draw_axes(ui, view, &plot);
     draw_phases(ui, view, &plot);

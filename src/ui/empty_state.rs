@@ -1,4 +1,4 @@
-//! What the middle of the window says while nothing is open.
+//! The 3D view while no study is open.
 
 use egui::{Button, RichText, Stroke, StrokeKind, Ui};
 
@@ -15,7 +15,7 @@ pub struct EmptyStateView {
     pub opening: bool,
 }
 
-/// Draws what would fill the window, and the ways to fill it.
+/// Draws what can be opened, with buttons.
 pub fn empty_state_ui(ui: &mut Ui, view: &EmptyStateView, commands: &mut Vec<Command>) {
     let colours = colours(ui);
     let whole = ui.available_rect_before_wrap();
@@ -30,9 +30,9 @@ pub fn empty_state_ui(ui: &mut Ui, view: &EmptyStateView, commands: &mut Vec<Com
     ui.vertical_centered(|ui| {
         ui.add_space((whole.height() * 0.38 - 60.0).max(space::LARGE));
         let heading = match (view.files_hover, view.opening) {
-            (true, _) => "Let go to open",
+            (true, _) => "Drop to open",
             (false, true) => "Opening…",
-            (false, false) => "Open a beating heart",
+            (false, false) => "Open a study",
         };
         ui.label(RichText::new(heading).font(heading_font()).color(colours.strong));
         ui.add_space(space::SMALL);

@@ -1,4 +1,4 @@
-//! What went wrong, said once, beside the work and never in its way.
+//! Error cards: each error once, beside the content and not over it.
 
 use egui::{
     Align2, Area, CollapsingHeader, Frame, Margin, Order, RichText, ScrollArea, Stroke, Ui,

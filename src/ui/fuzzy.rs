@@ -49,8 +49,8 @@ mod tests {
     fn a_word_that_begins_so_comes_before_letters_strewn_about() {
         let names = [
             "Side by side",
-            "Find end-systole by volume",
-            "Inner surface",
+            "End-systole from the volume curve",
+            "Medial map",
         ];
         let best = names
             .iter()

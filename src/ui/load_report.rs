@@ -1,4 +1,4 @@
-//! The load report: per subject, what was found and what was assumed; warnings first.
+//! The load report: per subject, what was read and what was assumed; warnings first.
 
 use egui::{CollapsingHeader, RichText, ScrollArea, TextEdit, Ui};
 
@@ -29,7 +29,7 @@ impl ReportSubject {
             .count()
     }
 
-    /// Errors first, then warnings, then remarks, then nothing to say.
+    /// Errors first, then warnings, then notes.
     fn rank(&self) -> u8 {
         if self.error.is_some() {
             0
@@ -146,10 +146,10 @@ fn summary_text(subjects: &[ReportSubject]) -> String {
     let warnings: usize = subjects.iter().map(ReportSubject::warnings).sum();
     let notices: usize = subjects.iter().map(|subject| subject.notices.len()).sum();
     format!(
-        "{} read · {failed} not readable · {} · {}",
+        "{} read · {failed} unreadable · {} · {}",
         subjects.len() - failed,
         counted(warnings, "warning"),
-        counted(notices - warnings, "remark")
+        counted(notices - warnings, "note")
     )
 }
 
@@ -165,7 +165,7 @@ mod tests {
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     #[test]
-    fn warnings_come_before_remarks_and_can_be_seen_alone() {
+    fn warnings_come_before_notes_and_can_be_seen_alone() {
         let subjects = [
             ReportSubject {
                 id: "good".to_owned(),
@@ -186,7 +186,7 @@ mod tests {
                 Vec::new(),
             );
         harness.run();
-        harness.get_by_label("2 read · 0 not readable · 1 warning · 1 remark");
+        harness.get_by_label("2 read · 0 unreadable · 1 warning · 1 note");
         let odd = harness.get_by_label("odd").rect();
         assert!(odd.top() < harness.get_by_label("good").rect().top());
         harness.get_by_label("2 degenerate triangles");

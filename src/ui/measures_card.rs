@@ -29,8 +29,8 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
     if view.subject.is_none() {
         empty_pane_ui(
             ui,
-            "No heart selected",
-            "Select a subject to read its measures.",
+            "No subject selected",
+            "Select a subject to see its measures",
             |_| {},
         );
         return;
@@ -128,17 +128,23 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     let shown = frames.join(" · ") + source;
     chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
         let here = view.current_frame;
-        if ui.button(format!("Frame {here} is end-diastole")).clicked() {
+        if ui
+            .button(format!("Set end-diastole to frame {here}"))
+            .clicked()
+        {
             commands.push(Command::StateEndDiastole(Some(here)));
         }
-        if ui.button(format!("Frame {here} is end-systole")).clicked() {
+        if ui
+            .button(format!("Set end-systole to frame {here}"))
+            .clicked()
+        {
             commands.push(Command::StateEndSystole(Some(here)));
         }
         ui.separator();
-        if ui.button("Find end-diastole by volume").clicked() {
+        if ui.button("End-diastole from the volume curve").clicked() {
             commands.push(Command::StateEndDiastole(None));
         }
-        if ui.button("Find end-systole by volume").clicked() {
+        if ui.button("End-systole from the volume curve").clicked() {
             commands.push(Command::StateEndSystole(None));
         }
     });
@@ -178,7 +184,7 @@ mod tests {
         harness.get_by_label("104 · 66");
         harness.get_by_label_contains("ED 0 · ES 3").click();
         harness.run();
-        harness.get_by_label("Frame 4 is end-systole").click();
+        harness.get_by_label("Set end-systole to frame 4").click();
         harness.run();
         assert_eq!(harness.into_state(), [Command::StateEndSystole(Some(4))]);
     }

@@ -1,4 +1,4 @@
-//! The top of the window: menus, what is open, and the way to every command.
+//! The top of the window: menus, the open study, and the command palette.
 
 use std::path::{Path, PathBuf};
 
@@ -129,7 +129,7 @@ fn study_line(view: &MenuBarView) -> String {
     format!(
         "{name} · {} · {}",
         plural(view.subject_count, "subject", "subjects"),
-        plural(view.pose_count, "pose", "poses")
+        plural(view.pose_count, "frame", "frames")
     )
 }
 
@@ -156,7 +156,7 @@ mod tests {
                 Vec::new(),
             );
         harness.run();
-        harness.get_by_label("Cohort · 1 subject · 8 poses");
+        harness.get_by_label("Cohort · 1 subject · 8 frames");
         harness.get_by_label(menu).click();
         harness.run();
         harness.get_by_label_contains(item).click();

@@ -10,12 +10,12 @@ pub use crate::analysis::metrics::METRICS;
 /// All forms in the order in which they are offered.
 pub const FORMS: [Form; 4] = [Form::Additive, Form::Bilinear, Form::Frozen, Form::Printed];
 
-/// What a metric is called.
+/// Name of a metric.
 pub fn metric_name(kind: MetricKind) -> &'static str {
     kind.words().name
 }
 
-/// What a form is called.
+/// Name of a form.
 pub fn form_name(form: Form) -> &'static str {
     match form {
         Form::Printed => "As printed",
@@ -25,7 +25,7 @@ pub fn form_name(form: Form) -> &'static str {
     }
 }
 
-/// What a method of mapping is called.
+/// Name of an embedding method.
 pub fn method_name(method: MapMethod) -> &'static str {
     match method {
         MapMethod::ClassicalMds => "MDS",
@@ -69,24 +69,22 @@ pub fn metric_sentence(metric: &MetricParams) -> String {
 pub fn form_sentence(metric: &MetricParams) -> &'static str {
     match metric.form {
         Form::Additive if !has_curvature_weight(metric) => {
-            "Additive: an inner product everywhere; without curvature the same as bilinear"
+            "Additive: an inner product everywhere; without curvature equal to the bilinear form"
         }
-        Form::Additive => {
-            "Additive: an inner product everywhere; terms of angle and, by μ, of curvature add up"
-        }
+        Form::Additive => "Additive: an inner product everywhere; angle term + μ × curvature term",
         Form::Bilinear => {
-            "Bilinear: ignores angles that change where curvature does not; along a path it can vanish"
+            "Bilinear: ignores changes of angles where curvature is constant; can be zero along a path"
         }
         Form::Frozen => {
-            "Frozen weights: ignores how curvature changes on the way; an inner product for each pair"
+            "Frozen weights: ignores how curvature changes along the path; an inner product for each pair"
         }
         Form::Printed => {
-            "As printed: ignores signs, so it is no inner product; for single steps only"
+            "As printed: absolute values, so not an inner product; for single steps only"
         }
     }
 }
 
-/// One sentence: what size does.
+/// One sentence: the effect of size.
 pub fn corners_sentence(corners: Corners) -> &'static str {
     match corners {
         Corners::ScaleFree => "Scale-invariant: corners are measured relative to their edges",

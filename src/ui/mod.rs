@@ -93,8 +93,8 @@ pub use thickness_panel::{
 pub use time_bar::{TimeBarView, time_bar_ui};
 pub use verdict_marks::{VerdictMark, verdict_mark};
 pub use verdict_panel::{
-    AlikeHeart, Chance, EvidenceRow, Familiar, RuleTold, ToldVerdict, VerdictPanelView,
-    VerdictState, verdict_panel_ui,
+    ClassifierReport, ClassifierResult, EvidenceRow, SimilarSubject, TrainingDistance,
+    VerdictPanelView, VerdictReport, VerdictState, verdict_panel_ui,
 };
 pub use viewport_header::{ViewportHeaderView, quantity_name, viewport_header_ui};
 pub use viewport_overlay::{

@@ -5,7 +5,7 @@
 pub struct NormalRange {
     /// For a line of text: "normal 52–74 %".
     pub short: &'static str,
-    /// Who found it, in whom, and how.
+    /// Source, population and imaging.
     pub source: &'static str,
 }
 
@@ -21,4 +21,4 @@ pub const EJECTION_FRACTION: NormalRange = NormalRange {
 
 /// Why volumes and mass come without a range.
 pub const NO_VOLUME_RANGE: &str = "No normal range is shown: limits depend on sex, body size and \
-                                   imaging, which the study does not say.";
+                                   imaging, which the study does not state";

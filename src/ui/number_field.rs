@@ -16,7 +16,7 @@ pub struct NumberField<'a> {
     pub what: &'a str,
     /// The number in force; `None` where the program finds it.
     pub value: Option<f64>,
-    /// What stands in an empty field that the program fills: "automatic: 5". Fields without it
+    /// What an empty field shows where the program chooses the value: "automatic: 5". Fields without it
     /// must not be empty.
     pub automatic: Option<&'a str>,
     /// Whether it plays a part now.
@@ -164,7 +164,7 @@ fn read(text: &str, may_be_empty: bool) -> Result<Option<f64>, String> {
         return if may_be_empty {
             Ok(None)
         } else {
-            Err("A number is needed here".to_owned())
+            Err("Enter a number".to_owned())
         };
     }
     match text.parse::<f64>() {
@@ -174,15 +174,15 @@ fn read(text: &str, may_be_empty: bool) -> Result<Option<f64>, String> {
 }
 
 /// A whole number from a field, or why it is none.
-pub fn whole(value: f64, most: u32) -> Result<u32, String> {
+pub fn whole(value: f64, max: u32) -> Result<u32, String> {
     if value.fract() != 0.0 || value < 0.0 {
         return Err(format!(
             "must be a whole number, not {}",
             number_text(value)
         ));
     }
-    if value > f64::from(most) {
-        return Err(format!("must be at most {most}"));
+    if value > f64::from(max) {
+        return Err(format!("must be at most {max}"));
     }
     Ok(value as u32)
 }

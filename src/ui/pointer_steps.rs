@@ -1,11 +1,11 @@
-//! A press, a way and a release that reach the window together are taken in one after the other.
+//! A press, a move and a release that reach the window in one frame are passed on one after the other.
 
 use egui::{Context, Event, Plugin, RawInput};
 
 /// Cuts the input of a frame where the pointer leaves the place at which a button went down or up.
 ///
 /// egui asks which widget lies under the last place of a frame's input. Where a frame takes long, the press, the
-/// way and the release of a quick drag arrive in one frame, and the widget that was reached would take the press
+/// move and the release of a quick drag arrive in one frame, and the widget that was reached would take the press
 /// that another one was meant by: the motion of another subject would be transported, and onto another one. What
 /// follows the cut waits for the next frame, in its order.
 #[derive(Debug, Default)]
@@ -83,7 +83,7 @@ mod tests {
     }
 
     #[test]
-    fn a_quick_drag_is_taken_in_as_press_way_and_release() {
+    fn a_quick_drag_is_a_press_a_move_and_a_release() {
         let (from, onto, away) = (pos2(10.0, 10.0), pos2(10.0, 90.0), pos2(10.0, 120.0));
         let events = vec![
             Event::PointerMoved(from),

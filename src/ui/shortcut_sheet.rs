@@ -10,13 +10,13 @@ use crate::ui::theme::{colours, space};
 
 /// Keys that act where the pointer is and therefore are no commands.
 const ELSEWHERE: [(&str, &str); 7] = [
-    ("Turn the heart", "drag"),
-    ("Move the heart", "right drag, or Shift and drag"),
+    ("Rotate the 3D view", "drag"),
+    ("Move the 3D view", "right drag, or Shift and drag"),
     ("Zoom", "scroll"),
     ("Fit a map", "double click"),
-    ("Keyboard to the first control", "F6"),
-    ("Next control, once one has the keyboard", "Tab"),
-    ("Leave the control", "Esc"),
+    ("Focus the first control", "F6"),
+    ("Next control, if one has the focus", "Tab"),
+    ("Remove the focus", "Esc"),
 ];
 
 /// Draws the window; Esc or its cross closes it.

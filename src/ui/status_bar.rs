@@ -1,4 +1,4 @@
-//! The bottom of the window: what is computed, what draws, and what the program is not.
+//! The status bar: running work, the graphics driver, the intended use.
 
 use egui::{Align, Button, Layout, RichText, Ui};
 
@@ -8,7 +8,7 @@ use crate::ui::controls::{progress_bar_ui, time_left_text};
 use crate::ui::style::note;
 use crate::ui::theme::{colours, space};
 
-/// Work that goes on.
+/// Running work.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatusJob<'a> {
     /// What to cancel.
@@ -17,18 +17,18 @@ pub struct StatusJob<'a> {
     pub text: &'a str,
     /// Done share in `0..=1`.
     pub fraction: f32,
-    /// Estimated seconds left, once they can be told.
+    /// Estimated seconds left, once there is one.
     pub seconds_left: Option<f64>,
 }
 
 /// What the status bar shows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StatusBarView<'a> {
-    /// The work that is told of; the longest, if there is more than one.
+    /// The running work; the longest, if there is more than one.
     pub job: Option<StatusJob<'a>>,
-    /// How much more work goes on besides.
+    /// How many more jobs run.
     pub more_jobs: usize,
-    /// What was done last, while no work goes on.
+    /// The last message, while no work runs.
     pub message: &'a str,
     /// Name of the graphics adapter.
     pub adapter: &'a str,
@@ -38,7 +38,7 @@ pub struct StatusBarView<'a> {
     pub warning_count: usize,
 }
 
-/// Draws progress with Cancel on the left, and what always holds on the right.
+/// Draws progress with Cancel on the left; notes, driver and intended use on the right.
 pub fn status_bar_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Command>) {
     let width = ui.available_width();
     ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
@@ -49,7 +49,7 @@ pub fn status_bar_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Comma
         }
         if width > 760.0 && !view.adapter.is_empty() {
             ui.label(note(view.adapter))
-                .on_hover_text("Draws the 3D view");
+                .on_hover_text("Graphics driver of the 3D view");
             ui.add_space(space::MEDIUM);
         }
         notices_ui(ui, view, commands);
@@ -68,8 +68,8 @@ pub fn status_bar_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Comma
 fn notices_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Command>) {
     let (text, colour) = match (view.warning_count, view.notice_count) {
         (0, 0) => return,
-        (0, 1) => ("1 notice".to_owned(), colours(ui).muted),
-        (0, count) => (format!("{count} notices"), colours(ui).muted),
+        (0, 1) => ("1 note".to_owned(), colours(ui).muted),
+        (0, count) => (format!("{count} notes"), colours(ui).muted),
         (1, _) => ("1 warning".to_owned(), colours(ui).warning),
         (count, _) => (format!("{count} warnings"), colours(ui).warning),
     };
@@ -98,7 +98,7 @@ fn job_ui(ui: &mut Ui, job: &StatusJob, more: usize, commands: &mut Vec<Command>
     ui.label(note(progress_text(job.fraction, job.seconds_left)));
     if ui
         .button(note("Cancel"))
-        .on_hover_text(format!("Stop: {}", job.text))
+        .on_hover_text(format!("Cancel: {}", job.text))
         .clicked()
     {
         commands.push(Command::Cancel(job.kind));
@@ -123,7 +123,7 @@ mod tests {
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     #[test]
-    fn cancel_stops_the_job_that_is_told_of() {
+    fn cancel_stops_the_job_that_is_shown() {
         let mut harness = Harness::builder()
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
             .build_ui_state(

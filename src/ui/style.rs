@@ -1,4 +1,4 @@
-//! Tells egui the design tokens: fonts, spacing and the looks of controls in both themes.
+//! Passes the design tokens to egui: fonts, spacing and the looks of controls in both themes.
 
 use std::sync::Arc;
 
@@ -93,7 +93,7 @@ pub fn medium_font() -> FontId {
     FontId::new(type_size::TEXT, medium_family())
 }
 
-/// Small text that must be found: marks on plots.
+/// Small emphasised text: marks on plots.
 pub fn medium_note_font() -> FontId {
     FontId::new(type_size::NOTE, medium_family())
 }

@@ -1,4 +1,4 @@
-//! A subject held by the pointer: let go on another one, its beat plays on that heart.
+//! Drag of a subject: dropped on another one, its motion is transported there.
 
 use egui::{Align2, DragAndDrop, Id, LayerId, Order, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
@@ -6,14 +6,14 @@ use crate::ui::command::Command;
 use crate::ui::style::text_font;
 use crate::ui::theme::{colours, line, radius, space};
 
-/// The subject under the pointer, as egui carries it from where it was taken to where it is let go.
+/// The dragged subject, kept by egui from the press to the drop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DraggedSubject {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Pseudonym.
     pub id: String,
-    /// Hearts whose vertices correspond have the same number.
+    /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
 }
 
@@ -22,7 +22,7 @@ pub fn dragged_subject(ui: &Ui) -> Option<DraggedSubject> {
     DragAndDrop::payload::<DraggedSubject>(ui.ctx()).map(|dragged| DraggedSubject::clone(&dragged))
 }
 
-/// A place where a dragged subject can be let go: another subject's row or picture.
+/// Where a dragged subject can be dropped: another subject's row or picture.
 #[derive(Clone, Copy, Debug)]
 pub struct SubjectTarget<'a> {
     /// Where it is.
@@ -31,11 +31,11 @@ pub struct SubjectTarget<'a> {
     pub subject: usize,
     /// Its pseudonym.
     pub id: &'a str,
-    /// Hearts whose vertices correspond have the same number.
+    /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
 }
 
-/// Lights the target up while a subject that fits is held over it, and takes what is let go there.
+/// Highlights the target under a dragged subject, and takes the drop.
 /// `response` is the widget that the target is part of.
 pub fn subject_target_ui(
     ui: &Ui,
@@ -47,10 +47,10 @@ pub fn subject_target_ui(
     else {
         return;
     };
-    let fits = dragged.correspondence == target.correspondence;
+    let correspond = dragged.correspondence == target.correspondence;
     let pointer = ui.input(|input| input.pointer.latest_pos());
     let over = response.contains_pointer() && pointer.is_some_and(|at| target.rect.contains(at));
-    if fits {
+    if correspond {
         let colours = colours(ui);
         let colour = if over {
             colours.accent
@@ -70,17 +70,17 @@ pub fn subject_target_ui(
     }
     if ui.input(|input| input.pointer.any_released()) {
         DragAndDrop::take_payload::<DraggedSubject>(ui.ctx());
-        // What does not fit is asked for all the same: the answer says why it cannot be done.
-        commands.push(Command::CarryBeat {
+        // Without correspondence the command is given all the same: its refusal says why.
+        commands.push(Command::TransportMotion {
             from: dragged.subject,
             onto: target.subject,
         });
         return;
     }
-    let words = if fits {
-        format!("Play {}’s beat on {}", dragged.id, target.id)
+    let words = if correspond {
+        format!("Transport motion: {} → {}", dragged.id, target.id)
     } else {
-        format!("{} does not correspond with {}", target.id, dragged.id)
+        format!("No vertex correspondence: {}, {}", dragged.id, target.id)
     };
     ui.ctx()
         .data_mut(|data| data.insert_temp(words_id(), words));
@@ -99,7 +99,8 @@ pub fn dragged_subject_ui(ui: &Ui) {
     let Some(at) = ui.input(|input| input.pointer.latest_pos()) else {
         return;
     };
-    let words = over.unwrap_or_else(|| format!("{}’s beat: let go on another heart", dragged.id));
+    let words =
+        over.unwrap_or_else(|| format!("Transport motion of {}: drop on a subject", dragged.id));
     let colours = colours(ui);
     let layer = LayerId::new(Order::Tooltip, Id::unique("dragged subject"));
     let painter = ui.ctx().layer_painter(layer);

@@ -87,17 +87,17 @@ pub struct Colours {
     pub selected_row: Color32,
     /// The selection in every view.
     pub selection: Color32,
-    /// Hearts labelled normal.
+    /// Subjects of class normal.
     pub normal: Color32,
-    /// Hearts labelled abnormal.
+    /// Subjects of class abnormal.
     pub abnormal: Color32,
-    /// Hearts with no label, or one that takes no part.
+    /// Subjects of neither class.
     pub unknown: Color32,
     /// Something is unusable.
     pub error: Color32,
-    /// Something deserves a look.
+    /// A warning.
     pub warning: Color32,
-    /// Groups that were found, not labelled: told from roles and from each other, in any order.
+    /// Clusters: distinct from the classes and from each other, in any order.
     pub clusters: [Color32; 6],
     /// Inner surface.
     pub endocardium: Color32,
@@ -175,7 +175,7 @@ impl Colours {
         if dark { &DARK } else { &LIGHT }
     }
 
-    /// Colour of a cluster; past the last, colours begin anew and the letter tells.
+    /// Colour of a cluster; past the last, colours repeat and the letter distinguishes.
     pub fn cluster(&self, cluster: usize) -> Color32 {
         self.clusters[cluster % self.clusters.len()]
     }

@@ -1,4 +1,4 @@
-//! The beat as a line: play it, drag along it, jump to end-diastole and end-systole.
+//! The time bar: play, drag through the cardiac cycle, jump to end-diastole and end-systole.
 
 use egui::{
     Align, Align2, Color32, EventFilter, Key, Layout, Rect, Response, Role, Sense, Stroke, Ui,
@@ -13,30 +13,30 @@ use crate::ui::shortcuts::hint;
 use crate::ui::style::{note_font, text_font};
 use crate::ui::theme::{Colours, colours, line, space};
 
-/// Speeds on offer, in beats per recorded beat.
+/// Speeds on offer, relative to the recorded motion.
 pub const SPEEDS: [f32; 6] = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0];
 
-/// How near to a frame, in points, a click counts as on it.
+/// Distance in points within which a click snaps to a frame.
 const SNAP: f32 = 6.0;
 
 /// What the time bar shows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TimeBarView<'a> {
-    /// Whether the beat plays.
+    /// Whether the motion plays.
     pub playing: bool,
-    /// Beats per recorded beat.
+    /// Speed relative to the recorded motion.
     pub speed: f32,
     /// Whether playing starts over.
     pub looping: bool,
     /// Position in frames, in `0..frame_count`.
     pub position: f64,
-    /// Where the frames lie within the beat.
+    /// Times of the frames within the cycle.
     pub axis: BeatAxis<'a>,
     /// Frame of end-diastole.
     pub end_diastole: Option<usize>,
     /// Frame of end-systole.
     pub end_systole: Option<usize>,
-    /// Time after the R peak, where the study says it.
+    /// Time after the R peak, where the study states it.
     pub time_ms: Option<f64>,
     /// What is shown between frames, such as `interpolated`; `None` on a frame.
     pub between: Option<&'a str>,
@@ -136,14 +136,14 @@ fn speed_text(speed: f32) -> String {
     format!("{speed:.digits$}×")
 }
 
-/// Room for the longest readout, so that the line does not move while the beat plays.
+/// Room for the longest readout, so that the line does not move while the motion plays.
 fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
     let mut widest = match view.time_ms {
         Some(_) => "8888 ms · 100 % R-R".to_owned(),
         None => "100 % R-R".to_owned(),
     };
     if with_between {
-        widest += " · straight in-between";
+        widest += " · linear interpolation";
     }
     let galley = ui
         .painter()
@@ -154,7 +154,7 @@ fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
 /// "412 ms · 53 % R-R · interpolated".
 fn readout_text(view: &TimeBarView) -> String {
     if view.axis.frame_count() == 0 {
-        return "No beat".to_owned();
+        return "No motion".to_owned();
     }
     let percent = 100.0 * view.axis.share_at(view.position);
     let mut text = match view.time_ms {
@@ -171,7 +171,9 @@ fn readout_text(view: &TimeBarView) -> String {
 fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Command>) {
     let (rect, response) = ui.allocate_exact_size(vec2(width, 40.0), Sense::click_and_drag());
     let count = view.axis.frame_count();
-    response.widget_info(|| WidgetInfo::slider(count > 1, view.position, "Position in the beat"));
+    response.widget_info(|| {
+        WidgetInfo::slider(count > 1, view.position, "Position in the cardiac cycle")
+    });
     let rail = Rect::from_center_size(rect.center() - vec2(0.0, 3.0), vec2(width - 16.0, 3.0));
     let x_at = |share: f64| egui::lerp(rail.x_range(), share as f32);
     draw_rail(ui, view, rail, x_at);
@@ -190,14 +192,14 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
     }
     keys(ui, &response, commands);
     response.on_hover_ui_at_pointer(|ui| {
-        ui.label("Drag to move through the beat, click near a mark for its pose");
+        ui.label("Drag to move through the cardiac cycle, click near a mark to show its pose");
         if !view.note.is_empty() {
             ui.label(crate::ui::style::note(view.note));
         }
     });
 }
 
-/// The end of the beat is its start, so positions stay below the number of frames.
+/// The end of the cycle is its start, so positions stay below the number of frames.
 fn position_within(axis: BeatAxis, share: f64) -> f64 {
     let count = axis.frame_count() as f64;
     let position = axis.position_at(share);

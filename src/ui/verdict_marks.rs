@@ -1,22 +1,22 @@
-//! Shapes that stand for verdicts, told apart without colour, and the few words beside them.
+//! Shapes of verdicts, which differ without colour, and the short words beside them.
 
 use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 
 use crate::ui::theme::{Colours, line};
 
-/// What was found in a heart, as tables and views mark it.
+/// A verdict, as tables and views mark it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum VerdictMark {
-    /// Thickens as normal hearts do: a dot.
+    /// No regional abnormality: a dot.
     #[default]
-    Nothing,
-    /// Unlike normal hearts, without a part that stands out: a hollow diamond.
-    Elsewhere,
-    /// The whole wall fails: a ring.
-    Global,
-    /// A part does not thicken: a filled diamond.
+    NoAbnormality,
+    /// Abnormal without a patch: a hollow diamond.
+    AbnormalWithoutPatch,
+    /// Global hypokinesia: a ring.
+    GlobalHypokinesia,
+    /// Abnormal patch: a filled diamond.
     Patch,
-    /// Nothing can be said: a dash.
+    /// Not assessed: a dash.
     NotAssessed,
 }
 
@@ -24,19 +24,19 @@ impl VerdictMark {
     /// In a word or two, as a narrow column has room for.
     pub fn word(self) -> &'static str {
         match self {
-            Self::Nothing => "none",
-            Self::Elsewhere => "other",
-            Self::Global => "global",
+            Self::NoAbnormality => "no finding",
+            Self::AbnormalWithoutPatch => "abnormal",
+            Self::GlobalHypokinesia => "hypokinesia",
             Self::Patch => "patch",
             Self::NotAssessed => "not assessed",
         }
     }
 
-    /// Its colour; never the only thing that tells it.
+    /// Its colour; the shape says the same.
     pub fn colour(self, colours: &Colours) -> Color32 {
         match self {
-            Self::Nothing => colours.muted,
-            Self::Elsewhere | Self::Global => colours.abnormal,
+            Self::NoAbnormality => colours.muted,
+            Self::AbnormalWithoutPatch | Self::GlobalHypokinesia => colours.abnormal,
             Self::Patch => colours.selection,
             Self::NotAssessed => colours.muted,
         }
@@ -58,13 +58,13 @@ pub fn verdict_mark(
             .to_vec()
     };
     match mark {
-        VerdictMark::Nothing => {
+        VerdictMark::NoAbnormality => {
             painter.circle_filled(centre, 0.45 * radius, colour);
         }
-        VerdictMark::Elsewhere => {
+        VerdictMark::AbnormalWithoutPatch => {
             painter.add(Shape::closed_line(diamond(radius), stroke));
         }
-        VerdictMark::Global => {
+        VerdictMark::GlobalHypokinesia => {
             painter.circle_stroke(centre, 0.9 * radius, Stroke::new(line::STRONG, colour));
         }
         VerdictMark::Patch => {

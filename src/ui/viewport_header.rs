@@ -1,4 +1,4 @@
-//! The strip above the 3D view: how many hearts, which surfaces, what colours stand for.
+//! The strip above the 3D view: number of subjects, surfaces, quantity shown in colour.
 
 use egui::{Button, Ui};
 
@@ -12,13 +12,13 @@ use crate::ui::theme::space;
 /// What the header of the 3D view shows.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ViewportHeaderView {
-    /// One heart, two, or all phases.
+    /// One subject, two, or all frames of one.
     pub mode: ViewMode,
-    /// What colours stand for.
+    /// The quantity shown in colour.
     pub quantity: Quantity,
-    /// Whether the heart has an inner surface of its own; `None` greys its switch.
+    /// Whether the endocardium is shown; `None` where there is none.
     pub shows_endocardium: Option<bool>,
-    /// Whether it has an outer surface or wall.
+    /// Whether the epicardium or the wall is shown; `None` where there is none.
     pub shows_epicardium: Option<bool>,
     /// Whether edges are shown.
     pub shows_wireframe: bool,
@@ -36,27 +36,27 @@ pub struct ViewportHeaderView {
     pub free_camera: bool,
     /// Smooth or flat.
     pub shading: Shading,
-    /// Why colours cannot stand for the difference to another heart; `None` if they can.
+    /// Why colours cannot show contributions to the distance; `None` if they can.
     pub no_contribution: Option<&'static str>,
-    /// Why colours cannot stand for the distance of a carried beat; `None` if they can.
-    pub no_carried_distance: Option<&'static str>,
+    /// Why colours cannot show the difference of a transported motion; `None` if they can.
+    pub no_motion_difference: Option<&'static str>,
 }
 
-/// What a quantity is called on buttons.
+/// Short name of a quantity, for buttons.
 pub fn quantity_name(quantity: Quantity) -> &'static str {
     match quantity {
         Quantity::Tissue => "Tissue",
         Quantity::Displacement => "Displacement",
         Quantity::AreaRatio => "Area ratio",
         Quantity::ThicknessRatio => "Thickness ratio",
-        Quantity::Contribution => "Difference",
-        Quantity::CarriedDistance => "Own beat",
+        Quantity::Contribution => "Contribution",
+        Quantity::CarriedDistance => "Motion difference",
     }
 }
 
 /// Draws tabs on the left, switches and the quantity on the right.
 pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command>) {
-    let wide = ui.available_width() > 560.0;
+    let wide = ui.available_width() > 640.0;
     let mut pushed = Vec::new();
     let mut from_left = Vec::new();
     pane_header_ui(
@@ -77,14 +77,14 @@ pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut
                 );
                 switch_ui(
                     ui,
-                    "Wall",
+                    "Epicardium",
                     view.shows_epicardium,
                     Command::ToggleEpicardium,
                     &mut pushed,
                 );
                 switch_ui(
                     ui,
-                    "Inner",
+                    "Endocardium",
                     view.shows_endocardium,
                     Command::ToggleEndocardium,
                     &mut pushed,
@@ -101,7 +101,7 @@ fn modes_ui(ui: &mut Ui, chosen: ViewMode, commands: &mut Vec<Command>) {
     const MODES: [(ViewMode, &str); 3] = [
         (ViewMode::Single, "3D view"),
         (ViewMode::SideBySide, "Side by side"),
-        (ViewMode::AllPhases, "All phases"),
+        (ViewMode::AllFrames, "All frames"),
     ];
     if ui.available_width() > 240.0 {
         for (mode, name) in MODES {
@@ -137,7 +137,7 @@ fn quantity_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Comman
         ui.separator();
         for (choice, hindrance) in [
             (Quantity::Contribution, view.no_contribution),
-            (Quantity::CarriedDistance, view.no_carried_distance),
+            (Quantity::CarriedDistance, view.no_motion_difference),
         ] {
             ui.add_enabled_ui(hindrance.is_none(), |ui| {
                 if choice_ui(ui, choice.name(), choice == view.quantity) {
@@ -154,11 +154,15 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
     chooser_ui(ui, "Display", "Display", |ui| {
         for (name, shown, command) in [
             (
-                "Inner surface",
+                "Endocardium",
                 view.shows_endocardium,
                 Command::ToggleEndocardium,
             ),
-            ("Wall", view.shows_epicardium, Command::ToggleEpicardium),
+            (
+                "Epicardium",
+                view.shows_epicardium,
+                Command::ToggleEpicardium,
+            ),
             (
                 "Edges",
                 Some(view.shows_wireframe),
@@ -175,7 +179,11 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
                 Some(view.shows_spokes),
                 Command::ToggleSpokes,
             ),
-            ("Patch", Some(view.shows_patches), Command::TogglePatches),
+            (
+                "Patch outlines",
+                Some(view.shows_patches),
+                Command::TogglePatches,
+            ),
             (
                 "ANV and MP of the patch",
                 Some(view.shows_direction),
@@ -189,7 +197,11 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
         ] {
             let mut on = shown.unwrap_or(false);
             let checkbox = egui::Checkbox::new(&mut on, name);
-            if ui.add_enabled(shown.is_some(), checkbox).clicked() {
+            let mut response = ui.add_enabled(shown.is_some(), checkbox);
+            if let Some(hint) = display_hint(&command) {
+                response = response.on_hover_text(hint);
+            }
+            if response.clicked() {
                 commands.push(command);
             }
         }
@@ -203,6 +215,27 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
             }
         }
     });
+}
+
+/// What a term of the method means, with its section in Taimouri's dissertation.
+fn display_hint(command: &Command) -> Option<&'static str> {
+    match command {
+        Command::ToggleAtoms => Some(
+            "A disc for each medial sphere, the sphere inscribed in the wall at an endocardial \
+             vertex (Taimouri, 4.2)",
+        ),
+        Command::ToggleSpokes => Some(
+            "Lines from the centre of a medial sphere to its points of contact with the wall \
+             (Taimouri, 4.2)",
+        ),
+        Command::TogglePatches => {
+            Some("Outlines of regional wall-thickening abnormalities (Taimouri, 4.6.2)")
+        }
+        Command::ToggleDirection => {
+            Some("ANV: average normal vector; MP: mean position (Taimouri, 4.4.1)")
+        }
+        _ => None,
+    }
 }
 
 fn switch_ui(
@@ -221,7 +254,7 @@ fn switch_ui(
     let response = ui
         .add_enabled(shown.is_some(), button)
         .on_hover_text(text)
-        .on_disabled_hover_text("This heart has no such surface");
+        .on_disabled_hover_text("This subject has no such surface");
     if response.clicked() {
         commands.push(command);
     }
@@ -240,7 +273,7 @@ mod tests {
                 |ui, commands: &mut Vec<Command>| {
                     let view = ViewportHeaderView {
                         shows_endocardium: Some(true),
-                        no_carried_distance: Some("No beat was carried over"),
+                        no_motion_difference: Some("No motion is transported"),
                         ..Default::default()
                     };
                     viewport_header_ui(ui, &view, commands);
@@ -264,16 +297,16 @@ mod tests {
 
     #[test]
     fn a_surface_that_is_not_there_cannot_be_shown() {
-        let commands = clicked(800.0, &["Wall", "Inner"]);
+        let commands = clicked(800.0, &["Epicardium", "Endocardium"]);
         assert_eq!(commands, [Command::ToggleEndocardium]);
     }
 
     #[test]
     fn a_difference_can_be_chosen_where_there_is_one() {
-        let names = ["Colour: Tissue", "Contribution to the distance"];
+        let names = ["Colour: Tissue", Quantity::Contribution.name()];
         let wanted = [Command::SetQuantity(Quantity::Contribution)];
         assert_eq!(clicked(800.0, &names), wanted);
-        let names = ["Colour: Tissue", "Difference from the subject's own motion"];
+        let names = ["Colour: Tissue", Quantity::CarriedDistance.name()];
         assert_eq!(clicked(800.0, &names), []);
     }
 

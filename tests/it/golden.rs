@@ -195,7 +195,7 @@ fn the_thickness_ratio_and_a_segment_look_as_they_did_in_the_light_window() {
 #[test]
 fn a_carried_beat_looks_as_it_did() {
     let commands = vec![
-        Command::CarryBeat { from: 11, onto: 2 },
+        Command::TransportMotion { from: 11, onto: 2 },
         Command::TogglePlay,
         Command::SetPosition(3.5),
     ];

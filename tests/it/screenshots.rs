@@ -100,7 +100,7 @@ fn screenshots_are_taken_when_asked_for() {
             pixels_per_point: 1.0,
             commands: vec![
                 dark.clone(),
-                Command::CarryBeat { from: 15, onto: 2 },
+                Command::TransportMotion { from: 15, onto: 2 },
                 Command::TogglePlay,
                 Command::SetPosition(3.5),
             ],
@@ -167,7 +167,7 @@ fn screenshots_are_taken_when_asked_for() {
                 light,
                 pose(4, 3),
                 Command::SetQuantity(Quantity::Displacement),
-                Command::SetViewMode(ViewMode::AllPhases),
+                Command::SetViewMode(ViewMode::AllFrames),
             ],
         },
     ];

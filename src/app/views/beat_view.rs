@@ -124,13 +124,13 @@ impl BeatData {
 /// Why poses between frames are straight, where that is not for want of time.
 pub fn straight_because(state: &State) -> &'static str {
     let Some(params) = geodesic_params(&state.document) else {
-        return "Poses between frames are switched off in the menu Analysis";
+        return "Interpolated poses are off (menu Analysis)";
     };
     let subject = state.document.selected();
     if params.check().is_err() {
-        "The metric of the map has no shortest ways: choose the additive form"
+        "The metric of the map has no geodesics: choose the additive form"
     } else if subject.is_some_and(|s| state.results.in_betweens.is_halted(s, &params)) {
-        "Finding poses between them was stopped"
+        "The computation of interpolated poses was stopped"
     } else {
         ""
     }
@@ -142,9 +142,11 @@ fn line_note(state: &State, between: &BetweenWords) -> String {
         return between.note.clone();
     }
     match state.document.in_betweens {
-        0 => "Poses between frames are switched off in the menu Analysis".to_owned(),
-        1 => "1 pose between two frames is found when the beat plays".to_owned(),
-        count => format!("{count} poses between two frames are found when the beat plays"),
+        0 => "Interpolated poses are off (menu Analysis)".to_owned(),
+        1 => "1 interpolated pose per interval, computed while the subject plays".to_owned(),
+        count => {
+            format!("{count} interpolated poses per interval, computed while the subject plays")
+        }
     }
 }
 

@@ -64,7 +64,11 @@ impl CohortData {
     }
 
     /// What the pane shows; the last two say whether measures and verdicts are still to come.
-    pub fn view<'a>(&'a self, state: &'a State, [measuring, judging]: [bool; 2]) -> CohortView<'a> {
+    pub fn view<'a>(
+        &'a self,
+        state: &'a State,
+        [measuring, classifying]: [bool; 2],
+    ) -> CohortView<'a> {
         let document = &state.document;
         let compared = (document.view_mode == ViewMode::SideBySide)
             .then(|| document.compared())
@@ -77,7 +81,7 @@ impl CohortData {
             selected: document.selected().map(|_| document.subject),
             compared,
             measuring,
-            judging,
+            classifying,
         }
     }
 }

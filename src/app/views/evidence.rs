@@ -26,67 +26,67 @@ enum Written {
 const SHOWN: [(Feature, &str, &str, Written); 10] = [
     (
         Feature::StillShare,
-        "Wall that stands still",
-        "Share of the wall whose thickness grows by less than a tenth from end-diastole to end-systole",
+        "Akinetic region",
+        "Share of the wall with thickening below 10 % from end-diastole to end-systole",
         Written::Share,
     ),
     (
         Feature::Median,
         "Median thickening",
-        "Half of the wall thickens by more than this from end-diastole to end-systole",
+        "Median over the wall of thickening from end-diastole to end-systole",
         Written::Growth,
     ),
     (
         Feature::RelativeSpread,
-        "Unevenness",
-        "Spread of thickening over the wall, over the thickening of the part that works well: 0 where all of it \
-         thickens alike",
+        "Thickening heterogeneity",
+        "Spread of thickening over the wall, relative to the thickening of remote myocardium; 0 for uniform \
+         thickening",
         Written::Ratio,
     ),
     (
         Feature::Well,
-        "Well part thickens",
-        "Thickening of the part that works well",
+        "Remote thickening",
+        "Thickening of remote myocardium from end-diastole to end-systole",
         Written::Growth,
     ),
     (
         Feature::PatchThickening,
-        "Patch over well part",
-        "Thickening of the largest patch over that of the part that works well: 0 where it stands still, 1 without \
-         a patch",
+        "Ratio of patch to remote thickening",
+        "Thickening of the largest patch relative to that of remote myocardium: 0 without thickening, 1 without a \
+         patch",
         Written::Ratio,
     ),
     (
         Feature::Confidence,
-        "Found again in noise",
-        "Share of redraws of the noise in which the largest patch is found again; 0 without a patch",
+        "Detection stability",
+        "Share of noise redraws in which the largest patch is detected again; 0 without a patch",
         Written::Share,
     ),
     (
         Feature::Compactness,
         "Compactness",
-        "4π times the area of the largest patch over its border squared: 1 for a disc, small for what is ragged, 0 \
-         without a patch",
+        "4π × area / perimeter² of the largest patch: 1 for a disc, small for an irregular outline, 0 without a \
+         patch",
         Written::Ratio,
     ),
     (
         Feature::Closeness,
-        "Distance of poses",
-        "Mean distance from a pose point to the others, of the largest patch or, without one, of the still wall: \
-         small where it stays as it is over the beat",
+        "Mean pose distance",
+        "Mean distance between poses in the shape space of the largest patch or, without one, of the akinetic \
+         region: small for a region that changes little over the cycle",
         Written::Distance,
     ),
     (
         Feature::NormalSpread,
-        "Unsteadiness of ANV",
-        "Spread of the average normal vector over the beat, of the largest patch or of the still wall",
+        "Angular SD of ANV",
+        "Angular standard deviation over the cycle of the average normal vector (ANV) of the largest patch or of the akinetic region",
         Written::Degrees,
     ),
     (
         Feature::Gap,
-        "MP off the surface",
-        "Mean distance of the mean position from the medial surface, of the largest patch or of the still wall, in \
-         percent of the heart's size: small for one patch in one place",
+        "Distance of MP to the surface",
+        "Mean distance to the medial surface of the mean position (MP) of the largest patch or of the akinetic \
+         region, in percent of the size of the heart: small for one compact patch",
         Written::OfSize,
     ),
 ];
@@ -113,11 +113,11 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
             EvidenceRow {
                 name,
                 what,
-                value: value.map_or_else(|| "not told".to_owned(), |value| text(written, value)),
+                value: value.map_or_else(|| "no value".to_owned(), |value| text(written, value)),
                 normal: normal.map_or_else(String::new, |range| range_text(written, range)),
                 place: value.and_then(place),
                 band: normal.and_then(|[least, most]| Some([place(least)?, place(most)?])),
-                read: Feature::OF_RULE.contains(&feature),
+                model_feature: Feature::OF_RULE.contains(&feature),
             }
         })
         .collect()

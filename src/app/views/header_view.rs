@@ -6,7 +6,8 @@ use crate::study::{Subject, SurfaceKind};
 use crate::ui::ViewportHeaderView;
 
 /// Why there is no distance of a carried beat.
-const NOTHING_CARRIED: &str = "Drag a subject of the cohort onto another one: its beat plays there";
+const NOTHING_CARRIED: &str =
+    "Drag a subject of the cohort onto another one to transport its motion";
 
 /// What the strip shows; switches of surfaces that the heart lacks are grey.
 pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
@@ -41,6 +42,6 @@ pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
         free_camera: document.free_camera,
         shading: visible.shading,
         no_contribution: hindrance(document),
-        no_carried_distance: document.carrying().is_none().then_some(NOTHING_CARRIED),
+        no_motion_difference: document.carrying().is_none().then_some(NOTHING_CARRIED),
     }
 }

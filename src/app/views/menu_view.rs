@@ -30,7 +30,7 @@ pub fn action_state(state: &State, layout: &Layout) -> ActionState {
         quantity: document.quantity,
         in_betweens: document.in_betweens,
         has_other: document.compared().is_some(),
-        carrying: document.carrying().is_some(),
+        transporting: document.carrying().is_some(),
         theme: state.theme,
         metric: document.map.distances.metric.kind,
         map_method: document.map.method,

@@ -39,7 +39,7 @@ impl OverlayData {
         let count = subject.sequence.frame_count();
         let frame = nearest_frame(cell.position, count);
         let phase = phase_name(state.phases_of(cell.subject), frame);
-        if state.document.view_mode == ViewMode::AllPhases {
+        if state.document.view_mode == ViewMode::AllFrames {
             let label = subject.label.as_deref().unwrap_or("no label");
             return Self {
                 title: subject.id.clone(),
@@ -73,18 +73,22 @@ impl OverlayData {
     /// Names the heart that plays a carried beat, or will.
     fn beside_its_origin(state: &State, cell: &OnStage, from: &Subject, onto: &Subject) -> Self {
         let role = state.document.study().role(onto);
-        let own = ("Show its own beat", Command::StopCarrying);
+        let own = ("Show own motion", Command::StopTransport);
         if cell.carried {
             let count = from.sequence.frame_count();
             let frame = nearest_frame(cell.position, count);
-            let mut parts = vec!["carried over".to_owned(), frame_words(frame, count)];
+            let mut parts = vec!["transported motion".to_owned(), frame_words(frame, count)];
             let phase = phase_name(state.phases_of(state.document.subject), frame);
             parts.extend(phase.map(str::to_owned));
             return Self {
                 title: carried_title(from, onto),
                 subtitle: parts.join(" · "),
                 role,
-                between: between_words(None, cell.position, "A carried beat is shown as it came"),
+                between: between_words(
+                    None,
+                    cell.position,
+                    "A transported motion is interpolated linearly",
+                ),
                 missing: None,
                 leave: Some(own),
                 patch: None,
@@ -94,21 +98,19 @@ impl OverlayData {
         let (standing, leave) = match (state.results.carrying, beat) {
             (CarryingState::Stopped, Some(beat)) => {
                 let (from, onto) = (beat.from, beat.onto);
-                let again = ("Carry it over again", Command::CarryBeat { from, onto });
+                let again = ("Transport again", Command::TransportMotion { from, onto });
                 (
-                    format!("carrying {}’s beat over was stopped", from_id(state, from)),
+                    format!("transport from {} was stopped", from_id(state, from)),
                     again,
                 )
             }
-            (CarryingState::Failed, _) => {
-                (format!("{}’s beat could not be carried over", from.id), own)
-            }
-            _ => (format!("{}’s beat is being carried over", from.id), own),
+            (CarryingState::Failed, _) => (format!("transport from {} failed", from.id), own),
+            _ => (format!("transport from {} is being computed", from.id), own),
         };
         let in_betweens = state.in_betweens_of(cell.subject).map(|beat| &**beat);
         Self {
             title: onto.id.clone(),
-            subtitle: format!("own beat · {standing}"),
+            subtitle: format!("own motion · {standing}"),
             role,
             between: between_words(in_betweens, cell.position, straight_because(state)),
             missing: None,

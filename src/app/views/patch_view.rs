@@ -137,8 +137,8 @@ fn line(found: &SubjectThickening, subject: &Subject, index: usize, patch: &Patc
 
 fn without_segments(found: &SubjectThickening) -> String {
     match &found.without_axis {
-        Some(why) => format!("segments not known: {why}"),
-        None => "segments not known: the orientation is not".to_owned(),
+        Some(why) => format!("segments unknown: {why}"),
+        None => "segments unknown: orientation unknown".to_owned(),
     }
 }
 

@@ -62,7 +62,7 @@ impl ThicknessData {
             moment: &self.moment,
             unit: subject.map_or("", |subject| subject.unit.length_symbol()),
             rows: &self.rows,
-            most: self.most,
+            max: self.most,
         }
     }
 }
@@ -175,21 +175,21 @@ fn sentence_case(name: &str) -> String {
 fn hint(way: ThicknessWay) -> &'static str {
     match way {
         ThicknessWay::Medial => {
-            "Twice the radius of the largest ball in the wall at each vertex of its inner side; where the \
-             sheet ends, at the base, balls take no part"
+            "Twice the radius of the sphere inscribed in the wall at each endocardial vertex; spheres at the edge of \
+             the medial surface, near the base, are left out"
         }
         ThicknessWay::Other(ThicknessMethod::Nearest) => {
-            "From a vertex of the inner side to the nearest point of the outer one: never more than any other way"
+            "Distance from an endocardial vertex to the nearest epicardial point: a lower bound of the other methods"
         }
         ThicknessWay::Other(ThicknessMethod::Centreline) => {
-            "Chords across the centre line of short-axis slices: too long where the wall is cut at a slant, as \
-             near the apex"
+            "Length of chords across the centreline of short-axis slices: too long where a slice cuts the wall \
+             obliquely, as near the apex"
         }
         ThicknessWay::Other(ThicknessMethod::Laplace) => {
-            "Length of the field line of Laplace's equation from side to side"
+            "Length of the field line of Laplace's equation from endocardium to epicardium"
         }
         ThicknessWay::Other(ThicknessMethod::VolumeOverArea) => {
-            "Volume of a piece of the wall over the mean of its inner and outer area: one number for each piece"
+            "Volume of a wall element divided by the mean of its endocardial and epicardial area: one value per element"
         }
     }
 }

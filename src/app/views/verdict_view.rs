@@ -1,4 +1,4 @@
-//! What is said of the selected heart in words, with its evidence beside the normal hearts and the rule behind it.
+//! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
     Familiarity, Finding, RuleQuality, RuleSource, Verdict, VerdictParams, Verdicts,
@@ -10,19 +10,19 @@ use crate::engine::{Engine, Showing, WorkKind};
 use crate::picture::percent;
 use crate::study::LabelRole;
 use crate::ui::{
-    AlikeHeart, Chance, CohortVerdict, Familiar, RuleTold, ToldVerdict, VerdictMark,
-    VerdictPanelView, VerdictState,
+    ClassifierReport, ClassifierResult, CohortVerdict, SimilarSubject, TrainingDistance,
+    VerdictMark, VerdictPanelView, VerdictReport, VerdictState,
 };
 
-/// Share of the hearts that a rule has seen that lie as far from the others: below it, a heart is unlike them.
-const UNLIKE: f64 = 0.05;
+/// Share of the training subjects at least as far from the others, below which a subject is outside their distribution.
+const OUTSIDE: f64 = 0.05;
 
 /// Texts of the verdict pane.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct VerdictData {
     state: VerdictState,
-    told: Option<ToldVerdict>,
-    rule: Option<RuleTold>,
+    report: Option<VerdictReport>,
+    classifier: Option<ClassifierReport>,
 }
 
 impl VerdictData {
@@ -30,13 +30,13 @@ impl VerdictData {
     pub fn of(state: &State, engine: &Engine) -> Self {
         Self {
             state: verdict_state(state, engine),
-            told: told(state),
-            rule: state.verdicts().map(|(verdicts, _)| rule_told(verdicts)),
+            report: report(state),
+            classifier: (state.verdicts()).map(|(verdicts, _)| classifier_report(verdicts)),
         }
     }
 
     /// Whether verdicts are still to come.
-    pub fn judging(&self) -> bool {
+    pub fn classifying(&self) -> bool {
         let state = &self.state;
         matches!(
             state,
@@ -49,8 +49,8 @@ impl VerdictData {
         VerdictPanelView {
             subject: state.document.selected().map(|subject| &*subject.id),
             state: &self.state,
-            told: self.told.as_ref(),
-            rule: self.rule.as_ref(),
+            verdict: self.report.as_ref(),
+            classifier: self.classifier.as_ref(),
         }
     }
 }
@@ -75,19 +75,19 @@ fn verdict_state(state: &State, engine: &Engine) -> VerdictState {
     }
 }
 
-/// What is said of the selected heart. A wall that cannot be assessed says so before all others are judged.
-fn told(state: &State) -> Option<ToldVerdict> {
+/// The verdict on the selected subject. A wall that cannot be assessed says so before all others are classified.
+fn report(state: &State) -> Option<VerdictReport> {
     let subject = state.document.subject;
-    let not_assessed = |why: String| ToldVerdict {
+    let not_assessed = |why: String| VerdictReport {
         mark: VerdictMark::NotAssessed,
         heading: "Not assessed".to_owned(),
         sentence: crate::picture::sentence(&why),
-        ..ToldVerdict::default()
+        ..VerdictReport::default()
     };
     match (state.verdict_of(subject), state.wall_of(subject)) {
         (Some(Ok(verdict)), _) => {
             let (verdicts, _) = state.verdicts()?;
-            Some(told_of(state, verdicts, verdict))
+            Some(report_of(state, verdicts, verdict))
         }
         (Some(Err(reason)), _) => Some(not_assessed(reason.to_string())),
         (None, Some((Err(why), true))) => Some(not_assessed(why.clone())),
@@ -95,29 +95,29 @@ fn told(state: &State) -> Option<ToldVerdict> {
     }
 }
 
-fn told_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> ToldVerdict {
+fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictReport {
     let study = state.document.study();
     let role = (state.document.selected()).map_or(LabelRole::Unknown, |heart| study.role(heart));
     let calibrated = matches!(verdicts.rule, RuleSource::Cohort { .. });
-    ToldVerdict {
+    VerdictReport {
         mark: mark(verdict.finding),
         heading: heading(verdict),
         sentence: sentence(verdict),
         probability: Some(verdict.probability),
         calibrated,
         source: match (calibrated, role) {
-            (false, _) => "By a fixed rule: too few hearts with a label",
+            (false, _) => "Default thresholds: too few labelled subjects",
             (true, LabelRole::Unknown) => {
-                "By the rule of the labelled hearts; this one is not of them"
+                "Classifier trained on the labelled subjects; this subject has no class"
             }
-            (true, _) => "By a rule that has not seen this heart",
+            (true, _) => "Leave-one-out: this subject was not in the training set",
         },
-        familiar: verdict.familiarity.as_ref().map(familiar),
+        training_distance: verdict.familiarity.as_ref().map(training_distance),
         evidence: evidence(study, verdicts, &verdict.features),
-        alike: [&verdict.alike_normal, &verdict.alike_abnormal].map(|hearts| {
+        similar: [&verdict.alike_normal, &verdict.alike_abnormal].map(|hearts| {
             hearts
                 .iter()
-                .filter_map(|&heart| alike(state, heart))
+                .filter_map(|&subject| similar(state, subject))
                 .collect()
         }),
     }
@@ -125,19 +125,19 @@ fn told_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> ToldVerdict
 
 fn mark(finding: Finding) -> VerdictMark {
     match finding {
-        Finding::Nothing => VerdictMark::Nothing,
+        Finding::Nothing => VerdictMark::NoAbnormality,
         Finding::Patch => VerdictMark::Patch,
-        Finding::GlobalFailure => VerdictMark::Global,
-        Finding::Elsewhere => VerdictMark::Elsewhere,
+        Finding::GlobalFailure => VerdictMark::GlobalHypokinesia,
+        Finding::Elsewhere => VerdictMark::AbnormalWithoutPatch,
     }
 }
 
 /// "Abnormal patch · 31 % of the LV".
 fn heading(verdict: &Verdict) -> String {
     match verdict.finding {
-        Finding::Nothing => "No abnormal patch".to_owned(),
+        Finding::Nothing => "No regional abnormality".to_owned(),
         Finding::Patch => format!("Abnormal patch · {} of the LV", percent(verdict.patched)),
-        Finding::GlobalFailure => "Global failure".to_owned(),
+        Finding::GlobalFailure => "Global hypokinesia".to_owned(),
         Finding::Elsewhere => "Abnormal without a patch".to_owned(),
     }
 }
@@ -145,49 +145,64 @@ fn heading(verdict: &Verdict) -> String {
 /// What the finding means, with what could be mistaken for another one.
 fn sentence(verdict: &Verdict) -> String {
     let little = (verdict.patched > 0.0)
-        .then(|| format!("; {} of it thickens little", percent(verdict.patched)));
+        .then(|| format!("; low thickening in {} of the LV", percent(verdict.patched)));
     let little = little.unwrap_or_default();
     match verdict.finding {
-        Finding::Nothing => format!("The wall thickens as in normal hearts{little}"),
-        Finding::Patch => "A part of the wall does not thicken as the rest does".to_owned(),
+        Finding::Nothing => format!("The wall thickens as in the normal subjects{little}"),
+        Finding::Patch => {
+            "Thickening in part of the wall is far below that of remote myocardium".to_owned()
+        }
         Finding::GlobalFailure => {
-            "The whole wall thickens too little, and no part of it stands out".to_owned()
+            "Thickening of the whole wall is low, without a regional abnormality".to_owned()
         }
         Finding::Elsewhere => {
-            "Unlike the normal hearts, but the wall thickens and no part of it stands still"
+            "Features differ from those of the normal subjects, without an akinetic region"
                 .to_owned()
         }
     }
 }
 
-fn familiar(found: &Familiarity) -> Familiar {
+fn training_distance(found: &Familiarity) -> TrainingDistance {
     let times = found.distance / found.usual.max(f64::MIN_POSITIVE);
     let times = if times < 9.95 {
         format!("{times:.1} ×")
     } else {
         format!("{times:.0} ×")
     };
-    let unlike = found.as_far < UNLIKE;
-    let words = if unlike {
+    let outside = found.as_far < OUTSIDE;
+    let words = if outside {
         format!(
-            "Unlike what the rule has seen: {times} the usual distance, farther than {} of its hearts. Take the \
-             verdict with care",
-            percent(1.0 - found.as_far)
+            "Outside the training distribution: {times} the median distance, {} percentile. Interpret the verdict with \
+             caution",
+            ordinal(100.0 * (1.0 - found.as_far))
         )
     } else {
         format!(
-            "Like what the rule has seen: {times} the usual distance; {} of its hearts lie as far from the others",
-            percent(found.as_far)
+            "Within the training distribution: {times} the median distance, {} percentile",
+            ordinal(100.0 * (1.0 - found.as_far))
         )
     };
-    Familiar { words, unlike }
+    TrainingDistance { words, outside }
 }
 
-fn alike(state: &State, subject: usize) -> Option<AlikeHeart> {
+/// "74th", of a number that is rounded to an integer.
+fn ordinal(number: f64) -> String {
+    let number = number.round() as u32;
+    let ending = match (number % 100, number % 10) {
+        (11..=13, _) => "th",
+        (_, 1) => "st",
+        (_, 2) => "nd",
+        (_, 3) => "rd",
+        _ => "th",
+    };
+    format!("{number}{ending}")
+}
+
+fn similar(state: &State, subject: usize) -> Option<SimilarSubject> {
     let study = state.document.study();
     let heart = state.subject(subject)?;
     let verdict = cohort_verdict(state, subject).map(|verdict| verdict.text());
-    Some(AlikeHeart {
+    Some(SimilarSubject {
         subject,
         id: heart.id.clone(),
         label: heart.label.clone().unwrap_or_else(|| "no label".to_owned()),
@@ -196,18 +211,18 @@ fn alike(state: &State, subject: usize) -> Option<AlikeHeart> {
     })
 }
 
-/// What the cohort table says of one heart.
+/// The verdict on one subject in the cohort table.
 pub fn cohort_verdict(state: &State, subject: usize) -> Option<CohortVerdict> {
     let calibrated = matches!(state.verdicts()?.0.rule, RuleSource::Cohort { .. });
     Some(match state.verdict_of(subject)? {
         Ok(verdict) => {
             let number = if calibrated {
                 format!(
-                    "{:.0} % probability of being abnormal",
+                    "predicted probability of abnormal {:.0} %",
                     100.0 * verdict.probability
                 )
             } else {
-                format!("score {:.2}, no probability", verdict.probability)
+                format!("uncalibrated score {:.2}", verdict.probability)
             };
             CohortVerdict {
                 mark: mark(verdict.finding),
@@ -232,15 +247,15 @@ fn lower_first(text: &str) -> String {
     })
 }
 
-fn rule_told(verdicts: &Verdicts) -> RuleTold {
+fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
     let source = match verdicts.rule {
         RuleSource::Cohort { normal, abnormal } => format!(
-            "Learnt from the hearts with a label that can be assessed, {normal} normal and {abnormal} abnormal; each \
-             is judged by a rule that has not seen it (leave-one-out)"
+            "Logistic classifier, trained on the labelled subjects that can be assessed ({normal} normal, {abnormal} \
+             abnormal); each of them is classified leave-one-out"
         ),
         RuleSource::Uncalibrated { normal, abnormal } => format!(
-            "Not learnt, uncalibrated: {normal} normal and {abnormal} abnormal hearts with a label can be assessed, \
-             and {} of each are needed. A fixed rule stands in: how much of the wall stands still",
+            "Default thresholds on the share of akinetic wall, uncalibrated: {normal} normal and {abnormal} abnormal \
+             subjects can be assessed; training needs {} of each",
             VerdictParams::default().min_labelled
         ),
     };
@@ -250,49 +265,49 @@ fn rule_told(verdicts: &Verdicts) -> RuleTold {
         }
         _ => Vec::new(),
     };
-    RuleTold { source, results }
+    ClassifierReport { source, results }
 }
 
-fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [Chance; 4] {
+fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [ClassifierResult; 4] {
     let accuracy = &quality.accuracy;
     [
-        Chance {
-            name: "Right answers",
-            what: "Hearts whose label agrees with the verdict of a rule that has not seen them",
+        ClassifierResult {
+            name: "Accuracy (leave-one-out)",
+            what: "Subjects whose verdict agrees with the class of their label (leave-one-out)",
             value: format!(
                 "{} of {} · {}",
                 accuracy.correct,
                 accuracy.of,
                 percent(accuracy.share())
             ),
-            chance: format!(
-                "by chance {:.1} · p {}",
+            permutation_test: format!(
+                "permutation mean {:.1} · p {}",
                 accuracy.baseline * accuracy.of as f64,
                 p_text(accuracy.p_value)
             ),
         },
-        Chance {
+        ClassifierResult {
             name: "AUC",
-            what: "Area under the ROC curve: how often an abnormal heart has a higher score than a normal one; \
-                   leaving out pulls chance below one half",
+            what: "Area under the ROC curve: probability that an abnormal subject has a higher score than a normal one; \
+                   leave-one-out lowers its permutation mean below 0.5",
             value: format!("{:.2}", quality.auc),
-            chance: format!(
-                "by chance {:.2} · p {}",
+            permutation_test: format!(
+                "permutation mean {:.2} · p {}",
                 quality.auc_baseline,
                 p_text(quality.auc_p_value)
             ),
         },
-        Chance {
-            name: "False alarms",
-            what: "Hearts with a normal label that are called abnormal",
+        ClassifierResult {
+            name: "False positives",
+            what: "Subjects of class normal that are classified as abnormal",
             value: format!("{} of {normal} normal", quality.false_alarms),
-            chance: String::new(),
+            permutation_test: String::new(),
         },
-        Chance {
-            name: "Missed",
-            what: "Hearts with an abnormal label that are called normal",
+        ClassifierResult {
+            name: "False negatives",
+            what: "Subjects of class abnormal that are classified as normal",
             value: format!("{} of {abnormal} abnormal", quality.missed),
-            chance: String::new(),
+            permutation_test: String::new(),
         },
     ]
 }

@@ -146,7 +146,7 @@ pub fn names(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
         painter.text(at, align, text, note_font(), colour);
     };
     if !view.oriented {
-        put(area.left_top(), Align2::LEFT_TOP, "orientation not known");
+        put(area.left_top(), Align2::LEFT_TOP, "orientation unknown");
         return;
     }
     let (c, r) = (disc.centre, disc.radius + 3.0);

@@ -1,4 +1,4 @@
-//! Where the plot and its colour bar stand in the pane, and which segment is at a place.
+//! Positions of the plot and its colour bar in the pane, and the segment at a point.
 
 use egui::{Pos2, Rect, vec2};
 

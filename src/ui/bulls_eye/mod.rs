@@ -1,4 +1,4 @@
-//! The wall laid flat: the polar map of 17 segments, anterior up and septum left, linked with all views.
+//! The bull's-eye: the polar map of 17 AHA segments, anterior up and septum left, linked with all views.
 
 mod draw;
 mod layout;
@@ -24,7 +24,7 @@ pub struct BullsEyePatch {
     pub name: String,
     /// Whether it is selected.
     pub selected: bool,
-    /// Whether it only thickens little, in a heart of which something else is said: dashed and grey.
+    /// Whether the verdict is not an abnormal patch: dashed and grey.
     pub faint: bool,
 }
 
@@ -33,7 +33,7 @@ pub struct BullsEyePatch {
 pub struct BullsEyeView<'a> {
     /// The selected subject.
     pub subject: Option<&'a str>,
-    /// How its wall stands.
+    /// State of its measurement.
     pub state: &'a WallState,
     /// Why there is no map, where the wall is known and the long axis is not.
     pub without_axis: Option<&'a str>,
@@ -78,17 +78,17 @@ pub fn bulls_eye_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command
 }
 
 fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
-    let what = "The thickness of the wall, laid flat from apex to base, appears here.";
+    let what = "Wall thickness and thickening by AHA segment are shown here";
     match (view.state, view.without_axis) {
         (WallState::NotAssessed(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
         (WallState::Computing { fraction }, _) => {
-            empty_pane_ui(ui, "Measuring the wall", what, |ui| {
+            empty_pane_ui(ui, "Measuring wall thickness", what, |ui| {
                 let width = 180f32.min(ui.available_width());
-                progress_bar_ui(ui, width, *fraction, "Measuring the wall");
+                progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
             });
         }
-        (WallState::Stopped, _) => empty_pane_ui(ui, "Measuring was stopped", what, |ui| {
-            if ui.button("Measure the wall").clicked() {
+        (WallState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
+            if ui.button("Measure wall thickness").clicked() {
                 commands.push(Command::Retry(WorkKind::Medial));
             }
         }),
@@ -106,13 +106,16 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
                     commands.push(Command::SetBullsEye(quantity));
                 }
             }
-        });
-        let segments = egui::Button::new("17").selected(view.by_segment);
+        })
+        .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
+        let narrow = ui.available_width() < 110.0;
+        let name = if narrow { "AHA 17" } else { "Segment values" };
+        let segments = egui::Button::new(name).selected(view.by_segment);
         let response = ui.add(segments);
         response.widget_info(|| {
-            WidgetInfo::selected(Role::Button, true, view.by_segment, "By segment")
+            WidgetInfo::selected(Role::Button, true, view.by_segment, "Segment values")
         });
-        let hint = "One colour for each of the 17 segments";
+        let hint = "One value for each of the 17 AHA segments (Cerqueira et al., Circulation 2002)";
         if response.on_hover_text(hint).clicked() {
             commands.push(Command::ToggleBullsEyeSegments);
         }

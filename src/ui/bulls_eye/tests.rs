@@ -1,4 +1,4 @@
-//! The bull's-eye: clicks, choosers, what is said where nothing is known.
+//! The bull's-eye: clicks, choosers, the empty states.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 
@@ -141,7 +141,7 @@ fn the_quantity_is_chosen_from_a_menu_and_segments_by_a_switch() {
     shown.run();
     shown.get_by_label("Thickening").click();
     shown.run();
-    shown.get_by_label("By segment").click();
+    shown.get_by_label("Segment values").click();
     shown.run();
     let wanted = [
         Command::SetBullsEye(BullsEyeQuantity::Thickening),

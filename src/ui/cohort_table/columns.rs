@@ -1,4 +1,4 @@
-//! Where the columns of the cohort table lie, and what stands in their cells.
+//! Positions of the columns of the cohort table, and their cells.
 
 use egui::{Align2, Ui, pos2};
 
@@ -14,26 +14,26 @@ pub(super) struct Columns {
     pub(super) label: f32,
     /// Right edge: numbers end here.
     pub(super) ejection_fraction: f32,
-    /// Where marks and words of verdicts begin and end.
+    /// Left and right edge of the verdicts.
     pub(super) verdict: [f32; 2],
-    /// How much of a verdict has room.
-    pub(super) told: Told,
+    /// What the verdict's column has room for.
+    pub(super) room: VerdictRoom,
 }
 
-/// How much of a verdict is told beside its mark.
+/// What there is room for beside the mark of a verdict.
 #[derive(Clone, Copy, PartialEq, Eq)]
-pub(super) enum Told {
+pub(super) enum VerdictRoom {
     /// "patch 31 %".
     Words,
     /// "31 %".
-    Short,
+    Share,
     /// The mark alone.
     Mark,
 }
 
 /// Width of the mark of a verdict with the gap after it.
 const VERDICT_MARK: f32 = 14.0;
-/// Widths of a pane's inside from which verdicts have words, and a number or a short word.
+/// Inner widths of a pane from which a verdict has words, and a share.
 const VERDICT_WIDTHS: [f32; 2] = [272.0, 236.0];
 /// Room of "100" and of its heading.
 const EF_WIDTH: f32 = 38.0;
@@ -43,15 +43,15 @@ impl Columns {
     pub(super) fn within(across: egui::Rangef, labelled: bool) -> Self {
         let inner = across.shrink(space::LARGE);
         let from = inner.min + 22.0;
-        let told = match inner.span() {
-            width if width >= VERDICT_WIDTHS[0] => Told::Words,
-            width if width >= VERDICT_WIDTHS[1] => Told::Short,
-            _ => Told::Mark,
+        let room = match inner.span() {
+            width if width >= VERDICT_WIDTHS[0] => VerdictRoom::Words,
+            width if width >= VERDICT_WIDTHS[1] => VerdictRoom::Share,
+            _ => VerdictRoom::Mark,
         };
-        let width = match told {
-            Told::Words => VERDICT_MARK + 70.0,
-            Told::Short => VERDICT_MARK + 36.0,
-            Told::Mark => VERDICT_MARK,
+        let width = match room {
+            VerdictRoom::Words => VERDICT_MARK + 70.0,
+            VerdictRoom::Share => VERDICT_MARK + 36.0,
+            VerdictRoom::Mark => VERDICT_MARK,
         };
         let verdict = [inner.max - width, inner.max];
         let to = verdict[0] - space::MEDIUM - 2.0;
@@ -66,7 +66,7 @@ impl Columns {
             },
             ejection_fraction: to,
             verdict,
-            told,
+            room,
         }
     }
 
@@ -91,7 +91,7 @@ pub(super) fn verdict_cell(
     columns: &Columns,
     y: f32,
     verdict: Option<&CohortVerdict>,
-    judging: bool,
+    classifying: bool,
 ) {
     let colours = colours(ui);
     let left = columns.verdict[0];
@@ -103,7 +103,7 @@ pub(super) fn verdict_cell(
     let Some(verdict) = verdict else {
         write(
             left,
-            if judging { "…" } else { "–" }.to_owned(),
+            if classifying { "…" } else { "–" }.to_owned(),
             colours.muted,
         );
         return;
@@ -111,13 +111,13 @@ pub(super) fn verdict_cell(
     let colour = verdict.mark.colour(colours);
     let centre = pos2(left + 4.0, y);
     verdict_mark(ui.painter(), centre, 4.5, verdict.mark, colour);
-    let text = match columns.told {
-        Told::Words => verdict.text(),
-        Told::Short => verdict.short(),
-        Told::Mark => return,
+    let text = match columns.room {
+        VerdictRoom::Words => verdict.text(),
+        VerdictRoom::Share => verdict.short(),
+        VerdictRoom::Mark => return,
     };
-    let found = verdict.share.is_some();
-    let colour = if found { colours.text } else { colours.muted };
+    let patch = verdict.share.is_some();
+    let colour = if patch { colours.text } else { colours.muted };
     write(left + VERDICT_MARK, text, colour);
 }
 
@@ -131,8 +131,8 @@ pub(super) fn cell(
     colour: egui::Color32,
 ) {
     let [left, right] = columns.span(column);
-    let most = (right - left).max(8.0);
-    // Names of one study often begin alike: what tells them apart is their end.
+    let max_width = (right - left).max(8.0);
+    // Names of one study often begin alike and differ at their end.
     let text = match column {
         CohortColumn::Subject => without_middle(text, |shown| {
             let shown = shown.to_owned();
@@ -140,12 +140,12 @@ pub(super) fn cell(
                 .layout_no_wrap(shown, text_font(), colour)
                 .size()
                 .x
-                <= most
+                <= max_width
         }),
         _ => text.to_owned(),
     };
     let mut job = egui::text::LayoutJob::simple_singleline(text, text_font(), colour);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(most);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(max_width);
     let galley = ui.painter().layout_job(job);
     let at = pos2(left, y - 0.5 * galley.size().y);
     ui.painter().galley(at, galley, colour);
@@ -171,8 +171,8 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_name_keeps_its_beginning_and_what_tells_it_apart() {
-        let fits = |most: usize| move |shown: &str| shown.chars().count() <= most;
+    fn a_name_keeps_its_beginning_and_its_end() {
+        let fits = |max: usize| move |shown: &str| shown.chars().count() <= max;
         assert_eq!(without_middle("patient015", fits(10)), "patient015");
         assert_eq!(without_middle("patient015", fits(8)), "pat…t015");
         assert_eq!(without_middle("patient015", fits(2)), "pat…5");

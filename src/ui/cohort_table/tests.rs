@@ -36,7 +36,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                     selected,
                     compared: None,
                     measuring: false,
-                    judging: false,
+                    classifying: false,
                 };
                 cohort_table_ui(ui, &view, commands);
             },
@@ -92,9 +92,9 @@ fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
             );
         }
     }
-    let told = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).told;
-    assert!(told(300.0) == Told::Words && told(264.0) == Told::Short);
-    assert!(told(240.0) == Told::Mark);
+    let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).room;
+    assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Share);
+    assert!(room(240.0) == VerdictRoom::Mark);
 }
 
 #[test]
@@ -161,18 +161,18 @@ fn drag(harness: &mut Harness<'static, Vec<Command>>, from: &str, onto: &str) {
 }
 
 #[test]
-fn a_row_let_go_on_another_plays_its_beat_there() {
+fn a_row_dropped_on_another_transports_its_motion() {
     let mut harness = harness(5, Some(2));
     harness.run();
     drag(&mut harness, "S1", "S3");
-    let wanted = Command::CarryBeat { from: 1, onto: 3 };
+    let wanted = Command::TransportMotion { from: 1, onto: 3 };
     assert_eq!(harness.state().as_slice(), [wanted]);
-    // Let go where it was taken, it is no drop and no click.
+    // Dropped where the drag began, it is neither a drop nor a click.
     drag(&mut harness, "S1", "S1");
     assert_eq!(harness.state().len(), 1);
-    // A heart that does not correspond is not refused in silence: the window says why.
+    // Without correspondence the command is given all the same: the window says why it is refused.
     drag(&mut harness, "S1", "S4");
-    let refused = Command::CarryBeat { from: 1, onto: 4 };
+    let refused = Command::TransportMotion { from: 1, onto: 4 };
     assert_eq!(harness.state().last(), Some(&refused));
 }
 
@@ -198,10 +198,10 @@ fn the_menu_of_a_row_offers_both_directions() {
     harness.run();
     harness.get_by_label("S2").click_secondary();
     harness.run();
-    harness.get_by_label("Play S2’s beat on S0").click();
+    harness.get_by_label("Transport motion: S2 → S0").click();
     harness.run();
     assert_eq!(
         harness.into_state(),
-        [Command::CarryBeat { from: 2, onto: 0 }]
+        [Command::TransportMotion { from: 2, onto: 0 }]
     );
 }

@@ -25,7 +25,7 @@ fn values_that_are_not_known_do_not_widen_the_range() {
 }
 
 #[test]
-fn a_click_on_the_plot_moves_through_the_beat() {
+fn a_click_on_the_plot_moves_through_the_cycle() {
     use egui_kittest::{Harness, kittest::Queryable as _};
     let mut harness = Harness::builder()
         .with_size([400.0, 250.0])

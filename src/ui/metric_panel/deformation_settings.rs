@@ -14,15 +14,15 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
         Err(error) => Err(error.to_string()),
     };
     let mut changed = None;
-    let found = |value: Option<String>| match value {
+    let automatic_text = |value: Option<String>| match value {
         Some(value) => format!("auto: {value}"),
         None => "automatic".to_owned(),
     };
-    let automatic = found(view.neighbours.map(|count| count.to_string()));
+    let automatic = automatic_text(view.neighbours.map(|count| count.to_string()));
     let neighbours = NumberField {
         name: "Neighbours",
-        unit: "hearts",
-        what: "Hearts that each heart is put together from; empty: a fifth of the cohort, at least 4",
+        unit: "subjects",
+        what: "Neighbours from which LLE reconstructs each subject; empty: a fifth of the cohort, at least 4",
         value: params.neighbours.map(f64::from),
         automatic: Some(&automatic),
         enabled: true,
@@ -41,7 +41,7 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
     let regularisation = NumberField {
         name: "Regularisation",
         unit: "",
-        what: "Keeps the neighbours' weights from growing; a share of their spread, no unit",
+        what: "Limits the reconstruction weights of LLE; a share of the neighbours' spread, no unit",
         value: Some(params.regularisation),
         automatic: None,
         enabled: true,
@@ -57,12 +57,12 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
         let scale = 10_f64.powf(1.0 - weight.abs().max(1e-12).log10().floor());
         number_text((weight * scale).round() / scale)
     });
-    let automatic = found(two_figures.filter(|_| params.time_weight.is_none()));
+    let automatic = automatic_text(two_figures.filter(|_| params.time_weight.is_none()));
     let time = NumberField {
         name: "Time weight",
-        unit: "/ beat",
-        what: "How far apart start and end of a beat count, in units of the map of poses; empty: as \
-               much as the poses are spread; 0: time does not count",
+        unit: "/ cycle",
+        what: "Distance between start and end of the cycle, in units of the map of poses; empty: the \
+               spread of the poses; 0: time has no weight",
         value: params.time_weight,
         automatic: Some(&automatic),
         enabled: true,
@@ -77,7 +77,7 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
     let samples = NumberField {
         name: "Points per curve",
         unit: "",
-        what: "Each beat is compared at so many places, evenly along its curve",
+        what: "Number of points at which motions are compared, evenly spaced along each curve",
         value: Some(f64::from(params.samples)),
         automatic: None,
         enabled: true,

@@ -21,7 +21,7 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
     choice_row_ui(
         ui,
         "Kind",
-        "What a change of shape costs",
+        "Which changes of shape the metric penalises",
         metric_name(kind),
         true,
         |ui| {
@@ -34,7 +34,7 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
     );
     sentence_ui(ui, &metric_sentence(&view.poses.distances.metric));
     let forms = has_forms(kind);
-    let what = "How the terms of angle and curvature are put together";
+    let what = "How the angle and curvature terms are combined";
     let form = metric.form;
     choice_row_ui(ui, "Form", what, form_name(form), forms, |ui| {
         for form in FORMS {
@@ -60,8 +60,8 @@ pub fn metric_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
     }
     ui.checkbox(&mut metric.area_weights, "Area-weighted")
         .on_hover_text(
-            "Faces, edges and vertices count by their share of the surface, so that finely meshed \
-             places do not count more; if not, everything counts once, as printed",
+            "Faces, edges and vertices are weighted by their share of the surface, so that mesh density \
+             has no effect; if off, all weights are 1, as printed",
         );
     Some(wanted).filter(|wanted| *wanted != view.poses)
 }
@@ -77,7 +77,7 @@ pub fn weights_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> 
     let mu = NumberField {
         name: "Curvature, μ",
         unit: "",
-        what: "What a change of curvature costs beside a change of angles; no unit",
+        what: "Weight of a change of curvature relative to a change of angles; no unit",
         value: Some(metric.mu),
         automatic: None,
         enabled: has_curvature_weight(&metric),
@@ -92,7 +92,7 @@ pub fn weights_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> 
     let rings = NumberField {
         name: "Averaging",
         unit: "rings",
-        what: "Rings of neighbours over which curvature is averaged; single vertices are noise",
+        what: "Rings of neighbours over which curvature is averaged, to reduce noise",
         value: Some(f64::from(metric.curvature_rings)),
         automatic: None,
         enabled: has_rings(&metric),
@@ -107,8 +107,8 @@ pub fn weights_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> 
     let lambda = NumberField {
         name: "Displacement, λ",
         unit: "",
-        what: "What displacement itself costs, relative to the heart's radius; keeps every form \
-               from vanishing; no unit",
+        what: "Weight of displacement itself, relative to the radius of the heart; keeps every form \
+               positive; no unit",
         value: Some(metric.lambda),
         automatic: None,
         enabled: true,
@@ -135,8 +135,8 @@ fn smoothing_ui(ui: &mut Ui, distances: PoseDistanceParams) -> Option<PoseDistan
     let smoothing = NumberField {
         name: "Smoothing",
         unit: "√area",
-        what: "Poses are smoothed below this radius before they are compared, so that noise of the \
-               mesh does not count as strain; 0 leaves them as they are",
+        what: "Poses are smoothed below this radius before they are compared, so that mesh noise has \
+               little effect on distances; 0: no smoothing",
         value: Some(distances.smoothing),
         automatic: None,
         enabled: true,

@@ -1,4 +1,4 @@
-//! How poses and deformations are compared and mapped: every setting, what it does, and the way back.
+//! Settings of the metric and the maps, each with its explanation, and their reset.
 
 mod deformation_settings;
 mod metric_settings;
@@ -26,7 +26,7 @@ pub struct MetricPanelView<'a> {
     pub deformations: DeformationMapParams,
     /// All subjects of the study: one may be the reference.
     pub subjects: &'a [MapSubject],
-    /// The selected subject: a step away as the reference.
+    /// The selected subject: first among the references.
     pub selected: Option<usize>,
     /// The neighbours that the map of deformations has now.
     pub neighbours: Option<usize>,
@@ -39,8 +39,8 @@ pub fn metric_panel_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<C
     if view.subjects.is_empty() {
         empty_pane_ui(
             ui,
-            "Nothing to compare",
-            "How hearts are compared is chosen here once a study is open.",
+            "No study open",
+            "The metric and the maps are set here",
             |_| {},
         );
         return;

@@ -1,4 +1,4 @@
-//! What hearts are carried onto before they are compared, and how distances become a map.
+//! Transport before poses are compared, and the embedding of their distances.
 
 use egui::{ScrollArea, Ui};
 
@@ -26,13 +26,13 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
             .map_or_else(|| format!("subject {subject}"), |known| known.id.clone())
     };
     let shown = match transfer.map(|transfer| transfer.reference) {
-        None => "no heart".to_owned(),
-        Some(Reference::Mean) => "the mean heart".to_owned(),
-        Some(Reference::Subject(subject)) => name(subject),
+        None => "off".to_owned(),
+        Some(Reference::Mean) => "onto the mean subject".to_owned(),
+        Some(Reference::Subject(subject)) => format!("onto {}", name(subject)),
     };
-    let what = "Carries every motion onto one heart before poses are compared, so that only the \
-                motions differ";
-    choice_row_ui(ui, "Transfer onto", what, &shown, true, |ui| {
+    let what = "Parallel transport of every motion onto one subject before poses are compared, so that \
+                only motions differ";
+    choice_row_ui(ui, "Transport", what, &shown, true, |ui| {
         let mut choose = |reference: Option<Reference>| {
             wanted.distances.transport = reference.map(|reference| CohortTransportParams {
                 reference,
@@ -40,12 +40,12 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
             });
         };
         let now = transfer.map(|transfer| transfer.reference);
-        if choice_ui(ui, "no heart: compare as they are", now.is_none()) {
+        if choice_ui(ui, "off: compare subjects as recorded", now.is_none()) {
             choose(None);
         }
         if choice_ui(
             ui,
-            "the mean heart of the cohort",
+            "onto the mean subject of the cohort",
             now == Some(Reference::Mean),
         ) {
             choose(Some(Reference::Mean));
@@ -56,7 +56,11 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
             let rest = (0..view.subjects.len()).filter(|i| Some(*i) != view.selected);
             for subject in first.chain(rest) {
                 let reference = Reference::Subject(subject);
-                if choice_ui(ui, &name(subject), now == Some(reference)) {
+                if choice_ui(
+                    ui,
+                    &format!("onto {}", name(subject)),
+                    now == Some(reference),
+                ) {
                     choose(Some(reference));
                 }
             }
@@ -65,16 +69,14 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
     sentence_ui(
         ui,
         match transfer {
-            None => "Shapes and motions both count: hearts are laid onto each other as they are",
-            Some(_) => {
-                "Only motions count: each is carried onto that heart first, which takes longer"
-            }
+            None => "Distances of aligned poses: shape and motion both contribute",
+            Some(_) => "Distances of transported motions: only motion contributes; takes longer",
         },
     );
 }
 
 fn method_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
-    let what = "How distances between poses become places in the plane";
+    let what = "Embedding of the distances between poses in the plane";
     let method = wanted.method;
     let isomap = match method {
         MapMethod::Isomap { .. } => method,
@@ -82,9 +84,9 @@ fn method_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
     };
     choice_row_ui(ui, "Method", what, method_name(method), true, |ui| {
         for (offered, name) in [
-            (MapMethod::Smacof, "SMACOF: least stress"),
+            (MapMethod::Smacof, "SMACOF: minimises stress"),
             (MapMethod::ClassicalMds, "MDS: classical scaling"),
-            (isomap, "Isomap: along neighbours"),
+            (isomap, "Isomap: neighbour graph"),
         ] {
             if choice_ui(ui, name, method == offered) {
                 wanted.method = offered;
@@ -95,7 +97,7 @@ fn method_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
         let field = NumberField {
             name: "Neighbours",
             unit: "poses",
-            what: "Nearest poses that each pose is linked to",
+            what: "Number of nearest poses to which each pose is connected",
             value: Some(f64::from(neighbours)),
             automatic: None,
             enabled: true,

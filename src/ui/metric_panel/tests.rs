@@ -102,17 +102,17 @@ fn a_weight_is_typed_and_a_wrong_one_is_refused_with_a_reason() {
 }
 
 #[test]
-fn motions_are_carried_onto_the_mean_or_a_subject() {
+fn motions_are_transported_onto_the_mean_or_a_subject() {
     let mut harness = harness(Scene::default());
     harness.run();
     choose(
         &mut harness,
-        "Transfer onto: no heart",
-        "the mean heart of the cohort",
+        "Transport: off",
+        "onto the mean subject of the cohort",
     );
     let transfer = |harness: &Harness<'_, Scene>| harness.state().poses.distances.transport;
     assert_eq!(transfer(&harness), Some(CohortTransportParams::default()));
-    choose(&mut harness, "Transfer onto: the mean heart", "P2");
+    choose(&mut harness, "Transport: onto the mean subject", "onto P2");
     assert_eq!(
         transfer(&harness).map(|transfer| transfer.reference),
         Some(Reference::Subject(2))
@@ -124,7 +124,7 @@ fn isomap_asks_for_its_neighbours() {
     let mut harness = harness(Scene::default());
     harness.run();
     assert!(harness.query_all_by_label("Neighbours").count() >= 1);
-    choose(&mut harness, "Method: SMACOF", "Isomap: along neighbours");
+    choose(&mut harness, "Method: SMACOF", "Isomap: neighbour graph");
     assert_eq!(
         harness.state().poses.method,
         MapMethod::Isomap { neighbours: 10 }
@@ -145,7 +145,7 @@ fn settings_of_the_deformation_map_may_be_left_to_the_program() {
 }
 
 #[test]
-fn the_way_back_is_open_once_something_was_changed() {
+fn reset_is_enabled_once_a_setting_was_changed() {
     let mut harness = harness(Scene::default());
     harness.run();
     harness.get_by_label("Reset to defaults").click();

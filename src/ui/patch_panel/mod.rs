@@ -1,4 +1,4 @@
-//! The part of the wall that does not thicken: what was found, its table, and the thresholds that found it.
+//! Patches of the selected subject: heading, table and thresholds.
 
 mod settings;
 mod table;
@@ -16,10 +16,10 @@ use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 
-/// How the wall of the selected heart stands.
+/// State of the thickening of the selected subject.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum WallState {
-    /// No heart.
+    /// No subject is selected.
     #[default]
     Empty,
     /// What is shown is that of the settings.
@@ -31,7 +31,7 @@ pub enum WallState {
     },
     /// The user stopped it.
     Stopped,
-    /// The input cannot carry it, and why.
+    /// The wall cannot be assessed, and why.
     NotAssessed(String),
 }
 
@@ -53,7 +53,7 @@ pub struct PatchLine {
 pub struct PatchPanelView<'a> {
     /// The selected subject.
     pub subject: Option<&'a str>,
-    /// How its wall stands.
+    /// State of its measurement.
     pub state: &'a WallState,
     /// What the parts may be called.
     pub standing: PatchStanding,
@@ -69,7 +69,7 @@ pub struct PatchPanelView<'a> {
     pub noise: Option<f64>,
     /// Tolerance of |ln PT| in force.
     pub tolerance: Option<f64>,
-    /// Thickening of the part that works well, 0.5 for 50 %.
+    /// Thickening of remote myocardium, 0.5 for 50 %.
     pub well: Option<f64>,
 }
 
@@ -78,8 +78,8 @@ pub fn patch_panel_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Com
     if view.subject.is_none() {
         empty_pane_ui(
             ui,
-            "No heart selected",
-            "Select a subject to see which part of its wall does not thicken.",
+            "No subject selected",
+            "Select a subject to see its patches (regional wall-thickening abnormalities)",
             |_| {},
         );
         return;
@@ -118,13 +118,13 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
     match view.state {
         WallState::Computing { fraction } => {
             let words = if view.heading.is_empty() {
-                "Measuring the thickness of the wall"
+                "Measuring wall thickness"
             } else {
-                "These are of the thresholds before"
+                "Results of the previous thresholds"
             };
             ui.label(note(words));
             let width = ui.available_width().min(180.0);
-            progress_bar_ui(ui, width, *fraction, "Measuring the thickness of the wall");
+            progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
         }
         WallState::Stopped => {
             ui.label(note("Stopped"));

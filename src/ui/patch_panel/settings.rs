@@ -1,4 +1,4 @@
-//! The thresholds of patches as sliders in log scale, with what noise says of them.
+//! The thresholds of patches as sliders in log scale, with the estimated noise.
 
 use std::ops::RangeInclusive;
 
@@ -11,9 +11,9 @@ use crate::ui::patch_panel::PatchPanelView;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::space;
 
-/// Share of the well wall's thickening below which a patch reaches, in percent.
+/// Extent threshold: share of remote thickening below which a patch extends, in percent.
 const BORDERS: RangeInclusive<f64> = 5.0..=90.0;
-/// Deviation of PT from one up to which an atom counts as still, in percent.
+/// Deviation of PT from one up to which an atom is akinetic, in percent.
 const TOLERANCES: RangeInclusive<f64> = 1.0..=50.0;
 
 /// Draws the sliders; every change is one command, and a drag one step of undo.
@@ -22,16 +22,17 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     let now = view.settings.thickening;
     let mut wanted = now;
     let mut border = 100.0 * now.border;
-    let what = "A patch reaches as far as the wall thickens by less than this share of what the \
-                part that works well does; its core must stay below half of it";
-    if slider_ui(ui, "Border", &mut border, BORDERS, what) {
+    let what = "A patch extends as far as thickening is below this share of that of remote myocardium; \
+                its core is below half of it";
+    if slider_ui(ui, "Extent threshold", &mut border, BORDERS, what) {
         wanted = with_border(now, 0.01 * border);
     }
     ui.add(egui::Label::new(note(border_note(view.well, now.border))).wrap());
     let in_force = now.tolerance.or(view.tolerance);
     let mut tolerance = 100.0 * in_force.map_or(0.05, |ln| ln.exp() - 1.0);
-    let what = "Up to this deviation of PT from one, from a pose to the next, an atom counts as \
-                still; ANV and MP are made of still atoms";
+    let what = "An atom is akinetic if the thickness ratio PT of two successive frames deviates from 1 \
+                by no more than this; the average normal vector (ANV) and the mean position (MP) \
+                are those of akinetic atoms";
     if slider_ui(ui, "PT tolerance", &mut tolerance, TOLERANCES, what) {
         wanted.tolerance = Some((0.01 * tolerance).ln_1p());
     }
@@ -89,22 +90,22 @@ fn slider_ui(
 fn border_note(well: Option<f64>, border: f64) -> String {
     match well {
         Some(well) => format!(
-            "of the well wall’s {:.0} %: thickening below {:.0} %",
+            "of remote thickening {:.0} %: thickening below {:.0} %",
             100.0 * well,
             100.0 * ((border * well.ln_1p()).exp() - 1.0)
         ),
-        None => "of the thickening of the well wall".to_owned(),
+        None => "of remote thickening".to_owned(),
     }
 }
 
 fn tolerance_note(view: &PatchPanelView, typed: Option<f64>) -> String {
     let noise = view.noise.map_or_else(String::new, |noise| {
-        format!("noise of the radius {:.1} %", 100.0 * noise.exp_m1())
+        format!("noise SD of the radius {:.1} %", 100.0 * noise.exp_m1())
     });
     let source = if typed.is_some() {
-        "set by hand"
+        "set by the user"
     } else {
-        "set by noise"
+        "estimated from noise"
     };
     if noise.is_empty() {
         source.to_owned()

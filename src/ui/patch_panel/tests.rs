@@ -120,7 +120,9 @@ fn a_stopped_measurement_can_be_begun_again() {
 fn the_border_moves_by_keyboard_and_takes_its_core_along() {
     let mut shown = harness(Shown::with(WallState::Ready, "No patch", Vec::new()));
     let slider = egui::accesskit::Role::Slider;
-    shown.get_by_role_and_label(slider, "Border").focus();
+    shown
+        .get_by_role_and_label(slider, "Extent threshold")
+        .focus();
     shown.run();
     shown.key_press(egui::Key::ArrowRight);
     shown.run();

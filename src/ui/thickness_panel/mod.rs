@@ -1,4 +1,4 @@
-//! How thick the wall is in each way of measuring it: strips on one axis, and how the ways differ.
+//! Wall thickness by each method: box strips on one axis, and differences from the medial spheres.
 
 mod strips;
 #[cfg(test)]
@@ -12,10 +12,10 @@ use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::note;
 use crate::ui::theme::space;
 
-/// How measuring stands.
+/// State of the measurement.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum ThicknessState {
-    /// No heart.
+    /// No subject is selected.
     #[default]
     Empty,
     /// Everything on screen is measured.
@@ -44,7 +44,7 @@ pub struct ThicknessStrip {
     pub quantiles: [f64; 5],
 }
 
-/// How a way differs from twice the medial radius at the pose on screen, in the unit of the view.
+/// Difference of a method from twice the medial radius at the pose on screen, in the unit of the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Difference {
     /// Mean difference.
@@ -55,7 +55,7 @@ pub struct Difference {
     pub pairs: usize,
 }
 
-/// One way of measuring.
+/// One method.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ThicknessRow {
     /// "Laplace field lines".
@@ -79,16 +79,16 @@ pub struct ThicknessRow {
 pub struct ThicknessPanelView<'a> {
     /// The selected subject.
     pub subject: Option<&'a str>,
-    /// How measuring stands.
+    /// State of the measurement.
     pub state: &'a ThicknessState,
     /// The pose that differences are of: "ES", "frame 3".
     pub moment: &'a str,
     /// Unit of lengths.
     pub unit: &'a str,
-    /// The ways, the medial one first.
+    /// The methods, medial spheres first.
     pub rows: &'a [ThicknessRow],
     /// Upper end of the axis; it begins at 0.
-    pub most: f64,
+    pub max: f64,
 }
 
 /// Draws the pane.
@@ -96,8 +96,8 @@ pub fn thickness_panel_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut
     if view.subject.is_none() {
         empty_pane_ui(
             ui,
-            "No heart selected",
-            "Select a subject to measure the thickness of its wall in several ways.",
+            "No subject selected",
+            "Select a subject to measure its wall thickness by five methods",
             |_| {},
         );
         return;
@@ -125,7 +125,7 @@ pub fn thickness_panel_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut
 
 fn footnote(view: &ThicknessPanelView) -> String {
     format!(
-        "Median (5–95 % of vertices) in {}; right: mean difference from medial balls ± its standard \
+        "Median (5–95 % of vertices) in {}; right: mean difference from medial spheres ± standard \
          deviation at {}",
         view.unit, view.moment
     )
@@ -136,7 +136,7 @@ fn state_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut Vec<Command>)
         ThicknessState::Computing { fraction, moment } => {
             ui.horizontal(|ui| {
                 let width = (ui.available_width() - 130.0).clamp(30.0, 120.0);
-                progress_bar_ui(ui, width, *fraction, "Measuring thickness");
+                progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
                 ui.label(note(format!("{moment}, {:.0} %", 100.0 * fraction)));
                 if ui.button(note("Cancel")).clicked() {
                     commands.push(Command::Cancel(WorkKind::Thickness));

@@ -1,4 +1,4 @@
-//! One way of measuring: its name and difference, and below it a box strip for each pose.
+//! One method: its name and difference, and below it a box strip for each pose.
 
 use egui::{Align2, Color32, FontId, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
@@ -24,11 +24,11 @@ struct Columns {
     axis: [f32; 2],
     right: f32,
     wide: bool,
-    most: f64,
+    max: f64,
 }
 
 impl Columns {
-    fn of(area: Rect, most: f64) -> Self {
+    fn of(area: Rect, max: f64) -> Self {
         let wide = area.width() >= NARROW;
         let numbers = if wide { NUMBERS[0] } else { NUMBERS[1] };
         let from = area.left() + MOMENT;
@@ -38,25 +38,25 @@ impl Columns {
             axis: [from, to],
             right: area.right(),
             wide,
-            most: if most > 0.0 { most } else { 1.0 },
+            max: if max > 0.0 { max } else { 1.0 },
         }
     }
 
     fn x(&self, value: f64) -> f32 {
-        let share = (value / self.most).clamp(0.0, 1.0) as f32;
+        let share = (value / self.max).clamp(0.0, 1.0) as f32;
         self.axis[0] + share * (self.axis[1] - self.axis[0])
     }
 
     fn ticks(&self) -> Vec<f64> {
         let wanted = ((self.axis[1] - self.axis[0]) / 34.0).max(1.0) as usize;
-        nice_ticks(0.0, self.most, wanted)
+        nice_ticks(0.0, self.max, wanted)
     }
 }
 
 /// The axis that all strips share, with its unit.
 pub(super) fn axis_ui(ui: &mut Ui, view: &ThicknessPanelView) {
     let (area, _) = ui.allocate_exact_size(vec2(ui.available_width(), STRIP), Sense::hover());
-    let (columns, colours) = (Columns::of(area, view.most), colours(ui));
+    let (columns, colours) = (Columns::of(area, view.max), colours(ui));
     let painter = ui.painter();
     for tick in columns.ticks() {
         let at = pos2(columns.x(tick), area.center().y);
@@ -73,14 +73,14 @@ pub(super) fn axis_ui(ui: &mut Ui, view: &ThicknessPanelView) {
     );
 }
 
-/// One way of measuring.
+/// One method.
 pub(super) fn row_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow) {
     title_ui(ui, view, row);
     for strip in &row.strips {
         strip_ui(ui, view, row, strip);
     }
     if let Some(reason) = &row.reason {
-        ui.add(egui::Label::new(note(format!("Does not apply: {reason}"))).wrap());
+        ui.add(egui::Label::new(note(format!("Not applicable: {reason}"))).wrap());
     }
     ui.add_space(space::SMALL);
 }
@@ -88,12 +88,12 @@ pub(super) fn row_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow)
 fn title_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow) {
     let (area, response) = ui.allocate_exact_size(vec2(ui.available_width(), LINE), Sense::hover());
     let colours = colours(ui);
-    let said = difference_text(row);
-    let spoken = spoken(view, row);
-    response.widget_info(|| WidgetInfo::labeled(Role::Row, true, &spoken));
+    let difference = difference_text(row);
+    let words = row_words(view, row);
+    response.widget_info(|| WidgetInfo::labeled(Role::Row, true, &words));
     let at = |x: f32| pos2(x, area.center().y);
     let painter = ui.painter();
-    let right = painter.layout_no_wrap(said, note_font(), colours.text);
+    let right = painter.layout_no_wrap(difference, note_font(), colours.text);
     let left = area.right() - right.size().x;
     let place = Align2::RIGHT_CENTER.anchor_size(at(area.right()), right.size());
     painter.galley(place.min, right, colours.text);
@@ -110,15 +110,15 @@ fn title_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow) {
         let text = painter.layout_no_wrap(seconds_text(seconds), note_font(), colours.muted);
         let beside = at(name.right() + space::MEDIUM);
         let place = Align2::LEFT_CENTER.anchor_size(beside, text.size());
-        // Where there is no room it is told on hover only.
+        // Without room it is shown on hover only.
         if place.right() + space::MEDIUM <= left {
             painter.galley(place.min, text, colours.muted);
         }
     }
-    response.on_hover_text(format!("{spoken}. {}", row.hint));
+    response.on_hover_text(format!("{words}. {}", row.hint));
 }
 
-/// "+0.31 ± 0.62 mm" without the unit; what is compared with says so.
+/// "+0.31 ± 0.62 mm" without the unit; the method that others are compared with is marked "reference".
 fn difference_text(row: &ThicknessRow) -> String {
     match (row.reference, row.difference) {
         (true, _) => "reference".to_owned(),
@@ -141,14 +141,14 @@ fn seconds_text(seconds: f64) -> String {
 }
 
 /// The whole row in words.
-fn spoken(view: &ThicknessPanelView, row: &ThicknessRow) -> String {
+fn row_words(view: &ThicknessPanelView, row: &ThicknessRow) -> String {
     let mut words = row.name.clone();
     for strip in &row.strips {
         words += &format!(", {} {} {}", strip.moment, range_text(strip), view.unit);
     }
     if let Some(difference) = &row.difference {
         words += &format!(
-            ", {} {} against medial balls at {} over {} vertices",
+            ", {} {} from medial spheres at {} over {} vertices",
             signed(difference),
             view.unit,
             view.moment,
@@ -156,7 +156,7 @@ fn spoken(view: &ThicknessPanelView, row: &ThicknessRow) -> String {
         );
     }
     if let Some(seconds) = row.seconds {
-        words += &format!(", {} for a pose", seconds_text(seconds));
+        words += &format!(", {} per pose", seconds_text(seconds));
     }
     words
 }
@@ -170,7 +170,7 @@ fn range_text(strip: &ThicknessStrip) -> String {
 fn strip_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow, strip: &ThicknessStrip) {
     let (area, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), STRIP), Sense::hover());
-    let (columns, colours) = (Columns::of(area, view.most), colours(ui));
+    let (columns, colours) = (Columns::of(area, view.max), colours(ui));
     let text = if strip.on_screen {
         colours.selection
     } else {
@@ -239,7 +239,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_carry_a_true_minus_and_times_no_more_digits_than_they_deserve() {
+    fn numbers_have_a_minus_sign_and_times_few_digits() {
         let difference = Difference {
             bias: -0.416,
             deviation: 0.52,

@@ -1,4 +1,4 @@
-//! What the pane says, and what its buttons ask for.
+//! The text of the pane and the commands of its buttons.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 
@@ -15,7 +15,7 @@ fn strip(moment: &str, median: f64) -> ThicknessStrip {
 fn rows() -> Vec<ThicknessRow> {
     vec![
         ThicknessRow {
-            name: "Medial balls".to_owned(),
+            name: "Medial spheres".to_owned(),
             strips: vec![strip("ED", 9.0), strip("ES", 12.0)],
             reference: true,
             seconds: Some(0.02),
@@ -53,7 +53,7 @@ fn harness(state: ThicknessState, subject: Option<&'static str>) -> Harness<'sta
                     moment: "ES",
                     unit: "mm",
                     rows: &rows,
-                    most: 16.0,
+                    max: 16.0,
                 };
                 thickness_panel_ui(ui, &view, commands);
             },
@@ -62,21 +62,21 @@ fn harness(state: ThicknessState, subject: Option<&'static str>) -> Harness<'sta
 }
 
 #[test]
-fn each_way_says_its_numbers_with_their_unit_and_how_it_differs() {
+fn each_method_has_its_numbers_with_their_unit_and_its_difference() {
     let mut shown = harness(ThicknessState::Ready, Some("P05"));
     shown.run();
     shown.get_by_label(
-        "Medial balls, ED 9.0 (6.0–12.5) mm, ES 12.0 (9.0–15.5) mm, 0.02 s for a pose",
+        "Medial spheres, ED 9.0 (6.0–12.5) mm, ES 12.0 (9.0–15.5) mm, 0.02 s per pose",
     );
-    shown.get_by_label_contains("+0.31 ± 0.20 mm against medial balls at ES over 800 vertices");
+    shown.get_by_label_contains("+0.31 ± 0.20 mm from medial spheres at ES over 800 vertices");
     shown.get_by_label_contains("Median (5–95 % of vertices) in mm");
 }
 
 #[test]
-fn a_way_that_does_not_apply_says_why() {
+fn a_method_that_is_not_applicable_says_why() {
     let mut shown = harness(ThicknessState::Ready, Some("P05"));
     shown.run();
-    shown.get_by_label("Does not apply: no landmarks");
+    shown.get_by_label("Not applicable: no landmarks");
 }
 
 #[test]
@@ -99,8 +99,8 @@ fn measuring_can_be_cancelled_and_begun_again() {
 }
 
 #[test]
-fn without_a_heart_the_pane_says_what_would_fill_it() {
+fn without_a_subject_the_pane_says_what_would_fill_it() {
     let mut shown = harness(ThicknessState::Empty, None);
     shown.run();
-    shown.get_by_label("No heart selected");
+    shown.get_by_label("No subject selected");
 }

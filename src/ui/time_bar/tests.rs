@@ -22,7 +22,7 @@ fn harness() -> Harness<'static, Vec<Command>> {
                     time_ms: Some(100.0),
                     between: Some("interpolated"),
                     in_betweens: &[2.25, 2.5, 2.75],
-                    note: "3 in-betweens per interval",
+                    note: "3 interpolated poses per interval",
                 };
                 time_bar_ui(ui, &view, commands);
             },
@@ -55,7 +55,7 @@ fn a_click_near_a_frame_lands_on_it_and_a_drag_moves_freely() {
     let mut harness = harness();
     harness.run();
     let rail = harness
-        .get_by_label("Position in the beat")
+        .get_by_label("Position in the cardiac cycle")
         .rect()
         .shrink2(vec2(8.0, 0.0));
     let near = pos2(egui::lerp(rail.x_range(), 0.5) + 4.0, rail.center().y);
@@ -80,10 +80,10 @@ fn a_click_near_a_pose_between_frames_lands_on_it() {
     let mut harness = harness();
     harness.run();
     let rail = harness
-        .get_by_label("Position in the beat")
+        .get_by_label("Position in the cardiac cycle")
         .rect()
         .shrink2(vec2(8.0, 0.0));
-    // Position 2.5 of four even frames is at five eighths of the beat.
+    // Position 2.5 of four even frames is at five eighths of the cycle.
     for (share, offset, position) in [(0.625, 4.0, 2.5), (0.5625, -3.0, 2.25), (0.5, 4.0, 2.0)] {
         let at = pos2(egui::lerp(rail.x_range(), share) + offset, rail.center().y);
         harness.drag_at(at);

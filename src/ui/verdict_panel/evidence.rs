@@ -1,4 +1,4 @@
-//! The numbers that speak for a verdict, each on a scale beside the normal hearts.
+//! The features behind a verdict, each on a scale with the range of the normal subjects.
 
 use egui::{Label, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
@@ -10,15 +10,18 @@ use crate::ui::verdict_panel::{EvidenceRow, pair_ui};
 /// Height of a scale.
 const SCALE: f32 = 12.0;
 
-/// Draws the rows: first what the rule reads, then what else describes the heart.
+/// Draws the rows: first the model features, then the others.
 pub(super) fn evidence_ui(ui: &mut Ui, rows: &[EvidenceRow]) {
     if rows.is_empty() {
         return;
     }
     ui.label(medium("Evidence"));
-    ui.add(Label::new(note("Bar: from least to greatest of the normal hearts")).wrap());
-    for (heading, read) in [("Read by the rule", true), ("Beside the rule", false)] {
-        let mut rows = rows.iter().filter(|row| row.read == read).peekable();
+    ui.add(Label::new(note("Bar: range of the normal subjects")).wrap());
+    for (heading, model_feature) in [("Model features", true), ("Other features", false)] {
+        let mut rows = rows
+            .iter()
+            .filter(|row| row.model_feature == model_feature)
+            .peekable();
         if rows.peek().is_some() {
             ui.add_space(space::SMALL);
             ui.label(note(heading).color(colours(ui).text));
@@ -33,7 +36,7 @@ fn row_ui(ui: &mut Ui, row: &EvidenceRow) {
     let normal = if row.normal.is_empty() {
         String::new()
     } else {
-        format!(", normal hearts {}", row.normal)
+        format!(", normal subjects {}", row.normal)
     };
     let words = format!("{}: {}{normal}", row.name, row.value);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.as_str()));
@@ -41,7 +44,7 @@ fn row_ui(ui: &mut Ui, row: &EvidenceRow) {
     let normal = if row.normal.is_empty() {
         String::new()
     } else {
-        format!("\n\nNormal hearts: {}", row.normal)
+        format!("\n\nNormal subjects: {}", row.normal)
     };
     let hover = format!("{}{normal}", row.what);
     response.union(scale).on_hover_text(hover);

@@ -1,44 +1,44 @@
-//! The finding in words, its probability, and how far the heart lies from what the rule has seen.
+//! The verdict in words, the predicted probability, and the distance to the training set.
 
 use egui::{Label, Rect, Role, Sense, Stroke, Ui, WidgetInfo, vec2};
 
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, line, space};
 use crate::ui::verdict_marks::{VerdictMark, verdict_mark};
-use crate::ui::verdict_panel::{ToldVerdict, pair_ui};
+use crate::ui::verdict_panel::{VerdictReport, pair_ui};
 
-/// What every verdict carries.
-const RESEARCH: &str = "Research use, no diagnosis";
+/// Shown with every verdict.
+const RESEARCH: &str = "Research use, not for diagnosis";
 
-/// Draws what was found.
-pub(super) fn found_ui(ui: &mut Ui, told: &ToldVerdict) {
+/// Draws the verdict.
+pub(super) fn verdict_ui(ui: &mut Ui, report: &VerdictReport) {
     let colours = colours(ui);
     ui.horizontal_top(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
         let (area, _) = ui.allocate_exact_size(vec2(14.0, 18.0), Sense::hover());
-        let colour = told.mark.colour(colours);
-        verdict_mark(ui.painter(), area.center(), 5.5, told.mark, colour);
-        let colour = match told.mark {
-            VerdictMark::Nothing | VerdictMark::NotAssessed => colours.strong,
+        let colour = report.mark.colour(colours);
+        verdict_mark(ui.painter(), area.center(), 5.5, report.mark, colour);
+        let colour = match report.mark {
+            VerdictMark::NoAbnormality | VerdictMark::NotAssessed => colours.strong,
             mark => mark.colour(colours),
         };
-        ui.add(Label::new(medium(told.heading.as_str()).color(colour)).wrap());
+        ui.add(Label::new(medium(report.heading.as_str()).color(colour)).wrap());
     });
-    ui.add(Label::new(note(told.sentence.as_str())).wrap());
-    if let Some(probability) = told.probability {
-        probability_ui(ui, told, probability);
+    ui.add(Label::new(note(report.sentence.as_str())).wrap());
+    if let Some(probability) = report.probability {
+        probability_ui(ui, report, probability);
     }
-    if let Some(familiar) = &told.familiar {
+    if let Some(training_distance) = &report.training_distance {
         ui.add_space(space::SMALL);
-        let text = note(familiar.words.as_str());
-        let text = if familiar.unlike {
+        let text = note(training_distance.words.as_str());
+        let text = if training_distance.outside {
             text.color(colours.warning)
         } else {
             text
         };
         ui.add(Label::new(text).wrap()).on_hover_text(
-            "Distance to the nearest heart that the rule was made of, in the numbers that it reads, \
-             beside the usual distance among those",
+            "Distance to the nearest training subject in the model features, relative to the median of \
+             that distance among the training subjects",
         );
     }
     ui.add_space(space::SMALL);
@@ -46,7 +46,7 @@ pub(super) fn found_ui(ui: &mut Ui, told: &ToldVerdict) {
     ui.add_space(space::MEDIUM);
 }
 
-/// "> 99 %": no more certainty than a few hearts can give.
+/// "> 99 %": a small cohort supports no more digits.
 pub(super) fn percent(probability: f64) -> String {
     if probability > 0.99 {
         "> 99 %".to_owned()
@@ -57,17 +57,21 @@ pub(super) fn percent(probability: f64) -> String {
     }
 }
 
-fn probability_ui(ui: &mut Ui, told: &ToldVerdict, probability: f64) {
+fn probability_ui(ui: &mut Ui, report: &VerdictReport, probability: f64) {
     let colours = colours(ui);
     ui.add_space(space::SMALL);
-    let (name, value, what) = if told.calibrated {
-        let what = "That the heart counts as abnormal, if normal and abnormal were equally likely \
-                    beforehand; above 50 % it is called abnormal";
-        ("Probability, abnormal", percent(probability), what)
+    let (name, value, what) = if report.calibrated {
+        let what = "Predicted probability of class abnormal, with equal prior probabilities of both \
+                    classes; above 50 % the subject is classified as abnormal";
+        (
+            "Predicted probability of abnormal",
+            percent(probability),
+            what,
+        )
     } else {
-        let what = "An order and no probability: too few hearts with a label for a rule of their \
-                    own; above 0.5 a heart is called abnormal";
-        ("Score, no probability", format!("{probability:.2}"), what)
+        let what = "Not a probability: too few labelled subjects to train a classifier; above 0.5 the \
+                    subject is classified as abnormal";
+        ("Uncalibrated score", format!("{probability:.2}"), what)
     };
     let words = format!("{name}: {value}");
     let response = pair_ui(ui, name, &value);
@@ -80,15 +84,15 @@ fn probability_ui(ui: &mut Ui, told: &ToldVerdict, probability: f64) {
     painter.rect_filled(bar, 0.5 * height, colours.line);
     let mut filled = bar;
     filled.set_width(bar.width() * probability.clamp(0.0, 1.0) as f32);
-    let colour = match told.mark {
-        VerdictMark::Nothing => colours.normal,
+    let colour = match report.mark {
+        VerdictMark::NoAbnormality => colours.normal,
         mark => mark.colour(colours),
     };
     painter.rect_filled(filled, 0.5 * height, colour);
-    // From here on a heart is called abnormal.
+    // The threshold of class abnormal.
     let stroke = Stroke::new(line::THIN, colours.text);
     painter.vline(bar.center().x, area.y_range(), stroke);
-    ui.add(Label::new(note(told.source)).wrap());
+    ui.add(Label::new(note(report.source)).wrap());
 }
 
 #[cfg(test)]
@@ -96,7 +100,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn certainty_ends_where_a_few_hearts_can_give_no_more() {
+    fn probabilities_near_0_and_1_are_given_as_bounds() {
         assert_eq!(percent(0.9999), "> 99 %");
         assert_eq!(percent(0.004), "< 1 %");
         assert_eq!(percent(0.312), "31 %");

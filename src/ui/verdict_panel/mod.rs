@@ -1,4 +1,4 @@
-//! What is said of the selected heart and why: the finding, its evidence, hearts alike, and the rule behind it.
+//! The verdict on the selected subject, its evidence, the most similar subjects, and the classifier.
 
 mod evidence;
 mod found;
@@ -16,15 +16,15 @@ use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 use crate::ui::verdict_marks::VerdictMark;
 
-/// How the verdicts on all hearts stand.
+/// State of the classification of all subjects.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum VerdictState {
-    /// No heart.
+    /// No subject is selected.
     #[default]
     Empty,
-    /// They come after the work that is on screen.
+    /// It starts after the work that is on screen.
     Waiting,
-    /// They are being made; what is shown, if anything, is of the thresholds before.
+    /// It runs; what is shown, if anything, belongs to the previous thresholds.
     Computing {
         /// Done share in `0..=1`.
         fraction: f32,
@@ -37,96 +37,96 @@ pub enum VerdictState {
     Stopped,
     /// It failed, and why.
     Failed(String),
-    /// What is shown is of the study and thresholds of today.
+    /// What is shown belongs to the present study and thresholds.
     Ready,
 }
 
-/// What is said of one heart.
+/// The verdict on one subject, in words and numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct ToldVerdict {
-    /// What was found.
+pub struct VerdictReport {
+    /// The verdict as a shape.
     pub mark: VerdictMark,
     /// "Abnormal patch · 31 % of the LV".
     pub heading: String,
-    /// What that means; for a heart that is not assessed, why.
+    /// What that means; for a subject that is not assessed, why.
     pub sentence: String,
-    /// That the heart counts as abnormal, in `0..=1`; `None` where it is not assessed.
+    /// Predicted probability of class abnormal, in `0..=1`; `None` where it is not assessed.
     pub probability: Option<f64>,
-    /// Whether that number is a probability; else an order.
+    /// Whether that number is a probability; else it is an uncalibrated score.
     pub calibrated: bool,
-    /// By which rule: one that has not seen this heart.
+    /// Which classifier it is from: leave-one-out, trained on others, default thresholds.
     pub source: &'static str,
-    /// How far it lies from what the rule has seen; `None` for a rule that has seen nothing.
-    pub familiar: Option<Familiar>,
-    /// What speaks for it.
+    /// Distance to the training set; `None` without one.
+    pub training_distance: Option<TrainingDistance>,
+    /// The features.
     pub evidence: Vec<EvidenceRow>,
-    /// The hearts most like it: with a normal label, with an abnormal one, nearest first.
-    pub alike: [Vec<AlikeHeart>; 2],
+    /// The most similar subjects of class normal and of class abnormal, nearest first.
+    pub similar: [Vec<SimilarSubject>; 2],
 }
 
-/// How near a heart lies to those that the rule was made of.
+/// Distance of a subject to the training subjects.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Familiar {
+pub struct TrainingDistance {
     /// In a sentence.
     pub words: String,
-    /// Whether it is so far away that the verdict deserves care.
-    pub unlike: bool,
+    /// Whether it is outside the training distribution.
+    pub outside: bool,
 }
 
-/// One number about a heart beside those of the normal hearts.
+/// One feature of a subject beside those of the normal subjects.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct EvidenceRow {
-    /// "Wall that stands still".
+    /// "Akinetic region".
     pub name: &'static str,
     /// What it is, for the hover.
     pub what: &'static str,
-    /// With its unit; "not told" where it is not.
+    /// With its unit; "no value" where there is none.
     pub value: String,
-    /// From the least to the greatest of the normal hearts, with the unit; empty where there are none.
+    /// Range of the normal subjects, with the unit; empty where there are none.
     pub normal: String,
-    /// Where the value lies between the least and the greatest of all hearts, in `0..=1`.
+    /// Position of the value in the range of all subjects, in `0..=1`.
     pub place: Option<f32>,
-    /// Where the normal hearts lie on the same scale.
+    /// Range of the normal subjects on the same scale.
     pub band: Option<[f32; 2]>,
-    /// Whether the rule reads it, or it is evidence beside the rule.
-    pub read: bool,
+    /// Whether the classifier uses it.
+    pub model_feature: bool,
 }
 
-/// A heart that is like the selected one.
+/// A subject similar to the selected one.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct AlikeHeart {
+pub struct SimilarSubject {
     /// Index into the study's subjects.
     pub subject: usize,
     /// Pseudonym.
     pub id: String,
-    /// Free label.
+    /// Label of the study.
     pub label: String,
-    /// What the label counts as.
+    /// Class of the label.
     pub role: LabelRole,
-    /// What is said of it: "patch 31 %".
+    /// Its verdict: "patch 31 %".
     pub verdict: String,
 }
 
-/// Where the rule comes from and how good it is.
+/// How the classifier was trained, and its accuracy.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct RuleTold {
-    /// "Learnt from 9 normal and 14 abnormal hearts …".
+pub struct ClassifierReport {
+    /// "Logistic classifier, trained on 9 normal and 14 abnormal subjects …".
     pub source: String,
-    /// Each number beside what chance reaches.
-    pub results: Vec<Chance>,
+    /// Accuracy, area under the curve, errors.
+    pub results: Vec<ClassifierResult>,
 }
 
-/// A number that tells how good a rule is, beside what chance reaches.
+/// A measure of the quality of a classifier with its permutation test.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct Chance {
-    /// "Right answers".
+pub struct ClassifierResult {
+    /// "Accuracy (leave-one-out)".
     pub name: &'static str,
     /// What it is, for the hover.
     pub what: &'static str,
     /// "22 of 23".
     pub value: String,
-    /// "by chance 11.6 · p 0.005"; empty where chance has no say.
-    pub chance: String,
+    /// "permutation mean 11.6 · p 0.005"; empty without a test.
+    pub permutation_test: String,
 }
 
 /// What the pane shows.
@@ -134,12 +134,12 @@ pub struct Chance {
 pub struct VerdictPanelView<'a> {
     /// The selected subject.
     pub subject: Option<&'a str>,
-    /// How verdicts stand.
+    /// State of the classification.
     pub state: &'a VerdictState,
-    /// What is said of that subject; `None` while nothing is known.
-    pub told: Option<&'a ToldVerdict>,
-    /// The rule; `None` while nothing is known.
-    pub rule: Option<&'a RuleTold>,
+    /// Its verdict; `None` while there is none.
+    pub verdict: Option<&'a VerdictReport>,
+    /// The classifier; `None` while there is none.
+    pub classifier: Option<&'a ClassifierReport>,
 }
 
 /// Draws the pane.
@@ -147,8 +147,8 @@ pub fn verdict_panel_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec
     if view.subject.is_none() {
         empty_pane_ui(
             ui,
-            "No heart selected",
-            "Select a subject to see whether a part of its wall is abnormal, and why.",
+            "No subject selected",
+            "Select a subject to see its verdict and the evidence",
             |_| {},
         );
         return;
@@ -161,24 +161,24 @@ pub fn verdict_panel_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec
                 .inner_margin(Margin::same(space::LARGE as i8))
                 .show(ui, |ui| {
                     ui.spacing_mut().item_spacing.y = 2.0;
-                    if let Some(told) = view.told {
-                        found::found_ui(ui, told);
+                    if let Some(report) = view.verdict {
+                        found::verdict_ui(ui, report);
                     }
-                    standing_ui(ui, view, commands);
-                    if let Some(told) = view.told {
-                        evidence::evidence_ui(ui, &told.evidence);
-                        rule::alike_ui(ui, &told.alike, commands);
+                    state_ui(ui, view, commands);
+                    if let Some(report) = view.verdict {
+                        evidence::evidence_ui(ui, &report.evidence);
+                        rule::similar_ui(ui, &report.similar, commands);
                     }
-                    if let Some(told) = view.rule {
-                        rule::rule_ui(ui, told);
+                    if let Some(report) = view.classifier {
+                        rule::classifier_ui(ui, report);
                     }
                 });
         });
 }
 
-/// How the work stands, with what can be done about it.
-fn standing_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>) {
-    let first = view.told.is_none();
+/// State of the work, with Cancel or Retry.
+fn state_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>) {
+    let first = view.verdict.is_none();
     let lines = |ui: &mut Ui, heading: &str, what: &str| {
         if first {
             ui.label(medium(heading));
@@ -187,42 +187,42 @@ fn standing_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>
     };
     match view.state {
         VerdictState::Empty | VerdictState::Ready => return,
-        VerdictState::Waiting => lines(ui, "Not judged yet", "Comes after the maps"),
+        VerdictState::Waiting => lines(ui, "Not classified yet", "Starts after the maps"),
         VerdictState::Computing {
             fraction,
             phase,
             seconds_left,
         } => {
             let what = if first {
-                "The walls of all hearts are measured, then a rule is learnt from their labels"
+                "Wall thickness of all subjects is measured, then a classifier is trained on the labels"
             } else {
-                "This is of the thresholds before"
+                "Results of the previous thresholds"
             };
-            lines(ui, "Judging the hearts", what);
+            lines(ui, "Classifying the subjects", what);
             let width = ui.available_width().min(180.0);
-            progress_bar_ui(ui, width, *fraction, "Judging the hearts");
+            progress_bar_ui(ui, width, *fraction, "Classifying the subjects");
             let left = seconds_left.map(|left| format!(" · {}", time_left_text(left)));
             let percent = format!("{:.0} %{}", 100.0 * fraction, left.unwrap_or_default());
             ui.label(note(percent)).on_hover_text(*phase);
             let cancel = ui.button("Cancel");
             cancel.widget_info(|| {
-                egui::WidgetInfo::labeled(egui::Role::Button, true, "Cancel judging")
+                egui::WidgetInfo::labeled(egui::Role::Button, true, "Cancel classification")
             });
             if cancel.clicked() {
                 commands.push(Command::Cancel(WorkKind::Verdicts));
             }
         }
         VerdictState::Stopped => {
-            lines(ui, "Not judged", "Judging was stopped");
-            if ui.button("Judge the hearts").clicked() {
+            lines(ui, "Not classified", "The classification was stopped");
+            if ui.button("Classify the subjects").clicked() {
                 commands.push(Command::Retry(WorkKind::Verdicts));
             }
         }
         VerdictState::Failed(why) => {
             let colour = colours(ui).error;
-            ui.label(medium("The hearts could not be judged").color(colour));
+            ui.label(medium("The subjects could not be classified").color(colour));
             ui.add(egui::Label::new(RichText::new(why.as_str()).weak()).wrap());
-            if ui.button("Judge again").clicked() {
+            if ui.button("Retry").clicked() {
                 commands.push(Command::Retry(WorkKind::Verdicts));
             }
         }
@@ -230,19 +230,16 @@ fn standing_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>
     ui.add_space(space::MEDIUM);
 }
 
-/// A line with a name on the left and a number on the right; the name gives way.
+/// A line with a name on the left and a number on the right; a long name takes a second line.
 fn pair_ui(ui: &mut Ui, name: &str, value: &str) -> egui::Response {
     use crate::ui::style::{medium_note_font, note_font};
     let colours = colours(ui);
     let painter = ui.painter().clone();
     let value = painter.layout_no_wrap(value.to_owned(), medium_note_font(), colours.text);
-    let size = egui::vec2(ui.available_width(), 18.0);
+    let room = (ui.available_width() - value.size().x - space::MEDIUM).max(8.0);
+    let name = painter.layout(name.to_owned(), note_font(), colours.muted, room);
+    let size = egui::vec2(ui.available_width(), name.size().y.max(18.0));
     let (rect, response) = ui.allocate_exact_size(size, egui::Sense::hover());
-    let room = (rect.width() - value.size().x - space::SMALL).max(8.0);
-    let mut job =
-        egui::text::LayoutJob::simple_singleline(name.to_owned(), note_font(), colours.muted);
-    job.wrap = egui::text::TextWrapping::truncate_at_width(room);
-    let name = painter.layout_job(job);
     let y = |height: f32| rect.center().y - 0.5 * height;
     let left = egui::pos2(rect.left(), y(name.size().y));
     painter.galley(left, name, colours.muted);

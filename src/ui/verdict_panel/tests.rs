@@ -1,62 +1,63 @@
-//! The pane of verdicts: its states, what it says, what its buttons do.
+//! The verdict pane: its states, its text, its buttons.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 
-fn told() -> ToldVerdict {
-    let heart = |subject: usize, id: &str, role| AlikeHeart {
+fn report() -> VerdictReport {
+    let subject = |subject: usize, id: &str, role| SimilarSubject {
         subject,
         id: id.to_owned(),
         label: "NOR".to_owned(),
         role,
-        verdict: "none".to_owned(),
+        verdict: "no regional abnormality".to_owned(),
     };
-    ToldVerdict {
+    VerdictReport {
         mark: VerdictMark::Patch,
         heading: "Abnormal patch · 31 % of the LV".to_owned(),
-        sentence: "A part of the wall does not thicken as the rest does".to_owned(),
+        sentence: "Thickening in part of the wall is far below that of remote myocardium"
+            .to_owned(),
         probability: Some(0.973),
         calibrated: true,
-        source: "By a rule that has not seen this heart",
-        familiar: Some(Familiar {
-            words: "1.2 × the usual distance".to_owned(),
-            unlike: false,
+        source: "Leave-one-out: this subject was not in the training set",
+        training_distance: Some(TrainingDistance {
+            words: "1.2 × the median distance".to_owned(),
+            outside: false,
         }),
         evidence: vec![EvidenceRow {
-            name: "Wall that stands still",
+            name: "Akinetic region",
             what: "Share of the wall",
             value: "31 %".to_owned(),
             normal: "0–5 %".to_owned(),
             place: Some(0.8),
             band: Some([0.0, 0.1]),
-            read: true,
+            model_feature: true,
         }],
-        alike: [
-            vec![heart(4, "N05", LabelRole::Normal)],
-            vec![heart(11, "P03", LabelRole::Abnormal)],
+        similar: [
+            vec![subject(4, "N05", LabelRole::Normal)],
+            vec![subject(11, "P03", LabelRole::Abnormal)],
         ],
     }
 }
 
-fn rule() -> RuleTold {
-    RuleTold {
-        source: "Learnt from 9 normal and 14 abnormal hearts".to_owned(),
-        results: vec![Chance {
-            name: "Right answers",
+fn classifier() -> ClassifierReport {
+    ClassifierReport {
+        source: "Trained on 9 normal and 14 abnormal subjects".to_owned(),
+        results: vec![ClassifierResult {
+            name: "Accuracy (leave-one-out)",
             what: "Leave-one-out",
             value: "22 of 23".to_owned(),
-            chance: "by chance 11.6 · p 0.005".to_owned(),
+            permutation_test: "permutation mean 11.6 · p 0.005".to_owned(),
         }],
     }
 }
 
 fn harness(
     state: VerdictState,
-    told: Option<ToldVerdict>,
+    report: Option<VerdictReport>,
     subject: Option<&'static str>,
 ) -> Harness<'static, Vec<Command>> {
-    let rule = told.as_ref().map(|_| rule());
+    let classifier = report.as_ref().map(|_| classifier());
     let mut harness = Harness::builder()
         .with_size([210.0, 700.0])
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
@@ -65,8 +66,8 @@ fn harness(
                 let view = VerdictPanelView {
                     subject,
                     state: &state,
-                    told: told.as_ref(),
-                    rule: rule.as_ref(),
+                    verdict: report.as_ref(),
+                    classifier: classifier.as_ref(),
                 };
                 verdict_panel_ui(ui, &view, commands);
             },
@@ -77,27 +78,27 @@ fn harness(
 }
 
 #[test]
-fn a_verdict_stands_with_its_probability_evidence_and_rule() {
-    let shown = harness(VerdictState::Ready, Some(told()), Some("P07"));
+fn a_verdict_is_shown_with_its_probability_evidence_and_classifier() {
+    let shown = harness(VerdictState::Ready, Some(report()), Some("P07"));
     for words in [
         "Abnormal patch · 31 % of the LV",
-        "Probability, abnormal: 97 %",
-        "By a rule that has not seen this heart",
-        "Wall that stands still: 31 %, normal hearts 0–5 %",
-        "Right answers: 22 of 23, by chance 11.6 · p 0.005",
-        "Research use, no diagnosis",
+        "Predicted probability of abnormal: 97 %",
+        "Leave-one-out: this subject was not in the training set",
+        "Akinetic region: 31 %, normal subjects 0–5 %",
+        "Accuracy (leave-one-out): 22 of 23, permutation mean 11.6 · p 0.005",
+        "Research use, not for diagnosis",
     ] {
         shown.get_by_label(words);
     }
-    assert!(shown.query_by_label("Cancel judging").is_none());
+    assert!(shown.query_by_label("Cancel classification").is_none());
 }
 
 #[test]
-fn a_heart_alike_is_selected_by_a_click() {
-    let mut shown = harness(VerdictState::Ready, Some(told()), Some("P07"));
-    shown.get_by_label("Select N05, most alike").click();
+fn a_similar_subject_is_selected_by_a_click() {
+    let mut shown = harness(VerdictState::Ready, Some(report()), Some("P07"));
+    shown.get_by_label("Select N05, a similar subject").click();
     shown.run();
-    shown.get_by_label("Select P03, most alike").click();
+    shown.get_by_label("Select P03, a similar subject").click();
     shown.run();
     let wanted = [4, 11].map(Command::SelectSubject);
     assert_eq!(shown.into_state(), wanted);
@@ -110,13 +111,13 @@ fn work_under_way_shows_how_far_it_is_and_can_be_cancelled() {
         phase: "assessing walls",
         seconds_left: Some(3.0),
     };
-    for before in [None, Some(told())] {
+    for before in [None, Some(report())] {
         let again = before.is_some();
         let mut shown = harness(state.clone(), before, Some("P07"));
         shown.get_by_label("42 % · 3 s left");
-        let of_before = shown.query_by_label("This is of the thresholds before");
+        let of_before = shown.query_by_label("Results of the previous thresholds");
         assert_eq!(of_before.is_some(), again);
-        shown.get_by_label("Cancel judging").click();
+        shown.get_by_label("Cancel classification").click();
         shown.run();
         assert_eq!(shown.into_state(), [Command::Cancel(WorkKind::Verdicts)]);
     }
@@ -126,8 +127,8 @@ fn work_under_way_shows_how_far_it_is_and_can_be_cancelled() {
 fn what_was_stopped_or_failed_can_be_asked_for_again() {
     let failed = VerdictState::Failed("ridge must be between 0.001 and 1000".to_owned());
     for (state, button) in [
-        (VerdictState::Stopped, "Judge the hearts"),
-        (failed, "Judge again"),
+        (VerdictState::Stopped, "Classify the subjects"),
+        (failed, "Retry"),
     ] {
         let mut shown = harness(state, None, Some("P07"));
         shown.get_by_label(button).click();
@@ -137,34 +138,34 @@ fn what_was_stopped_or_failed_can_be_asked_for_again() {
 }
 
 #[test]
-fn an_order_is_not_called_a_probability() {
-    let fixed = ToldVerdict {
+fn an_uncalibrated_score_is_not_called_a_probability() {
+    let fixed = VerdictReport {
         calibrated: false,
-        ..told()
+        ..report()
     };
     let shown = harness(VerdictState::Ready, Some(fixed), Some("P07"));
-    shown.get_by_label("Score, no probability: 0.97");
-    assert!(shown.query_by_label_contains("Probability").is_none());
+    shown.get_by_label("Uncalibrated score: 0.97");
+    assert!(shown.query_by_label_contains("probability").is_none());
 }
 
 #[test]
 fn what_is_not_assessed_says_why_and_has_no_numbers() {
     let why = "the wall is not resolved";
-    let not = ToldVerdict {
+    let not = VerdictReport {
         mark: VerdictMark::NotAssessed,
         heading: "Not assessed".to_owned(),
         sentence: why.to_owned(),
-        ..ToldVerdict::default()
+        ..VerdictReport::default()
     };
     let shown = harness(VerdictState::Ready, Some(not), Some("P07"));
     shown.get_by_label("Not assessed");
     shown.get_by_label(why);
-    assert!(shown.query_by_label_contains("Probability").is_none());
+    assert!(shown.query_by_label_contains("probability").is_none());
     assert!(shown.query_by_label("Evidence").is_none());
 }
 
 #[test]
-fn without_a_heart_the_pane_says_what_would_fill_it() {
+fn without_a_subject_the_pane_says_what_would_fill_it() {
     let shown = harness(VerdictState::Empty, None, None);
-    shown.get_by_label("No heart selected");
+    shown.get_by_label("No subject selected");
 }

@@ -1,4 +1,4 @@
-//! What the colours on a heart mean: title, unit, ticks, the colours beyond the ends, and limits to type.
+//! The colour bar: title, unit, ticks, the colours beyond the ends, and limits that can be set.
 
 use std::sync::Arc;
 
@@ -54,7 +54,7 @@ pub fn colour_bar_ui(
     title_ui(ui, inner, bar, view)
 }
 
-/// Draws a bar whose limits cannot be typed.
+/// Draws a bar with fixed limits.
 pub fn fixed_colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView) {
     let bar = plain_bar_ui(ui, inner, view);
     for (index, x) in [(0, bar.left()), (1, bar.right())] {
@@ -96,7 +96,11 @@ fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
         ui.add(egui::Label::new(RichText::new(text).small()).truncate());
         if view.typed {
             let accent = colours(ui).selection;
-            ui.label(RichText::new("· typed limits").small().color(accent));
+            ui.label(
+                RichText::new("· limits set by the user")
+                    .small()
+                    .color(accent),
+            );
         } else if !view.note.is_empty() && text_width > 200.0 {
             ui.add(egui::Label::new(note(format!("· {}", view.note))).truncate());
         }
@@ -195,7 +199,7 @@ fn limits_ui(ui: &mut Ui, bar: Rect, view: &ColourBarView, commands: &mut Vec<Co
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{name}: {text}"))
         });
-        let response = response.on_hover_text("Type the limits of the colours");
+        let response = response.on_hover_text("Set the limits of the colours");
         Popup::menu(&response)
             .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
             .show(|ui| limits_form_ui(ui, view, commands));
@@ -224,8 +228,10 @@ fn limits_form_ui(ui: &mut Ui, view: &ColourBarView, commands: &mut Vec<Command>
         ui.colored_label(colours(ui).error, *why);
     }
     ui.horizontal(|ui| {
-        done |= ui.add_enabled(limits.is_ok(), Button::new("Use")).clicked();
-        if ui.button("Fixed range").clicked() {
+        done |= ui
+            .add_enabled(limits.is_ok(), Button::new("Apply"))
+            .clicked();
+        if ui.button("Default range").clicked() {
             commands.push(Command::SetColourLimits(None));
             ui.close();
         }
@@ -254,9 +260,9 @@ fn parse_limits(typed: &[String; 2], logarithmic: bool) -> Result<[f64; 2], &'st
     };
     let (low, high) = (number(&typed[0])?, number(&typed[1])?);
     if low >= high {
-        Err("The first must be less")
+        Err("The lower limit must be less than the upper")
     } else if logarithmic && low <= 0.0 {
-        Err("Ratios must be above zero")
+        Err("Limits of a ratio must be positive")
     } else {
         Ok([low, high])
     }
@@ -277,7 +283,7 @@ mod tests {
     }
 
     #[test]
-    fn ticks_carry_three_figures_at_most() {
+    fn ticks_have_three_figures_at_most() {
         for (value, text) in [
             (0.7123, "0.712"),
             (1.0, "1"),

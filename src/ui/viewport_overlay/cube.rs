@@ -1,4 +1,4 @@
-//! A small cube that turns with the heart; a click on a face looks from there.
+//! The orientation cube; a click on a face is a view from there.
 
 use egui::{Align2, Color32, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use glam::{Quat, Vec3};
@@ -8,7 +8,7 @@ use crate::ui::command::Command;
 use crate::ui::style::note_font;
 use crate::ui::theme::{Colours, colours, line};
 
-/// Which way the heart is turned.
+/// Orientation of the heart.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CubeView {
     /// Rotation from camera axes (x right, y up, z towards the viewer) to the world.
@@ -19,7 +19,7 @@ pub struct CubeView {
     pub septal: Vec3,
     /// Unit direction towards the anterior wall, square to both.
     pub anterior: Vec3,
-    /// Whether these directions are known; if not, faces carry no names.
+    /// Whether these directions are known; if not, faces have no names.
     pub known: bool,
 }
 
@@ -67,9 +67,9 @@ pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Com
         }
     }
     let hint = match pointed {
-        Some(index) if view.known => format!("Look from {}", faces[index].name),
-        _ if view.known => "Which way the heart is turned".to_owned(),
-        _ => "Which way the heart is turned; its anatomical orientation is not known".to_owned(),
+        Some(index) if view.known => format!("View from {}", faces[index].name),
+        _ if view.known => "Orientation of the heart".to_owned(),
+        _ => "Orientation of the heart; anatomical directions unknown".to_owned(),
     };
     response.on_hover_text(hint);
     rect.left()
@@ -125,7 +125,7 @@ fn draw_face(ui: &Ui, face: &Face, pointed: bool, known: bool, colours: &Colours
         let strength = ((face.towards_viewer - 0.34) / 0.25).clamp(0.55, 1.0);
         let text = match face.view {
             AnatomicalView::Base | AnatomicalView::Apex => face.name.to_owned(),
-            // The words are wider than a face; the hover text says them.
+            // The words are wider than a face; they are in the tooltip.
             _ => face.name[..1].to_uppercase(),
         };
         let colour = colours.text.gamma_multiply(strength);

@@ -1,4 +1,4 @@
-//! What lies over the 3D picture: whose heart it is, what colours mean, how big and which way round.
+//! Over the 3D view: subject, colour bar, patches, scale and orientation.
 
 mod colour_bar;
 mod cube;
@@ -33,15 +33,15 @@ pub struct ViewportOverlayView<'a> {
     pub badge_note: &'a str,
     /// What ends the special state that the title names: words of the button and its command.
     pub leave: Option<(&'a str, Command)>,
-    /// What colours stand for; `None` for plain tissue.
+    /// The quantity shown in colour; `None` for plain tissue.
     pub colour_bar: Option<ColourBarView<'a>>,
-    /// What the colours of atoms stand for, where the surfaces have other colours.
+    /// The quantity shown by the colours of atoms, where the surfaces have other colours.
     pub atom_bar: Option<ColourBarView<'a>>,
-    /// The patches of this heart: how many, how large, where.
+    /// The patches of this subject: number, size, segments.
     pub patch: Option<&'a PatchNote>,
     /// How long lengths are on screen.
     pub scale_bar: Option<ScaleBarView<'a>>,
-    /// Which way the heart is turned.
+    /// Orientation of the heart.
     pub cube: Option<CubeView>,
 }
 
@@ -217,7 +217,7 @@ mod tests {
         harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::A);
         harness.get_by_label("To value").type_text("8,5");
         harness.run();
-        harness.get_by_label("Use").click();
+        harness.get_by_label("Apply").click();
         harness.run();
         assert_eq!(
             harness.into_state(),

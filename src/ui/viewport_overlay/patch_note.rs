@@ -1,18 +1,18 @@
-//! The patches of the heart on screen in words: how many, how large, where, in the upper right corner.
+//! The patches of the subject on screen in words, in the upper right corner.
 
 use egui::{Rect, Role, Sense, Shape, Ui, WidgetInfo, pos2, vec2};
 
 use crate::ui::style::{medium_font, note_font};
 use crate::ui::theme::{colours, radius, space};
 
-/// What is said of patches.
+/// The words.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PatchNote {
     /// "1 patch · 31 % of the LV".
     pub heading: String,
     /// Segments, area, thickening.
     pub lines: Vec<String>,
-    /// Whether there is a patch: said in the colour of its border.
+    /// Whether there is a patch: the heading has the colour of its outline.
     pub found: bool,
 }
 
@@ -30,7 +30,7 @@ pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
     if heading.size().x > room {
         return;
     }
-    // Words stand on a plate, for the heart may reach below them.
+    // A plate below the words keeps them readable over the surface.
     let plate = painter.add(Shape::Noop);
     let mut top = inner.top() + down;
     let mut area = Rect::NOTHING;

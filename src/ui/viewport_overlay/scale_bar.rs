@@ -11,7 +11,7 @@ use crate::ui::theme::{colours, line};
 pub struct ScaleBarView<'a> {
     /// Logical points for one unit of the coordinates.
     pub points_per_unit: f64,
-    /// `mm`, or `units` where the files do not say.
+    /// `mm`, or `units` where the files state none.
     pub unit: &'a str,
 }
 

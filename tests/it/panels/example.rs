@@ -181,9 +181,9 @@ impl Example {
 /// What a study's hearts of that label are usually found to have.
 fn verdict(label: &str, wobble: f64) -> CohortVerdict {
     let (mark, share, probability) = match label {
-        "NOR" => (VerdictMark::Nothing, None, 0.05 + 0.04 * wobble),
+        "NOR" => (VerdictMark::NoAbnormality, None, 0.05 + 0.04 * wobble),
         "MINF" => (VerdictMark::Patch, Some(0.28 + 0.2 * wobble), 0.97),
-        "DCM" => (VerdictMark::Global, None, 0.93),
+        "DCM" => (VerdictMark::GlobalHypokinesia, None, 0.93),
         _ => (VerdictMark::NotAssessed, None, 0.0),
     };
     CohortVerdict {

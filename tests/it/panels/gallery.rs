@@ -125,7 +125,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 |ui| {
                     tab_ui(ui, "Poses", false);
                     tab_ui(ui, "Deformations", true);
-                    tab_ui(ui, "3D", false);
+                    tab_ui(ui, "Spatiotemporal", false);
                 },
                 |ui| deformation_note(ui, &view, 200.0),
             );
@@ -180,7 +180,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 selected: None,
                 compared: None,
                 measuring: true,
-                judging: true,
+                classifying: true,
             };
             cohort_table_ui(ui, &view, commands);
         }

@@ -113,7 +113,7 @@ pub fn cohort(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         selected: Some(9),
         compared: None,
         measuring: false,
-        judging: false,
+        classifying: false,
     };
     cohort_table_ui(ui, &view, commands);
 }

@@ -47,7 +47,7 @@ fn the_views_show_one_two_and_all_hearts() {
     let mut harness = cohort_window();
     for (mode, count) in [
         (ViewMode::SideBySide, 2),
-        (ViewMode::AllPhases, 8),
+        (ViewMode::AllFrames, 8),
         (ViewMode::Single, 1),
     ] {
         give(&mut harness, Command::SetViewMode(mode));
@@ -91,7 +91,7 @@ fn the_palette_and_the_sheets_open_by_key_and_close_by_escape() {
 fn with_nothing_to_open_the_window_says_how_to_begin() {
     let mut harness = window(AppOptions::empty());
     harness.run();
-    harness.get_by_label("Open a beating heart");
+    harness.get_by_label("Open a study");
     assert!(harness.state().hearts_on_screen().is_empty());
 }
 

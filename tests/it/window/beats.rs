@@ -38,7 +38,7 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
     let mut harness = cohort_window();
     give(&mut harness, Command::SetPosition(2.4));
     assert!(
-        shows(&harness, "straight in-between"),
+        shows(&harness, "linear interpolation"),
         "until the pose is computed"
     );
     wait(&mut harness, "the poses between frames", |app| {
@@ -49,7 +49,7 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
     });
     harness.run();
     assert!(shows(&harness, "R-R · interpolated"));
-    assert!(!shows(&harness, "straight in-between"));
+    assert!(!shows(&harness, "linear interpolation"));
     let beat = harness.state().state().in_betweens_of(0).unwrap().clone();
     assert_eq!(
         beat.positions().len(),
@@ -79,7 +79,7 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
     });
     give(&mut harness, Command::SetInBetweens(0));
     harness.run();
-    assert!(shows(&harness, "straight in-between"));
+    assert!(shows(&harness, "linear interpolation"));
     assert!(!harness.state().busy());
 }
 
@@ -122,7 +122,7 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
         !works(harness.state()),
         "another interval does not begin it again"
     );
-    assert!(shows(&harness, "straight in-between"));
+    assert!(shows(&harness, "linear interpolation"));
     give(&mut harness, Command::Retry(WorkKind::InBetweens));
     harness.step();
     assert!(works(harness.state()));
@@ -171,8 +171,8 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     give(&mut harness, Command::TogglePlay);
     give(&mut harness, Command::SetPosition(3.0));
     harness.run();
-    assert!(shows(&harness, "P07’s beat on N03"));
-    assert!(shows(&harness, "carried over · frame 3 (0–7)"));
+    assert!(shows(&harness, "Motion of P07 on N03"));
+    assert!(shows(&harness, "transported motion · frame 3 (0–7)"));
     assert_eq!(harness.state().hearts_on_screen(), [(15, 3.0), (2, 3.0)]);
     // At end-diastole it is the heart itself; later it moves otherwise than by its own.
     let heart = harness.state().state().carried_heart().unwrap().clone();
@@ -188,10 +188,10 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     give(&mut harness, Command::SetQuantity(Quantity::Tissue));
     harness.run();
     assert!(!shows(&harness, "Difference from own motion, mm"));
-    harness.get_by_label("Show its own beat").click();
+    harness.get_by_label("Show own motion").click();
     harness.run();
     assert_eq!(harness.state().state().document.carried, None);
-    assert!(!shows(&harness, "P07’s beat on N03"));
+    assert!(!shows(&harness, "Motion of P07 on N03"));
     for _ in 0..8 {
         give(&mut harness, Command::Undo);
     }
@@ -214,9 +214,9 @@ fn a_subject_let_go_on_a_picture_plays_on_that_heart() {
     wait(&mut harness, "both hearts", |app| {
         app.hearts_on_screen().len() == 2
     });
-    assert!(shows(&harness, "P02’s beat is being carried over") || carried(harness.state()));
+    assert!(shows(&harness, "transport from P02 is being computed") || carried(harness.state()));
     // By keyboard: the beat of the selected heart on the one beside it, there and back.
-    give(&mut harness, Command::StopCarrying);
+    give(&mut harness, Command::StopTransport);
     harness.key_press(egui::Key::T);
     harness.run_steps(3);
     assert_eq!(harness.state().state().document.carrying(), beat);
@@ -231,7 +231,7 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
     wait_for_heart(&mut harness);
     give(&mut harness, Command::Cancel(WorkKind::PoseMap));
     give(&mut harness, Command::SetInBetweens(0));
-    give(&mut harness, Command::CarryBeat { from: 9, onto: 3 });
+    give(&mut harness, Command::TransportMotion { from: 9, onto: 3 });
     give(&mut harness, Command::TogglePlay);
     assert!(harness.state().busy());
     give(&mut harness, Command::Cancel(WorkKind::Transfer));
@@ -243,9 +243,9 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
         harness.state().state().results.carrying,
         CarryingState::Stopped
     );
-    assert!(shows(&harness, "beat over was stopped"));
+    assert!(shows(&harness, "transport from P01 was stopped"));
     assert!(harness.state().state().errors.is_empty());
-    harness.get_by_label("Carry it over again").click();
+    harness.get_by_label("Transport again").click();
     harness.run_steps(3);
     assert!(harness.state().busy());
     assert_eq!(
@@ -261,7 +261,7 @@ fn two_hearts_show_where_they_differ() {
     harness.run_steps(3);
     assert!(shows(
         &harness,
-        "A difference needs two hearts side by side"
+        "The contribution to the distance needs two subjects side by side"
     ));
     assert!(!shows(&harness, "relative to the mean"));
     give(&mut harness, Command::SetViewMode(ViewMode::SideBySide));
@@ -309,6 +309,6 @@ fn two_hearts_show_where_they_differ() {
     harness.run();
     assert!(shows(
         &harness,
-        "A difference needs two hearts side by side"
+        "The contribution to the distance needs two subjects side by side"
     ));
 }

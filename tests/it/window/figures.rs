@@ -85,10 +85,10 @@ fn a_patch_figure_dropped_on_the_window_restores_the_view_that_it_shows() {
         Command::ToggleAtoms,
         Command::ToggleWireframe,
         Command::SetQuantity(Quantity::Tissue),
-        Command::FrameAll,
+        Command::FitView,
         Command::ResetThickening,
         Command::SetBullsEye(BullsEyeQuantity::Thickening),
-        Command::SetViewMode(ViewMode::AllPhases),
+        Command::SetViewMode(ViewMode::AllFrames),
     ] {
         give(&mut harness, command);
     }
@@ -160,7 +160,7 @@ fn a_picture_without_a_view_says_so_and_changes_nothing() {
     });
     let card = harness.state().state().errors[0].clone();
     assert!(card.message.contains("holiday.png"), "{card:?}");
-    assert!(card.message.contains("carries no view"), "{card:?}");
+    assert!(card.message.contains("contains no view"), "{card:?}");
     assert_eq!(document(&harness), before);
 }
 

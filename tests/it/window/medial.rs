@@ -125,7 +125,7 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
             said.contains(" mm, ES ") && said.contains(", frame 1 "),
             "{said}"
         );
-        let compared = said.contains(" against medial balls at frame 1 over ");
+        let compared = said.contains(" from medial spheres at frame 1 over ");
         assert_eq!(compared, !way.starts_with("Medial"), "{said}");
     }
     // The next frame is measured, too; what was known stays.
@@ -159,7 +159,7 @@ fn a_blood_pool_alone_has_neither_medial_map_nor_thickness_and_is_told_why() {
     harness.get_by_label_contains("0 poses of 0 subjects whose wall can be assessed");
     assert!(
         harness
-            .get_all_by_label_contains("Does not apply: no wall")
+            .get_all_by_label_contains("Not applicable: no wall")
             .count()
             >= 4
     );

@@ -63,14 +63,20 @@ fn the_built_in_cohort_is_judged_in_table_and_pane() {
         .clone();
     assert_eq!(told_in_row(&harness, &id), Some(format!("patch {share}")));
     harness.get_by_label(&format!("Abnormal patch · {share} of the LV"));
-    harness.get_by_label_contains("Probability, abnormal: ");
-    harness.get_by_label("By a rule that has not seen this heart");
+    harness.get_by_label_contains("Predicted probability of abnormal: ");
+    harness.get_by_label("Leave-one-out: this subject was not in the training set");
     harness.get_by_label_contains(
-        "Learnt from the hearts with a label that can be assessed, 9 normal",
+        "trained on the labelled subjects that can be assessed (9 normal, 14 abnormal)",
     );
-    harness.get_by_label_contains("Right answers: ");
-    harness.get_by_label_contains("Unsteadiness of ANV: ");
-    harness.get_by_label("Research use, no diagnosis");
+    harness.get_by_label_contains("Accuracy (leave-one-out): ");
+    harness.get_by_label_contains("Angular SD of ANV: ");
+    // In the pane and in the status bar.
+    assert_eq!(
+        harness
+            .get_all_by_label("Research use, not for diagnosis")
+            .count(),
+        2
+    );
     // The note over the picture and the table of patches say the same.
     assert_eq!(
         harness.state().state().patch_standing(PATCHED),
@@ -105,7 +111,7 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     assert_eq!(verdict(harness.state(), normal).finding, Finding::Nothing);
     assert_eq!(state.patch_standing(normal), PatchStanding::LowThickening);
     harness.run_steps(2);
-    harness.get_by_label("No abnormal patch");
+    harness.get_by_label("No regional abnormality");
     assert!(
         harness
             .query_by_label_contains(" abnormal patch ·")
@@ -114,7 +120,7 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     let low = ["region of low thickening ·", "regions of low thickening ·"];
     assert!((low.iter()).any(|words| harness.query_by_label_contains(words).is_some()));
     let id = state_id(&harness, normal);
-    assert_eq!(told_in_row(&harness, &id).as_deref(), Some("none"));
+    assert_eq!(told_in_row(&harness, &id).as_deref(), Some("no finding"));
 }
 
 fn state_id(harness: &Harness<'_, App>, subject: usize) -> String {
@@ -133,7 +139,7 @@ fn a_heart_alike_is_selected_from_the_pane() {
         [3, 3]
     );
     let alike = found.alike_normal[0];
-    let name = format!("Select {}, most alike", state_id(&harness, alike));
+    let name = format!("Select {}, a similar subject", state_id(&harness, alike));
     // Further down than the pane reaches.
     harness.get_by_label(&name).scroll_to_me();
     harness.run_steps(4);
@@ -165,7 +171,10 @@ fn the_table_is_sorted_and_searched_by_verdict() {
         })
         .collect();
     let first = rows.iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
-    assert!(first.1 != "none" && first.1 != "not assessed", "{rows:?}");
+    assert!(
+        first.1 != "no finding" && first.1 != "not assessed",
+        "{rows:?}"
+    );
     give(&mut harness, Command::SetSearch("patch".to_owned()));
     harness.run_steps(2);
     let shown = harness.get_all_by_role(egui::accesskit::Role::ListBoxOption);
@@ -193,21 +202,21 @@ fn judging_can_be_cancelled_and_asked_for_again() {
         harness.state_mut().push(Command::Cancel(kind));
     }
     let begin = Instant::now();
-    while harness.query_by_label("Cancel judging").is_none() {
+    while harness.query_by_label("Cancel classification").is_none() {
         assert!(begin.elapsed() < Duration::from_secs(60), "never begun");
         harness.step();
         std::thread::sleep(Duration::from_millis(3));
     }
-    harness.get_by_label("Cancel judging").click();
+    harness.get_by_label("Cancel classification").click();
     harness.run_steps(3);
-    harness.get_by_label("Judging was stopped");
+    harness.get_by_label("The classification was stopped");
     assert!(harness.state().state().verdicts().is_none());
     assert!(harness.state().state().errors.is_empty(), "no error");
     // It stays stopped until it is asked for.
     harness.run_steps(5);
-    harness.get_by_label("Judge the hearts").click();
+    harness.get_by_label("Classify the subjects").click();
     harness.run_steps(3);
-    assert!(harness.query_by_label("Cancel judging").is_some());
+    assert!(harness.query_by_label("Cancel classification").is_some());
 }
 
 #[test]
@@ -293,6 +302,7 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
     // The other heart is judged, by a rule that says that it is none of this cohort.
     give(&mut harness, Command::SelectSubject(1));
     harness.run_steps(2);
-    harness.get_by_label_contains("Score, no probability: ");
-    harness.get_by_label_contains("Not learnt, uncalibrated: ");
+    harness.get_by_label_contains("Uncalibrated score: ");
+    harness
+        .get_by_label_contains("Default thresholds on the share of akinetic wall, uncalibrated: ");
 }

@@ -1,4 +1,4 @@
-//! What is said of a heart, by finding and by rule.
+//! The words of a verdict, by finding and by classifier.
 
 use super::*;
 use crate::analysis::classification::Accuracy;
@@ -49,16 +49,16 @@ const LEARNT: RuleSource = RuleSource::Cohort {
 #[test]
 fn only_the_finding_of_a_patch_is_called_one() {
     let mut state = judged(LEARNT);
-    let shown = told(&state).unwrap();
+    let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
     assert_eq!(shown.mark, VerdictMark::Patch);
-    assert_eq!(shown.alike[0][0].id, "b");
-    assert_eq!(shown.alike[0][0].verdict, "none");
+    assert_eq!(shown.similar[0][0].id, "b");
+    assert_eq!(shown.similar[0][0].verdict, "no finding");
     state.document.subject = 1;
-    let shown = told(&state).unwrap();
-    assert_eq!(shown.heading, "No abnormal patch");
-    assert!(shown.sentence.ends_with("31 % of it thickens little"));
-    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "none");
+    let shown = report(&state).unwrap();
+    assert_eq!(shown.heading, "No regional abnormality");
+    assert!(shown.sentence.ends_with("low thickening in 31 % of the LV"));
+    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "no finding");
     assert_eq!(cohort_verdict(&state, 0).unwrap().text(), "patch 31 %");
 }
 
@@ -66,7 +66,7 @@ fn only_the_finding_of_a_patch_is_called_one() {
 fn what_is_not_assessed_says_why_in_pane_and_table() {
     let mut state = judged(LEARNT);
     state.document.subject = 2;
-    let shown = told(&state).unwrap();
+    let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "Not assessed");
     assert!(shown.sentence.starts_with("The wall is not resolved"));
     assert_eq!(shown.probability, None);
@@ -76,39 +76,41 @@ fn what_is_not_assessed_says_why_in_pane_and_table() {
 }
 
 #[test]
-fn an_uncalibrated_rule_says_so_everywhere() {
+fn an_uncalibrated_score_says_so_everywhere() {
     let state = judged(RuleSource::Uncalibrated {
         normal: 2,
         abnormal: 0,
     });
-    let shown = told(&state).unwrap();
+    let shown = report(&state).unwrap();
     assert!(!shown.calibrated);
     let (verdicts, _) = state.verdicts().unwrap();
-    let rule = rule_told(verdicts);
+    let rule = classifier_report(verdicts);
     assert!(rule.source.contains("uncalibrated"), "{}", rule.source);
     assert!(rule.source.contains("2 normal and 0 abnormal"));
     assert!(rule.results.is_empty());
     let words = cohort_verdict(&state, 0).unwrap().words;
-    assert!(words.ends_with("score 0.97, no probability"), "{words}");
+    assert!(words.ends_with("uncalibrated score 0.97"), "{words}");
 }
 
 #[test]
-fn a_heart_far_from_all_that_was_seen_is_to_be_taken_with_care() {
+fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
     let at = |distance: f64, as_far: f64| {
-        familiar(&Familiarity {
+        training_distance(&Familiarity {
             distance,
             usual: 0.5,
             as_far,
         })
     };
     let near = at(0.6, 0.4);
-    assert!(!near.unlike && near.words.contains("1.2 ×") && near.words.contains("40 %"));
+    assert!(
+        !near.outside && near.words.contains("1.2 ×") && near.words.contains("60th percentile")
+    );
     let far = at(12.0, 0.0);
-    assert!(far.unlike && far.words.contains("24 ×") && far.words.contains("100 %"));
+    assert!(far.outside && far.words.contains("24 ×") && far.words.contains("100th percentile"));
 }
 
 #[test]
-fn every_result_stands_beside_chance() {
+fn accuracy_and_auc_have_permutation_means() {
     let quality = RuleQuality {
         accuracy: Accuracy {
             correct: 22,
@@ -124,9 +126,9 @@ fn every_result_stands_beside_chance() {
     };
     let rows = results(&quality, 9, 14);
     assert_eq!(rows[0].value, "22 of 23 · 96 %");
-    assert_eq!(rows[0].chance, "by chance 11.5 · p 0.005");
+    assert_eq!(rows[0].permutation_test, "permutation mean 11.5 · p 0.005");
     assert_eq!(rows[1].value, "0.98");
-    assert_eq!(rows[1].chance, "by chance 0.46 · p 0.005");
+    assert_eq!(rows[1].permutation_test, "permutation mean 0.46 · p 0.005");
     assert_eq!(rows[2].value, "0 of 9 normal");
     assert_eq!(rows[3].value, "1 of 14 abnormal");
 }
