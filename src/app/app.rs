@@ -6,18 +6,19 @@ use std::time::{Duration, Instant};
 
 use egui::{Context, Ui};
 
-use crate::engine::{OpenSource, Wake, WorkKind};
+use crate::engine::{OpenSource, Topic, Wake, default_budget};
 use crate::study::built_in::BuiltInParams;
 use crate::ui::{self, Command};
 
 use super::apply::{Effect, Moment, apply};
+use super::asks::Seen;
 use super::background::{Background, reference_frames};
-use super::background_medial::Seen;
 use super::dialogs::Question;
 use super::export;
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::paint;
+use super::pictures::Pictures;
 use super::settings::Settings;
 use super::state::State;
 use super::times::Times;
@@ -37,6 +38,8 @@ pub struct AppOptions {
     pub open: Option<OpenSource>,
     /// How finely the built-in cohort is made when it is asked for.
     pub built_in: BuiltInParams,
+    /// Bytes that all answers and prepared hearts together may hold.
+    pub memory: usize,
     /// When the program began, for the times that it can print.
     pub started: Instant,
 }
@@ -47,6 +50,7 @@ impl AppOptions {
         Self {
             open: Some(OpenSource::paths_or_built_in(paths)),
             built_in: BuiltInParams::default(),
+            memory: default_budget(),
             started: Instant::now(),
         }
     }
@@ -56,6 +60,7 @@ impl AppOptions {
         Self {
             open: Some(OpenSource::BuiltIn(params)),
             built_in: params,
+            memory: default_budget(),
             started: Instant::now(),
         }
     }
@@ -102,7 +107,7 @@ impl App {
             paint::install(device);
         }
         let wake: Wake = Arc::new(move || ctx.request_repaint());
-        let mut background = Background::start(&wake)?;
+        let mut background = Background::start(&wake, options.memory)?;
         let mut state = State {
             theme: settings.theme,
             recent: settings.recent,
@@ -149,12 +154,12 @@ impl App {
 
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
-        self.background.busy() || self.background.pictures.busy()
+        self.background.busy()
     }
 
     /// Whether one kind of work goes on.
-    pub fn works_on(&self, kind: WorkKind) -> bool {
-        self.background.engine.computes(kind)
+    pub fn works_on(&self, topic: Topic) -> bool {
+        self.background.engine.store().works_on(topic)
     }
 
     /// Hearts on screen, as subject and place in the beat.
@@ -255,7 +260,7 @@ impl App {
                 export::write_tables(&mut self.background.engine, &self.state, folder);
             }
             Effect::Stop(kind) => self.background.stop(kind),
-            Effect::Retry(kind) => self.background.retry(&self.state, kind),
+            Effect::Retry(kind) => self.background.retry(kind),
             Effect::SetTheme(theme) => ui::choose(ctx, theme),
             Effect::TogglePane(pane) => {
                 // A tab behind another one is brought forward first.
@@ -330,12 +335,13 @@ impl eframe::App for App {
             panes: self.layout.seen(),
             pointer_held: ctx.input(|input| input.pointer.any_down()),
         };
-        self.background.request(&self.state, &seen);
+        self.background.ask(&mut self.state, &seen);
         let reference_frames = reference_frames(&self.state);
-        let pictures = &mut self.background.pictures;
+        let store = self.background.engine.store();
+        let pictures = Pictures::new(store, self.state.document.study());
         self.viewport
             .prepare(&self.state, pictures, &reference_frames);
-        pictures.drop_unwanted();
+        store.end_frame();
         if self.background.busy() {
             ctx.request_repaint_after(BAR_PERIOD);
         }
@@ -357,7 +363,6 @@ impl eframe::App for App {
             map: &self.map,
             deformations: &self.deformations,
             medial_map: &self.medial_map,
-            thickness_frame: self.background.thickness_frame(&self.state),
             bulls_eye: &self.bulls_eye,
             adapter: &self.adapter,
             meter: self.times.prepare_meter(),

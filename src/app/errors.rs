@@ -1,6 +1,6 @@
 //! Cards that say what went wrong, until they are dismissed.
 
-use crate::engine::WorkKind;
+use crate::engine::{FailedWork, Topic};
 use crate::io::OpenError;
 use crate::ui::ErrorCard;
 
@@ -13,13 +13,33 @@ pub fn push_card(
     cards: &mut Vec<ErrorCard>,
     title: impl Into<String>,
     message: impl Into<String>,
-    retry: Option<WorkKind>,
+    retry: Option<Topic>,
 ) {
     let card = ErrorCard {
         title: title.into(),
         message: message.into(),
         details: String::new(),
         retry,
+    };
+    if !cards.contains(&card) {
+        cards.push(card);
+    }
+}
+
+/// Adds a card for work that went wrong; below the words stands what caused it.
+pub fn push_failure(cards: &mut Vec<ErrorCard>, failure: &FailedWork) {
+    let mut causes = Vec::new();
+    let mut source = failure.error.source();
+    while let Some(cause) = source {
+        causes.push(format!("caused by: {cause}"));
+        source = cause.source();
+    }
+    let card = ErrorCard {
+        title: failure.title.to_owned(),
+        message: failure.error.to_string(),
+        details: causes.join("\n"),
+        // Where to write is chosen anew.
+        retry: (failure.topic != Topic::EXPORT).then_some(failure.topic),
     };
     if !cards.contains(&card) {
         cards.push(card);

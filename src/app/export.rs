@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::engine::{
-    AnalysisTables, Cache, DeformationMapSettings, Engine, ExportFile, TableSettings,
+    AnalysisTables, DeformationMapSettings, Engine, ExportFile, Interrupted, TableSettings,
     ThickeningSettings, VerdictSettings, distance_words,
 };
 use crate::picture::figure::{
@@ -14,7 +14,7 @@ use crate::picture::figure::{
 };
 use crate::picture::page::{FigureFonts, PageFormat};
 use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings};
-use crate::progress::Progress;
+use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 
 use super::document::nearest_frame;
@@ -214,9 +214,15 @@ pub fn write_tables(engine: &mut Engine, state: &State, folder: PathBuf) {
         },
     };
     let words = distance_words(&settings.deformations.poses.distances);
+    let store = Arc::clone(engine.store());
     engine.start_export("Tables", words, move |progress| {
-        let tables = AnalysisTables::of(&study, &settings, &folder, &Cache::default(), progress)
-            .map_err(|error| error.to_string())?;
+        let tables =
+            AnalysisTables::of(&store, &study, &settings, &folder, progress).map_err(|why| {
+                match why {
+                    Interrupted::Stopped => Stopped.to_string(),
+                    Interrupted::Failed(error) => error.to_string(),
+                }
+            })?;
         Ok(tables.files(Vec::new())?.0)
     });
 }

@@ -2,11 +2,62 @@
 
 use std::collections::HashMap;
 use std::hash::Hash;
+use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::{MedialMap, StillPart};
-use crate::engine::PoseMap;
+use crate::engine::{PoseMap, Showing};
+
+/// The map on screen with the answer that it was made from: turned once.
+#[derive(Debug)]
+pub struct Oriented<T>(Option<Turned<T>>);
+
+#[derive(Debug)]
+struct Turned<T> {
+    /// Which opening of a study it is of; maps of others have nothing to agree with.
+    opening: u64,
+    answer: Arc<T>,
+    shown: Arc<T>,
+}
+
+impl<T> Default for Oriented<T> {
+    fn default() -> Self {
+        Self(None)
+    }
+}
+
+impl<T: Clone> Oriented<T> {
+    /// What is shown, with the map turned by `like` so that it agrees with the one shown before.
+    pub fn turned(
+        &mut self,
+        mut showing: Showing<T>,
+        opening: u64,
+        like: impl Fn(T, &T) -> T,
+    ) -> Showing<T> {
+        let map = match &mut showing {
+            Showing::Ready(answer) => answer,
+            Showing::Computing { previous, .. } | Showing::Interrupted { previous, .. } => {
+                match previous {
+                    Some(answer) => answer,
+                    None => return showing,
+                }
+            }
+        };
+        let before = (self.0.as_ref()).filter(|turned| turned.opening == opening);
+        let shown = match before {
+            Some(turned) if Arc::ptr_eq(&turned.answer, map) => Arc::clone(&turned.shown),
+            Some(turned) => Arc::new(like(T::clone(map), &turned.shown)),
+            None => Arc::clone(map),
+        };
+        self.0 = Some(Turned {
+            opening,
+            answer: std::mem::replace(map, Arc::clone(&shown)),
+            shown,
+        });
+        showing
+    }
+}
 
 /// An item on the new map and on the old.
 type Pair = ([f64; 2], [f64; 2]);

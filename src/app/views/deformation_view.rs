@@ -7,7 +7,7 @@ use crate::analysis::deformations::DeformationMap;
 use crate::app::morph::Morph;
 use crate::app::state::State;
 use crate::app::views::map_view::{compared, map_state, plane, same_arc};
-use crate::engine::{Engine, Showing, WorkKind};
+use crate::engine::{DeformationMapSettings, Interrupted, PoseMapParams, Showing, Topic};
 use crate::study::Revision;
 use crate::ui::{
     ClassesView, DeformationMapView, DeformationPoint, MapState, MapSubject, MetricPanelView,
@@ -86,14 +86,13 @@ impl DeformationData {
     pub fn view<'a>(
         &'a self,
         state: &State,
-        engine: &Engine,
         subjects: &'a [MapSubject],
         left_out: &'a str,
     ) -> DeformationMapView<'a> {
         let document = &state.document;
         let map = state.deformations();
         let embedding = map.map(|map| &map.embedding);
-        let (map_state, job) = deformation_state(state, engine);
+        let (map_state, job) = deformation_state(state);
         DeformationMapView {
             state: map_state,
             job,
@@ -105,40 +104,45 @@ impl DeformationData {
             reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
             time_weight: map.map(|map| map.time_weight),
             shows_clusters: document.shows_clusters,
-            classes: self.classes(engine),
+            classes: self.classes(state),
             left_out,
         }
     }
 
-    fn classes(&self, engine: &Engine) -> ClassesView<'_> {
-        match engine.showing(WorkKind::Classes) {
-            Showing::Computing { watch, .. } if self.rules.is_empty() => ClassesView::Computing {
-                fraction: watch.fraction(),
-            },
-            Showing::Nothing => ClassesView::Absent,
-            _ if !self.rules.is_empty() => ClassesView::Ready(&self.rules),
-            Showing::Ready(_) => {
+    fn classes(&self, state: &State) -> ClassesView<'_> {
+        match &state.answers.classes {
+            None => ClassesView::Absent,
+            Some(Showing::Computing { watch, .. }) if self.rules.is_empty() => {
+                ClassesView::Computing {
+                    fraction: watch.fraction(),
+                }
+            }
+            Some(_) if !self.rules.is_empty() => ClassesView::Ready(&self.rules),
+            Some(Showing::Ready(_)) => {
                 ClassesView::Unanswerable("not enough labels; hearts of two classes are needed")
             }
-            Showing::Failed { .. } => ClassesView::Unanswerable("they could not be told apart"),
-            _ => ClassesView::Absent,
+            Some(Showing::Interrupted {
+                why: Interrupted::Failed(_),
+                ..
+            }) => ClassesView::Unanswerable("they could not be classified"),
+            Some(_) => ClassesView::Absent,
         }
     }
 }
 
 /// How the map stands, and which work holds it up: poses are mapped first.
-fn deformation_state(state: &State, engine: &Engine) -> (MapState, WorkKind) {
-    let poses = map_state(state, &engine.showing(WorkKind::PoseMap));
+fn deformation_state(state: &State) -> (MapState, Topic) {
+    let poses = map_state(state, state.answers.map.as_ref());
     if poses != MapState::Ready {
-        return (poses, WorkKind::PoseMap);
+        return (poses, Topic::of::<PoseMapParams>());
     }
     let own = if enough_subjects(state) {
-        map_state(state, &engine.showing(WorkKind::DeformationMap))
+        map_state(state, state.answers.deformations.as_ref())
     } else {
         let why = format!("Fewer than {FEWEST_DEFORMATIONS} subjects: no deformation map");
         MapState::Unanswerable(why)
     };
-    (own, WorkKind::DeformationMap)
+    (own, Topic::of::<DeformationMapSettings>())
 }
 
 /// Whether the map of poses holds so many hearts that their deformations can be mapped.
@@ -255,9 +259,7 @@ fn rules(classes: &Classes) -> Vec<RuleView> {
 mod tests {
     use super::*;
     use crate::analysis::embedding::Embedding;
-    use crate::app::state::Fresh;
     use crate::app::testing::{state_of, subject_with_frames};
-    use crate::study::Revision;
 
     fn map(places: [[f64; 2]; 4]) -> DeformationMap {
         DeformationMap {
@@ -275,13 +277,8 @@ mod tests {
     }
 
     fn show(state: &mut State, map: DeformationMap) {
-        let map = Arc::new(map);
-        state.results.deformations = Some(Fresh {
-            revision: Revision(1),
-            opening: state.document.study.opening,
-            source: Arc::clone(&map),
-            value: map,
-        });
+        state.answers.opening = state.document.study.opening;
+        state.answers.deformations = Some(Showing::Ready(Arc::new(map)));
     }
 
     #[test]

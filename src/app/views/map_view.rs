@@ -7,7 +7,7 @@ use crate::app::document::phase_of;
 use crate::app::morph::Morph;
 use crate::app::play::pose_at;
 use crate::app::state::State;
-use crate::engine::{AnalysisError, AnalysisOutcome, PoseMap, Showing};
+use crate::engine::{Interrupted, PoseMap, Showing};
 use crate::study::Revision;
 use crate::ui::{
     MapPoint, MapState, MapSubject, PoseMapView, PosePhase, SpaceTimeCurve, SpaceTimePoint,
@@ -93,7 +93,7 @@ impl MapData {
     pub fn view<'a>(
         &'a self,
         state: &State,
-        showing: &Showing<'_, AnalysisOutcome, AnalysisError>,
+        showing: Option<&Showing<PoseMap>>,
     ) -> PoseMapView<'a> {
         let document = &state.document;
         let embedding = state.map().map(|map| &map.embedding);
@@ -116,7 +116,7 @@ impl MapData {
     pub fn space_time<'a>(
         &'a self,
         state: &State,
-        showing: &Showing<'_, AnalysisOutcome, AnalysisError>,
+        showing: Option<&Showing<PoseMap>>,
     ) -> SpaceTimeView<'a> {
         let document = &state.document;
         SpaceTimeView {
@@ -251,21 +251,23 @@ fn left_out(state: &State, map: &PoseMap) -> String {
 }
 
 /// How a map stands, from how its work stands.
-pub fn map_state(state: &State, showing: &Showing<'_, AnalysisOutcome, AnalysisError>) -> MapState {
+pub fn map_state<T>(state: &State, showing: Option<&Showing<T>>) -> MapState {
     if state.document.study().subjects.is_empty() {
         return MapState::Empty;
     }
     match showing {
-        Showing::Ready(_) => MapState::Ready,
-        Showing::Nothing => MapState::Computing {
+        Some(Showing::Ready(_)) => MapState::Ready,
+        None => MapState::Computing {
             fraction: 0.0,
             seconds_left: None,
         },
-        Showing::Computing { watch, .. } => MapState::Computing {
+        Some(Showing::Computing { watch, .. }) => MapState::Computing {
             fraction: watch.fraction(),
             seconds_left: watch.time_left().map(|left| left.as_secs_f64()),
         },
-        Showing::Stopped { .. } => MapState::Stopped,
-        Showing::Failed { error, .. } => MapState::Failed(error.to_string()),
+        Some(Showing::Interrupted { why, .. }) => match why {
+            Interrupted::Stopped => MapState::Stopped,
+            Interrupted::Failed(error) => MapState::Failed(error.to_string()),
+        },
     }
 }

@@ -7,7 +7,7 @@ use crate::analysis::medial_map::{MedialMap, Spread};
 use crate::app::morph::Morph;
 use crate::app::play::pose_at;
 use crate::app::state::State;
-use crate::engine::{AnalysisError, AnalysisOutcome, Showing};
+use crate::engine::Showing;
 use crate::study::Revision;
 use crate::ui::{MapSubject, MedialMapView, MedialPoint, PosePhase};
 
@@ -89,7 +89,7 @@ impl MedialMapData {
         &'a self,
         state: &State,
         subjects: &'a [MapSubject],
-        showing: &Showing<'_, AnalysisOutcome, AnalysisError>,
+        showing: Option<&Showing<MedialMap>>,
     ) -> MedialMapView<'a> {
         let document = &state.document;
         let map = state.medial_map();

@@ -89,7 +89,7 @@ impl OverlayData {
             };
         }
         let beat = state.document.carried;
-        let (standing, leave) = match (state.results.carrying, beat) {
+        let (standing, leave) = match (state.answers.carrying, beat) {
             (CarryingState::Stopped, Some(beat)) => {
                 let (from, onto) = (beat.from, beat.onto);
                 let again = ("Carry it over again", Command::CarryBeat { from, onto });

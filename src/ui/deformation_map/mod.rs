@@ -13,7 +13,7 @@ pub use draw::deformation_note;
 
 use egui::{Role, Sense, Ui, WidgetInfo, vec2};
 
-use crate::engine::WorkKind;
+use crate::engine::Topic;
 use crate::ui::command::Command;
 use crate::ui::map_ground::{
     MapState, MapSubject, MapWords, ground_ui, over_map_ui, without_map_ui,
@@ -41,7 +41,7 @@ pub struct DeformationMapView<'a> {
     /// How the map stands.
     pub state: MapState,
     /// What Cancel and Retry mean: the poses are mapped first.
-    pub job: WorkKind,
+    pub job: Topic,
     /// All subjects of the study.
     pub subjects: &'a [MapSubject],
     /// All hearts on the map.

@@ -3,6 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::engine::DeformationMapSettings;
 use crate::study::LabelRole;
 
 fn subjects() -> Vec<MapSubject> {
@@ -63,7 +64,7 @@ fn harness(scene: Scene) -> Harness<'static, Vec<Command>> {
             move |ui, commands: &mut Vec<Command>| {
                 let view = DeformationMapView {
                     state: scene.state.clone(),
-                    job: WorkKind::DeformationMap,
+                    job: Topic::of::<DeformationMapSettings>(),
                     subjects: &subjects,
                     points: if scene.with_points { &points } else { &[] },
                     selected: Some(0),
@@ -194,7 +195,7 @@ fn work_on_the_map_can_be_cancelled_with_and_without_one_before() {
         harness.run();
         assert_eq!(
             *harness.state(),
-            [Command::Cancel(WorkKind::DeformationMap)]
+            [Command::Cancel(Topic::of::<DeformationMapSettings>())]
         );
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{Rect, Ui, vec2};
 
-use crate::engine::WorkKind;
+use crate::engine::Topic;
 use crate::ui::command::Command;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::status_bar::progress_text;
@@ -36,7 +36,7 @@ pub enum MapState {
 #[derive(Clone, Copy, Debug)]
 pub struct MapWords {
     /// What Cancel and Retry mean.
-    pub job: WorkKind,
+    pub job: Topic,
     /// Heading where there is nothing to map.
     pub empty: &'static str,
     /// What would fill the pane.
@@ -86,7 +86,7 @@ pub fn without_map_ui(
 fn cancel_ui(
     ui: &mut Ui,
     name: impl Into<egui::WidgetText>,
-    job: WorkKind,
+    job: Topic,
     commands: &mut Vec<Command>,
 ) {
     let button = ui.button(name.into());
@@ -95,7 +95,7 @@ fn cancel_ui(
     }
 }
 
-fn retry_ui(ui: &mut Ui, name: &str, job: WorkKind, commands: &mut Vec<Command>) {
+fn retry_ui(ui: &mut Ui, name: &str, job: Topic, commands: &mut Vec<Command>) {
     if ui.button(name).clicked() {
         commands.push(Command::Retry(job));
     }

@@ -11,7 +11,7 @@ pub use header::{medial_map_choosers_ui, medial_map_header_ui};
 use egui::Ui;
 
 use crate::analysis::embedding::MapMethod;
-use crate::engine::WorkKind;
+use crate::engine::{MedialMapParams, Topic};
 use crate::ui::command::Command;
 use crate::ui::map_ground::{
     MapState, MapSubject, MapWords, ground_ui, over_map_ui, without_map_ui,
@@ -76,7 +76,7 @@ pub struct MedialMapView<'a> {
 }
 
 const WORDS: MapWords = MapWords {
-    job: WorkKind::MedialMap,
+    job: Topic::of::<MedialMapParams>(),
     empty: "No poses",
     what: "The part of each wall that stands still becomes a path here: poses of a patch lie together, \
            those of a wall that thickens wander.",

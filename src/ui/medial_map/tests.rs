@@ -133,7 +133,10 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_map_before() {
         shown.run();
         shown.get_by_label("Cancel").click();
         shown.run();
-        assert_eq!(*shown.state(), [Command::Cancel(WorkKind::MedialMap)]);
+        assert_eq!(
+            *shown.state(),
+            [Command::Cancel(Topic::of::<MedialMapParams>())]
+        );
         let again = if with_points {
             "Retry"
         } else {
@@ -143,7 +146,10 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_map_before() {
         shown.run();
         shown.get_by_label(again).click();
         shown.run();
-        assert_eq!(*shown.state(), [Command::Retry(WorkKind::MedialMap)]);
+        assert_eq!(
+            *shown.state(),
+            [Command::Retry(Topic::of::<MedialMapParams>())]
+        );
     }
 }
 

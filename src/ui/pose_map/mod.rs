@@ -10,7 +10,7 @@ pub use header::{pose_map_choosers_ui, pose_map_header_ui};
 
 use egui::Ui;
 
-use crate::engine::{PoseMapParams, WorkKind};
+use crate::engine::{PoseMapParams, Topic};
 use crate::ui::command::Command;
 use crate::ui::map_ground::{
     MapState, MapSubject, MapWords, ground_ui, over_map_ui, without_map_ui,
@@ -80,7 +80,7 @@ pub struct PoseMapView<'a> {
 }
 
 const WORDS: MapWords = MapWords {
-    job: WorkKind::PoseMap,
+    job: Topic::of::<PoseMapParams>(),
     empty: "No poses",
     what: "Every pose of every heart becomes a point here; near points deform alike.",
     none: "No map",

@@ -143,7 +143,10 @@ fn a_map_that_is_being_computed_can_be_cancelled_with_and_without_one_before() {
         harness.run();
         harness.get_by_label("Cancel").click();
         harness.run();
-        assert_eq!(*harness.state(), [Command::Cancel(WorkKind::PoseMap)]);
+        assert_eq!(
+            *harness.state(),
+            [Command::Cancel(Topic::of::<PoseMapParams>())]
+        );
     }
 }
 

@@ -9,7 +9,7 @@ mod tests;
 
 use egui::{EventFilter, Key, Pos2, Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
-use crate::engine::WorkKind;
+use crate::engine::{PoseMapParams, Topic};
 use crate::study::LabelRole;
 use crate::ui::command::Command;
 use crate::ui::map_ground::{MapState, MapSubject, MapWords, over_map_ui, without_map_ui};
@@ -66,7 +66,7 @@ impl SpaceTimeView<'_> {
 }
 
 const WORDS: MapWords = MapWords {
-    job: WorkKind::PoseMap,
+    job: Topic::of::<PoseMapParams>(),
     empty: "No poses",
     what: "The beat of every heart becomes a curve here, through the map of poses and time.",
     none: "No map",

@@ -133,5 +133,8 @@ fn a_new_map_can_be_cancelled_while_the_old_curves_stay() {
     place(&harness, 2);
     harness.get_by_label("Cancel").click();
     harness.run();
-    assert_eq!(*harness.state(), [Command::Cancel(WorkKind::PoseMap)]);
+    assert_eq!(
+        *harness.state(),
+        [Command::Cancel(Topic::of::<PoseMapParams>())]
+    );
 }

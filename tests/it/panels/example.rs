@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use cardiomorph::analysis::deformations::DeformationMapParams;
-use cardiomorph::engine::{PoseMapParams, WorkKind};
+use cardiomorph::engine::{DeformationMapSettings, PoseMapParams, Topic};
 use cardiomorph::study::LabelRole;
 use cardiomorph::ui::*;
 
@@ -107,7 +107,7 @@ impl Example {
     pub fn deformation_map(&self, state: MapState) -> DeformationMapView<'_> {
         DeformationMapView {
             state,
-            job: WorkKind::DeformationMap,
+            job: Topic::of::<DeformationMapSettings>(),
             subjects: &self.subjects,
             points: &self.deformations,
             selected: Some(9),
