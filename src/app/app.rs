@@ -6,7 +6,7 @@ use std::time::{Duration, Instant};
 
 use egui::{Context, Ui};
 
-use crate::engine::{OpenSource, Topic, Wake, default_budget};
+use crate::engine::{OpenSource, Topic, Wake};
 use crate::study::built_in::BuiltInParams;
 use crate::ui::{self, Command};
 
@@ -38,8 +38,6 @@ pub struct AppOptions {
     pub open: Option<OpenSource>,
     /// How finely the built-in cohort is made when it is asked for.
     pub built_in: BuiltInParams,
-    /// Bytes that all answers and prepared hearts together may hold.
-    pub memory: usize,
     /// When the program began, for the times that it can print.
     pub started: Instant,
 }
@@ -50,7 +48,6 @@ impl AppOptions {
         Self {
             open: Some(OpenSource::paths_or_built_in(paths)),
             built_in: BuiltInParams::default(),
-            memory: default_budget(),
             started: Instant::now(),
         }
     }
@@ -60,7 +57,6 @@ impl AppOptions {
         Self {
             open: Some(OpenSource::BuiltIn(params)),
             built_in: params,
-            memory: default_budget(),
             started: Instant::now(),
         }
     }
@@ -107,7 +103,7 @@ impl App {
             paint::install(device);
         }
         let wake: Wake = Arc::new(move || ctx.request_repaint());
-        let mut background = Background::start(&wake, options.memory)?;
+        let mut background = Background::start(&wake)?;
         let mut state = State {
             theme: settings.theme,
             recent: settings.recent,

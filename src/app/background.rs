@@ -26,15 +26,15 @@ pub struct Background {
 }
 
 impl Background {
-    /// Starts all threads. Answers may hold `budget` bytes.
+    /// Starts all threads.
     ///
     /// # Errors
     /// If the operating system refuses one.
-    pub fn start(wake: &Wake, budget: usize) -> std::io::Result<Self> {
+    pub fn start(wake: &Wake) -> std::io::Result<Self> {
         Ok(Self {
             engine: Engine::start(StoreOptions {
-                budget,
                 wake: Arc::clone(wake),
+                ..StoreOptions::default()
             })?,
             dialogs: Dialogs::start(Arc::clone(wake))?,
             saved_views: SavedViews::start(Arc::clone(wake))?,

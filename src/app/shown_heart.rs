@@ -15,7 +15,7 @@ use crate::ui::ViewMode;
 use super::pictures::{Heart, Pictures, ShownMedial};
 use super::stage::OnStage;
 use super::state::State;
-use super::views::OverlayData;
+use super::views::overlay_view::OverlayData;
 
 /// A heart on screen: it stays until the next one is ready.
 #[derive(Clone)]

@@ -39,7 +39,7 @@ pub(super) fn opened(paths: &[PathBuf]) -> Result<Opened, CliError> {
     run_work(move |progress| open(&source, &Limits::default(), progress))
 }
 
-/// A store for one command; answers may hold as much memory as `--memory` says.
+/// A store for one command.
 ///
 /// # Errors
 /// If the operating system refuses a thread.

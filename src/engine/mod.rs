@@ -34,7 +34,7 @@ pub use queries::{
 };
 pub use store::{
     Answered, Context, Dependencies, FailedWork, Failure, Interrupted, Memory, Query, SharedError,
-    Showing, Store, StoreOptions, Urgency, default_budget,
+    Showing, Store, StoreOptions, Urgency, configure_memory, default_budget,
 };
 pub use tables::{AnalysisTables, TableSettings};
 pub use wall_tables::{TablesError, Unassessed};

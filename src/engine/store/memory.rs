@@ -1,6 +1,6 @@
 //! How much memory answers hold, and how much they may.
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 /// Budget where the size of the machine's memory cannot be read.
 const UNKNOWN_MACHINE: usize = 2 << 30;
@@ -35,9 +35,20 @@ impl Memory {
     }
 }
 
-/// A quarter of the machine's memory.
+/// What the command line asked for.
+static ASKED: OnceLock<usize> = OnceLock::new();
+
+/// Sets the budget of all stores of this run of the program, in MiB; the first word stands.
+pub fn configure_memory(asked_mib: Option<usize>) {
+    if let Some(mib) = asked_mib {
+        ASKED.set(mib.saturating_mul(1 << 20)).ok();
+    }
+}
+
+/// What was asked for, else a quarter of the machine's memory.
 pub fn default_budget() -> usize {
-    machine_memory().map_or(UNKNOWN_MACHINE, |bytes| bytes / 4)
+    (ASKED.get().copied())
+        .unwrap_or_else(|| machine_memory().map_or(UNKNOWN_MACHINE, |bytes| bytes / 4))
 }
 
 /// From `/proc/meminfo`, which says `MemTotal: 16384 kB`; other systems have no such file.

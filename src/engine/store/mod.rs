@@ -21,7 +21,7 @@ mod work;
 pub use ask::Answered;
 pub use dependencies::Dependencies;
 pub use interrupted::{Failure, Interrupted, SharedError};
-pub use memory::{Memory, default_budget};
+pub use memory::{Memory, configure_memory, default_budget};
 pub use query::{Context, Query};
 pub use queue::Urgency;
 pub use shelves::FailedWork;
