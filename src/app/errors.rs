@@ -106,6 +106,33 @@ mod tests {
     }
 
     #[test]
+    fn a_failure_tells_its_causes_and_how_to_try_again() {
+        let number = u8::try_from(300).unwrap_err();
+        let failure = FailedWork {
+            topic: Topic::OPENING,
+            title: "Opening failed",
+            error: std::sync::Arc::new(Wrapped(number)),
+        };
+        let mut cards = Vec::new();
+        push_failure(&mut cards, &failure);
+        push_failure(&mut cards, &failure);
+        assert_eq!(cards.len(), 1, "the same card is shown once");
+        assert_eq!(cards[0].message, "no number");
+        assert!(cards[0].details.starts_with("caused by: out of range"));
+        assert_eq!(cards[0].retry, Some(Topic::OPENING));
+        let export = FailedWork {
+            topic: Topic::EXPORT,
+            ..failure
+        };
+        push_failure(&mut cards, &export);
+        assert_eq!(cards[1].retry, None, "where to write is chosen anew");
+    }
+
+    #[derive(Debug, thiserror::Error)]
+    #[error("no number")]
+    struct Wrapped(#[source] std::num::TryFromIntError);
+
+    #[test]
     fn many_errors_are_one_card_that_lists_them() {
         let errors: Vec<_> = (0..1000).map(|i| open_error(&format!("{i}.obj"))).collect();
         let mut cards = Vec::new();

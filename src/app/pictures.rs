@@ -89,6 +89,11 @@ impl Query for HeartPicture {
     fn memory(heart: &Heart, memory: &mut Memory) {
         memory.own(heart.vertex_frames * BYTES_OF_A_VERTEX);
     }
+
+    /// The 3D view itself keeps the hearts on screen until all new ones are there.
+    fn replaces(&self, _: &Self) -> bool {
+        false
+    }
 }
 
 /// What a medial surface is made from.
@@ -128,6 +133,10 @@ impl Query for MedialPicture {
     fn memory(medial: &PreparedMedial, memory: &mut Memory) {
         let beat = &medial.beat;
         memory.own(beat.frames.len() * beat.vertices.len() * BYTES_OF_AN_ATOM);
+    }
+
+    fn replaces(&self, _: &Self) -> bool {
+        false
     }
 }
 

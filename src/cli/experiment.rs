@@ -17,7 +17,7 @@ use crate::cli::experiment_args::{
 use crate::cli::experiment_medial::noise_medial;
 use crate::cli::input::opened_study;
 use crate::cli::outcome::CliError;
-use crate::cli::print::{print, print_json};
+use crate::cli::print::{pretty, print, print_json};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
@@ -220,9 +220,4 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     }
     lines.push(args.out.display().to_string());
     print(&lines.join("\n"))
-}
-
-pub(super) fn pretty(value: &Value) -> Result<String, CliError> {
-    let text = serde_json::to_string_pretty(value).map_err(CliError::unusable)?;
-    Ok(text + "\n")
 }

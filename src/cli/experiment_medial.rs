@@ -4,10 +4,9 @@ use crate::analysis::experiments::{
     LocalisationParams, LocalisationRow, MeanAndError, MedialNoiseParams, MedialNoiseResult,
     localisation, noise_medial as told_apart,
 };
-use crate::cli::experiment::pretty;
 use crate::cli::experiment_args::NoiseMedialArgs;
 use crate::cli::outcome::CliError;
-use crate::cli::print::{print, print_json};
+use crate::cli::print::{pretty, print, print_json};
 use crate::cli::work::run_work;
 use crate::engine::{ExportFile, write_files};
 use crate::io::{localisation_csv, noise_medial_csv, noise_medial_json, noise_medial_svg};

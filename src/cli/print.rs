@@ -32,3 +32,9 @@ pub(super) fn print_json(value: &serde_json::Value) -> Result<(), CliError> {
 pub(super) fn say(text: &str) {
     writeln!(std::io::stderr().lock(), "{text}").ok();
 }
+
+/// JSON as files hold it: indented, with a line break at the end.
+pub(super) fn pretty(value: &serde_json::Value) -> Result<String, CliError> {
+    let text = serde_json::to_string_pretty(value).map_err(CliError::unusable)?;
+    Ok(text + "\n")
+}

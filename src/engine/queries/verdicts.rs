@@ -36,7 +36,7 @@ impl Query for VerdictSettings {
     type Answer = Verdicts;
     type Error = VerdictsError;
     const TITLE: &'static str = "Verdicts";
-    const FAILURE: Option<&'static str> = Some("The subjects could not be classified by verdicts");
+    const FAILURE: Option<&'static str> = Some("Verdicts could not be computed");
     const URGENCY: Urgency = Urgency::Background;
 
     fn parameters(&self) -> String {

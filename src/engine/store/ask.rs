@@ -49,6 +49,13 @@ impl Context<'_> {
                     let _waiting = Waiting::begin(self.work, &work);
                     self.progress.follow(work.watch.progress());
                     compute(&cell, &work, query, self.study, self.place, self.shelves);
+                    let ended_by_itself = work.watch.ending() == Some(&Ending::Stopped)
+                        && !work.stopped()
+                        && work.below().is_none();
+                    // It would do so again, and again.
+                    if ended_by_itself {
+                        return Err(Interrupted::Stopped);
+                    }
                 }
                 Claim::Elsewhere(work) => {
                     let Some(_waiting) = Waiting::begin(self.work, &work) else {
