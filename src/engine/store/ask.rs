@@ -140,10 +140,9 @@ pub(super) fn compute<Q: Query>(
             message: panic_message(&*payload),
         })),
     };
-    let ending = cell.finish(work, result);
-    if matches!(ending, Ending::Failed(_)) && work.is_asked() {
-        tell::<Q>(cell, shelves);
-    }
+    let tells = Q::FAILURE.is_some() && work.is_asked();
+    let (ending, failure) = cell.finish(work, result, tells);
+    tell::<Q>(failure, shelves);
     let done = ending == Ending::Done;
     work.watch.end(ending);
     if done {
@@ -154,11 +153,9 @@ pub(super) fn compute<Q: Query>(
     }
 }
 
-/// Has a card say what went wrong, once.
-pub(super) fn tell<Q: Query>(cell: &CellOf<Q>, shelves: &Shelves) {
-    if let (Some(title), Peek::Failed(failure, ..)) = (Q::FAILURE, cell.peek())
-        && cell.tell()
-    {
+/// Has a card say what went wrong, if anything did.
+pub(super) fn tell<Q: Query>(failure: Option<Failure<Q::Error>>, shelves: &Shelves) {
+    if let (Some(title), Some(failure)) = (Q::FAILURE, failure) {
         lock(&shelves.failures).push(FailedWork {
             topic: Topic::of::<Q>(),
             title,

@@ -129,10 +129,17 @@ impl<A, E: Error + 'static> Cell<A, E> {
         true
     }
 
-    /// Takes in what came of `work`, and says how it ended.
-    pub fn finish(&self, work: &Arc<Work>, result: Result<A, Interrupted<Failure<E>>>) -> Ending {
+    /// Takes in what came of `work`, and says how it ended. `tells` is whether a card is to say what went wrong; none
+    /// does if one tells of what it asked for.
+    pub fn finish(
+        &self,
+        work: &Arc<Work>,
+        result: Result<A, Interrupted<Failure<E>>>,
+        tells: bool,
+    ) -> (Ending, Option<Failure<E>>) {
         let mut state = lock(&self.state);
         let below = work.below();
+        let mut to_tell = None;
         let ending = match result {
             // Cancelled while it ran: that word stands.
             Ok(_) if matches!(&*state, State::Cancelled(hold) if hold.holds()) => Ending::Stopped,
@@ -146,7 +153,8 @@ impl<A, E: Error + 'static> Cell<A, E> {
                 let ending = Ending::Failed(failure.to_string());
                 if state.is_run_of(work) {
                     let (hold, told) = below.unwrap_or_else(|| (Hold::new(), false));
-                    *state = State::Failed(failure, hold, told);
+                    to_tell = (tells && !told).then(|| failure.clone());
+                    *state = State::Failed(failure, hold, told || tells);
                 }
                 ending
             }
@@ -163,7 +171,7 @@ impl<A, E: Error + 'static> Cell<A, E> {
         };
         drop(state);
         self.changed.notify_all();
-        ending
+        (ending, to_tell)
     }
 
     /// The user pressed Cancel: what is under way ends, and is not begun again until it is retried.
@@ -185,11 +193,14 @@ impl<A, E: Error + 'static> Cell<A, E> {
         }
     }
 
-    /// Whether a card tells of the failure from now on; `false` if one does already.
-    pub fn tell(&self) -> bool {
+    /// The failure, if no card tells of it yet; from now on one does.
+    pub fn tell(&self) -> Option<Failure<E>> {
         match &mut *lock(&self.state) {
-            State::Failed(_, _, told) => !std::mem::replace(told, true),
-            _ => false,
+            State::Failed(failure, _, told) if !*told => {
+                *told = true;
+                Some(failure.clone())
+            }
+            _ => None,
         }
     }
 

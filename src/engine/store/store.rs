@@ -309,7 +309,9 @@ impl Store {
         drop(entries);
         let watch = match seen {
             Peek::Failed(failure, ..) => {
-                tell::<Q>(&cell, &self.shelves);
+                if Q::FAILURE.is_some() {
+                    tell::<Q>(cell.tell(), &self.shelves);
+                }
                 let why = Interrupted::Failed(failure.erased());
                 return Showing::Interrupted { why, previous };
             }
