@@ -189,12 +189,15 @@ fn methods(chosen: MapMethod) -> Vec<(&'static str, MapMethod)> {
 }
 
 /// The map of whole deformations, and the classification by it.
+type Classified = (Arc<DeformationMap>, Arc<Classes>);
+
+/// Maps the deformations and classifies by them.
 fn classified(
     store: &Store,
     study: &Arc<Study>,
     settings: &DeformationMapSettings,
     progress: &Progress,
-) -> Result<(Arc<DeformationMap>, Arc<Classes>), Interrupted<Failure<ClassesError>>> {
+) -> Result<Classified, Interrupted<Failure<ClassesError>>> {
     let classes = ClassesSettings {
         deformations: *settings,
         classes: ClassesParams::default(),

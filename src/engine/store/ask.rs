@@ -88,8 +88,8 @@ impl Context<'_> {
         let depends_on = query.depends_on(self.study);
         let now = self.shelves.tick();
         let shelf = shelf::<Q>(self.shelves);
-        let cell = Arc::clone(&shelf.entries().of(query, &depends_on, now).cell);
-        cell
+        let mut entries = shelf.entries();
+        Arc::clone(&entries.of(query, &depends_on, now).cell)
     }
 }
 

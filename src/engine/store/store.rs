@@ -163,6 +163,7 @@ impl Store {
         let (depends_on, now) = (query.depends_on(study), self.shelves.tick());
         let shelf = shelf::<Q>(&self.shelves);
         shelf.entries().of(query, &depends_on, now).cell.set(answer);
+        self.shelves.give_memory_back();
     }
 
     /// The answer, however long it takes: for commands and exports. Computed by the store's threads, so that it goes on

@@ -60,7 +60,7 @@ impl Desk {
                 .unwrap())
             .0;
         }
-        Ok(())
+        progress.check()
     }
 }
 

@@ -88,7 +88,7 @@ fn atoms_that_answers_share_count_once() {
     // Many atoms: a hundred answers about one beat fit, where two such beats do not.
     let mut beat = (*small.beat).clone();
     let frame = &mut beat.frames[0];
-    frame.atoms = vec![frame.atoms[0]; 100_000];
+    frame.atoms = vec![frame.atoms[0]; 400_000];
     let budget = beat_bytes(&beat) * 3 / 2;
     let store = Store::start(StoreOptions {
         budget,

@@ -146,6 +146,8 @@ fn sliders_come_first_and_statistics_of_the_cohort_last() {
         }
     };
     store.ask(&study, &Statistics(gated(&desk, 49)));
+    until(|| desk.runs() == 1);
+    // What is visible does not wait for statistics that have begun.
     store.ask(&study, &gated(&desk, 1));
     until(|| desk.runs() == 2);
     store.end_frame();
@@ -192,7 +194,6 @@ fn past_the_budget_the_answer_used_longest_ago_goes_and_what_is_on_screen_stays(
         store.end_frame();
         ready == 5
     });
-    store.end_frame();
     assert_eq!(all(), 5, "none went while it was on screen");
     store.end_frame();
     // Once they leave it, only as many stay as there is room for.
