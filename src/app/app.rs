@@ -6,19 +6,20 @@ use std::time::{Duration, Instant};
 
 use egui::{Context, Ui};
 
-use crate::engine::{OpenSource, Wake, WorkKind};
+use crate::engine::{OpenSource, Topic, Wake};
 use crate::study::Subject;
 use crate::study::built_in::BuiltInParams;
 use crate::ui::{self, Command};
 
 use super::apply::{Effect, Moment, apply};
+use super::asks::Seen;
 use super::background::{Background, reference_frames};
-use super::background_medial::Seen;
 use super::dialogs::{Answer, AskPaths, Question, system_dialogs};
 use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::paint;
+use super::pictures::Pictures;
 use super::settings::Settings;
 use super::state::State;
 use super::times::Times;
@@ -163,12 +164,12 @@ impl App {
 
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
-        self.background.busy() || self.background.pictures.busy()
+        self.background.busy()
     }
 
     /// Whether one kind of work goes on.
-    pub fn works_on(&self, kind: WorkKind) -> bool {
-        self.background.engine.computes(kind)
+    pub fn works_on(&self, topic: Topic) -> bool {
+        self.background.engine.store().works_on(topic)
     }
 
     /// Hearts on screen, as subject and place in the beat.
@@ -272,7 +273,7 @@ impl App {
                 }
             }
             Effect::Stop(kind) => self.background.stop(kind),
-            Effect::Retry(kind) => self.background.retry(&self.state, kind),
+            Effect::Retry(kind) => self.background.retry(kind),
             Effect::SetTheme(theme) => ui::choose(ctx, theme),
             Effect::TogglePane(pane) => {
                 // A tab behind another one is brought forward first.
@@ -402,12 +403,13 @@ impl eframe::App for App {
             panes: self.layout.seen(),
             pointer_held: ctx.input(|input| input.pointer.any_down()),
         };
-        self.background.request(&self.state, &seen);
+        self.background.ask(&mut self.state, &seen);
         let reference_frames = reference_frames(&self.state);
-        let pictures = &mut self.background.pictures;
+        let store = self.background.engine.store();
+        let pictures = Pictures::new(store, self.state.document.study());
         self.viewport
             .prepare(&self.state, pictures, &reference_frames);
-        pictures.drop_unwanted();
+        store.end_frame();
         if self.background.busy() {
             ctx.request_repaint_after(BAR_PERIOD);
         }
@@ -429,7 +431,6 @@ impl eframe::App for App {
             map: &self.map,
             deformations: &self.deformations,
             medial_map: &self.medial_map,
-            thickness_frame: self.background.thickness_frame(&self.state),
             bulls_eye: &self.bulls_eye,
             adapter: &self.adapter,
             meter: self.times.prepare_meter(),

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::engine::OpenSource;
-use crate::engine::WorkKind;
+use crate::engine::Topic;
 use crate::study::Revision;
 use crate::ui::{Command, Pane, ThemeChoice};
 
@@ -44,9 +44,9 @@ pub enum Effect {
     /// Write all tables.
     WriteTables(PathBuf),
     /// Stop background work.
-    Stop(WorkKind),
+    Stop(Topic),
     /// Begin stopped or failed work again.
-    Retry(WorkKind),
+    Retry(Topic),
     /// Light or dark.
     SetTheme(ThemeChoice),
     /// Show or hide a tile.

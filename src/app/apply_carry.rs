@@ -1,13 +1,12 @@
 //! Commands that play one heart's beat on another, and those about poses between frames.
 
-use crate::engine::WorkKind;
+use crate::engine::{InBetweens, Topic, Transfer};
 use crate::picture::Quantity;
 use crate::ui::{Command, ViewMode};
 
 use super::apply::{Effect, Moment, change};
 use super::document::CarriedBeat;
 use super::errors::push_card;
-use super::in_betweens::geodesic_params;
 use super::state::State;
 use super::undo::Gesture;
 
@@ -22,8 +21,9 @@ pub fn apply(state: &mut State, command: &Command, moment: &Moment) -> Vec<Effec
         }
         Command::StopTransport => change(state, moment, None, |document| document.carried = None),
         Command::SetInBetweens(count) => {
-            state.results.in_betweens.resume();
             change(state, moment, None, |document| document.in_betweens = count);
+            // Whoever chooses a number wants them, even if they were stopped before.
+            return vec![Effect::Retry(Topic::of::<InBetweens>())];
         }
         Command::StepPose(step) => step_pose(state, moment, step),
         _ => {}
@@ -68,7 +68,7 @@ fn carry(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Ef
     });
     state.play.playing = plays;
     // Asked for once more, what was stopped begins again.
-    let retry = again.then_some(Effect::Retry(WorkKind::Transfer));
+    let retry = again.then_some(Effect::Retry(Topic::of::<Transfer>()));
     retry.into_iter().collect()
 }
 
@@ -77,9 +77,7 @@ fn step_pose(state: &mut State, moment: &Moment, step: i32) {
     let Some(subject) = state.document.selected() else {
         return;
     };
-    let params = geodesic_params(&state.document);
-    let between = params
-        .and_then(|params| state.results.in_betweens.get(subject, &params))
+    let between = (state.in_betweens_of(state.document.subject))
         .map_or_else(Vec::new, |beat| beat.positions());
     let mut positions: Vec<f64> = (0..subject.sequence.frame_count())
         .map(|frame| frame as f64)
@@ -109,8 +107,10 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
+    use crate::app::answers::InBetweensAnswer;
     use crate::app::apply::apply;
     use crate::app::in_betweens::tests::straight_paths;
+    use crate::app::in_betweens::{BeatMemo, geodesic_params};
     use crate::app::testing::{state_of, subject_with_frames};
     use crate::mesh::phantom;
     use crate::study::{MeshSequence, Revision, Subject, SurfaceKind, SurfaceSequence};
@@ -152,7 +152,7 @@ mod tests {
         assert_eq!(state.document.quantity, Quantity::CarriedDistance);
         assert!(state.play.playing);
         let again = give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
-        assert_eq!(again, [Effect::Retry(WorkKind::Transfer)]);
+        assert_eq!(again, [Effect::Retry(Topic::of::<Transfer>())]);
         give(&mut state, Command::Undo);
         assert_eq!(state.document, before);
         give(&mut state, Command::Redo);
@@ -217,7 +217,13 @@ mod tests {
             "without in-betweens, frame by frame"
         );
         let paths = straight_paths(&subject, 3);
-        state.results.in_betweens.put(&subject, &params, 0, &paths);
+        let mut memo = BeatMemo::default();
+        memo.put(&subject, &params, 0, &paths);
+        state.answers.in_betweens = vec![InBetweensAnswer {
+            subject: 0,
+            beat: memo.get(&subject, &params).cloned(),
+            stopped: false,
+        }];
         for position in [1.25, 1.5, 1.75, 2.0] {
             give(&mut state, Command::StepPose(1));
             assert_eq!(state.document.position, position);

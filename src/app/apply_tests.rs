@@ -4,7 +4,7 @@ use super::apply::{Effect, Moment, apply};
 use super::export::FigureKind;
 use super::state::State;
 use super::testing::{state_of, subject_with_frames};
-use crate::engine::WorkKind;
+use crate::engine::{PoseMapParams, Topic};
 use crate::picture::Quantity;
 use crate::render::Camera;
 use crate::study::Revision;
@@ -177,8 +177,8 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
         [Effect::WriteFigure(FigureKind::View, path)]
     );
     assert_eq!(
-        give(&mut state, Command::Cancel(WorkKind::PoseMap)),
-        [Effect::Stop(WorkKind::PoseMap)]
+        give(&mut state, Command::Cancel(Topic::of::<PoseMapParams>())),
+        [Effect::Stop(Topic::of::<PoseMapParams>())]
     );
     let picture = std::path::PathBuf::from("P07_patch.png");
     assert_eq!(

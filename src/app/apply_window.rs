@@ -1,6 +1,6 @@
 //! Commands that reach beyond the study: files, jobs, panes, sheets.
 
-use crate::engine::{OpenSource, WorkKind};
+use crate::engine::OpenSource;
 use crate::ui::Command;
 
 use super::apply::Effect;
@@ -40,17 +40,9 @@ pub fn apply(state: &mut State, command: Command) -> Vec<Effect> {
         Command::ExportTables(Some(path)) => Effect::WriteTables(path),
         Command::Retry(kind) => {
             state.errors.retain(|card| card.retry != Some(kind));
-            if kind == WorkKind::InBetweens {
-                state.results.in_betweens.resume();
-            }
             Effect::Retry(kind)
         }
-        Command::Cancel(kind) => {
-            if kind == WorkKind::InBetweens {
-                halt_in_betweens(state);
-            }
-            Effect::Stop(kind)
-        }
+        Command::Cancel(kind) => Effect::Stop(kind),
         Command::SetTheme(theme) => {
             state.theme = theme;
             Effect::SetTheme(theme)
@@ -69,13 +61,6 @@ pub fn apply(state: &mut State, command: Command) -> Vec<Effect> {
         }
     };
     vec![effect]
-}
-
-/// Stopped in-betweens stay stopped while the same beats are looked at.
-fn halt_in_betweens(state: &mut State) {
-    if let Some((subject, params)) = super::background_beats::unfinished(state) {
-        state.results.in_betweens.halt(&subject, &params);
-    }
 }
 
 /// Sheets lie over the window one at a time; error cards go by their place.

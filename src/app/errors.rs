@@ -1,6 +1,6 @@
 //! Cards that say what went wrong, until they are dismissed.
 
-use crate::engine::WorkKind;
+use crate::engine::{FailedWork, Topic};
 use crate::io::OpenError;
 use crate::ui::ErrorCard;
 
@@ -13,13 +13,33 @@ pub fn push_card(
     cards: &mut Vec<ErrorCard>,
     title: impl Into<String>,
     message: impl Into<String>,
-    retry: Option<WorkKind>,
+    retry: Option<Topic>,
 ) {
     let card = ErrorCard {
         title: title.into(),
         message: message.into(),
         details: String::new(),
         retry,
+    };
+    if !cards.contains(&card) {
+        cards.push(card);
+    }
+}
+
+/// Adds a card for work that went wrong; below the words stands what caused it.
+pub fn push_failure(cards: &mut Vec<ErrorCard>, failure: &FailedWork) {
+    let mut causes = Vec::new();
+    let mut source = failure.error.source();
+    while let Some(cause) = source {
+        causes.push(format!("caused by: {cause}"));
+        source = cause.source();
+    }
+    let card = ErrorCard {
+        title: failure.title.to_owned(),
+        message: failure.error.to_string(),
+        details: causes.join("\n"),
+        // Where to write is chosen anew.
+        retry: (failure.topic != Topic::EXPORT).then_some(failure.topic),
     };
     if !cards.contains(&card) {
         cards.push(card);
@@ -84,6 +104,33 @@ mod tests {
         push_open_errors(&mut cards, &[open_error("a.obj")]);
         assert_eq!(cards.len(), 1, "the same card is shown once");
     }
+
+    #[test]
+    fn a_failure_tells_its_causes_and_how_to_try_again() {
+        let number = u8::try_from(300).unwrap_err();
+        let failure = FailedWork {
+            topic: Topic::OPENING,
+            title: "Opening failed",
+            error: std::sync::Arc::new(Wrapped(number)),
+        };
+        let mut cards = Vec::new();
+        push_failure(&mut cards, &failure);
+        push_failure(&mut cards, &failure);
+        assert_eq!(cards.len(), 1, "the same card is shown once");
+        assert_eq!(cards[0].message, "no number");
+        assert!(cards[0].details.starts_with("caused by: out of range"));
+        assert_eq!(cards[0].retry, Some(Topic::OPENING));
+        let export = FailedWork {
+            topic: Topic::EXPORT,
+            ..failure
+        };
+        push_failure(&mut cards, &export);
+        assert_eq!(cards[1].retry, None, "where to write is chosen anew");
+    }
+
+    #[derive(Debug, thiserror::Error)]
+    #[error("no number")]
+    struct Wrapped(#[source] std::num::TryFromIntError);
 
     #[test]
     fn many_errors_are_one_card_that_lists_them() {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::engine::{
-    AnalysisTables, Cache, DeformationMapSettings, Engine, ExportFile, TableSettings,
+    AnalysisTables, DeformationMapSettings, Engine, ExportFile, Interrupted, TableSettings,
     ThickeningSettings, VerdictSettings, distance_words,
 };
 use crate::picture::figure::{
@@ -17,7 +17,7 @@ use crate::picture::figure::{
 };
 use crate::picture::page::{FigureFonts, PageFormat};
 use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings};
-use crate::progress::Progress;
+use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
 use crate::ui::ViewMode;
@@ -263,10 +263,13 @@ impl TableExport {
     /// Writes all tables into a folder, off the window's thread.
     pub fn write(self, engine: &mut Engine, folder: PathBuf) {
         let words = distance_words(&self.settings.deformations.poses.distances);
+        let store = Arc::clone(engine.store());
         engine.start_export("Tables", words, move |progress| {
-            let cache = Cache::default();
-            let tables = AnalysisTables::of(&self.study, &self.settings, &folder, &cache, progress)
-                .map_err(|error| error.to_string())?;
+            let tables = AnalysisTables::of(&store, &self.study, &self.settings, &folder, progress)
+                .map_err(|why| match why {
+                    Interrupted::Stopped => Stopped.to_string(),
+                    Interrupted::Failed(error) => error.to_string(),
+                })?;
             Ok(tables.files(Vec::new())?.0)
         });
     }

@@ -1,61 +1,18 @@
-//! What is said of all hearts, with the state of the study and the thresholds that it was said of.
+//! What is said of all hearts on screen, and what their patches may be called by it.
 
 use std::sync::Arc;
 
 use crate::analysis::verdicts::{NotAssessed, Verdict, Verdicts};
-use crate::engine::{ThickeningSettings, VerdictSettings};
 use crate::picture::{PatchLook, PatchStanding};
-use crate::study::Revision;
 
 use super::state::State;
-
-/// What verdicts belong to.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct VerdictKey {
-    /// State of the study.
-    pub revision: Revision,
-    /// Which opening that study came from.
-    pub opening: u64,
-    /// How walls are assessed.
-    pub settings: ThickeningSettings,
-}
-
-impl VerdictKey {
-    /// The verdicts that the state on screen needs.
-    pub fn wanted(state: &State) -> Self {
-        let document = &state.document;
-        Self {
-            revision: document.study().revision,
-            opening: document.study.opening,
-            settings: document.thickening,
-        }
-    }
-
-    /// How they are asked for.
-    pub fn settings(&self) -> VerdictSettings {
-        VerdictSettings {
-            thickening: self.settings,
-            ..VerdictSettings::default()
-        }
-    }
-}
-
-/// The last verdicts, and those that were asked for last.
-#[derive(Clone, Debug, Default)]
-pub struct VerdictStore {
-    /// What the engine was asked; `None` before the first time.
-    pub asked: Option<VerdictKey>,
-    /// What it answered last.
-    pub found: Option<(VerdictKey, Arc<Verdicts>)>,
-}
 
 impl State {
     /// The verdicts on the study on screen, and whether they are of its state and thresholds of today; those
     /// before stay until the new are there.
     pub fn verdicts(&self) -> Option<(&Arc<Verdicts>, bool)> {
-        let (key, verdicts) = self.results.verdicts.found.as_ref()?;
-        let wanted = VerdictKey::wanted(self);
-        (key.opening == wanted.opening).then_some((verdicts, *key == wanted))
+        let showing = self.of_this_study(self.answers.verdicts.as_ref())?;
+        Some((showing.latest()?, showing.ready().is_some()))
     }
 
     /// What is said of one heart.
@@ -80,6 +37,7 @@ mod tests {
     use super::*;
     use crate::analysis::verdicts::{Features, Finding, RuleSource};
     use crate::app::testing::{state_of, subject_with_frames};
+    use crate::engine::Showing;
 
     fn verdicts(findings: &[Option<Finding>]) -> Arc<Verdicts> {
         let verdict = |finding: &Option<Finding>| match *finding {
@@ -116,7 +74,7 @@ mod tests {
             Some(Finding::GlobalFailure),
             None,
         ]);
-        state.results.verdicts.found = Some((VerdictKey::wanted(&state), found));
+        state.answers.verdicts = Some(Showing::Ready(found));
         let standings: Vec<PatchStanding> = (0..4).map(|i| state.patch_standing(i)).collect();
         let little = PatchStanding::LowThickening;
         assert_eq!(standings, [PatchStanding::Abnormal, little, little, little]);
@@ -128,9 +86,12 @@ mod tests {
     fn verdicts_of_the_thresholds_before_stay_and_say_so_but_not_those_of_another_study() {
         let mut state = state_of(vec![subject_with_frames("a", 3)]);
         let found = verdicts(&[Some(Finding::Patch)]);
-        state.results.verdicts.found = Some((VerdictKey::wanted(&state), found));
+        state.answers.verdicts = Some(Showing::Ready(Arc::clone(&found)));
         assert!(matches!(state.verdicts(), Some((_, true))));
-        state.document.thickening.thickening.border = 0.5;
+        state.answers.verdicts = Some(Showing::Computing {
+            previous: Some(found),
+            watch: Arc::default(),
+        });
         assert!(matches!(state.verdicts(), Some((_, false))));
         assert_eq!(state.patch_standing(0), PatchStanding::Abnormal);
         state.document.study.opening += 1;

@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 
-use crate::engine::{Engine, Showing, WorkKind};
+use crate::engine::{Engine, Showing};
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{self, Command, CommandPaletteView, StatusBarView};
 
@@ -44,8 +44,6 @@ pub struct Drawing<'a> {
     pub deformations: &'a DeformationData,
     /// Points of the map of the medial shape space.
     pub medial_map: &'a MedialMapData,
-    /// The frame whose thickness was asked for last.
-    pub thickness_frame: Option<usize>,
     /// The wall laid flat.
     pub bulls_eye: &'a BullsEyeData,
     /// What the pictures are drawn with.
@@ -115,32 +113,29 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
 fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
     let state = drawing.state;
     let activity = activity_rows(drawing.engine.activities());
-    let showing = |kind| drawing.engine.showing(kind);
-    let measuring = matches!(showing(WorkKind::Measures), Showing::Computing { .. });
-    let patches = PatchData::of(state, drawing.engine, drawing.viewport.shown().first());
-    let verdict = VerdictData::of(state, drawing.engine);
-    let thickness = ThicknessData::of(state, drawing.engine, drawing.thickness_frame);
+    let answers = &state.answers;
+    let measuring = answers.measures.as_ref().is_some_and(Showing::computing);
+    let patches = PatchData::of(state, drawing.viewport.shown().first());
+    let verdict = VerdictData::of(state);
+    let thickness = ThicknessData::of(state);
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
         state,
         cohort: drawing.cohort,
         beat,
-        map: drawing.map.view(state, &showing(WorkKind::PoseMap)),
+        map: drawing.map.view(state, answers.map.as_ref()),
         deformations: drawing.deformations.view(
             state,
-            drawing.engine,
             drawing.map.subjects(),
             drawing.map.left_out(),
         ),
         medial_map: drawing.medial_map.view(
             state,
             drawing.map.subjects(),
-            &showing(WorkKind::MedialMap),
+            answers.medial_map.as_ref(),
         ),
         thickness: thickness.view(state),
-        space_time: drawing
-            .map
-            .space_time(state, &drawing.engine.showing(WorkKind::PoseMap)),
+        space_time: drawing.map.space_time(state, answers.map.as_ref()),
         metric: metric_panel_view(state, drawing.map.subjects()),
         measures: measures_view(state, measuring),
         patch: patches.view(state),
@@ -149,7 +144,7 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
         activity: &activity,
         measuring,
         classifying: verdict.classifying(),
-        opening: matches!(drawing.engine.opening(), Showing::Computing { .. }),
+        opening: drawing.engine.opening(),
         viewport: drawing.viewport,
         meter: &drawing.meter,
         commands: drawing.commands,

@@ -24,13 +24,18 @@ pub fn interval_count(subject: &Subject) -> usize {
 
 /// The poses between the frames of one beat, as far as they were computed.
 #[derive(Clone, Debug)]
-pub struct InBetweens {
+pub struct BeatInBetweens {
     subject: Arc<Subject>,
     params: GeodesicParams,
     paths: Vec<Option<Arc<GeodesicPath>>>,
 }
 
-impl InBetweens {
+impl BeatInBetweens {
+    /// Whether they are those of this beat with these settings.
+    pub fn are_of(&self, subject: &Arc<Subject>, params: &GeodesicParams) -> bool {
+        Arc::ptr_eq(&self.subject, subject) && self.params == *params
+    }
+
     /// The path of an interval, ends included; `None` while it is not computed.
     pub fn path(&self, interval: usize) -> Option<&GeodesicPath> {
         self.paths.get(interval)?.as_deref()
@@ -75,21 +80,22 @@ fn inner(path: &GeodesicPath) -> &[Vec<Point3>] {
     }
 }
 
-/// In-betweens of the beats looked at lately.
+/// In-betweens of the beats looked at lately, put together from the paths that are known: the same value as long as
+/// these stay, so that a heart is prepared once.
 #[derive(Clone, Debug, Default)]
-pub struct InBetweenStore {
+pub struct BeatMemo {
     /// The one used last stands last.
-    beats: Vec<Arc<InBetweens>>,
-    /// What the user stopped: not begun again until asked for.
-    halted: Option<(Arc<Subject>, GeodesicParams)>,
+    beats: Vec<Arc<BeatInBetweens>>,
 }
 
-impl InBetweenStore {
+impl BeatMemo {
     /// The in-betweens of a beat with these settings, if any interval of it was computed.
-    pub fn get(&self, subject: &Arc<Subject>, params: &GeodesicParams) -> Option<&Arc<InBetweens>> {
-        self.beats
-            .iter()
-            .find(|beat| Arc::ptr_eq(&beat.subject, subject) && beat.params == *params)
+    pub fn get(
+        &self,
+        subject: &Arc<Subject>,
+        params: &GeodesicParams,
+    ) -> Option<&Arc<BeatInBetweens>> {
+        self.beats.iter().find(|beat| beat.are_of(subject, params))
     }
 
     /// Takes in the paths of intervals from `first` on. Says whether anything is new.
@@ -102,12 +108,12 @@ impl InBetweenStore {
     ) -> bool {
         let known = self.get(subject, params);
         let mut beat = known.map_or_else(
-            || InBetweens {
+            || BeatInBetweens {
                 subject: Arc::clone(subject),
                 params: *params,
                 paths: vec![None; interval_count(subject)],
             },
-            |beat| InBetweens::clone(beat),
+            |beat| BeatInBetweens::clone(beat),
         );
         let mut news = false;
         for (slot, path) in beat.paths.iter_mut().skip(first).zip(paths) {
@@ -117,31 +123,13 @@ impl InBetweenStore {
             }
         }
         if news {
-            self.beats
-                .retain(|other| !(Arc::ptr_eq(&other.subject, subject) && other.params == *params));
+            self.beats.retain(|other| !other.are_of(subject, params));
             self.beats.push(Arc::new(beat));
             if self.beats.len() > MOST_BEATS {
                 self.beats.remove(0);
             }
         }
         news
-    }
-
-    /// Begins no more work on this beat with these settings until [`Self::resume`].
-    pub fn halt(&mut self, subject: &Arc<Subject>, params: &GeodesicParams) {
-        self.halted = Some((Arc::clone(subject), *params));
-    }
-
-    /// What was stopped may begin again.
-    pub fn resume(&mut self) {
-        self.halted = None;
-    }
-
-    /// Whether the user stopped the work on this beat.
-    pub fn is_halted(&self, subject: &Arc<Subject>, params: &GeodesicParams) -> bool {
-        self.halted
-            .as_ref()
-            .is_some_and(|(halted, with)| Arc::ptr_eq(halted, subject) && with == params)
     }
 }
 
@@ -168,7 +156,7 @@ pub struct BetweenWords {
 /// Words for the pose at a position. `in_betweens` are those of the beat, if there are any;
 /// `pending` says why there are none, and is empty where nothing is known.
 pub fn between_words(
-    in_betweens: Option<&InBetweens>,
+    in_betweens: Option<&BeatInBetweens>,
     position: f64,
     pending: &str,
 ) -> BetweenWords {
@@ -247,7 +235,7 @@ pub(super) mod tests {
     fn the_interval_on_screen_comes_first_and_the_others_after() {
         let subject = Arc::new(subject_with_frames("a", 4));
         let params = GeodesicParams::default();
-        let mut store = InBetweenStore::default();
+        let mut store = BeatMemo::default();
         let all = straight_paths(&subject, 3);
         assert!(store.put(&subject, &params, 2, &all[2..3]));
         let beat = store.get(&subject, &params).unwrap();
@@ -278,7 +266,7 @@ pub(super) mod tests {
 
     #[test]
     fn only_the_beats_of_late_are_kept() {
-        let mut store = InBetweenStore::default();
+        let mut store = BeatMemo::default();
         let params = GeodesicParams::default();
         let subjects: Vec<_> = (0..MOST_BEATS + 2)
             .map(|_| Arc::new(subject_with_frames("a", 3)))
@@ -295,7 +283,7 @@ pub(super) mod tests {
     fn a_frame_says_nothing_and_a_crossing_is_not_hidden() {
         let subject = Arc::new(subject_with_frames("a", 3));
         let params = GeodesicParams::default();
-        let mut store = InBetweenStore::default();
+        let mut store = BeatMemo::default();
         let mut paths = straight_paths(&subject, 3);
         paths[1] = Arc::new(GeodesicPath {
             self_intersections: 2,

@@ -1,5 +1,6 @@
 //! The window's door: state, commands, undo, and the glue between engine, panels and renderer.
 
+mod answers;
 #[expect(
     clippy::module_inception,
     reason = "the room's main type carries the room's name"
@@ -13,11 +14,9 @@ mod apply_tests;
 mod apply_view;
 mod apply_wall;
 mod apply_window;
+mod asks;
+mod asks_beats;
 mod background;
-mod background_beats;
-mod background_medial;
-mod background_thickness;
-mod background_walls;
 mod camera_drag;
 mod carried;
 mod corners;
@@ -32,7 +31,6 @@ mod frame_ui;
 mod in_betweens;
 mod layout;
 mod look;
-mod medial_pictures;
 mod paint;
 mod panes;
 mod pick_label;
@@ -46,24 +44,21 @@ mod start;
 mod state;
 #[cfg(test)]
 mod testing;
-mod thickness_store;
 mod times;
 mod undo;
 mod viewport;
 mod views;
-mod walls;
 
+pub use answers::{Answers, FoundWall};
 pub use app::{App, AppOptions};
 pub use background::Background;
 pub use carried::{CarriedHeart, CarryingState};
 pub use dialogs::{AskPaths, PathQuestion};
-pub use differences::{DifferenceStore, PosePair};
+pub use differences::PosePair;
 pub use document::{CarriedBeat, Document, OpeningReport, StudyRef, Visibility};
-pub use found_verdicts::{VerdictKey, VerdictStore};
-pub use in_betweens::{InBetweenStore, InBetweens};
+pub use in_betweens::BeatInBetweens;
 pub use look::{Direction, Look};
 pub use play::PlayClock;
 pub use start::{StartError, run_window};
-pub use state::{Fresh, Results, Sheets, State};
+pub use state::{Sheets, State};
 pub use undo::{Gesture, History};
-pub use walls::{FoundWall, WallStore};

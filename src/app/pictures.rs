@@ -1,19 +1,23 @@
-//! Hearts made ready for drawing, in the background, and kept as long as memory allows.
+//! Hearts and walls made ready for drawing: questions to the store, like every analysis.
 
 use std::convert::Infallible;
 use std::sync::Arc;
 
-use crate::engine::{Job, Wake, Workers};
-use crate::picture::{CohortLimits, HeartFrame, PreparedSubject, fitted_camera};
+use crate::analysis::medial::MedialBeat;
+use crate::engine::{
+    Context, Dependencies, Interrupted, Memory, Query, Store, SubjectThickening, Urgency,
+};
+use crate::picture::{CohortLimits, HeartFrame, PreparedMedial, PreparedSubject, fitted_camera};
 use crate::render::Camera;
-use crate::study::{Revision, Study, Subject};
+use crate::study::{Study, Subject};
 
-use super::in_betweens::InBetweens;
-use super::medial_pictures::MedialPictures;
+use super::in_betweens::BeatInBetweens;
 
-/// Hearts are let go of, least recently drawn first, while all together have more vertices than
-/// this over all frames: about 600 MB.
-const MOST_VERTEX_FRAMES: usize = 16_000_000;
+/// Bytes of a vertex at a frame: position, normal and colour values on both sides of the graphics card.
+const BYTES_OF_A_VERTEX: usize = 40;
+
+/// Bytes of an atom at a frame: the corners of its disc with their values.
+const BYTES_OF_AN_ATOM: usize = 400;
 
 /// A heart ready for drawing, with where it lies.
 #[derive(Debug)]
@@ -22,6 +26,8 @@ pub struct Heart {
     pub prepared: PreparedSubject,
     /// Where it lies in the world.
     pub frame: HeartFrame,
+    /// Vertices of all its poses together.
+    vertex_frames: usize,
 }
 
 impl Heart {
@@ -31,248 +37,229 @@ impl Heart {
     }
 }
 
-#[derive(Debug)]
-struct Kept {
-    key: HeartKey,
-    heart: Arc<Heart>,
-    vertex_frames: usize,
-}
-
 /// What a heart is made from.
 #[derive(Clone, Debug)]
-struct HeartKey {
+struct HeartPicture {
     subject: Arc<Subject>,
     reference_frame: usize,
-    in_betweens: Option<Arc<InBetweens>>,
+    in_betweens: Option<Arc<BeatInBetweens>>,
 }
 
-impl HeartKey {
-    fn is(&self, other: &Self) -> bool {
+impl PartialEq for HeartPicture {
+    /// Whether both are made from the same values, not from equal ones.
+    fn eq(&self, other: &Self) -> bool {
         let same_poses = match (&self.in_betweens, &other.in_betweens) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             (None, None) => true,
-            _ => false,
+            (Some(_), None) | (None, Some(_)) => false,
         };
         same_poses
             && Arc::ptr_eq(&self.subject, &other.subject)
             && self.reference_frame == other.reference_frame
     }
+}
 
-    fn vertex_frames(&self) -> usize {
-        let sequence = &self.subject.sequence;
-        sequence.vertex_count() * sequence.frame_count()
-            + self.in_betweens.as_ref().map_or(0, |beat| beat.vertices())
+impl Query for HeartPicture {
+    type Answer = Heart;
+    type Error = Infallible;
+    const TITLE: &'static str = "Picture of a heart";
+    const FAILURE: Option<&'static str> = Some("A heart cannot be drawn");
+    const URGENCY: Urgency = Urgency::Interactive;
+    const LISTED: bool = false;
+
+    fn depends_on(&self, _: &Study) -> Dependencies {
+        Dependencies::nothing()
     }
 
-    fn heart(&self) -> Heart {
+    fn run(&self, _: &Context<'_>) -> Result<Heart, Interrupted<Infallible>> {
         let between = self.in_betweens.as_ref();
         let between = between.map_or_else(Vec::new, |beat| beat.inner_poses());
         let prepared =
             PreparedSubject::with_in_betweens(&self.subject, self.reference_frame, &between);
-        let frame = HeartFrame::of(&prepared);
-        Heart { prepared, frame }
-    }
-}
-
-#[derive(Debug)]
-struct Making {
-    key: HeartKey,
-    job: Job<Heart, Infallible>,
-    wanted: bool,
-}
-
-#[derive(Debug)]
-struct Limits {
-    key: (Revision, Vec<usize>),
-    value: Option<CohortLimits>,
-    job: Option<Job<CohortLimits, Infallible>>,
-}
-
-/// All hearts that are ready or being made ready.
-pub struct Pictures {
-    /// Medial surfaces of these hearts.
-    pub walls: MedialPictures,
-    // Jobs stand before the threads: dropped first, which stops what still runs.
-    making: Vec<Making>,
-    kept: Vec<Kept>,
-    limits: Option<Limits>,
-    latest_limits: CohortLimits,
-    threads: Workers,
-    wake: Wake,
-}
-
-impl Pictures {
-    /// Starts the threads.
-    ///
-    /// # Errors
-    /// If the operating system refuses a thread.
-    pub fn start(wake: Wake) -> std::io::Result<Self> {
-        Ok(Self {
-            walls: MedialPictures::start(Arc::clone(&wake))?,
-            making: Vec::new(),
-            kept: Vec::new(),
-            limits: None,
-            latest_limits: CohortLimits::default(),
-            threads: Workers::start("picture", 2)?,
-            wake,
+        let sequence = &self.subject.sequence;
+        let recorded = sequence.vertex_count() * sequence.frame_count();
+        let computed = self.in_betweens.as_ref().map_or(0, |beat| beat.vertices());
+        Ok(Heart {
+            frame: HeartFrame::of(&prepared),
+            vertex_frames: recorded + computed,
+            prepared,
         })
     }
 
-    /// Takes in hearts that became ready; says what broke. Call once a frame, before requests.
-    pub fn poll(&mut self) -> Vec<String> {
-        let mut problems = self.walls.poll();
-        let mut ready = Vec::new();
-        self.making.retain_mut(|making| match making.job.poll() {
-            None => true,
-            Some(Ok(heart)) => {
-                ready.push(Kept {
-                    vertex_frames: making.key.vertex_frames(),
-                    key: making.key.clone(),
-                    heart: Arc::new(heart),
-                });
-                false
-            }
-            Some(Err(error)) => {
-                problems.push(error.to_string());
-                false
-            }
-        });
-        self.kept.append(&mut ready);
-        self.let_go();
-        if let Some(limits) = &mut self.limits
-            && let Some(outcome) = limits.job.as_mut().and_then(Job::poll)
-        {
-            limits.job = None;
-            match outcome {
-                Ok(value) => {
-                    limits.value = Some(value);
-                    self.latest_limits = value;
-                }
-                Err(error) => problems.push(error.to_string()),
-            }
-        }
-        problems
+    fn memory(heart: &Heart, memory: &mut Memory) {
+        memory.own(heart.vertex_frames * BYTES_OF_A_VERTEX);
+    }
+
+    /// The 3D view itself keeps the hearts on screen until all new ones are there.
+    fn replaces(&self, _: &Self) -> bool {
+        false
+    }
+}
+
+/// What a medial surface is made from.
+#[derive(Clone, Debug)]
+struct MedialPicture {
+    subject: Arc<Subject>,
+    beat: Arc<MedialBeat>,
+    end_diastole: usize,
+}
+
+impl PartialEq for MedialPicture {
+    /// Whether both are made from the same values, not from equal ones.
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.subject, &other.subject)
+            && Arc::ptr_eq(&self.beat, &other.beat)
+            && self.end_diastole == other.end_diastole
+    }
+}
+
+impl Query for MedialPicture {
+    type Answer = PreparedMedial;
+    type Error = Infallible;
+    const TITLE: &'static str = "Picture of a medial surface";
+    const FAILURE: Option<&'static str> = Some("A medial surface cannot be drawn");
+    const URGENCY: Urgency = Urgency::Interactive;
+    const LISTED: bool = false;
+
+    fn depends_on(&self, _: &Study) -> Dependencies {
+        Dependencies::nothing()
+    }
+
+    fn run(&self, _: &Context<'_>) -> Result<PreparedMedial, Interrupted<Infallible>> {
+        let medial = PreparedMedial::new(&self.subject, &self.beat, self.end_diastole);
+        Ok(medial)
+    }
+
+    fn memory(medial: &PreparedMedial, memory: &mut Memory) {
+        let beat = &medial.beat;
+        memory.own(beat.frames.len() * beat.vertices.len() * BYTES_OF_AN_ATOM);
+    }
+
+    fn replaces(&self, _: &Self) -> bool {
+        false
+    }
+}
+
+/// The colour ranges of a study.
+#[derive(Clone, Debug, PartialEq)]
+struct ColourRanges {
+    reference_frames: Vec<usize>,
+}
+
+impl Query for ColourRanges {
+    type Answer = CohortLimits;
+    type Error = Infallible;
+    const TITLE: &'static str = "Colour ranges";
+    const FAILURE: Option<&'static str> = Some("The colour ranges could not be computed");
+    const LISTED: bool = false;
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::study(study)
+    }
+
+    fn run(&self, cx: &Context<'_>) -> Result<CohortLimits, Interrupted<Infallible>> {
+        Ok(CohortLimits::of(cx.study(), &self.reference_frames))
+    }
+
+    fn memory(_: &CohortLimits, _: &mut Memory) {}
+}
+
+/// A medial surface on screen: the drawn one, and what was found on it.
+#[derive(Clone, Debug)]
+pub struct ShownMedial {
+    /// Ready for drawing.
+    pub prepared: Arc<PreparedMedial>,
+    /// What was found.
+    pub found: Arc<SubjectThickening>,
+}
+
+/// Asks the store for what is drawn of a study.
+#[derive(Clone, Copy)]
+pub struct Pictures<'a> {
+    store: &'a Store,
+    study: &'a Arc<Study>,
+}
+
+impl<'a> Pictures<'a> {
+    /// Of one study.
+    pub fn new(store: &'a Store, study: &'a Arc<Study>) -> Self {
+        Self { store, study }
     }
 
     /// The heart, if it is ready; else it is begun. Cheap every frame.
-    pub fn heart(&mut self, subject: &Arc<Subject>, reference_frame: usize) -> Option<Arc<Heart>> {
-        self.heart_of(HeartKey {
-            subject: Arc::clone(subject),
-            reference_frame,
-            in_betweens: None,
-        })
+    pub fn heart(&self, subject: &Arc<Subject>, reference_frame: usize) -> Option<Arc<Heart>> {
+        self.heart_of(subject, reference_frame, None)
     }
 
     /// The heart with poses between its frames; while it is being made, the heart without them.
     pub fn heart_between(
-        &mut self,
+        &self,
         subject: &Arc<Subject>,
         reference_frame: usize,
-        in_betweens: Option<&Arc<InBetweens>>,
+        in_betweens: Option<&Arc<BeatInBetweens>>,
     ) -> Option<Arc<Heart>> {
-        let whole = in_betweens.and_then(|beat| {
-            self.heart_of(HeartKey {
-                subject: Arc::clone(subject),
-                reference_frame,
-                in_betweens: Some(Arc::clone(beat)),
-            })
-        });
+        let whole =
+            in_betweens.and_then(|beat| self.heart_of(subject, reference_frame, Some(beat)));
         whole.or_else(|| self.heart(subject, reference_frame))
     }
 
-    fn heart_of(&mut self, key: HeartKey) -> Option<Arc<Heart>> {
-        let place = self.kept.iter().position(|kept| kept.key.is(&key));
-        if let Some(place) = place {
-            // The most recently drawn stands last.
-            let kept = self.kept.remove(place);
-            let heart = Arc::clone(&kept.heart);
-            self.kept.push(kept);
-            return Some(heart);
-        }
-        let running = self.making.iter_mut().find(|making| making.key.is(&key));
-        if let Some(making) = running {
-            making.wanted = true;
-            return None;
-        }
-        let work = key.clone();
-        let job = Job::spawn(&self.threads, Arc::clone(&self.wake), move |_| {
-            Ok(work.heart())
-        });
-        self.making.push(Making {
-            key,
-            job,
-            wanted: true,
-        });
-        None
+    /// The medial surface of a heart, if it is ready; else it is begun. Cheap every frame.
+    pub fn medial(
+        &self,
+        subject: &Arc<Subject>,
+        found: &Arc<SubjectThickening>,
+    ) -> Option<ShownMedial> {
+        let query = MedialPicture {
+            subject: Arc::clone(subject),
+            beat: Arc::clone(&found.beat),
+            end_diastole: found.thickening.end_diastole,
+        };
+        let showing = self.store.ask(self.study, &query);
+        showing.ready().map(|prepared| ShownMedial {
+            prepared: Arc::clone(prepared),
+            found: Arc::clone(found),
+        })
     }
 
-    /// Drops work that nobody asked for since the last call.
-    pub fn drop_unwanted(&mut self) {
-        self.making
-            .retain_mut(|making| std::mem::take(&mut making.wanted));
-        self.walls.drop_unwanted();
+    /// The fixed colour ranges of the study; the ones before while new ones are computed.
+    pub fn cohort_limits(&self, reference_frames: &[usize]) -> Option<CohortLimits> {
+        let query = ColourRanges {
+            reference_frames: reference_frames.to_vec(),
+        };
+        let showing = self.store.ask(self.study, &query);
+        showing.latest().map(|limits| **limits)
     }
 
-    /// The fixed colour ranges of a study; the ones before while new ones are computed.
-    pub fn cohort_limits(
-        &mut self,
-        study: &Arc<Study>,
-        reference_frames: &[usize],
-    ) -> CohortLimits {
-        let same = self.limits.as_ref().is_some_and(|limits| {
-            limits.key.0 == study.revision && limits.key.1 == reference_frames
-        });
-        if !same {
-            let (study, frames) = (Arc::clone(study), reference_frames.to_vec());
-            self.limits = Some(Limits {
-                key: (study.revision, frames.clone()),
-                value: None,
-                job: Some(Job::spawn(
-                    &self.threads,
-                    Arc::clone(&self.wake),
-                    move |_| Ok(CohortLimits::of(&study, &frames)),
-                )),
-            });
-        }
-        self.limits
-            .as_ref()
-            .and_then(|limits| limits.value)
-            .unwrap_or(self.latest_limits)
-    }
-
-    /// Whether anything is being made ready.
-    pub fn busy(&self) -> bool {
-        !self.making.is_empty()
-            || self.walls.busy()
-            || self.limits.as_ref().is_some_and(|l| l.job.is_some())
-    }
-
-    fn let_go(&mut self) {
-        let mut total: usize = self.kept.iter().map(|kept| kept.vertex_frames).sum();
-        while total > MOST_VERTEX_FRAMES && self.kept.len() > 2 {
-            total -= self.kept.remove(0).vertex_frames;
-        }
+    fn heart_of(
+        &self,
+        subject: &Arc<Subject>,
+        reference_frame: usize,
+        in_betweens: Option<&Arc<BeatInBetweens>>,
+    ) -> Option<Arc<Heart>> {
+        let query = HeartPicture {
+            subject: Arc::clone(subject),
+            reference_frame,
+            in_betweens: in_betweens.cloned(),
+        };
+        self.store.ask(self.study, &query).ready().cloned()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::subject_with_frames;
+    use crate::app::testing::{study_of, subject_with_frames};
+    use crate::engine::StoreOptions;
     use std::time::{Duration, Instant};
-
-    fn pictures() -> Pictures {
-        Pictures::start(Arc::new(|| ())).unwrap()
-    }
 
     #[test]
     fn a_heart_is_made_once_and_then_kept() {
-        let mut pictures = pictures();
-        let subject = Arc::new(subject_with_frames("a", 3));
+        let store = Store::start(StoreOptions::default()).unwrap();
+        let study = study_of(vec![subject_with_frames("a", 3)]);
+        let (pictures, subject) = (Pictures::new(&store, &study), &study.subjects[0]);
         let begin = Instant::now();
         let heart = loop {
-            assert!(pictures.poll().is_empty());
-            if let Some(heart) = pictures.heart(&subject, 0) {
+            if let Some(heart) = pictures.heart(subject, 0) {
                 break heart;
             }
             assert!(begin.elapsed() < Duration::from_secs(5));
@@ -280,19 +267,8 @@ mod tests {
         };
         assert_eq!(heart.prepared.frame_count, 3);
         assert!(heart.frame.middle.length() < 1e-3);
-        let again = pictures.heart(&subject, 0).unwrap();
+        let again = pictures.heart(subject, 0).unwrap();
         assert!(Arc::ptr_eq(&heart, &again));
-        assert!(!pictures.busy());
-    }
-
-    #[test]
-    fn hearts_that_nobody_wants_any_more_are_dropped() {
-        let mut pictures = pictures();
-        let subject = Arc::new(subject_with_frames("a", 3));
-        assert!(pictures.heart(&subject, 0).is_none());
-        pictures.drop_unwanted();
-        assert!(pictures.busy());
-        pictures.drop_unwanted();
-        assert!(!pictures.busy());
+        assert!(store.activities().is_empty(), "pictures are not listed");
     }
 }

@@ -12,11 +12,10 @@ use crate::render::Camera;
 use crate::study::Subject;
 use crate::ui::ViewMode;
 
-use super::medial_pictures::ShownMedial;
-use super::pictures::{Heart, Pictures};
+use super::pictures::{Heart, Pictures, ShownMedial};
 use super::stage::OnStage;
 use super::state::State;
-use super::views::OverlayData;
+use super::views::overlay_view::OverlayData;
 
 /// A heart on screen: it stays until the next one is ready.
 #[derive(Clone)]
@@ -76,7 +75,7 @@ pub struct Cell<'a> {
 /// The heart of one place, once it is ready.
 pub fn shown_heart(
     state: &State,
-    pictures: &mut Pictures,
+    pictures: Pictures<'_>,
     numbers: &mut MadeNumbers,
     reference_frames: &[usize],
     place: &OnStage,
@@ -102,7 +101,7 @@ pub fn shown_heart(
         .then(|| state.wall_of(place.subject))
         .flatten();
     let medial = match found {
-        Some((Ok(found), _)) => pictures.walls.medial(subject, found),
+        Some((Ok(found), _)) => pictures.medial(subject, found),
         _ => None,
     };
     Some(ShownHeart {
@@ -175,7 +174,7 @@ impl MadeNumbers {
                 Source::Lists(Arc::clone(&state.carried_heart()?.distances))
             }
             Quantity::Contribution if state.document.view_mode == ViewMode::SideBySide => {
-                Source::Lists(Arc::clone(state.results.differences.shown()?))
+                Source::Lists(Arc::clone(state.answers.difference()?))
             }
             Quantity::ThicknessRatio => Source::Medial(Arc::clone(&medial?.prepared)),
             _ => return None,

@@ -8,20 +8,17 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::MedialMap;
 use crate::analysis::transport::Reference;
-use crate::engine::PoseMap;
+use crate::engine::{PoseMap, Showing};
 use crate::study::built_in::BuiltInParams;
-use crate::study::{Revision, Study, Subject};
+use crate::study::{Study, Subject};
 use crate::ui::{ErrorCard, ThemeChoice};
 
-use super::carried::{CarriedHeart, CarryingState, transport_params};
-use super::differences::DifferenceStore;
+use super::answers::{Answers, FoundWall};
+use super::carried::{CarriedHeart, transport_params};
 use super::document::{Document, OpeningReport, StudyRef};
-use super::found_verdicts::VerdictStore;
-use super::in_betweens::{InBetweenStore, InBetweens, geodesic_params};
+use super::in_betweens::{BeatInBetweens, geodesic_params};
 use super::play::PlayClock;
-use super::thickness_store::ThicknessStore;
 use super::undo::History;
-use super::walls::{FoundWall, WallStore};
 
 /// Which sheets lie over the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -34,46 +31,6 @@ pub struct Sheets {
     pub load_report: bool,
     /// About the program.
     pub about: bool,
-}
-
-/// A result with the study it belongs to.
-#[derive(Clone, Debug)]
-pub struct Fresh<T> {
-    /// The revision that it was computed from.
-    pub revision: Revision,
-    /// Which opening that study came from; subjects' indices mean the same within one.
-    pub opening: u64,
-    /// The result.
-    pub value: Arc<T>,
-}
-
-/// The latest results; shown while newer ones are computed, as long as they are of the same study.
-#[derive(Clone, Debug, Default)]
-pub struct Results {
-    /// Clinical measures of every subject.
-    pub measures: Option<Fresh<Vec<SubjectMeasures>>>,
-    /// The map of all poses.
-    pub map: Option<Fresh<PoseMap>>,
-    /// The map of whole deformations.
-    pub deformations: Option<Fresh<DeformationMap>>,
-    /// How well classes can be told apart.
-    pub classes: Option<Fresh<Classes>>,
-    /// Poses between the frames of beats.
-    pub in_betweens: InBetweenStore,
-    /// The beat that was carried over last.
-    pub carried: Option<CarriedHeart>,
-    /// How the carrying that the document asks for stands.
-    pub carrying: CarryingState,
-    /// Where the poses side by side differ.
-    pub differences: DifferenceStore,
-    /// How walls thicken, and their patches.
-    pub walls: WallStore,
-    /// What is said of all hearts.
-    pub verdicts: VerdictStore,
-    /// The map of the medial shape space.
-    pub medial_map: Option<Fresh<MedialMap>>,
-    /// Thickness of walls in several ways of measuring it.
-    pub thickness: ThicknessStore,
 }
 
 /// Everything the window shows.
@@ -95,8 +52,8 @@ pub struct State {
     pub recent: Vec<PathBuf>,
     /// What went wrong, oldest first.
     pub errors: Vec<ErrorCard>,
-    /// The latest results.
-    pub results: Results,
+    /// What the store says in this frame.
+    pub answers: Answers,
     /// What was done last, for the status bar.
     pub message: String,
     /// How finely the built-in cohort is made.
@@ -120,7 +77,7 @@ impl Default for State {
             full_screen: false,
             recent: Vec::new(),
             errors: Vec::new(),
-            results: Results::default(),
+            answers: Answers::default(),
             message: String::new(),
             built_in: BuiltInParams::default(),
             last_opening: 0,
@@ -131,7 +88,7 @@ impl Default for State {
 impl State {
     /// Measures of the study on screen, possibly of its state before the last edit.
     pub fn measures(&self) -> Option<&Arc<Vec<SubjectMeasures>>> {
-        self.of_this_study(self.results.measures.as_ref())
+        self.latest(self.answers.measures.as_ref())
     }
 
     /// Measures of one subject.
@@ -141,28 +98,29 @@ impl State {
 
     /// The map of the study on screen.
     pub fn map(&self) -> Option<&Arc<PoseMap>> {
-        self.of_this_study(self.results.map.as_ref())
+        self.latest(self.answers.map.as_ref())
     }
 
     /// The map of deformations of the study on screen.
     pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
-        self.of_this_study(self.results.deformations.as_ref())
+        self.latest(self.answers.deformations.as_ref())
     }
 
     /// The map of the medial shape space of the study on screen.
     pub fn medial_map(&self) -> Option<&Arc<MedialMap>> {
-        self.of_this_study(self.results.medial_map.as_ref())
+        self.latest(self.answers.medial_map.as_ref())
     }
 
     /// How well the classes of the study on screen can be told apart.
     pub fn classes(&self) -> Option<&Arc<Classes>> {
-        self.of_this_study(self.results.classes.as_ref())
+        self.latest(self.answers.classes.as_ref())
     }
 
     /// The poses between a subject's frames, as far as they were computed with today's settings.
-    pub fn in_betweens_of(&self, index: usize) -> Option<&Arc<InBetweens>> {
+    pub fn in_betweens_of(&self, index: usize) -> Option<&Arc<BeatInBetweens>> {
         let params = geodesic_params(&self.document)?;
-        self.results.in_betweens.get(self.subject(index)?, &params)
+        let beat = self.answers.in_betweens(index)?.beat.as_ref()?;
+        beat.are_of(self.subject(index)?, &params).then_some(beat)
     }
 
     /// The carried beat that the document asks for, once it is computed.
@@ -172,16 +130,15 @@ impl State {
             self.document.carrying()?,
             transport_params(&self.document),
         );
-        (self.results.carried.as_ref()).filter(|heart| heart.key == key)
+        (self.answers.carried.as_ref()).filter(|heart| heart.key == key)
     }
 
     /// How a subject's wall thickens: with today's settings, else with those before, and whether it is
     /// today's. `None` while nothing is known.
     pub fn wall_of(&self, index: usize) -> Option<(&FoundWall, bool)> {
-        let subject = self.subject(index)?;
-        self.results
-            .walls
-            .latest(subject, &self.document.thickening)
+        self.of_this_study(Some(&self.answers))?;
+        let (found, of_today) = self.answers.wall(index)?.found.as_ref()?;
+        Some((found, *of_today))
     }
 
     /// Frames of end-diastole and end-systole of a subject: as stated, else as measured.
@@ -235,9 +192,12 @@ impl State {
         self.play.playing = false;
     }
 
-    fn of_this_study<'a, T>(&self, fresh: Option<&'a Fresh<T>>) -> Option<&'a Arc<T>> {
-        fresh
-            .filter(|fresh| fresh.opening == self.document.study.opening)
-            .map(|fresh| &fresh.value)
+    /// An answer, unless it is about a study that is not on screen any more.
+    pub(super) fn of_this_study<'a, T>(&self, answer: Option<&'a T>) -> Option<&'a T> {
+        answer.filter(|_| self.answers.opening == self.document.study.opening)
+    }
+
+    fn latest<'a, T>(&self, showing: Option<&'a Showing<T>>) -> Option<&'a Arc<T>> {
+        self.of_this_study(showing)?.latest()
     }
 }

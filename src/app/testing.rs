@@ -42,5 +42,6 @@ pub fn study_ref(study: Arc<Study>) -> StudyRef {
 pub fn state_of(subjects: Vec<Subject>) -> State {
     let mut state = State::default();
     state.show_study(study_of(subjects), OpeningReport::default());
+    state.answers.opening = state.document.study.opening;
     state
 }

@@ -48,7 +48,7 @@ impl Viewport {
     }
 
     /// Asks for the hearts of the state; shows them together once all are ready.
-    pub fn prepare(&mut self, state: &State, pictures: &mut Pictures, reference_frames: &[usize]) {
+    pub fn prepare(&mut self, state: &State, pictures: Pictures<'_>, reference_frames: &[usize]) {
         let study = state.document.study();
         let mut ready = Vec::new();
         let mut complete = true;
@@ -63,8 +63,10 @@ impl Viewport {
             self.shown = ready;
             self.mode = state.document.view_mode;
         }
-        if !study.subjects.is_empty() {
-            self.limits = pictures.cohort_limits(study, reference_frames);
+        if !study.subjects.is_empty()
+            && let Some(limits) = pictures.cohort_limits(reference_frames)
+        {
+            self.limits = limits;
         }
         let hearts = self.hearts();
         self.fits.keep(&hearts);

@@ -7,14 +7,12 @@ use serde_json::Value;
 use crate::analysis::embedding::MapMethod;
 use crate::cli::analyze_pictures::Pictured;
 use crate::cli::args::AnalyzeArgs;
-use crate::cli::input::opened_study;
+use crate::cli::input::{interrupted, opened_study, store};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
-use crate::engine::{
-    AnalysisTables, Cache, TableSettings, Unassessed, VerdictSettings, write_files,
-};
+use crate::engine::{AnalysisTables, TableSettings, Unassessed, VerdictSettings, write_files};
 use crate::study::Study;
 
 pub(super) fn analyze(args: &AnalyzeArgs) -> Result<(), CliError> {
@@ -44,10 +42,11 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
         },
     };
     let (work_study, work_folder) = (Arc::clone(&study), folder.to_owned());
-    let cache = Arc::new(Cache::default());
-    let work_cache = Arc::clone(&cache);
+    let store = store()?;
+    let work_store = Arc::clone(&store);
     let tables = run_work(move |progress| {
-        AnalysisTables::of(&work_study, &settings, &work_folder, &work_cache, progress)
+        AnalysisTables::of(&work_store, &work_study, &settings, &work_folder, progress)
+            .map_err(interrupted)
     })?;
     if let Some(reason) = &tables.without_deformations {
         say(&format!("cardiomorph: no map of deformations: {reason}"));
@@ -62,7 +61,7 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
         settings,
         folder: folder.to_owned(),
     };
-    let drawn = pictured.files(args.figures == Switch::On, &cache)?;
+    let drawn = pictured.files(args.figures == Switch::On, &store)?;
     let (files, summary) = tables.files(drawn).map_err(CliError::Unusable)?;
     write_files(files).map_err(CliError::Unusable)?;
     Ok(summary)

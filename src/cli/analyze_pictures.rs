@@ -7,12 +7,13 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::{Finding, Verdicts};
 use crate::cli::figure::{Shot, Studio};
+use crate::cli::input::interrupted;
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisError, AnalysisRequest, Cache, ExportFile, PoseMap, SubjectThickening, TableSettings,
-    distance_words, run, thickening_words,
+    ExportFile, PoseMap, Store, SubjectThickening, TableSettings, WallThickening, distance_words,
+    thickening_words,
 };
 use crate::picture::page::{FigureFonts, Page, PageFormat, pdf_file};
 use crate::picture::report::{REPORT_WIDTH_MM, ReportOrder, report_pages, report_settings};
@@ -47,12 +48,12 @@ impl Pictured {
     pub(super) fn files(
         &self,
         figures: bool,
-        cache: &Arc<Cache>,
+        store: &Arc<Store>,
     ) -> Result<Vec<ExportFile>, CliError> {
         let (mut files, mut patches) = (Vec::new(), Vec::new());
         if figures {
-            let (task, cache) = (self.clone(), Arc::clone(cache));
-            match run_work(move |progress| task.figures(&cache, progress)) {
+            let (task, store) = (self.clone(), Arc::clone(store));
+            match run_work(move |progress| task.figures(&store, progress)) {
                 Ok((drawn, pages)) => (files, patches) = (drawn, pages),
                 Err(error @ CliError::Stopped(_)) => return Err(error),
                 Err(error) => say(&format!("cardiomorph: no figures: {error}")),
@@ -67,7 +68,7 @@ impl Pictured {
     /// patch figures of hearts with an abnormal patch, as files and as pages.
     fn figures(
         &self,
-        cache: &Cache,
+        store: &Store,
         progress: &Progress,
     ) -> Result<(Vec<ExportFile>, Vec<Page>), CliError> {
         progress.begin_phase("drawing figures", 0.0, 1.0);
@@ -95,7 +96,7 @@ impl Pictured {
                 path: folder.join(format!("{name}.png")),
                 bytes: bytes.map_err(CliError::unusable)?.into(),
             });
-            if let Some(found) = self.abnormal_wall(index, cache, progress)? {
+            if let Some(found) = self.abnormal_wall(index, store, progress)? {
                 let scene = SceneSettings {
                     quantity: Quantity::Tissue,
                     medial: MedialSettings::of_patch_figure(),
@@ -132,23 +133,20 @@ impl Pictured {
     fn abnormal_wall(
         &self,
         subject: usize,
-        cache: &Cache,
+        store: &Store,
         progress: &Progress,
     ) -> Result<Option<Arc<SubjectThickening>>, CliError> {
         let assessed = self.verdicts.subjects.get(subject);
         if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
             return Ok(None);
         }
-        let request = AnalysisRequest::Thickening {
+        let query = WallThickening {
             subject,
-            params: self.settings.verdicts.thickening,
+            settings: self.settings.verdicts.thickening,
         };
         let quiet = progress.part("assessing walls", 0.0, 0.0);
-        let outcome = run(&self.study, &request, cache, &quiet).map_err(|error| match error {
-            AnalysisError::Stopped(stopped) => CliError::Stopped(stopped),
-            AnalysisError::Unanswerable(reason) => CliError::Unusable(reason),
-        })?;
-        Ok(outcome.thickening().cloned())
+        let found = store.answer(&self.study, &query, &quiet);
+        found.map(Some).map_err(interrupted)
     }
 
     fn report(&self, patches: Vec<Page>, progress: &Progress) -> Result<ExportFile, CliError> {

@@ -31,6 +31,10 @@ struct Cli {
     /// Number of threads; results do not depend on it [default: one per core, at least 2]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+    /// Memory for answers and prepared hearts, in MiB; what was used longest ago is forgotten and computed again when it
+    /// is needed [default: a quarter of the machine's memory]
+    #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u32).range(16..))]
+    memory: Option<u32>,
 }
 
 /// What to do without a window.
@@ -262,11 +266,12 @@ pub enum Door {
     Command(Box<Command>),
 }
 
-/// Reads the command line and sets the number of threads. Wrong usage, `--help` and `--version`
+/// Reads the command line and sets the number of threads and the memory of stores. Wrong usage, `--help` and `--version`
 /// are answered here and end the program.
 pub fn chosen_door() -> Door {
     let cli = Cli::parse();
     crate::engine::configure_threads(cli.threads.map(usize::from));
+    crate::engine::configure_memory(cli.memory.and_then(|mib| usize::try_from(mib).ok()));
     match cli.command {
         Some(command) => Door::Command(Box::new(command)),
         None => Door::Window(cli.paths),
@@ -308,5 +313,7 @@ mod tests {
         let cli = Cli::try_parse_from(["cardiomorph", "info", "a", "--threads", "3"]).unwrap();
         assert!(matches!(cli.command, Some(Command::Info(_))));
         assert_eq!(cli.threads, Some(3));
+        let cli = Cli::try_parse_from(["cardiomorph", "info", "a", "--memory", "512"]).unwrap();
+        assert_eq!(cli.memory, Some(512));
     }
 }

@@ -7,13 +7,13 @@ use serde_json::json;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::cli::figure_args::FigureArgs;
-use crate::cli::input::{answered, measured, opened_study};
+use crate::cli::input::{answered, measured, opened_study, store};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::words::ViewWord;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisRequest, Cache, ExportFile, SubjectThickening, ThickeningSettings, VerdictSettings,
+    ExportFile, Store, SubjectThickening, ThickeningSettings, VerdictSettings, WallThickening,
     write_files,
 };
 use crate::picture::figure::{
@@ -52,14 +52,14 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
     let index = chosen_subject(&study, args.subject.as_deref())?;
     check_view(args, &study, index)?;
-    let cache = Arc::new(Cache::default());
-    let measures = measured(&study, &cache)?;
+    let store = store()?;
+    let measures = measured(&store, &study)?;
     let shows_ratio = Quantity::from(args.colour) == Quantity::ThicknessRatio;
     let wall = (shows_ratio || args.patch)
-        .then(|| found_wall(args, &study, index, &cache))
+        .then(|| found_wall(args, &store, &study, index))
         .transpose()?;
     let verdicts = match args.patch {
-        true => Some(verdicts_of(args, &study, &cache)?),
+        true => Some(verdicts_of(args, &store, &study)?),
         false => None,
     };
     let end_systole = wall.as_ref().map(|found| found.thickening.end_systole);
@@ -133,38 +133,25 @@ fn check_view(args: &FigureArgs, study: &Study, index: usize) -> Result<(), CliE
 /// How the wall of a subject thickens.
 fn found_wall(
     args: &FigureArgs,
+    store: &Arc<Store>,
     study: &Arc<Study>,
     subject: usize,
-    cache: &Arc<Cache>,
 ) -> Result<Arc<SubjectThickening>, CliError> {
-    let request = AnalysisRequest::Thickening {
-        subject,
-        params: args.patches.settings()?,
-    };
-    let outcome = answered(study, request, cache)?;
-    match outcome.thickening() {
-        Some(found) => Ok(Arc::clone(found)),
-        None => Err(CliError::Unusable(
-            "the wall thickness is missing".to_owned(),
-        )),
-    }
+    let settings = args.patches.settings()?;
+    answered(store, study, &WallThickening { subject, settings })
 }
 
 /// The verdicts of all subjects.
 fn verdicts_of(
     args: &FigureArgs,
+    store: &Arc<Store>,
     study: &Arc<Study>,
-    cache: &Arc<Cache>,
 ) -> Result<Arc<Verdicts>, CliError> {
-    let request = AnalysisRequest::Verdicts(VerdictSettings {
+    let query = VerdictSettings {
         thickening: args.patches.settings()?,
         ..VerdictSettings::default()
-    });
-    let outcome = answered(study, request, cache)?;
-    match outcome.verdicts() {
-        Some(verdicts) => Ok(Arc::clone(verdicts)),
-        None => Err(CliError::Unusable("the verdicts are missing".to_owned())),
-    }
+    };
+    answered(store, study, &query)
 }
 
 fn chosen_subject(study: &Study, id: Option<&str>) -> Result<usize, CliError> {

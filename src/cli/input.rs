@@ -7,8 +7,9 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::run_work;
-use crate::engine::{AnalysisOutcome, AnalysisRequest, Cache, OpenSource, open, run};
+use crate::engine::{Interrupted, Measures, OpenSource, Query, Store, StoreOptions, open};
 use crate::io::{Limits, Opened};
+use crate::progress::Stopped;
 use crate::study::Study;
 
 /// Opens paths, or the built-in cohort if there are none, and says what could not be read.
@@ -38,17 +39,34 @@ pub(super) fn opened(paths: &[PathBuf]) -> Result<Opened, CliError> {
     run_work(move |progress| open(&source, &Limits::default(), progress))
 }
 
-/// Asks the engine, with a progress bar.
+/// A store for one command.
+///
+/// # Errors
+/// If the operating system refuses a thread.
+pub(super) fn store() -> Result<Arc<Store>, CliError> {
+    let store = Store::start(StoreOptions::default());
+    Ok(Arc::new(store.map_err(CliError::unusable)?))
+}
+
+/// Asks the store, with a progress bar.
 ///
 /// # Errors
 /// If stopped, or the study cannot answer.
-pub(super) fn answered(
+pub(super) fn answered<Q: Query>(
+    store: &Arc<Store>,
     study: &Arc<Study>,
-    request: AnalysisRequest,
-    cache: &Arc<Cache>,
-) -> Result<AnalysisOutcome, CliError> {
-    let (study, cache) = (Arc::clone(study), Arc::clone(cache));
-    run_work(move |progress| run(&study, &request, &cache, progress))
+    query: &Q,
+) -> Result<Arc<Q::Answer>, CliError> {
+    let (store, study, query) = (Arc::clone(store), Arc::clone(study), query.clone());
+    run_work(move |progress| store.answer(&study, &query, progress).map_err(interrupted))
+}
+
+/// Why a question has no answer, as a command says it.
+pub(super) fn interrupted<E: std::fmt::Display>(why: Interrupted<E>) -> CliError {
+    match why {
+        Interrupted::Stopped => CliError::Stopped(Stopped),
+        Interrupted::Failed(error) => CliError::unusable(error),
+    }
 }
 
 /// The measures of every subject.
@@ -56,12 +74,8 @@ pub(super) fn answered(
 /// # Errors
 /// If stopped.
 pub(super) fn measured(
+    store: &Arc<Store>,
     study: &Arc<Study>,
-    cache: &Arc<Cache>,
 ) -> Result<Arc<Vec<SubjectMeasures>>, CliError> {
-    let outcome = answered(study, AnalysisRequest::Measures, cache)?;
-    match outcome.measures() {
-        Some(measures) => Ok(Arc::clone(measures)),
-        None => Err(CliError::Unusable("the measures are missing".to_owned())),
-    }
+    answered(store, study, &Measures)
 }

@@ -3,16 +3,16 @@
 use serde_json::json;
 
 use crate::cli::args::MeasureArgs;
-use crate::cli::input::{measured, opened_study};
+use crate::cli::input::{measured, opened_study, store};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::tables;
-use crate::engine::{Cache, write_files};
+use crate::engine::write_files;
 use crate::report::{SubjectRow, subjects_json};
 
 pub(super) fn measure(args: &MeasureArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
-    let measures = measured(&study, &Cache::default().into())?;
+    let measures = measured(&store()?, &study)?;
     let files = tables::measure_files(&study, &measures, &args.out);
     let written = write_files(files).map_err(CliError::Unusable)?;
     let rows = SubjectRow::of_study(&study, &measures);

@@ -9,52 +9,20 @@ use crate::engine::job::{Ending, JobWatch};
 /// Most entries kept; the oldest finished one goes first.
 const MOST_ENTRIES: usize = 200;
 
-/// A kind of background work, for progress bars, Cancel and retry; of each, one piece runs at a time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum WorkKind {
-    /// Reading files or making the built-in cohort.
-    Open,
-    /// Clinical measures.
-    Measures,
-    /// Distances and the map of poses.
-    PoseMap,
-    /// The map of whole deformations.
-    DeformationMap,
-    /// How well classes can be told apart.
-    Classes,
-    /// Poses between the frames of a beat.
-    InBetweens,
-    /// The beat of one heart on another.
-    Transfer,
-    /// Which places make two poses differ.
-    Contribution,
-    /// Atoms of a wall, how it thickens, and its patches.
-    Medial,
-    /// Verdicts on all hearts.
-    Verdicts,
-    /// The map of poses of the medial shape space.
-    MedialMap,
-    /// Ways of measuring the thickness of a wall.
-    Thickness,
-    /// Writing tables or a figure.
-    Export,
-}
+/// What a piece of work is about, for Cancel and retry: all questions of one type, or a kind of job.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Topic(&'static str);
 
-impl WorkKind {
-    /// What analyses do; the others are opening and exporting.
-    pub const ANALYSES: [Self; 11] = [
-        Self::Measures,
-        Self::PoseMap,
-        Self::DeformationMap,
-        Self::Classes,
-        Self::InBetweens,
-        Self::Transfer,
-        Self::Contribution,
-        Self::Medial,
-        Self::Verdicts,
-        Self::MedialMap,
-        Self::Thickness,
-    ];
+impl Topic {
+    /// Reading files or making the built-in cohort.
+    pub const OPENING: Self = Self::named("Open");
+    /// Writing tables or a figure.
+    pub const EXPORT: Self = Self::named("Export");
+
+    /// A topic by its title, which no other has.
+    pub(super) const fn named(title: &'static str) -> Self {
+        Self(title)
+    }
 }
 
 /// One line of the activity list, as it stands now.
@@ -62,8 +30,8 @@ impl WorkKind {
 pub struct Activity {
     /// Counts from 0 over the run of the program.
     pub number: u64,
-    /// What kind of work it is; Cancel takes it.
-    pub kind: WorkKind,
+    /// What it is about; Cancel takes it.
+    pub topic: Topic,
     /// What it is.
     pub name: String,
     /// Its settings in words.
@@ -106,7 +74,7 @@ pub struct ActivityLog {
 #[derive(Debug)]
 struct Record {
     number: u64,
-    kind: WorkKind,
+    topic: Topic,
     name: String,
     parameters: String,
     watch: Arc<JobWatch>,
@@ -116,14 +84,14 @@ impl ActivityLog {
     /// Takes in a job that was just started.
     pub fn record(
         &mut self,
-        kind: WorkKind,
+        topic: Topic,
         name: impl Into<String>,
         parameters: impl Into<String>,
         watch: Arc<JobWatch>,
     ) {
         self.records.push_back(Record {
             number: self.next_number,
-            kind,
+            topic,
             name: name.into(),
             parameters: parameters.into(),
             watch,
@@ -167,7 +135,7 @@ impl Record {
         };
         Activity {
             number: self.number,
-            kind: self.kind,
+            topic: self.topic,
             name: self.name.clone(),
             parameters: self.parameters.clone(),
             asked_ago: watch.queued().elapsed(),
@@ -200,7 +168,7 @@ mod tests {
                 std::thread::yield_now();
             }
             log.record(
-                WorkKind::Measures,
+                Topic::OPENING,
                 format!("work {i}"),
                 "",
                 Arc::clone(job.watch()),

@@ -1,74 +1,67 @@
-//! The window's way to background work: opens, analyses and exports, and keeps what came of it.
+//! The window's way to background work: the store that answers questions, and the jobs that open and export.
 
-use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::engine::activity::{Activity, ActivityLog, WorkKind};
-use crate::engine::cache::Cache;
+use crate::engine::activity::{Activity, Topic};
 use crate::engine::export::{ExportFile, write_files};
-use crate::engine::job::{Job, Wake};
+use crate::engine::job::{Ending, Job, JobError, Wake};
 use crate::engine::open::{OpenSource, open};
-use crate::engine::outcome::AnalysisOutcome;
-use crate::engine::request::{AnalysisError, AnalysisRequest};
-use crate::engine::run::run;
-use crate::engine::slot::{Showing, Slot};
+use crate::engine::store::{FailedWork, SharedError, Store, StoreOptions};
 use crate::engine::workers::Workers;
 use crate::io::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
-use crate::study::{Revision, Study};
+use crate::study::Revision;
 
-type AnalysisSlot = Slot<(Revision, AnalysisRequest), AnalysisOutcome, AnalysisError>;
-
-/// Whether a request that was stopped or has failed begins anew.
-#[derive(Clone, Copy)]
-enum Asking {
-    Once,
-    Again,
-}
+/// Why nothing was exported.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{0}")]
+pub struct ExportError(String);
 
 /// All background work of one window.
 ///
-/// Calls return at once. Every frame: [`Self::poll`], then request what the visible state needs;
-/// the same request again costs nothing. Dropping the engine stops its work, then joins its threads.
+/// Calls return at once. Every frame: [`Self::poll`], then ask the [store](Self::store) for what is on screen. Dropping
+/// the engine stops its work, then joins its threads.
 pub struct Engine {
-    // Slots stand before the workers: they are dropped first, which stops what still runs.
-    opening: Slot<u64, Opened, Stopped>,
-    analyses: BTreeMap<WorkKind, AnalysisSlot>,
-    export: Slot<u64, Vec<PathBuf>, String>,
-    log: ActivityLog,
-    cache: Arc<Cache>,
-    revisions: Arc<AtomicU64>,
+    // Jobs stand before their threads: they are dropped first, which stops what still runs.
+    opening: Option<Job<Opened, Stopped>>,
+    opened: Option<Opened>,
+    export: Option<Job<Vec<PathBuf>, ExportError>>,
+    exported: Option<Vec<PathBuf>>,
     last_opening: Option<OpenSource>,
-    tickets: u64,
+    revisions: Arc<AtomicU64>,
     limits: Limits,
     wake: Wake,
-    jobs: Workers,
+    exporter: Workers,
     reader: Workers,
+    store: Arc<Store>,
 }
 
 impl Engine {
-    /// Starts two threads for computations and one that reads files. `wake` is called from them
-    /// whenever [`Self::poll`] will find something new.
+    /// Starts the store, a thread that reads files and one that writes them.
     ///
     /// # Errors
     /// If the operating system refuses a thread.
-    pub fn start(wake: Wake) -> std::io::Result<Self> {
+    pub fn start(options: StoreOptions) -> std::io::Result<Self> {
         Ok(Self {
-            opening: Slot::default(),
-            analyses: BTreeMap::new(),
-            export: Slot::default(),
-            log: ActivityLog::default(),
-            cache: Arc::new(Cache::default()),
-            revisions: Arc::new(AtomicU64::new(1)),
+            opening: None,
+            opened: None,
+            export: None,
+            exported: None,
             last_opening: None,
-            tickets: 0,
+            revisions: Arc::new(AtomicU64::new(1)),
             limits: Limits::default(),
-            wake,
-            jobs: Workers::start("job", 2)?,
+            wake: Arc::clone(&options.wake),
+            exporter: Workers::start("export", 1)?,
             reader: Workers::start("reader", 1)?,
+            store: Arc::new(Store::start(options)?),
         })
+    }
+
+    /// Answers questions to a study.
+    pub fn store(&self) -> &Arc<Store> {
+        &self.store
     }
 
     /// A revision that no study of this engine has yet; for whoever edits a study.
@@ -79,178 +72,134 @@ impl Engine {
     /// Opens something in place of what is being opened; the study in use is not touched.
     /// What comes of it is handed out once, by [`Self::take_opened`].
     pub fn open(&mut self, source: OpenSource) {
-        let ticket = self.ticket();
         let (name, words) = (source.name(), source.words());
         let (limits, revisions) = (self.limits, Arc::clone(&self.revisions));
         self.last_opening = Some(source.clone());
-        let (reader, wake) = (&self.reader, &self.wake);
-        self.opening.request(ticket, || {
-            let job = Job::spawn(reader, Arc::clone(wake), move |progress: &Progress| {
-                let mut opened = open(&source, &limits, progress)?;
-                opened.study.revision = next_revision(&revisions);
-                Ok(opened)
-            });
-            self.log
-                .record(WorkKind::Open, name, words, Arc::clone(job.watch()));
-            job
+        let wake = Arc::clone(&self.wake);
+        let job = Job::spawn(&self.reader, wake, move |progress: &Progress| {
+            let mut opened = open(&source, &limits, progress)?;
+            opened.study.revision = next_revision(&revisions);
+            Ok(opened)
         });
+        (self.store).list_job(Topic::OPENING, name, words, Arc::clone(job.watch()));
+        self.opened = None;
+        self.opening = Some(job);
     }
 
     /// What was opened, once; `None` while nothing new is there.
-    pub fn take_opened(&mut self) -> Option<Arc<Opened>> {
-        let opened = self.opening.ready().cloned()?;
-        self.opening.clear();
-        Some(opened)
+    pub fn take_opened(&mut self) -> Option<Opened> {
+        self.opened.take()
     }
 
-    /// How opening stands. After a failure or a stop it says so until something else is opened.
-    pub fn opening(&self) -> Showing<'_, Opened, Stopped> {
-        self.opening.showing()
-    }
-
-    /// Asks for an analysis in place of the one of its kind that was asked for before; free if it
-    /// is the same. What was stopped or failed is not begun again: that is [`Self::retry`].
-    pub fn request(&mut self, study: &Arc<Study>, request: AnalysisRequest) {
-        self.ask(study, request, Asking::Once);
-    }
-
-    /// Computes again what was stopped or failed; free if nothing was.
-    pub fn retry(&mut self, study: &Arc<Study>, request: AnalysisRequest) {
-        self.ask(study, request, Asking::Again);
-    }
-
-    /// Opens again what was stopped or failed; free if nothing was opened.
-    pub fn retry_open(&mut self) {
-        if let Some(source) = self.last_opening.clone() {
-            self.open(source);
-        }
-    }
-
-    /// How an analysis stands; nothing is said of [`WorkKind::Open`] and [`WorkKind::Export`].
-    pub fn showing(&self, kind: WorkKind) -> Showing<'_, AnalysisOutcome, AnalysisError> {
-        (self.analyses.get(&kind)).map_or(Showing::Nothing, Slot::showing)
-    }
-
-    /// The newest result of its kind at hand, of whichever revision and settings.
-    pub fn latest(&self, kind: WorkKind) -> Option<&AnalysisOutcome> {
-        self.analyses.get(&kind)?.latest().map(|outcome| &**outcome)
-    }
-
-    /// An answer that was computed before, asked for or as a step to another, if it is still kept.
-    /// Starts nothing.
-    pub fn known(&self, study: &Study, request: &AnalysisRequest) -> Option<AnalysisOutcome> {
-        self.cache.get(study, request)
-    }
-
-    /// Poses between frames are found beginning with this interval, and from it on through the
-    /// beat: the one on screen. Work under way turns to it after the interval that it is at.
-    pub fn look_at_interval(&self, interval: usize) {
-        self.cache.look_at_interval(interval);
+    /// Whether something is being opened.
+    pub fn opening(&self) -> bool {
+        self.opening.is_some()
     }
 
     /// Makes files with `make` and writes them: all of them, or, if it fails or is stopped while
-    /// making, none. What was written is in [`Self::export`] afterwards.
+    /// making, none. What was written is handed out by [`Self::take_exported`].
     pub fn start_export(
         &mut self,
         name: impl Into<String>,
         parameters: impl Into<String>,
         make: impl FnOnce(&Progress) -> Result<Vec<ExportFile>, String> + Send + 'static,
     ) {
-        let ticket = self.ticket();
-        let (jobs, wake, log) = (&self.jobs, &self.wake, &mut self.log);
-        self.export.request(ticket, || {
-            let job = Job::spawn(jobs, Arc::clone(wake), move |progress: &Progress| {
-                let files = make(progress)?;
-                progress.check().map_err(|stopped| stopped.to_string())?;
-                write_files(files)
-            });
-            log.record(WorkKind::Export, name, parameters, Arc::clone(job.watch()));
-            job
+        let wake = Arc::clone(&self.wake);
+        let job = Job::spawn(&self.exporter, wake, move |progress: &Progress| {
+            let files = make(progress).map_err(ExportError)?;
+            progress
+                .check()
+                .map_err(|stopped| ExportError(stopped.to_string()))?;
+            write_files(files).map_err(ExportError)
         });
-    }
-
-    /// Whether one kind of analysis goes on.
-    pub fn computes(&self, kind: WorkKind) -> bool {
-        matches!(self.showing(kind), Showing::Computing { .. })
-    }
-
-    /// How the export stands.
-    pub fn export(&self) -> Showing<'_, Vec<PathBuf>, String> {
-        self.export.showing()
+        (self.store).list_job(Topic::EXPORT, name, parameters, Arc::clone(job.watch()));
+        self.exported = None;
+        self.export = Some(job);
     }
 
     /// The files of a finished export, once.
-    pub fn take_exported(&mut self) -> Option<Arc<Vec<PathBuf>>> {
-        let files = self.export.ready().cloned()?;
-        self.export.clear();
-        Some(files)
+    pub fn take_exported(&mut self) -> Option<Vec<PathBuf>> {
+        self.exported.take()
     }
 
-    /// Stops one kind of work; the last good result stays.
-    pub fn cancel(&mut self, kind: WorkKind) {
-        match kind {
-            WorkKind::Open => self.opening.stop(),
-            WorkKind::Export => self.export.stop(),
-            analysis => {
-                if let Some(slot) = self.analyses.get_mut(&analysis) {
-                    slot.stop();
+    /// Stops work of one kind; what was on screen stays, and nothing begins again until [`Self::retry`].
+    pub fn cancel(&mut self, topic: Topic) {
+        match topic {
+            Topic::OPENING => self.opening = None,
+            Topic::EXPORT => self.export = None,
+            question => self.store.cancel(question),
+        }
+    }
+
+    /// Begins work of one kind again that was stopped or has failed. A file to export to has to be chosen anew.
+    pub fn retry(&mut self, topic: Topic) {
+        match topic {
+            Topic::OPENING => {
+                if let Some(source) = self.last_opening.clone() {
+                    self.open(source);
                 }
+            }
+            Topic::EXPORT => {}
+            question => self.store.retry(question),
+        }
+    }
+
+    /// Takes in what jobs brought. Call once a frame.
+    pub fn poll(&mut self) {
+        if let Some(opened) = finished(&mut self.opening) {
+            match opened {
+                Ok(opened) => self.opened = Some(opened),
+                Err(error) => self.tell(Topic::OPENING, "Opening failed", Arc::new(error)),
+            }
+        }
+        if let Some(exported) = finished(&mut self.export) {
+            match exported {
+                Ok(files) => self.exported = Some(files),
+                Err(error) => self.tell(Topic::EXPORT, "Nothing was exported", Arc::new(error)),
             }
         }
     }
 
-    /// Takes in what finished, and says whether something did. Call once a frame.
-    pub fn poll(&mut self) -> bool {
-        // Every slot is asked, so no short cut at the first that has news.
-        let mut news = self.opening.poll();
-        news |= self.export.poll();
-        for slot in self.analyses.values_mut() {
-            news |= slot.poll();
-        }
-        news
+    /// What went wrong since the last call and needs a card.
+    pub fn take_failures(&self) -> Vec<FailedWork> {
+        self.store.take_failures()
     }
 
     /// Whether anything runs; while it does, its bar moves.
     pub fn busy(&self) -> bool {
-        let analysing = self.analyses.values().any(Slot::busy);
-        self.opening.busy() || analysing || self.export.busy()
+        self.opening.is_some() || self.export.is_some() || self.store.busy()
     }
 
     /// All work of this run, newest first.
     pub fn activities(&self) -> Vec<Activity> {
-        self.log.list()
+        self.store.activities()
     }
 
     /// The work that waits or runs, newest first.
     pub fn running(&self) -> Vec<Activity> {
-        self.log.running()
+        self.store.running()
     }
 
-    fn ask(&mut self, study: &Arc<Study>, request: AnalysisRequest, asking: Asking) {
-        let kind = request.kind();
-        let slot = self.analyses.entry(kind).or_default();
-        let (jobs, wake, log) = (&self.jobs, &self.wake, &mut self.log);
-        let (work_study, cache) = (Arc::clone(study), Arc::clone(&self.cache));
-        // Called only where work really has to begin.
-        let start = || {
-            let job = Job::spawn(jobs, Arc::clone(wake), move |progress: &Progress| {
-                run(&work_study, &request, &cache, progress)
-            });
-            let watch = Arc::clone(job.watch());
-            log.record(kind, request.name(), request.parameters(), watch);
-            job
-        };
-        let key = (study.revision, request);
-        match asking {
-            Asking::Once => slot.request(key, start),
-            Asking::Again => slot.retry(key, start),
-        }
+    fn tell(&self, topic: Topic, title: &'static str, error: SharedError) {
+        self.store.tell(FailedWork {
+            topic,
+            title,
+            error,
+        });
     }
+}
 
-    fn ticket(&mut self) -> u64 {
-        self.tickets += 1;
-        self.tickets
-    }
+/// The outcome of a job that has ended; a stop is none.
+fn finished<T, E>(job: &mut Option<Job<T, E>>) -> Option<Result<T, JobError<E>>>
+where
+    T: Send + 'static,
+    E: std::fmt::Display + Send + 'static,
+{
+    let ended = job.as_mut()?;
+    let outcome = ended.poll()?;
+    let stopped = ended.watch().ending() == Some(&Ending::Stopped);
+    *job = None;
+    (!stopped).then_some(outcome)
 }
 
 fn next_revision(revisions: &AtomicU64) -> Revision {

@@ -1,4 +1,4 @@
-//! Drives the engine as the window does: poll, request, cancel, retry.
+//! Drives the engine as the window does: poll, ask, cancel, retry.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -7,12 +7,11 @@ use std::time::{Duration, Instant};
 
 use super::*;
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::geodesics::GeodesicParams;
 use crate::study::Study;
 use crate::study::built_in::BuiltInParams;
 
 fn engine() -> Engine {
-    Engine::start(Arc::new(|| ())).unwrap()
+    Engine::start(StoreOptions::default()).unwrap()
 }
 
 fn until(engine: &mut Engine, mut met: impl FnMut(&mut Engine) -> bool) {
@@ -37,7 +36,7 @@ fn opened(engine: &mut Engine, vertices: usize) -> Arc<Study> {
         study = engine.take_opened();
         study.is_some()
     });
-    Arc::new(study.unwrap().study.clone())
+    Arc::new(study.unwrap().study)
 }
 
 #[test]
@@ -72,21 +71,25 @@ fn what_cannot_be_made_is_an_error_beside_an_empty_study() {
 fn a_map_is_computed_once_and_then_found() {
     let wakes = Arc::new(AtomicUsize::new(0));
     let counter = Arc::clone(&wakes);
-    let mut engine = Engine::start(Arc::new(move || {
-        counter.fetch_add(1, Ordering::SeqCst);
-    }))
-    .unwrap();
+    let options = StoreOptions {
+        wake: Arc::new(move || {
+            counter.fetch_add(1, Ordering::SeqCst);
+        }),
+        ..StoreOptions::default()
+    };
+    let mut engine = Engine::start(options).unwrap();
     let study = opened(&mut engine, 200);
-    let params = PoseMapParams::default();
-    for _ in 0..3 {
-        engine.request(&study, AnalysisRequest::Measures);
-        engine.request(&study, AnalysisRequest::PoseMap(params));
-    }
+    let (mut measures, mut map) = (None, None);
+    until(&mut engine, |engine| {
+        measures = engine.store().ask(&study, &Measures).ready().cloned();
+        let params = PoseMapParams::default();
+        map = engine.store().ask(&study, &params).ready().cloned();
+        engine.store().end_frame();
+        measures.is_some() && map.is_some()
+    });
+    assert_eq!(measures.unwrap().len(), 23);
+    assert_eq!(map.unwrap().embedding.len(), 184);
     until(&mut engine, |engine| !engine.busy());
-    let measures = engine.latest(WorkKind::Measures).unwrap();
-    assert_eq!(measures.measures().unwrap().len(), 23);
-    let map = engine.latest(WorkKind::PoseMap).unwrap();
-    assert_eq!(map.pose_map().unwrap().embedding.len(), 184);
     assert_eq!(wakes.load(Ordering::SeqCst), 3, "open, measures, map");
     let names: Vec<String> = engine.activities().into_iter().map(|a| a.name).collect();
     assert_eq!(names.len(), 3);
@@ -103,11 +106,11 @@ fn a_map_is_computed_once_and_then_found() {
 fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
     let mut engine = engine();
     let study = opened(&mut engine, 4_000);
-    let request = AnalysisRequest::PoseMap(PoseMapParams {
+    let query = PoseMapParams {
         method: MapMethod::ClassicalMds,
         ..PoseMapParams::default()
-    });
-    engine.request(&study, request);
+    };
+    engine.store().ask(&study, &query);
     until(&mut engine, |engine| {
         engine
             .running()
@@ -115,75 +118,40 @@ fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
             .is_some_and(|activity| activity.duration > Duration::ZERO)
     });
     let asked = Instant::now();
-    engine.cancel(WorkKind::PoseMap);
-    until(&mut engine, |engine| engine.running().is_empty());
+    let topic = Topic::of::<PoseMapParams>();
+    engine.cancel(topic);
+    until(&mut engine, |engine| !engine.busy());
     assert!(asked.elapsed() < Duration::from_millis(500));
     assert_eq!(engine.activities()[0].state, ActivityState::Stopped);
-    engine.request(&study, request);
+    assert!(engine.store().ask(&study, &query).stopped());
     assert!(!engine.busy(), "what was stopped does not begin by itself");
-    let showing = engine.showing(WorkKind::PoseMap);
-    assert!(matches!(showing, Showing::Stopped { .. }));
-    engine.retry(&study, request);
+    engine.retry(topic);
+    assert!(engine.store().ask(&study, &query).computing());
     assert!(engine.busy());
     assert!(engine.activities()[0].parameters.contains("classical MDS"));
-}
-
-#[test]
-fn intervals_of_a_beat_are_known_one_by_one_beginning_with_the_one_looked_at() {
-    let mut engine = engine();
-    let study = opened(&mut engine, 200);
-    let params = GeodesicParams {
-        in_betweens: 1,
-        max_iterations: 20,
-        ..GeodesicParams::default()
-    };
-    let interval = |interval| AnalysisRequest::Interval {
-        subject: 2,
-        interval,
-        params,
-    };
-    engine.look_at_interval(6);
-    let whole = AnalysisRequest::InBetweens { subject: 2, params };
-    engine.request(&study, whole);
-    until(&mut engine, |engine| {
-        engine.known(&study, &interval(6)).is_some()
-    });
-    until(&mut engine, |engine| !engine.busy());
-    let showing = engine.showing(WorkKind::InBetweens);
-    let Showing::Ready(outcome) = showing else {
-        panic!("{showing:?}");
-    };
-    assert_eq!(outcome.in_betweens().unwrap().len(), 8);
-    assert_eq!(engine.running(), []);
-    assert!(matches!(
-        engine.showing(WorkKind::Transfer),
-        Showing::Nothing
-    ));
 }
 
 #[test]
 fn kinds_of_analysis_stand_beside_each_other_and_are_cancelled_alone() {
     let mut engine = engine();
     let study = opened(&mut engine, 2_000);
-    let map = AnalysisRequest::DeformationMap(DeformationMapSettings::default());
-    engine.request(&study, AnalysisRequest::Measures);
-    engine.request(&study, map);
-    engine.cancel(WorkKind::DeformationMap);
+    let map = DeformationMapSettings::default();
+    engine.store().ask(&study, &Measures);
+    engine.store().ask(&study, &map);
+    engine.cancel(Topic::of::<DeformationMapSettings>());
     until(&mut engine, |engine| !engine.busy());
-    assert!(engine.latest(WorkKind::Measures).is_some());
-    assert!(engine.latest(WorkKind::DeformationMap).is_none());
-    let showing = engine.showing(WorkKind::DeformationMap);
-    assert!(matches!(showing, Showing::Stopped { .. }));
-    engine.retry(&study, map);
-    assert!(engine.busy());
+    assert!(engine.store().ask(&study, &Measures).ready().is_some());
+    assert!(engine.store().ask(&study, &map).stopped());
+    engine.retry(Topic::of::<DeformationMapSettings>());
+    assert!(engine.store().ask(&study, &map).computing());
 }
 
 #[test]
 fn closing_the_window_while_work_runs_takes_less_than_half_a_second() {
     let mut engine = engine();
     let study = opened(&mut engine, 4_000);
-    engine.request(&study, AnalysisRequest::PoseMap(PoseMapParams::default()));
-    engine.request(&study, AnalysisRequest::Measures);
+    engine.store().ask(&study, &PoseMapParams::default());
+    engine.store().ask(&study, &Measures);
     std::thread::sleep(Duration::from_millis(50));
     let asked = Instant::now();
     drop(engine);
@@ -205,14 +173,13 @@ fn an_export_is_written_whole_or_not_at_all() {
         written = engine.take_exported();
         written.is_some()
     });
-    assert_eq!(*written.unwrap(), std::slice::from_ref(&path));
+    assert_eq!(written.unwrap(), std::slice::from_ref(&path));
     assert!(path.is_file());
     engine.start_export("Figure", "", |_| Err("no adapter".to_owned()));
     until(&mut engine, |engine| !engine.busy());
-    let Showing::Failed { error, .. } = engine.export() else {
-        panic!("{:?}", engine.export());
-    };
-    assert_eq!(error.to_string(), "no adapter");
+    let failures = engine.take_failures();
+    assert_eq!(failures[0].error.to_string(), "no adapter");
+    assert_eq!(failures[0].topic, Topic::EXPORT);
 }
 
 #[test]
@@ -225,34 +192,33 @@ fn the_activity_list_names_files_without_their_folders() {
 fn thickening_is_stopped_retried_and_follows_a_slider() {
     let mut engine = engine();
     let study = opened(&mut engine, 2_500);
-    let mut params = ThickeningSettings::default();
-    let request = AnalysisRequest::Thickening { subject: 9, params };
-    engine.request(&study, request);
-    engine.cancel(WorkKind::Medial);
-    until(&mut engine, |engine| !engine.busy());
-    let stopped = |engine: &Engine| {
-        let showing = engine.showing(WorkKind::Medial);
-        matches!(showing, Showing::Stopped { .. })
+    let settings = ThickeningSettings::default();
+    let mut query = WallThickening {
+        subject: 9,
+        settings,
     };
-    assert!(stopped(&engine));
-    engine.request(&study, request);
-    assert!(
-        stopped(&engine),
-        "what was stopped does not begin by itself"
-    );
-    engine.retry(&study, request);
+    let topic = Topic::of::<WallThickening>();
+    engine.store().ask(&study, &query);
+    engine.cancel(topic);
     until(&mut engine, |engine| !engine.busy());
-    let found = |engine: &Engine| {
-        let outcome = engine.latest(WorkKind::Medial).unwrap();
-        Arc::clone(outcome.thickening().unwrap())
+    assert!(engine.store().ask(&study, &query).stopped());
+    engine.retry(topic);
+    let answered = |engine: &mut Engine, query: &WallThickening| {
+        let mut found = None;
+        until(engine, |engine| {
+            found = engine.store().ask(&study, query).ready().cloned();
+            engine.store().end_frame();
+            found.is_some()
+        });
+        found.unwrap()
     };
-    let first = found(&engine);
+    let first = answered(&mut engine, &query);
     for step in 1..4 {
-        params.thickening.tolerance = Some(0.05 * f64::from(step));
-        engine.request(&study, AnalysisRequest::Thickening { subject: 9, params });
-        until(&mut engine, |engine| !engine.busy());
-        assert!(Arc::ptr_eq(&found(&engine).beat, &first.beat));
-        assert_eq!(found(&engine).thickening.tolerance, 0.05 * f64::from(step));
+        let tolerance = 0.05 * f64::from(step);
+        query.settings.thickening.tolerance = Some(tolerance);
+        let found = answered(&mut engine, &query);
+        assert!(Arc::ptr_eq(&found.beat, &first.beat));
+        assert_eq!(found.thickening.tolerance, tolerance);
     }
     assert_eq!(engine.activities()[0].name, "Thickening");
     assert!(engine.activities()[0].parameters.contains("± 0.15"));

@@ -50,14 +50,27 @@ pub struct JobWatch {
     ended: OnceLock<(Instant, Ending)>,
 }
 
-impl JobWatch {
-    fn new() -> Self {
+impl Default for JobWatch {
+    /// Of work that is queued now.
+    fn default() -> Self {
         Self {
             progress: Progress::default(),
             queued: Instant::now(),
             started: OnceLock::new(),
             ended: OnceLock::new(),
         }
+    }
+}
+
+impl JobWatch {
+    /// Where the work reports its steps and hears "stop".
+    pub(super) fn progress(&self) -> &Progress {
+        &self.progress
+    }
+
+    /// Says that the work begins.
+    pub(super) fn start(&self) {
+        self.started.set(Instant::now()).ok();
     }
 
     /// Share of the work that is done, in `0.0..=1.0`.
@@ -97,7 +110,8 @@ impl JobWatch {
         time_left(self.elapsed(), self.fraction())
     }
 
-    fn end(&self, ending: Ending) {
+    /// Says how the work ended; the first word stands.
+    pub(super) fn end(&self, ending: Ending) {
         self.ended.set((Instant::now(), ending)).ok();
     }
 }
@@ -133,7 +147,7 @@ where
         wake: Wake,
         work: impl FnOnce(&Progress) -> Result<T, E> + Send + 'static,
     ) -> Self {
-        let watch = Arc::new(JobWatch::new());
+        let watch = Arc::<JobWatch>::default();
         let (sender, outcome) = sync_channel(1);
         let seen = Arc::clone(&watch);
         workers.submit(move || {
@@ -141,7 +155,7 @@ where
                 seen.end(Ending::Stopped);
                 return;
             }
-            seen.started.set(Instant::now()).ok();
+            seen.start();
             let result = match catch_unwind(AssertUnwindSafe(|| work(&seen.progress))) {
                 Ok(result) => result.map_err(JobError::Failed),
                 Err(payload) => Err(JobError::Panicked {
@@ -195,7 +209,8 @@ fn ending_of<T, E: Display>(result: &Result<T, JobError<E>>, stop_requested: boo
     }
 }
 
-fn panic_message(payload: &(dyn Any + Send)) -> String {
+/// What a panic said.
+pub(super) fn panic_message(payload: &(dyn Any + Send)) -> String {
     payload
         .downcast_ref::<&str>()
         .map(|text| (*text).to_owned())

@@ -10,15 +10,13 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::engine::cache::Cache;
 use crate::engine::export::ExportFile;
-use crate::engine::medial_map::map_of;
-use crate::engine::outcome::AnalysisOutcome;
-use crate::engine::request::{AnalysisError, AnalysisRequest, PoseMap, distance_words};
-use crate::engine::run::run;
-use crate::engine::settings::{ClassesSettings, DeformationMapSettings, PoseMapParams};
-use crate::engine::verdicts::{VerdictSettings, judged};
-use crate::engine::wall_tables::{Unassessed, WallTables};
+use crate::engine::queries::{
+    ClassesError, ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams,
+    VerdictSettings, distance_words, judged, map_of,
+};
+use crate::engine::store::{Failure, Interrupted, Store};
+use crate::engine::wall_tables::{TablesError, Unassessed, WallTables};
 use crate::progress::Progress;
 use crate::report::{AnalysisReport, columns_md, pretty_json};
 use crate::study::Study;
@@ -71,48 +69,44 @@ impl AnalysisTables {
     /// If stopped, the study has no answer, or the folder cannot be written to. Too few hearts for a
     /// map of deformations are no error, and neither are hearts whose wall cannot be assessed.
     pub fn of(
-        study: &Study,
+        store: &Store,
+        study: &Arc<Study>,
         settings: &TableSettings,
         folder: &Path,
-        cache: &Cache,
         progress: &Progress,
-    ) -> Result<Self, AnalysisError> {
-        let measures = answered(
-            study,
-            AnalysisRequest::Measures,
-            cache,
-            progress,
-            |outcome| outcome.measures().cloned(),
-        )?;
+    ) -> Result<Self, Interrupted<TablesError>> {
+        let measures = (store.answer(study, &Measures, progress))
+            .map_err(|why| why.map(TablesError::Measures))?;
         let (deformations, folder) = (&settings.deformations, folder.to_owned());
         let part = progress.part("comparing poses", 0.0, POSES_SHARE);
         let maps = (methods(deformations.poses.method).into_iter())
             .map(|(word, method)| {
-                let request = AnalysisRequest::PoseMap(PoseMapParams {
+                let query = PoseMapParams {
                     method,
                     ..deformations.poses
-                });
-                let map = answered(study, request, cache, &part, |outcome| {
-                    outcome.pose_map().cloned()
-                });
+                };
+                let map = store.answer(study, &query, &part);
                 map.map(|map| (word, map))
+                    .map_err(|why| why.map(TablesError::Map))
             })
             .collect::<Result<Vec<_>, _>>()?;
         let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
-        let (told, without_deformations) = match told_apart(study, deformations, cache, &part) {
+        let (told, without_deformations) = match classified(store, study, deformations, &part) {
             Ok(told) => (Some(told), None),
-            Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
-            Err(AnalysisError::Unanswerable(reason)) => (None, Some(reason)),
+            Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
+            Err(Interrupted::Failed(failure)) => (None, Some(failure.to_string())),
         };
         let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
-        let walls = WallTables::of(study, &settings.verdicts, &folder, cache, &part)?;
+        let walls = WallTables::of(store, study, &settings.verdicts, &folder, &part)?;
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
-        let checked = (settings.verdicts.verdicts.check()).map_err(AnalysisError::unanswerable)?;
-        let verdicts = judged(study, &walls.examined, &checked, &part)?;
+        let checked = (settings.verdicts.verdicts.check())
+            .map_err(|error| Interrupted::Failed(TablesError::Verdicts(error.into())))?;
+        let verdicts = judged(study, &walls.examined, &checked, &part)
+            .map_err(|why| why.map(TablesError::Verdicts))?;
         let medial = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
             Ok(map) => Ok(map),
-            Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
-            Err(AnalysisError::Unanswerable(reason)) => Err(reason),
+            Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
+            Err(Interrupted::Failed(error)) => Err(error.to_string()),
         };
         let report = AnalysisReport {
             study,
@@ -129,7 +123,8 @@ impl AnalysisTables {
             medial_map: medial.as_ref().map_err(String::as_str),
             thickening: &walls.summary,
         };
-        let tables = report.tables().map_err(AnalysisError::unanswerable)?;
+        let tables = (report.tables())
+            .map_err(|error| Interrupted::Failed(TablesError::Write(error.to_string())))?;
         let summary = report.summary();
         Ok(Self {
             measures,
@@ -191,36 +186,24 @@ fn methods(chosen: MapMethod) -> Vec<(&'static str, MapMethod)> {
     methods
 }
 
-/// The map of whole deformations, and what is said of classes by it.
-fn told_apart(
-    study: &Study,
+/// The map of whole deformations, and the classification by it.
+type Classified = (Arc<DeformationMap>, Arc<Classes>);
+
+/// Maps the deformations and classifies by them.
+fn classified(
+    store: &Store,
+    study: &Arc<Study>,
     settings: &DeformationMapSettings,
-    cache: &Cache,
     progress: &Progress,
-) -> Result<(Arc<DeformationMap>, Arc<Classes>), AnalysisError> {
-    let classes = AnalysisRequest::Classes(ClassesSettings {
+) -> Result<Classified, Interrupted<Failure<ClassesError>>> {
+    let classes = ClassesSettings {
         deformations: *settings,
         classes: ClassesParams::default(),
-    });
-    let classes = answered(study, classes, cache, progress, |outcome| {
-        outcome.classes().cloned()
-    })?;
-    // Classes stand on the map, which the cache has by now.
-    let map = AnalysisRequest::DeformationMap(*settings);
-    let map = answered(study, map, cache, progress, |outcome| {
-        outcome.deformation_map().cloned()
+    };
+    let classes = store.answer(study, &classes, progress)?;
+    // The classification has asked for the map, so it is known by now.
+    let map = store.answer(study, settings, progress).map_err(|why| {
+        why.map(|failure| Failure::Analysis(Arc::new(ClassesError::Deformations(failure))))
     })?;
     Ok((map, classes))
-}
-
-fn answered<T>(
-    study: &Study,
-    request: AnalysisRequest,
-    cache: &Cache,
-    progress: &Progress,
-    taken: impl Fn(&AnalysisOutcome) -> Option<Arc<T>>,
-) -> Result<Arc<T>, AnalysisError> {
-    let outcome = run(study, &request, cache, progress)?;
-    taken(&outcome)
-        .ok_or_else(|| AnalysisError::Unanswerable(format!("{}: no answer", request.name())))
 }

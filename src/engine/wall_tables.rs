@@ -1,23 +1,40 @@
 //! Tables of the walls of all hearts, made of one heart after the other.
 
+use std::convert::Infallible;
 use std::path::Path;
+use std::sync::Arc;
 
 use serde_json::{Value, json};
 
 use crate::analysis::verdicts::{Examined, NotAssessed};
-use crate::engine::cache::Cache;
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
-use crate::engine::medial_map::{StudyPaths, paths_of};
-use crate::engine::outcome::AnalysisOutcome;
-use crate::engine::request::{AnalysisError, AnalysisRequest};
-use crate::engine::run::run;
-use crate::engine::verdicts::{VerdictSettings, examined};
-use crate::progress::{Progress, Stopped};
+use crate::engine::queries::{
+    PoseMapError, StudyPaths, VerdictSettings, VerdictsError, WallThickening, examined, paths_of,
+};
+use crate::engine::store::{Answered, Failure, Interrupted, Store};
+use crate::progress::Progress;
 use crate::report::{
     AssessedWall, AtomRow, PatchRow, SegmentRow, csv_header, csv_rows, thickening_params_json,
     unassessed_wall_json, wall_json,
 };
 use crate::study::Study;
+
+/// Why the tables of a whole analysis could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum TablesError {
+    /// There are no measures.
+    #[error(transparent)]
+    Measures(Failure<Infallible>),
+    /// There is no map of poses.
+    #[error(transparent)]
+    Map(Failure<PoseMapError>),
+    /// There are no verdicts.
+    #[error(transparent)]
+    Verdicts(VerdictsError),
+    /// The folder cannot be written to.
+    #[error("{0}")]
+    Write(String),
+}
 
 /// A heart whose wall could not be assessed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -46,25 +63,26 @@ pub(super) struct WallTables {
 }
 
 impl WallTables {
-    /// Assesses one heart after the other; no more of them are in memory than the cache keeps.
+    /// Assesses one heart after the other; no more of them are in memory than the store keeps.
     ///
     /// # Errors
     /// If stopped, or `folder` cannot be written to. A heart that cannot be assessed is no error.
     pub fn of(
-        study: &Study,
+        store: &Store,
+        study: &Arc<Study>,
         settings: &VerdictSettings,
         folder: &Path,
-        cache: &Cache,
         progress: &Progress,
-    ) -> Result<Self, AnalysisError> {
+    ) -> Result<Self, Interrupted<TablesError>> {
         let VerdictSettings {
             thickening,
             verdicts,
         } = settings;
-        let checked = verdicts.check().map_err(AnalysisError::unanswerable)?;
+        let checked = (verdicts.check())
+            .map_err(|error| Interrupted::Failed(TablesError::Verdicts(error.into())))?;
         let mut tables = Self {
             atoms: PassingFile::create(folder.join("atoms.csv"))
-                .map_err(AnalysisError::Unanswerable)?,
+                .map_err(|reason| Interrupted::Failed(TablesError::Write(reason)))?,
             patches: csv_header::<PatchRow>(),
             segments: csv_header::<SegmentRow>(),
             summary: Value::Null,
@@ -78,11 +96,11 @@ impl WallTables {
         for subject in 0..study.subjects.len() {
             let [from, to] = [subject, subject + 1].map(|done| done as f32 / count);
             let part = progress.part("assessing walls", from, to);
-            let request = AnalysisRequest::Thickening {
+            let wall = WallThickening {
                 subject,
-                params: *thickening,
+                settings: *thickening,
             };
-            let answer = run(study, &request, cache, &part);
+            let answer = store.answer(study, &wall, &part);
             tables.examined.push(examined(&answer, &checked)?);
             tables.paths.push(paths_of(&answer)?);
             hearts.push(tables.add(study, subject, answer, &part)?);
@@ -99,14 +117,15 @@ impl WallTables {
         &mut self,
         study: &Study,
         index: usize,
-        answer: Result<AnalysisOutcome, AnalysisError>,
+        answer: Answered<WallThickening>,
         progress: &Progress,
-    ) -> Result<Value, AnalysisError> {
+    ) -> Result<Value, Interrupted<TablesError>> {
         let subject = &study.subjects[index];
-        let outcome = match answer {
-            Ok(outcome) => outcome,
-            Err(AnalysisError::Stopped(stopped)) => return Err(stopped.into()),
-            Err(AnalysisError::Unanswerable(reason)) => {
+        let found = match answer {
+            Ok(found) => found,
+            Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
+            Err(Interrupted::Failed(failure)) => {
+                let reason = failure.to_string();
                 let said = unassessed_wall_json(&subject.id, &reason);
                 self.unassessed.push(Unassessed {
                     subject: index,
@@ -115,9 +134,6 @@ impl WallTables {
                 return Ok(said);
             }
         };
-        let found = outcome
-            .thickening()
-            .ok_or(AnalysisError::Stopped(Stopped))?;
         let wall = AssessedWall {
             subject: &subject.id,
             unit: subject.unit,
@@ -135,8 +151,8 @@ impl WallTables {
         Ok(wall_json(&wall))
     }
 
-    fn add_atoms(&mut self, text: &str) -> Result<(), AnalysisError> {
-        self.atoms.write(text).map_err(AnalysisError::Unanswerable)
+    fn add_atoms(&mut self, text: &str) -> Result<(), Interrupted<TablesError>> {
+        (self.atoms.write(text)).map_err(|reason| Interrupted::Failed(TablesError::Write(reason)))
     }
 
     /// The files.

@@ -2,7 +2,7 @@
 
 use egui::{Label, RichText, ScrollArea, Ui};
 
-use crate::engine::WorkKind;
+use crate::engine::Topic;
 use crate::ui::command::Command;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::status_bar::progress_text;
@@ -31,7 +31,7 @@ pub enum WorkState {
 #[derive(Clone, Debug, PartialEq)]
 pub struct WorkItem {
     /// What to cancel or to do again.
-    pub kind: WorkKind,
+    pub kind: Topic,
     /// "Quasi-conformal distances".
     pub title: String,
     /// "184 poses · additive · μ 1 · λ 0.0001".
@@ -154,11 +154,12 @@ fn duration_text(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::PoseMapParams;
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     fn item(state: WorkState) -> WorkItem {
         WorkItem {
-            kind: WorkKind::PoseMap,
+            kind: Topic::of::<PoseMapParams>(),
             title: "Map of poses".to_owned(),
             parameters: "184 poses".to_owned(),
             duration_s: 1.25,
@@ -175,17 +176,17 @@ mod tests {
                     seconds_left: None,
                 },
                 "Cancel",
-                Command::Cancel(WorkKind::PoseMap),
+                Command::Cancel(Topic::of::<PoseMapParams>()),
             ),
             (
                 WorkState::Stopped,
                 "Retry",
-                Command::Retry(WorkKind::PoseMap),
+                Command::Retry(Topic::of::<PoseMapParams>()),
             ),
             (
                 WorkState::Failed("no poses".to_owned()),
                 "Retry",
-                Command::Retry(WorkKind::PoseMap),
+                Command::Retry(Topic::of::<PoseMapParams>()),
             ),
         ] {
             let items = [item(state)];

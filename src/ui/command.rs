@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
-use crate::engine::{PoseMapParams, ThickeningSettings, WorkKind};
+use crate::engine::{PoseMapParams, ThickeningSettings, Topic};
 use crate::picture::figure::SavedView;
 use crate::picture::{AnatomicalView, BullsEyeQuantity, Quantity, WallPart};
 use crate::render::{Camera, Shading};
@@ -199,9 +199,9 @@ pub enum Command {
     /// Open a tile, or bring it before other tabs.
     ShowPane(Pane),
     /// Compute what was cancelled or failed again.
-    Retry(WorkKind),
+    Retry(Topic),
     /// Stop background work.
-    Cancel(WorkKind),
+    Cancel(Topic),
     /// Close an error card.
     DismissError(usize),
     /// Filter the cohort table.

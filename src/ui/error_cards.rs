@@ -4,7 +4,7 @@ use egui::{
     Align2, Area, CollapsingHeader, Frame, Margin, Order, RichText, ScrollArea, Stroke, Ui,
 };
 
-use crate::engine::WorkKind;
+use crate::engine::Topic;
 use crate::ui::command::Command;
 use crate::ui::controls::icon_button_ui;
 use crate::ui::marks::Icon;
@@ -21,7 +21,7 @@ pub struct ErrorCard {
     /// The whole story, one line each; folded until asked for.
     pub details: String,
     /// Work that can be tried again.
-    pub retry: Option<WorkKind>,
+    pub retry: Option<Topic>,
 }
 
 /// Height of the bars at the foot of the window.
@@ -93,7 +93,7 @@ mod tests {
             title: "1 file could not be read".to_owned(),
             message: "line 812: face refers to vertex 9041".to_owned(),
             details: "heart/endo_03.obj".to_owned(),
-            retry: Some(WorkKind::Open),
+            retry: Some(Topic::OPENING),
         }];
         let mut harness = Harness::builder()
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
@@ -112,7 +112,7 @@ mod tests {
         harness.run();
         assert_eq!(
             harness.into_state(),
-            [Command::Retry(WorkKind::Open), Command::DismissError(0)]
+            [Command::Retry(Topic::OPENING), Command::DismissError(0)]
         );
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{Align, Button, Layout, RichText, Ui};
 
-use crate::engine::WorkKind;
+use crate::engine::Topic;
 use crate::ui::command::Command;
 use crate::ui::controls::{progress_bar_ui, time_left_text};
 use crate::ui::style::note;
@@ -12,7 +12,7 @@ use crate::ui::theme::{colours, space};
 #[derive(Clone, Debug, PartialEq)]
 pub struct StatusJob<'a> {
     /// What to cancel.
-    pub kind: WorkKind,
+    pub kind: Topic,
     /// What it is, in the words of the activity list.
     pub text: &'a str,
     /// Done share in `0..=1`.
@@ -120,6 +120,7 @@ pub fn progress_text(fraction: f32, seconds_left: Option<f64>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::PoseMapParams;
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     #[test]
@@ -130,7 +131,7 @@ mod tests {
                 |ui, commands: &mut Vec<Command>| {
                     let view = StatusBarView {
                         job: Some(StatusJob {
-                            kind: WorkKind::PoseMap,
+                            kind: Topic::of::<PoseMapParams>(),
                             text: "Quasi-conformal distances",
                             fraction: 0.714,
                             seconds_left: Some(3.2),
@@ -152,7 +153,7 @@ mod tests {
         assert_eq!(
             harness.into_state(),
             [
-                Command::Cancel(WorkKind::PoseMap),
+                Command::Cancel(Topic::of::<PoseMapParams>()),
                 Command::ToggleLoadReport
             ]
         );

@@ -16,7 +16,9 @@ use cardiomorph::analysis::thickness_methods::{
 use cardiomorph::analysis::verdicts::{
     Examined, NotAssessed, VerdictInput, VerdictParams, examine, verdicts,
 };
-use cardiomorph::engine::{AnalysisRequest, Cache, ThickeningSettings, run};
+use cardiomorph::engine::{
+    Measures, MedialSurfaces, Store, StoreOptions, ThickeningSettings, WallThickening,
+};
 use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::mesh::{Faces, TriMesh, phantom};
 use cardiomorph::progress::Progress;
@@ -221,25 +223,33 @@ fn slider(criterion: &mut Criterion) {
     }
     for (name, heart) in hearts {
         criterion.bench_function(&format!("slider_{name}"), |bencher| {
-            let Some(study) = heart() else { return };
-            let (cache, progress) = (Cache::default(), Progress::default());
-            let known = AnalysisRequest::MedialBeat {
+            let Some(study) = heart().map(Arc::new) else {
+                return;
+            };
+            let Ok(store) = Store::start(StoreOptions::default()) else {
+                return;
+            };
+            let progress = Progress::default();
+            let known = MedialSurfaces {
                 subject: 0,
                 params: MedialParams::default(),
             };
-            for request in [AnalysisRequest::Measures, known] {
-                if let Err(error) = run(&study, &request, &cache, &progress) {
-                    eprintln!("{name}: {error}");
-                }
+            if store.answer(&study, &Measures, &progress).is_err()
+                || store.answer(&study, &known, &progress).is_err()
+            {
+                eprintln!("{name}: no medial surface");
             }
             let mut moved = 0_u32;
             bencher.iter(|| {
                 moved += 1;
-                let mut params = ThickeningSettings::default();
+                let mut settings = ThickeningSettings::default();
                 // Never twice the same, so that no answer is known.
-                params.thickening.tolerance = Some(0.05 + 1e-7 * f64::from(moved));
-                let request = AnalysisRequest::Thickening { subject: 0, params };
-                run(&study, &request, &cache, &progress)
+                settings.thickening.tolerance = Some(0.05 + 1e-7 * f64::from(moved));
+                let query = WallThickening {
+                    subject: 0,
+                    settings,
+                };
+                store.answer(&study, &query, &progress)
             });
         });
     }

@@ -213,6 +213,6 @@ fn the_difference_of_two_hearts_looks_as_it_did() {
         Command::SetQuantity(Quantity::Contribution),
     ];
     compare_after("difference", ThemeChoice::Light, commands, |app| {
-        app.state().results.differences.shown().is_some()
+        app.state().answers.difference().is_some()
     });
 }

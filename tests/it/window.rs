@@ -21,7 +21,7 @@ use std::time::{Duration, Instant};
 
 use cardiomorph::analysis::embedding::Embedding;
 use cardiomorph::app::{App, AppOptions};
-use cardiomorph::engine::WorkKind;
+use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::study::built_in::BuiltInParams;
 use cardiomorph::ui::{Command, Pane, ViewMode};
 use egui_kittest::Harness;
@@ -339,11 +339,15 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
     harness.step();
     harness.step();
     assert!(harness.state().busy(), "other settings make another map");
-    harness.state_mut().push(Command::Cancel(WorkKind::PoseMap));
+    harness
+        .state_mut()
+        .push(Command::Cancel(Topic::of::<PoseMapParams>()));
     wait(&mut harness, "the end of the work", |app| !app.busy());
     assert_eq!(harness.state().state().map(), Some(&before));
     assert!(harness.state().state().errors.is_empty());
-    harness.state_mut().push(Command::Retry(WorkKind::PoseMap));
+    harness
+        .state_mut()
+        .push(Command::Retry(Topic::of::<PoseMapParams>()));
     harness.step();
     harness.step();
     assert!(harness.state().busy(), "asked for again, it runs again");

@@ -126,10 +126,11 @@ pub fn straight_because(state: &State) -> &'static str {
     let Some(params) = geodesic_params(&state.document) else {
         return "Interpolated poses are off (menu Analysis)";
     };
-    let subject = state.document.selected();
+    let beat = state.answers.in_betweens(state.document.subject);
+    let stopped = beat.is_some_and(|beat| beat.stopped);
     if params.check().is_err() {
         "The metric of the map has no geodesics: choose the additive form"
-    } else if subject.is_some_and(|s| state.results.in_betweens.is_halted(s, &params)) {
+    } else if stopped {
         "The computation of interpolated poses was stopped"
     } else {
         ""

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::DeformationMap;
 use crate::app::state::State;
-use crate::engine::{Engine, Showing, WorkKind};
+use crate::engine::{DeformationMapSettings, Interrupted, PoseMapParams, Showing, Topic};
 use crate::study::Study;
 use crate::ui::{
     ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, MapState, MapSubject,
@@ -54,13 +54,12 @@ impl DeformationData {
     pub fn view<'a>(
         &'a self,
         state: &State,
-        engine: &Engine,
         subjects: &'a [MapSubject],
         left_out: &'a [String],
     ) -> DeformationMapView<'a> {
         let map = state.deformations();
         let embedding = map.map(|map| &map.embedding);
-        let (map_state, job) = deformation_state(state, engine);
+        let (map_state, job) = deformation_state(state);
         let points = self.data.points();
         DeformationMapView {
             map: ScatterView {
@@ -71,41 +70,44 @@ impl DeformationData {
             neighbours: embedding.and_then(|embedding| embedding.neighbours),
             reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
             time_weight: map.map(|map| map.time_weight),
-            classes: self.classes(engine),
+            classes: self.classes(state),
         }
     }
 
-    fn classes(&self, engine: &Engine) -> ClassesView<'_> {
-        match engine.showing(WorkKind::Classes) {
-            Showing::Computing { watch, .. } if self.classifiers.is_empty() => {
+    fn classes(&self, state: &State) -> ClassesView<'_> {
+        match &state.answers.classes {
+            None => ClassesView::Absent,
+            Some(Showing::Computing { watch, .. }) if self.classifiers.is_empty() => {
                 ClassesView::Computing {
                     fraction: watch.fraction(),
                 }
             }
-            Showing::Nothing => ClassesView::Absent,
-            _ if !self.classifiers.is_empty() => ClassesView::Ready(&self.classifiers),
-            Showing::Ready(_) => {
+            Some(_) if !self.classifiers.is_empty() => ClassesView::Ready(&self.classifiers),
+            Some(Showing::Ready(_)) => {
                 ClassesView::Unanswerable("not enough labels; subjects of two classes are needed")
             }
-            Showing::Failed { .. } => ClassesView::Unanswerable("the classification failed"),
-            Showing::Computing { .. } | Showing::Stopped { .. } => ClassesView::Absent,
+            Some(Showing::Interrupted {
+                why: Interrupted::Failed(_),
+                ..
+            }) => ClassesView::Unanswerable("the classification failed"),
+            Some(_) => ClassesView::Absent,
         }
     }
 }
 
 /// How the map stands, and which work it waits for: poses are mapped first.
-fn deformation_state(state: &State, engine: &Engine) -> (MapState, WorkKind) {
-    let poses = map_state(state, &engine.showing(WorkKind::PoseMap));
+fn deformation_state(state: &State) -> (MapState, Topic) {
+    let poses = map_state(state, state.answers.map.as_ref());
     if poses != MapState::Ready {
-        return (poses, WorkKind::PoseMap);
+        return (poses, Topic::of::<PoseMapParams>());
     }
     let own = if enough_subjects(state) {
-        map_state(state, &engine.showing(WorkKind::DeformationMap))
+        map_state(state, state.answers.deformations.as_ref())
     } else {
         let why = format!("Fewer than {FEWEST_DEFORMATIONS} subjects: no deformation map");
         MapState::Unanswerable(why)
     };
-    (own, WorkKind::DeformationMap)
+    (own, Topic::of::<DeformationMapSettings>())
 }
 
 /// Whether the map of poses holds so many subjects that their deformations can be mapped.

@@ -4,7 +4,7 @@
 use crate::analysis::measures::SubjectMeasures;
 use crate::app::document::phase_of;
 use crate::app::state::State;
-use crate::engine::{AnalysisError, AnalysisOutcome, PoseMap, Showing};
+use crate::engine::{PoseMap, Showing};
 use crate::study::Study;
 use crate::ui::{
     MapSubject, POSE_MAP, PoseMapView, PosePhase, SPACE_TIME, ScatterData, ScatterPoint,
@@ -56,7 +56,7 @@ impl MapData {
     pub fn view<'a>(
         &'a self,
         state: &State,
-        showing: &Showing<'_, AnalysisOutcome, AnalysisError>,
+        showing: Option<&Showing<PoseMap>>,
     ) -> PoseMapView<'a> {
         let embedding = state.map().map(|map| &map.embedding);
         let [note, explanation] = pose_map_note(
@@ -80,7 +80,7 @@ impl MapData {
     pub fn space_time<'a>(
         &'a self,
         state: &State,
-        showing: &Showing<'_, AnalysisOutcome, AnalysisError>,
+        showing: Option<&Showing<PoseMap>>,
     ) -> SpaceTimeView<'a> {
         let document = &state.document;
         let map_state = map_state(state, showing);

@@ -3,7 +3,7 @@
 use crate::analysis::medial_map::{MedialMap, MedialPose};
 use crate::app::document::phase_of;
 use crate::app::state::State;
-use crate::engine::{AnalysisError, AnalysisOutcome, Showing};
+use crate::engine::Showing;
 use crate::study::Study;
 use crate::ui::{
     MEDIAL_MAP, MapSubject, MedialMapView, PosePhase, ScatterData, ScatterPoint, ScatterView,
@@ -42,7 +42,7 @@ impl MedialMapData {
         &'a self,
         state: &State,
         subjects: &'a [MapSubject],
-        showing: &Showing<'_, AnalysisOutcome, AnalysisError>,
+        showing: Option<&Showing<MedialMap>>,
     ) -> MedialMapView<'a> {
         let map = state.medial_map();
         let [note, explanation] = medial_map_note(

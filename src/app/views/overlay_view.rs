@@ -6,8 +6,8 @@ use crate::app::document::nearest_frame;
 use crate::app::in_betweens::{BetweenWords, between_words};
 use crate::app::stage::OnStage;
 use crate::app::state::State;
+use crate::app::views::beat_view::straight_because;
 use crate::app::views::patch_words::patch_note;
-use crate::app::views::straight_because;
 use crate::picture::{
     ColourLegend, HeartAxes, HeartScene, PreparedSubject, Quantity, USER_LIMITS, frame_words,
 };
@@ -95,7 +95,7 @@ impl OverlayData {
             };
         }
         let beat = state.document.carried;
-        let (standing, leave) = match (state.results.carrying, beat) {
+        let (standing, leave) = match (state.answers.carrying, beat) {
             (CarryingState::Stopped, Some(beat)) => {
                 let (from, onto) = (beat.from, beat.onto);
                 let again = ("Transport again", Command::TransportMotion { from, onto });

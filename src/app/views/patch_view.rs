@@ -4,7 +4,7 @@ use crate::analysis::thickening::Patch;
 use crate::app::shown_heart::ShownHeart;
 use crate::app::state::State;
 use crate::app::views::patch_words::standing_note;
-use crate::engine::{Engine, Showing, SubjectThickening, WorkKind};
+use crate::engine::{Showing, SubjectThickening};
 use crate::picture::{
     PatchStanding, WallPart, extent_words, facing_patch, patch_heading, segment_words,
     smallest_words,
@@ -32,10 +32,10 @@ pub struct PatchData {
 
 impl PatchData {
     /// What is known of the selected heart's wall. `shown` is the heart on screen, for cameras.
-    pub fn of(state: &State, engine: &Engine, shown: Option<&ShownHeart>) -> Self {
+    pub fn of(state: &State, shown: Option<&ShownHeart>) -> Self {
         let document = &state.document;
         let known = state.wall_of(document.subject);
-        let wall = wall_state(state, engine);
+        let wall = wall_state(state);
         let (Some((Ok(found), _)), Some(subject)) = (known, document.selected()) else {
             return Self {
                 state: wall,
@@ -104,7 +104,7 @@ fn sentences_after(words: &str) -> String {
 }
 
 /// How the wall of the selected heart stands.
-pub fn wall_state(state: &State, engine: &Engine) -> WallState {
+fn wall_state(state: &State) -> WallState {
     if state.document.selected().is_none() {
         return WallState::Empty;
     }
@@ -114,12 +114,13 @@ pub fn wall_state(state: &State, engine: &Engine) -> WallState {
         Some((Err(why), true)) => return WallState::NotAssessed(why.clone()),
         _ => {}
     }
-    match engine.showing(WorkKind::Medial) {
-        Showing::Stopped { .. } => WallState::Stopped,
-        Showing::Computing { watch, .. } => WallState::Computing {
+    let wall = state.answers.wall(state.document.subject);
+    match wall.map(|wall| &wall.showing) {
+        Some(Showing::Interrupted { .. }) => WallState::Stopped,
+        Some(Showing::Computing { watch, .. }) => WallState::Computing {
             fraction: watch.fraction(),
         },
-        _ => WallState::Computing { fraction: 0.0 },
+        Some(Showing::Ready(_)) | None => WallState::Computing { fraction: 0.0 },
     }
 }
 

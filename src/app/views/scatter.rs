@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::measures::SubjectMeasures;
 use crate::app::play::pose_at;
 use crate::app::state::State;
-use crate::engine::{AnalysisError, AnalysisOutcome, Showing};
+use crate::engine::{Interrupted, Showing};
 use crate::study::{Revision, Study};
 use crate::ui::{
     MapState, MapSubject, MapWords, ScatterPoint, ScatterView, ViewMode, places_between,
@@ -83,22 +83,24 @@ pub fn left_out<R: std::fmt::Display>(
         .collect()
 }
 
-/// How a map stands, from how its work stands.
-pub fn map_state(state: &State, showing: &Showing<'_, AnalysisOutcome, AnalysisError>) -> MapState {
+/// How a map stands, from how its work stands; `None` where it is not asked for yet.
+pub fn map_state<T>(state: &State, showing: Option<&Showing<T>>) -> MapState {
     if state.document.study().subjects.is_empty() {
         return MapState::Empty;
     }
     match showing {
-        Showing::Ready(_) => MapState::Ready,
-        Showing::Nothing => MapState::Computing {
+        Some(Showing::Ready(_)) => MapState::Ready,
+        None => MapState::Computing {
             fraction: 0.0,
             seconds_left: None,
         },
-        Showing::Computing { watch, .. } => MapState::Computing {
+        Some(Showing::Computing { watch, .. }) => MapState::Computing {
             fraction: watch.fraction(),
             seconds_left: watch.time_left().map(|left| left.as_secs_f64()),
         },
-        Showing::Stopped { .. } => MapState::Stopped,
-        Showing::Failed { error, .. } => MapState::Failed(error.to_string()),
+        Some(Showing::Interrupted { why, .. }) => match why {
+            Interrupted::Stopped => MapState::Stopped,
+            Interrupted::Failed(error) => MapState::Failed(error.to_string()),
+        },
     }
 }

@@ -1,7 +1,7 @@
 //! The status bar and the activity list: what runs, how far it is, what was done.
 
 use crate::app::state::State;
-use crate::engine::{Activity, ActivityState, WorkKind};
+use crate::engine::{Activity, ActivityState, Topic};
 use crate::study::Severity;
 use crate::ui::{StatusBarView, StatusJob, WorkItem, WorkState};
 
@@ -11,7 +11,7 @@ const SHOWN_AFTER_S: f64 = 0.2;
 /// Owned texts behind the status bar.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StatusData {
-    job: Option<(WorkKind, String, f32, Option<f64>)>,
+    job: Option<(Topic, String, f32, Option<f64>)>,
     more_jobs: usize,
     notice_count: usize,
     warning_count: usize,
@@ -39,7 +39,7 @@ impl StatusData {
             } else {
                 format!("{}: {phase}", activity.name)
             };
-            (activity.kind, text, fraction, left)
+            (activity.topic, text, fraction, left)
         });
         let severities = || {
             let study = state.document.study();
@@ -88,7 +88,7 @@ pub fn activity_rows(activities: Vec<Activity>) -> Vec<WorkItem> {
     activities
         .into_iter()
         .map(|activity| WorkItem {
-            kind: activity.kind,
+            kind: activity.topic,
             title: activity.name,
             parameters: activity.parameters,
             duration_s: activity.duration.as_secs_f64(),

@@ -3,9 +3,8 @@
 use std::sync::Arc;
 
 use crate::analysis::thickness_methods::{ThicknessMethod, ThicknessSpread};
-use crate::app::background_thickness::{poses, settings};
 use crate::app::state::State;
-use crate::engine::{Engine, FrameThickness, Showing, ThicknessWay, WayAnswer, WorkKind};
+use crate::engine::{FrameThickness, Showing, ThicknessWay, WayAnswer};
 use crate::picture::nice_ceiling;
 use crate::ui::{Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip};
 
@@ -21,19 +20,14 @@ pub struct ThicknessData {
 }
 
 impl ThicknessData {
-    /// Of the selected heart; `asked` is the frame that is being measured.
-    pub fn of(state: &State, engine: &Engine, asked: Option<usize>) -> Self {
-        let Some(subject) = state.document.selected() else {
+    /// Of the selected heart.
+    pub fn of(state: &State) -> Self {
+        if state.document.selected().is_none() {
             return Self::default();
-        };
-        let settings = settings(state);
-        let store = &state.results.thickness;
-        let known: Vec<(usize, &Arc<FrameThickness>)> = poses(state)
-            .into_iter()
-            .filter_map(|frame| Some((frame, store.get(subject, &settings, frame)?.as_ref().ok()?)))
+        }
+        let known: Vec<(usize, &Arc<FrameThickness>)> = (state.answers.thickness.iter())
+            .filter_map(|(frame, showing)| Some((*frame, showing.ready()?)))
             .collect();
-        let failed = (poses(state).into_iter())
-            .find_map(|frame| store.get(subject, &settings, frame)?.as_ref().err());
         let on_screen = state.document.frame();
         // While the beat plays, what differs is told of end-systole, or of what there is.
         let told = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
@@ -46,7 +40,7 @@ impl ThicknessData {
         let strips = rows.iter().flat_map(|row| &row.strips);
         let most = strips.map(|strip| strip.quantiles[4]).fold(0.0, f64::max);
         Self {
-            state: standing(state, engine, asked, failed),
+            state: standing(state),
             moment: told.map_or_else(String::new, |(frame, _)| moment(state, *frame)),
             rows,
             most: 0.5 * nice_ceiling(2.0 * most),
@@ -78,38 +72,29 @@ fn moment(state: &State, frame: usize) -> String {
     phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
 }
 
-fn standing(
-    state: &State,
-    engine: &Engine,
-    asked: Option<usize>,
-    failed: Option<&String>,
-) -> ThicknessState {
-    let subject = state.document.selected();
-    let (Some(subject), Some(frame)) = (subject, asked) else {
-        return ThicknessState::Computing {
-            fraction: 0.0,
-            moment: "waiting".to_owned(),
+/// How the first pose stands that is not measured; what cannot be measured is told once the others are there.
+fn standing(state: &State) -> ThicknessState {
+    let poses = &state.answers.thickness;
+    let waiting = |showing: &Showing<FrameThickness>| {
+        showing.ready().is_none() && showing.failure().is_none()
+    };
+    let Some((frame, showing)) = poses.iter().find(|(_, showing)| waiting(showing)) else {
+        let failure = poses.iter().find_map(|(_, showing)| showing.failure());
+        return match failure {
+            Some(error) => ThicknessState::Failed(error.to_string()),
+            None if poses.is_empty() => ThicknessState::Computing {
+                fraction: 0.0,
+                moment: "waiting".to_owned(),
+            },
+            None => ThicknessState::Ready,
         };
     };
-    let settings = settings(state);
-    let store = &state.results.thickness;
-    let missing = poses(state)
-        .into_iter()
-        .any(|frame| store.get(subject, &settings, frame).is_none());
-    match engine.showing(WorkKind::Thickness) {
-        _ if !missing => match failed {
-            Some(reason) => ThicknessState::Failed(reason.clone()),
-            None => ThicknessState::Ready,
-        },
-        Showing::Stopped { .. } => ThicknessState::Stopped,
+    match showing {
         Showing::Computing { watch, .. } => ThicknessState::Computing {
             fraction: watch.fraction(),
-            moment: moment(state, frame),
+            moment: moment(state, *frame),
         },
-        _ => ThicknessState::Computing {
-            fraction: 0.0,
-            moment: moment(state, frame),
-        },
+        Showing::Ready(_) | Showing::Interrupted { .. } => ThicknessState::Stopped,
     }
 }
 

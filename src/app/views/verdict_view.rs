@@ -3,10 +3,9 @@
 use crate::analysis::verdicts::{
     Familiarity, Finding, RuleQuality, RuleSource, Verdict, VerdictParams, Verdicts,
 };
-use crate::app::found_verdicts::VerdictKey;
 use crate::app::state::State;
 use crate::app::views::evidence::evidence;
-use crate::engine::{Engine, Showing, WorkKind};
+use crate::engine::{Interrupted, Showing};
 use crate::picture::percent;
 use crate::study::LabelRole;
 use crate::ui::{
@@ -27,9 +26,9 @@ pub struct VerdictData {
 
 impl VerdictData {
     /// What is known of the selected heart.
-    pub fn of(state: &State, engine: &Engine) -> Self {
+    pub fn of(state: &State) -> Self {
         Self {
-            state: verdict_state(state, engine),
+            state: verdict_state(state),
             report: report(state),
             classifier: (state.verdicts()).map(|(verdicts, _)| classifier_report(verdicts)),
         }
@@ -55,23 +54,26 @@ impl VerdictData {
     }
 }
 
-fn verdict_state(state: &State, engine: &Engine) -> VerdictState {
+fn verdict_state(state: &State) -> VerdictState {
     if state.document.selected().is_none() {
         return VerdictState::Empty;
     }
-    if let Some((_, true)) = state.verdicts() {
-        return VerdictState::Ready;
-    }
-    let asked = state.results.verdicts.asked == Some(VerdictKey::wanted(state));
-    match engine.showing(WorkKind::Verdicts) {
-        Showing::Computing { watch, .. } => VerdictState::Computing {
+    match &state.answers.verdicts {
+        Some(Showing::Ready(_)) => VerdictState::Ready,
+        // Statistics of the cohort wait until nothing else is computed.
+        Some(Showing::Computing { watch, .. }) if watch.elapsed().is_zero() => {
+            VerdictState::Waiting
+        }
+        Some(Showing::Computing { watch, .. }) => VerdictState::Computing {
             fraction: watch.fraction(),
             phase: watch.phase(),
             seconds_left: watch.time_left().map(|left| left.as_secs_f64()),
         },
-        Showing::Stopped { .. } if asked => VerdictState::Stopped,
-        Showing::Failed { error, .. } if asked => VerdictState::Failed(error.to_string()),
-        _ => VerdictState::Waiting,
+        Some(Showing::Interrupted { why, .. }) => match why {
+            Interrupted::Stopped => VerdictState::Stopped,
+            Interrupted::Failed(error) => VerdictState::Failed(error.to_string()),
+        },
+        None => VerdictState::Waiting,
     }
 }
 

@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use super::*;
 use crate::engine::export::write_files;
+use crate::engine::store::StoreOptions;
 use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{MeshSequence, SurfaceKind};
 
 /// A well heart, one with a patch, and one of which only the endocardium is there.
-fn study() -> Study {
+fn study() -> Arc<Study> {
     let params = BuiltInParams {
         vertices: 600,
         ..BuiltInParams::default()
@@ -22,14 +23,18 @@ fn study() -> Study {
     let mut cavity = (*whole.subjects[1]).clone();
     let endo = cavity.sequence.surface(SurfaceKind::Endocardium).unwrap();
     cavity.sequence = MeshSequence::new(vec![endo.clone()]).unwrap();
-    Study {
+    Arc::new(Study {
         subjects: vec![
             Arc::clone(&whole.subjects[0]),
             Arc::new(cavity),
             Arc::clone(ill),
         ],
         ..whole
-    }
+    })
+}
+
+fn store() -> Store {
+    Store::start(StoreOptions::default()).unwrap()
 }
 
 fn rows(path: &Path) -> Vec<csv::StringRecord> {
@@ -41,12 +46,11 @@ fn rows(path: &Path) -> Vec<csv::StringRecord> {
 fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_rows() {
     let (study, folder) = (study(), tempfile::tempdir().unwrap());
     let settings = VerdictSettings::default();
-    let cache = Cache::default();
     let tables = WallTables::of(
+        &store(),
         &study,
         &settings,
         folder.path(),
-        &cache,
         &Progress::default(),
     )
     .unwrap();
@@ -86,14 +90,8 @@ fn a_stop_leaves_no_file() {
     let progress = Progress::default();
     progress.stop();
     let settings = VerdictSettings::default();
-    let stopped = WallTables::of(
-        &study,
-        &settings,
-        folder.path(),
-        &Cache::default(),
-        &progress,
-    );
-    assert_eq!(stopped.unwrap_err(), AnalysisError::Stopped(Stopped));
+    let stopped = WallTables::of(&store(), &study, &settings, folder.path(), &progress);
+    assert!(matches!(stopped, Err(Interrupted::Stopped)));
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
 }
 
@@ -103,9 +101,12 @@ fn a_folder_that_cannot_be_is_named_before_anything_is_computed() {
     let taken = folder.path().join("taken");
     std::fs::write(&taken, "a file").unwrap();
     let settings = VerdictSettings::default();
-    let cache = Cache::default();
-    let refused = WallTables::of(&study(), &settings, &taken, &cache, &Progress::default());
-    let words = refused.unwrap_err().to_string();
+    let store = store();
+    let refused = WallTables::of(&store, &study(), &settings, &taken, &Progress::default());
+    let Err(Interrupted::Failed(error)) = refused else {
+        panic!("{refused:?}");
+    };
+    let words = error.to_string();
     assert!(words.starts_with("cannot write: "), "{words}");
-    assert!(cache.is_empty());
+    assert_eq!(store.answers::<WallThickening>(), 0);
 }

@@ -163,7 +163,7 @@ impl PolarMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::{AnalysisRequest, Cache, ThickeningSettings, run};
+    use crate::engine::{Store, StoreOptions, ThickeningSettings, WallThickening};
     use crate::mesh::phantom;
     use crate::progress::Progress;
     use crate::study::built_in::{BuiltInParams, cohort};
@@ -176,13 +176,14 @@ mod tests {
             vertices: 400,
             ..BuiltInParams::default()
         };
-        let study = cohort(&params).unwrap().study;
-        let request = AnalysisRequest::Thickening {
+        let study = Arc::new(cohort(&params).unwrap().study);
+        let query = WallThickening {
             subject: 0,
-            params: ThickeningSettings::default(),
+            settings: ThickeningSettings::default(),
         };
-        let outcome = run(&study, &request, &Cache::default(), &Progress::default()).unwrap();
-        let found: Arc<SubjectThickening> = Arc::clone(outcome.thickening().unwrap());
+        let store = Store::start(StoreOptions::default()).unwrap();
+        let answer = store.answer(&study, &query, &Progress::default());
+        let found: Arc<SubjectThickening> = answer.unwrap();
         let subject = &study.subjects[0];
         let flat = PolarMap::of(&found).unwrap();
         assert!(flat.oriented);

@@ -8,7 +8,7 @@ mod tests;
 use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::analysis::segments::Segment;
-use crate::engine::WorkKind;
+use crate::engine::{Topic, WallThickening};
 use crate::picture::{BullsEyeQuantity, BullsEyeScale, WallPart};
 use crate::ui::command::Command;
 use crate::ui::controls::{choice_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
@@ -89,7 +89,7 @@ fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>)
         }
         (WallState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
             if ui.button("Measure wall thickness").clicked() {
-                commands.push(Command::Retry(WorkKind::Medial));
+                commands.push(Command::Retry(Topic::of::<WallThickening>()));
             }
         }),
         (WallState::Ready, Some(why)) => empty_pane_ui(ui, "No bull's-eye", why, |_| {}),

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::analysis::embedding::MapMethod;
-use crate::engine::WorkKind;
+use crate::engine::{MedialMapParams, Topic};
 use crate::ui::command::Command;
 use crate::ui::controls::{chooser_ui, pane_header_ui};
 use crate::ui::metric_words::method_name;
@@ -21,7 +21,7 @@ pub struct MedialMapView<'a> {
 
 /// The words of the map.
 pub static MEDIAL_MAP: MapWords = MapWords {
-    job: WorkKind::MedialMap,
+    job: Topic::of::<MedialMapParams>(),
     name: "Medial map",
     item: "Medial path",
     empty: "No poses",

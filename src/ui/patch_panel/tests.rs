@@ -113,7 +113,10 @@ fn a_stopped_measurement_can_be_begun_again() {
     let mut shown = harness(Shown::with(WallState::Stopped, "", Vec::new()));
     shown.get_by_label("Measure again").click();
     shown.run();
-    assert_eq!(*shown.state(), [Command::Retry(WorkKind::Medial)]);
+    assert_eq!(
+        *shown.state(),
+        [Command::Retry(Topic::of::<WallThickening>())]
+    );
 }
 
 #[test]

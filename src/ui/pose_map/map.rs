@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::engine::{PoseMapParams, WorkKind};
+use crate::engine::{PoseMapParams, Topic};
 use crate::ui::command::Command;
 use crate::ui::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
 
@@ -17,7 +17,7 @@ pub struct PoseMapView<'a> {
 
 /// The words of the map.
 pub static POSE_MAP: MapWords = MapWords {
-    job: WorkKind::PoseMap,
+    job: Topic::of::<PoseMapParams>(),
     name: "Pose map",
     item: "Poses",
     empty: "No poses",

@@ -2,7 +2,7 @@
 
 use egui::{Rect, Ui, vec2};
 
-use crate::engine::WorkKind;
+use crate::engine::Topic;
 use crate::ui::command::Command;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::status_bar::progress_text;
@@ -48,7 +48,7 @@ pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Comman
 fn cancel_ui(
     ui: &mut Ui,
     name: impl Into<egui::WidgetText>,
-    job: WorkKind,
+    job: Topic,
     commands: &mut Vec<Command>,
 ) {
     let button = ui.button(name.into());
@@ -57,7 +57,7 @@ fn cancel_ui(
     }
 }
 
-fn retry_ui(ui: &mut Ui, name: &str, job: WorkKind, commands: &mut Vec<Command>) {
+fn retry_ui(ui: &mut Ui, name: &str, job: Topic, commands: &mut Vec<Command>) {
     if ui.button(name).clicked() {
         commands.push(Command::Retry(job));
     }
@@ -67,7 +67,7 @@ fn retry_ui(ui: &mut Ui, name: &str, job: WorkKind, commands: &mut Vec<Command>)
 pub fn over_map_ui(
     ui: &mut Ui,
     state: &MapState,
-    job: WorkKind,
+    job: Topic,
     rect: Rect,
     commands: &mut Vec<Command>,
 ) {

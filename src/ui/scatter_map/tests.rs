@@ -6,7 +6,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use super::lens::Lens;
 use super::view::play;
 use super::*;
-use crate::engine::WorkKind;
+use crate::engine::{PoseMapParams, Topic};
 use crate::study::LabelRole;
 use crate::ui::command::Command;
 
@@ -52,7 +52,7 @@ impl Default for Map {
 }
 
 static WORDS: MapWords = MapWords {
-    job: WorkKind::PoseMap,
+    job: Topic::of::<PoseMapParams>(),
     name: "Map",
     item: "Path",
     empty: "Nothing here",
@@ -255,7 +255,10 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
         computing.get_by_label("40 %");
         computing.get_by_label("Cancel").click();
         computing.run();
-        assert_eq!(*computing.state(), [Command::Cancel(WorkKind::PoseMap)]);
+        assert_eq!(
+            *computing.state(),
+            [Command::Cancel(Topic::of::<PoseMapParams>())]
+        );
         let again = if with_points {
             "Retry"
         } else {
@@ -264,7 +267,10 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
         let mut stopped = shown(MapState::Stopped);
         stopped.get_by_label(again).click();
         stopped.run();
-        assert_eq!(*stopped.state(), [Command::Retry(WorkKind::PoseMap)]);
+        assert_eq!(
+            *stopped.state(),
+            [Command::Retry(Topic::of::<PoseMapParams>())]
+        );
     }
 }
 

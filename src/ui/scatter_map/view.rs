@@ -1,6 +1,6 @@
 //! What a map of points shows, as plain values: each map fills these in, and all are drawn alike.
 
-use crate::engine::WorkKind;
+use crate::engine::Topic;
 use crate::study::LabelRole;
 use crate::ui::command::Command;
 
@@ -47,7 +47,7 @@ pub struct MapSubject {
 #[derive(Clone, Copy, Debug)]
 pub struct MapWords {
     /// The work that computes it.
-    pub job: WorkKind,
+    pub job: Topic,
     /// What the map is called.
     pub name: &'static str,
     /// What a path is called: "Curve" of a subject.
@@ -81,7 +81,7 @@ pub struct ScatterView<'a> {
     /// How the map stands.
     pub state: MapState,
     /// The work that Cancel and Retry are about.
-    pub job: WorkKind,
+    pub job: Topic,
     /// All subjects of the study.
     pub subjects: &'a [MapSubject],
     /// All points; none where there is no map.

@@ -2,7 +2,7 @@
 
 use egui::{Color32, Pos2, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
-use crate::engine::WorkKind;
+use crate::engine::{PoseMapParams, Topic};
 use crate::ui::command::Command;
 use crate::ui::scatter_map::{
     MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play, pointed_at,
@@ -25,7 +25,7 @@ pub struct SpaceTimeView<'a> {
 
 /// The words of the plot.
 pub static SPACE_TIME: MapWords = MapWords {
-    job: WorkKind::PoseMap,
+    job: Topic::of::<PoseMapParams>(),
     name: "Spatiotemporal plot",
     item: "Curve",
     empty: "No poses",

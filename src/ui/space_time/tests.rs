@@ -5,7 +5,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use egui::{Key, Pos2, vec2};
 
 use super::*;
-use crate::engine::WorkKind;
+use crate::engine::{PoseMapParams, Topic};
 use crate::ui::command::Command;
 use crate::ui::scatter_map::{MapState, MapSubject, PosePhase, ScatterPoint, ScatterView};
 
@@ -127,5 +127,8 @@ fn a_new_map_can_be_cancelled_while_the_old_curves_stay() {
     place(&harness, 2);
     harness.get_by_label("Cancel").click();
     harness.run();
-    assert_eq!(*harness.state(), [Command::Cancel(WorkKind::PoseMap)]);
+    assert_eq!(
+        *harness.state(),
+        [Command::Cancel(Topic::of::<PoseMapParams>())]
+    );
 }

@@ -90,12 +90,18 @@ fn measuring_can_be_cancelled_and_begun_again() {
     shown.get_by_label("ES, 40 %");
     shown.get_by_label("Cancel").click();
     shown.run();
-    assert_eq!(*shown.state(), [Command::Cancel(WorkKind::Thickness)]);
+    assert_eq!(
+        *shown.state(),
+        [Command::Cancel(Topic::of::<PoseThickness>())]
+    );
     let mut shown = harness(ThicknessState::Stopped, Some("P05"));
     shown.run();
     shown.get_by_label("Measure").click();
     shown.run();
-    assert_eq!(*shown.state(), [Command::Retry(WorkKind::Thickness)]);
+    assert_eq!(
+        *shown.state(),
+        [Command::Retry(Topic::of::<PoseThickness>())]
+    );
 }
 
 #[test]

@@ -119,7 +119,10 @@ fn work_under_way_shows_how_far_it_is_and_can_be_cancelled() {
         assert_eq!(of_before.is_some(), again);
         shown.get_by_label("Cancel classification").click();
         shown.run();
-        assert_eq!(shown.into_state(), [Command::Cancel(WorkKind::Verdicts)]);
+        assert_eq!(
+            shown.into_state(),
+            [Command::Cancel(Topic::of::<VerdictSettings>())]
+        );
     }
 }
 
@@ -133,7 +136,10 @@ fn what_was_stopped_or_failed_can_be_asked_for_again() {
         let mut shown = harness(state, None, Some("P07"));
         shown.get_by_label(button).click();
         shown.run();
-        assert_eq!(shown.into_state(), [Command::Retry(WorkKind::Verdicts)]);
+        assert_eq!(
+            shown.into_state(),
+            [Command::Retry(Topic::of::<VerdictSettings>())]
+        );
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use cardiomorph::engine::WorkKind;
+use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::study::Notice;
 use cardiomorph::ui::*;
 use egui::{Ui, UiBuilder, pos2};
@@ -70,7 +70,7 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
                 message: "line 812: face refers to vertex 9041, but only 9000 are defined"
                     .to_owned(),
                 details: "p12/endo_03.obj".to_owned(),
-                retry: Some(WorkKind::Open),
+                retry: Some(Topic::OPENING),
             }];
             let whole = ui.ctx().content_rect();
             let middle = rect(0.0, 0.0, whole.right(), whole.bottom() - 140.0);
@@ -135,7 +135,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
         "metric" => metric_panel_ui(ui, &example.metric(), commands),
         "activity" => {
             let item = |title: &str, parameters: &str, duration_s, state| WorkItem {
-                kind: WorkKind::PoseMap,
+                kind: Topic::of::<PoseMapParams>(),
                 title: title.to_owned(),
                 parameters: parameters.to_owned(),
                 duration_s,

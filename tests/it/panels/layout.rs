@@ -1,6 +1,6 @@
 //! Nothing overlaps and nothing is cut off: a law over all widths of all panels.
 
-use cardiomorph::engine::WorkKind;
+use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::ui::*;
 use egui::{Rect, Shape, Ui, epaint::ClippedShape};
 use egui_kittest::Harness;
@@ -92,7 +92,7 @@ fn bars_hold_their_text_at_every_width() {
         wrong.extend(faults(width, 36.0, |ui, _, commands| {
             let view = StatusBarView {
                 job: Some(StatusJob {
-                    kind: WorkKind::PoseMap,
+                    kind: Topic::of::<PoseMapParams>(),
                     text: "Quasi-conformal distances of 2500 poses of 100 subjects",
                     fraction: 1.0,
                     seconds_left: Some(86.0),

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use cardiomorph::engine::WorkKind;
+use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::picture::Quantity;
 use cardiomorph::report::SubjectRow;
 use cardiomorph::study::LabelRole;
@@ -76,7 +76,7 @@ pub fn window(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
     let mut status = ui.new_child(UiBuilder::new().max_rect(rect(0.0, foot + 34.0, w, h)));
     let view = StatusBarView {
         job: Some(StatusJob {
-            kind: WorkKind::PoseMap,
+            kind: Topic::of::<PoseMapParams>(),
             text: "Quasi-conformal distances of 184 poses",
             fraction: 0.71,
             seconds_left: Some(3.4),

@@ -1,7 +1,7 @@
 //! Beats in the window: poses between frames, one heart's beat on another, where two hearts differ.
 
 use cardiomorph::app::CarryingState;
-use cardiomorph::engine::WorkKind;
+use cardiomorph::engine::{InBetweens, PoseMapParams, Topic, Transfer};
 use cardiomorph::picture::Quantity;
 
 use super::*;
@@ -107,13 +107,13 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
         ..BuiltInParams::default()
     }));
     wait_for_heart(&mut harness);
-    give(&mut harness, Command::Cancel(WorkKind::PoseMap));
+    give(&mut harness, Command::Cancel(Topic::of::<PoseMapParams>()));
     give(&mut harness, Command::SetPosition(0.5));
     harness.step();
-    let works = |app: &App| app.works_on(WorkKind::InBetweens);
+    let works = |app: &App| app.works_on(Topic::of::<InBetweens>());
     assert!(works(harness.state()));
     let begin = Instant::now();
-    give(&mut harness, Command::Cancel(WorkKind::InBetweens));
+    give(&mut harness, Command::Cancel(Topic::of::<InBetweens>()));
     wait(&mut harness, "the end of the work", |app| !works(app));
     assert!(begin.elapsed() < Duration::from_secs(2));
     give(&mut harness, Command::SetPosition(4.5));
@@ -123,7 +123,7 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
         "another interval does not begin it again"
     );
     assert!(shows(&harness, "linear interpolation"));
-    give(&mut harness, Command::Retry(WorkKind::InBetweens));
+    give(&mut harness, Command::Retry(Topic::of::<InBetweens>()));
     harness.step();
     assert!(works(harness.state()));
 }
@@ -229,18 +229,18 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
         ..BuiltInParams::default()
     }));
     wait_for_heart(&mut harness);
-    give(&mut harness, Command::Cancel(WorkKind::PoseMap));
+    give(&mut harness, Command::Cancel(Topic::of::<PoseMapParams>()));
     give(&mut harness, Command::SetInBetweens(0));
     give(&mut harness, Command::TransportMotion { from: 9, onto: 3 });
     give(&mut harness, Command::TogglePlay);
     assert!(harness.state().busy());
-    give(&mut harness, Command::Cancel(WorkKind::Transfer));
+    give(&mut harness, Command::Cancel(Topic::of::<Transfer>()));
     wait(&mut harness, "the end of the work", |app| !app.busy());
     wait(&mut harness, "both hearts", |app| {
         app.hearts_on_screen().len() == 2
     });
     assert_eq!(
-        harness.state().state().results.carrying,
+        harness.state().state().answers.carrying(),
         CarryingState::Stopped
     );
     assert!(shows(&harness, "transport from P01 was stopped"));
@@ -249,7 +249,7 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
     harness.run_steps(3);
     assert!(harness.state().busy());
     assert_eq!(
-        harness.state().state().results.carrying,
+        harness.state().state().answers.carrying(),
         CarryingState::Computing
     );
 }
@@ -267,7 +267,7 @@ fn two_hearts_show_where_they_differ() {
     give(&mut harness, Command::SetViewMode(ViewMode::SideBySide));
     give(&mut harness, Command::CompareWith(Some(12)));
     wait(&mut harness, "the difference", |app| {
-        app.state().results.differences.shown().is_some() && app.hearts_on_screen().len() == 2
+        app.state().answers.difference().is_some() && app.hearts_on_screen().len() == 2
     });
     harness.run();
     assert!(shows(
@@ -277,9 +277,8 @@ fn two_hearts_show_where_they_differ() {
     let at_rest = harness
         .state()
         .state()
-        .results
-        .differences
-        .shown()
+        .answers
+        .difference()
         .unwrap()
         .clone();
     let mean = at_rest[0].iter().sum::<f32>() / at_rest[0].len() as f32;
@@ -289,20 +288,11 @@ fn two_hearts_show_where_they_differ() {
     );
     // At another frame the old one stays until the new one is there.
     give(&mut harness, Command::SetPosition(3.0));
-    assert!(
-        harness
-            .state()
-            .state()
-            .results
-            .differences
-            .shown()
-            .is_some()
-    );
+    assert!(harness.state().state().answers.difference().is_some());
     wait(&mut harness, "the next difference", |app| {
         app.state()
-            .results
-            .differences
-            .shown()
+            .answers
+            .difference()
             .is_some_and(|now| *now != at_rest)
     });
     give(&mut harness, Command::SetViewMode(ViewMode::Single));

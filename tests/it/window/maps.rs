@@ -4,7 +4,7 @@ use super::*;
 
 use cardiomorph::analysis::embedding::MapMethod;
 use cardiomorph::analysis::metrics::MetricKind;
-use cardiomorph::engine::WorkKind;
+use cardiomorph::engine::{PoseMapParams, Topic};
 
 fn with_deformations() -> Harness<'static, App> {
     let mut harness = mapped_window();
@@ -250,7 +250,7 @@ fn a_stopped_map_of_poses_stops_the_map_of_deformations_and_both_come_back() {
     give(&mut harness, Command::SetPoseMap(other));
     assert!(harness.state().busy());
     harness.get_by_label("Deformation of N01, normal");
-    give(&mut harness, Command::Cancel(WorkKind::PoseMap));
+    give(&mut harness, Command::Cancel(Topic::of::<PoseMapParams>()));
     wait(&mut harness, "the end of the work", |app| !app.busy());
     harness.get_by_label("Stopped; the previous map is shown");
     assert_eq!(harness.state().state().deformations(), Some(&before));

@@ -1,6 +1,7 @@
 //! The map of the medial shape space and the ways of measuring thickness: from a click to what every view shows.
 
 use super::*;
+use cardiomorph::engine::MedialMapParams;
 
 use cardiomorph::analysis::medial_map::MedialMap;
 
@@ -84,7 +85,10 @@ fn a_click_on_a_step_selects_its_heart_and_the_frame_at_which_it_begins() {
 fn a_stopped_medial_map_stays_stopped_until_it_is_asked_for_again() {
     let mut harness = cohort_window();
     give(&mut harness, Command::ShowPane(Pane::MedialMap));
-    give(&mut harness, Command::Cancel(WorkKind::MedialMap));
+    give(
+        &mut harness,
+        Command::Cancel(Topic::of::<MedialMapParams>()),
+    );
     wait(&mut harness, "rest", |app| !app.busy());
     assert!(medial_map(harness.state()).is_none());
     harness.get_by_label("The map was stopped");

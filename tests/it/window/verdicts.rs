@@ -1,6 +1,7 @@
 //! What is said of hearts in the window: the column, the pane, and what patches may be called.
 
 use super::*;
+use cardiomorph::engine::{ClassesSettings, DeformationMapSettings};
 
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
 use cardiomorph::io::{MeshFormat, write_study};
@@ -195,9 +196,9 @@ fn judging_can_be_cancelled_and_asked_for_again() {
     give(&mut harness, Command::ShowPane(Pane::Verdict));
     // The maps come first: nobody has to wait for them here.
     for kind in [
-        WorkKind::PoseMap,
-        WorkKind::DeformationMap,
-        WorkKind::Classes,
+        Topic::of::<PoseMapParams>(),
+        Topic::of::<DeformationMapSettings>(),
+        Topic::of::<ClassesSettings>(),
     ] {
         harness.state_mut().push(Command::Cancel(kind));
     }

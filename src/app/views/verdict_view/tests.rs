@@ -36,8 +36,7 @@ fn judged(rule: RuleSource) -> State {
         rule,
         quality: None,
     };
-    let key = VerdictKey::wanted(&state);
-    state.results.verdicts.found = Some((key, Arc::new(verdicts)));
+    state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
     state
 }
 

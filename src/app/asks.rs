@@ -1,0 +1,163 @@
+//! What the window asks the store every frame, whatever is on screen: maps, measures, walls, verdicts.
+
+use std::collections::HashSet;
+
+use crate::analysis::classification::ClassesParams;
+use crate::engine::{
+    ClassesSettings, DeformationMapSettings, FrameThickness, Measures, MedialMapParams,
+    PoseThickness, Query, Showing, Store, ThicknessSettings, VerdictSettings, WallThickening,
+};
+use crate::ui::Pane;
+
+use super::answers::{Answers, WallAnswer};
+use super::asks_beats::BeatAsks;
+use super::stage::on_stage;
+use super::state::State;
+use super::views::enough_subjects;
+
+/// What of the window is looked at: work for panes that nobody sees waits.
+#[derive(Clone, Debug, Default)]
+pub struct Seen {
+    /// Panes in front of other tabs.
+    pub panes: HashSet<Pane>,
+    /// Whether something may be dragged.
+    pub pointer_held: bool,
+}
+
+/// Asks, with what is made of answers once and kept as long as the answer stays the same.
+#[derive(Debug, Default)]
+pub struct Asks {
+    beats: BeatAsks,
+}
+
+impl Asks {
+    /// The answers to what the state on screen needs.
+    pub fn ask(&mut self, state: &State, store: &Store, seen: &Seen) -> Answers {
+        let study = state.document.study();
+        let opening = state.document.study.opening;
+        let mut answers = Answers {
+            opening,
+            ..Answers::default()
+        };
+        if study.subjects.is_empty() {
+            return answers;
+        }
+        answers.measures = Some(store.ask(study, &Measures));
+        answers.map = Some(store.ask(study, &state.document.map));
+        self.beats.ask(state, store, &mut answers);
+        answers.walls = walls(state, store);
+        if enough_subjects(state) {
+            let deformations = deformation_settings(state);
+            answers.deformations = Some(store.ask(study, &deformations));
+            let classes = ClassesSettings {
+                deformations,
+                classes: ClassesParams::default(),
+            };
+            answers.classes = Some(store.ask(study, &classes));
+        }
+        if seen.panes.contains(&Pane::MedialMap) {
+            let map = ask_at_rest(store, state, seen, &medial_map_params(state));
+            answers.medial_map = Some(map);
+        }
+        if seen.panes.contains(&Pane::Thickness) {
+            answers.thickness = thickness(state, store);
+        }
+        let verdicts = ask_at_rest(store, state, seen, &verdict_settings(state));
+        answers.verdicts = Some(verdicts);
+        answers
+    }
+}
+
+/// Asks what takes the whole cohort: while the pointer is down nothing of it begins, for a threshold is dragged through
+/// many values; what has begun goes on.
+fn ask_at_rest<Q: Query>(
+    store: &Store,
+    state: &State,
+    seen: &Seen,
+    query: &Q,
+) -> Showing<Q::Answer> {
+    let study = state.document.study();
+    match seen.pointer_held {
+        true => store.watch(study, query),
+        false => store.ask(study, query),
+    }
+}
+
+fn deformation_settings(state: &State) -> DeformationMapSettings {
+    DeformationMapSettings {
+        poses: state.document.map,
+        map: state.document.deformation_map,
+    }
+}
+
+fn medial_map_params(state: &State) -> MedialMapParams {
+    MedialMapParams {
+        thickening: state.document.thickening,
+        method: state.document.map.method,
+    }
+}
+
+fn verdict_settings(state: &State) -> VerdictSettings {
+    VerdictSettings {
+        thickening: state.document.thickening,
+        ..VerdictSettings::default()
+    }
+}
+
+/// The walls of the subjects on screen.
+fn walls(state: &State, store: &Store) -> Vec<WallAnswer> {
+    let mut walls: Vec<WallAnswer> = Vec::new();
+    for place in on_stage(state).into_iter().filter(|place| !place.carried) {
+        if walls.iter().all(|wall| wall.subject != place.subject) {
+            let query = WallThickening {
+                subject: place.subject,
+                settings: state.document.thickening,
+            };
+            let showing = store.ask(state.document.study(), &query);
+            walls.push(WallAnswer::new(place.subject, showing));
+        }
+    }
+    walls
+}
+
+/// Thickness at the poses that the pane shows, one after the other: their times are shown, and two at a time would
+/// disturb each other.
+fn thickness(state: &State, store: &Store) -> Vec<(usize, Showing<FrameThickness>)> {
+    let study = state.document.study();
+    let mut waits = false;
+    let poses = thickness_poses(state).into_iter().map(|frame| {
+        let query = PoseThickness {
+            subject: state.document.subject,
+            frame,
+            settings: ThicknessSettings {
+                medial: state.document.thickening.medial,
+                ..ThicknessSettings::default()
+            },
+        };
+        let showing = match waits {
+            true => store.watch(study, &query),
+            false => store.ask(study, &query),
+        };
+        waits |= showing.computing() || showing.stopped();
+        (frame, showing)
+    });
+    poses.collect()
+}
+
+/// End-diastole, end-systole, and the pose on screen; while the beat plays only the first two, for the third is gone
+/// before it is measured. None while the phases are not known.
+fn thickness_poses(state: &State) -> Vec<usize> {
+    let document = &state.document;
+    if state.measures().is_none() {
+        return Vec::new();
+    }
+    let (end_diastole, end_systole) = state.phases_of(document.subject);
+    let on_screen = (!state.play.playing).then(|| document.frame());
+    let mut frames: Vec<usize> = Vec::new();
+    for frame in [end_diastole, end_systole, on_screen].into_iter().flatten() {
+        if !frames.contains(&frame) {
+            frames.push(frame);
+        }
+    }
+    frames
+}

@@ -1,0 +1,34 @@
+//! Volumes and ejection fraction of every subject.
+
+use std::convert::Infallible;
+
+use crate::analysis::measures::{SubjectMeasures, measure_study};
+use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
+use crate::study::Study;
+
+/// Clinical measures of every subject of the study.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Measures;
+
+impl Query for Measures {
+    type Answer = Vec<SubjectMeasures>;
+    type Error = Infallible;
+    const TITLE: &'static str = "Volumes and ejection fraction";
+    const FAILURE: Option<&'static str> = Some("Volumes could not be computed");
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::study(study)
+    }
+
+    fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted<Infallible>> {
+        cx.progress().begin_phase("measuring volumes", 0.0, 1.0);
+        Ok(measure_study(cx.study(), cx.progress())?)
+    }
+
+    fn memory(subjects: &Self::Answer, memory: &mut Memory) {
+        memory.own(size_of_val(&**subjects));
+        for subject in subjects {
+            memory.own(size_of_val(&*subject.frames));
+        }
+    }
+}

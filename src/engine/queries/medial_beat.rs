@@ -1,0 +1,94 @@
+//! The medial surface of one wall over the beat: atoms and their radii.
+
+use crate::analysis::medial::{
+    MedialBeat, MedialError, MedialParamError, MedialParams, medial_beat,
+};
+use crate::engine::queries::subject::{NoSubject, subject_of};
+use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
+use crate::study::Study;
+
+/// The medial surface of one subject's wall at every frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MedialSurfaces {
+    /// Whose wall.
+    pub subject: usize,
+    /// How medial spheres are fitted.
+    pub params: MedialParams,
+}
+
+/// Why a wall has no medial surface.
+#[derive(Debug, thiserror::Error)]
+pub enum MedialBeatError {
+    /// There is no such subject.
+    #[error(transparent)]
+    NoSubject(#[from] NoSubject),
+    /// A setting is out of range.
+    #[error(transparent)]
+    Settings(#[from] MedialParamError),
+    /// The wall has none.
+    #[error(transparent)]
+    Medial(MedialError),
+}
+
+impl Query for MedialSurfaces {
+    type Answer = MedialBeat;
+    type Error = MedialBeatError;
+    const TITLE: &'static str = "Medial surface";
+
+    fn parameters(&self) -> String {
+        medial_words(&self.params)
+    }
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::surfaces(study, [self.subject])
+    }
+
+    fn run(&self, cx: &Context<'_>) -> Result<MedialBeat, Interrupted<MedialBeatError>> {
+        let failed = |error: MedialBeatError| Interrupted::Failed(error);
+        let params = (self.params.check()).map_err(|error| failed(error.into()))?;
+        let subject = subject_of(cx.study(), self.subject).map_err(|error| failed(error.into()))?;
+        cx.progress()
+            .begin_phase("fitting medial spheres", 0.0, 1.0);
+        match medial_beat(subject, &params, cx.progress()) {
+            Ok(beat) => Ok(beat),
+            Err(MedialError::Stopped(_)) => Err(Interrupted::Stopped),
+            Err(error) => Err(failed(MedialBeatError::Medial(error))),
+        }
+    }
+
+    fn memory(beat: &MedialBeat, memory: &mut Memory) {
+        memory.own(beat_bytes(beat));
+    }
+
+    fn replaces(&self, other: &Self) -> bool {
+        self.subject == other.subject
+    }
+}
+
+/// Memory that atoms over a beat hold.
+pub(super) fn beat_bytes(beat: &MedialBeat) -> usize {
+    let frames: usize = (beat.frames.iter())
+        .map(|frame| {
+            size_of_val(&*frame.atoms) + size_of_val(&*frame.normals) + size_of_val(&*frame.end)
+        })
+        .sum();
+    frames + size_of_val(&*beat.vertices) + size_of_val(&*beat.regular)
+}
+
+/// How medial spheres are fitted, as summaries and the activity list say it.
+pub fn medial_words(params: &MedialParams) -> String {
+    let smoothing = match params.smoothing {
+        0.0 => "no smoothing".to_owned(),
+        share => format!("smoothed over {share} thicknesses"),
+    };
+    format!(
+        "{smoothing}, separation {}, end {}",
+        degrees(params.separation_rad),
+        degrees(params.end_rad)
+    )
+}
+
+/// An angle as a person would say it; rounding of radians leaves no trace.
+fn degrees(angle_rad: f64) -> String {
+    format!("{}°", (angle_rad.to_degrees() * 1e6).round() / 1e6)
+}

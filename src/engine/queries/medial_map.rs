@@ -1,0 +1,173 @@
+//! The map of poses of the medial shape space: paths of one subject after the other, then their map.
+
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::medial_map::{
+    MedialMap, MedialMapError, SubjectPaths, medial_map, subject_paths,
+};
+use crate::engine::queries::pose_map::method_words;
+use crate::engine::queries::thickening::{ThickeningSettings, WallThickening, thickening_words};
+use crate::engine::store::{Answered, Context, Dependencies, Failure, Interrupted, Memory, Query};
+use crate::progress::{Progress, Stopped};
+use crate::study::Study;
+
+/// Share of the map's time that the walls take; the rest is scaling.
+const WALLS_SHARE: f32 = 0.97;
+
+/// Settings of the map, from the surfaces on.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct MedialMapParams {
+    /// How walls are assessed, and what counts as still.
+    pub thickening: ThickeningSettings,
+    /// How distances become a map.
+    pub method: MapMethod,
+}
+
+/// Per subject of a study, its paths in the medial shape space, or why it has none.
+pub type StudyPaths = Vec<Result<SubjectPaths, String>>;
+
+/// The paths of all subjects in the medial shape space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MedialPaths {
+    /// How walls are assessed, and what counts as akinetic.
+    pub thickening: ThickeningSettings,
+}
+
+impl Query for MedialPaths {
+    type Answer = StudyPaths;
+    type Error = std::convert::Infallible;
+    const TITLE: &'static str = "Paths of akinetic regions";
+
+    fn parameters(&self) -> String {
+        thickening_words(&self.thickening)
+    }
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::study(study)
+    }
+
+    /// A subject whose wall cannot be assessed is no error.
+    fn run(&self, cx: &Context<'_>) -> Result<StudyPaths, Interrupted<Self::Error>> {
+        let count = cx.study().subjects.len();
+        let hearts = (0..count)
+            .map(|subject| {
+                let [from, to] = [subject, subject + 1].map(|done| done as f32 / count as f32);
+                let part = cx.part("assessing walls", from, to);
+                let settings = self.thickening;
+                paths_of(&part.get(&WallThickening { subject, settings }))
+            })
+            .collect::<Result<_, Stopped>>()?;
+        Ok(hearts)
+    }
+
+    fn memory(paths: &StudyPaths, memory: &mut Memory) {
+        memory.own(paths_bytes(paths));
+    }
+}
+
+/// The paths that the answer about one wall holds. What is found in a wall that is not resolved would be blur or noise.
+///
+/// # Errors
+/// If that was stopped.
+pub fn paths_of(
+    answer: &Answered<WallThickening>,
+) -> Result<Result<SubjectPaths, String>, Stopped> {
+    match answer {
+        Ok(found) => {
+            if let Some(reason) = &found.not_assessed {
+                return Ok(Err(reason.to_string()));
+            }
+            let paths = subject_paths(&found.beat, &found.thickening, found.axis.as_ref());
+            Ok(paths.map_err(|reason| reason.to_string()))
+        }
+        Err(Interrupted::Stopped) => Err(Stopped),
+        Err(Interrupted::Failed(failure)) => Ok(Err(failure.to_string())),
+    }
+}
+
+/// Why there is no map of the medial shape space.
+#[derive(Debug, thiserror::Error)]
+pub enum MedialMapQueryError {
+    /// There are no paths.
+    #[error(transparent)]
+    Paths(Failure<std::convert::Infallible>),
+    /// They cannot be mapped.
+    #[error(transparent)]
+    Map(MedialMapError),
+}
+
+impl Query for MedialMapParams {
+    type Answer = MedialMap;
+    type Error = MedialMapQueryError;
+    const TITLE: &'static str = "Medial map";
+
+    fn parameters(&self) -> String {
+        let walls = thickening_words(&self.thickening);
+        format!("{walls}; {}", method_words(self.method))
+    }
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::study(study)
+    }
+
+    fn run(&self, cx: &Context<'_>) -> Result<MedialMap, Interrupted<MedialMapQueryError>> {
+        let paths = MedialPaths {
+            thickening: self.thickening,
+        };
+        // Another method of mapping finds the paths known.
+        let share = if cx.known(&paths).is_some() {
+            0.0
+        } else {
+            WALLS_SHARE
+        };
+        let part = cx.part("assessing walls", 0.0, share);
+        let paths = part
+            .get(&paths)
+            .map_err(|why| why.map(MedialMapQueryError::Paths))?;
+        let part = cx.part("laying out the map", share, 1.0);
+        map_of(&paths, self.method, part.progress())
+    }
+
+    fn memory(map: &MedialMap, memory: &mut Memory) {
+        memory.own(map_bytes(map));
+    }
+}
+
+/// The map of paths that are known.
+///
+/// # Errors
+/// If stopped, or they cannot be mapped.
+pub fn map_of(
+    paths: &StudyPaths,
+    method: MapMethod,
+    progress: &Progress,
+) -> Result<MedialMap, Interrupted<MedialMapQueryError>> {
+    match medial_map(paths, method, progress) {
+        Ok(map) => Ok(map),
+        Err(MedialMapError::Stopped(_)) => Err(Interrupted::Stopped),
+        Err(error) => Err(Interrupted::Failed(MedialMapQueryError::Map(error))),
+    }
+}
+
+/// Memory that paths hold.
+fn paths_bytes(paths: &StudyPaths) -> usize {
+    let of_heart = |heart: &Result<SubjectPaths, String>| match heart {
+        Ok(heart) => heart
+            .paths
+            .iter()
+            .map(|path| size_of_val(&*path.steps))
+            .sum(),
+        Err(reason) => reason.len(),
+    };
+    size_of_val(&**paths) + paths.iter().map(of_heart).sum::<usize>()
+}
+
+/// Memory that a map holds.
+fn map_bytes(map: &MedialMap) -> usize {
+    size_of_val(&*map.poses)
+        + size_of_val(map.distances.upper())
+        + size_of_val(&*map.embedding.coordinates)
+        + size_of_val(&*map.spreads)
+}
+
+#[cfg(test)]
+mod tests;

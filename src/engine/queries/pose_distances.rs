@@ -1,0 +1,98 @@
+//! Distances of all poses, and how settings of a metric are said in words.
+
+use crate::analysis::metrics::{Corners, CurvatureRole, Form, MetricParams};
+use crate::analysis::pose_distances::{
+    KnownDistances, PoseDistanceError, PoseDistanceParamError, PoseDistanceParams, PoseDistances,
+    pose_distances_knowing,
+};
+use crate::analysis::transport::Reference;
+use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
+use crate::study::Study;
+
+/// Why poses cannot be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum DistancesError {
+    /// A setting is out of range.
+    #[error(transparent)]
+    Settings(#[from] PoseDistanceParamError),
+    /// The poses have no distances.
+    #[error(transparent)]
+    Distances(PoseDistanceError),
+}
+
+impl Query for PoseDistanceParams {
+    type Answer = PoseDistances;
+    type Error = DistancesError;
+    const TITLE: &'static str = "Pose distances";
+
+    fn parameters(&self) -> String {
+        distance_words(self)
+    }
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::all_shapes(study)
+    }
+
+    fn run(&self, cx: &Context<'_>) -> Result<PoseDistances, Interrupted<DistancesError>> {
+        cx.progress().begin_phase("comparing poses", 0.0, 1.0);
+        let checked = (self.check()).map_err(|error| Interrupted::Failed(error.into()))?;
+        // After an edit only the distances to poses of the edited subjects are computed.
+        let similar = cx.similar(self);
+        let similar = similar.and_then(|(state, found)| Some((state.shape_keys()?, found)));
+        let known = similar
+            .as_ref()
+            .map(|(shapes, distances)| KnownDistances { shapes, distances });
+        let computed = pose_distances_knowing(cx.study(), &checked, known.as_ref(), cx.progress());
+        match computed {
+            Ok(computed) => Ok(computed.distances),
+            Err(PoseDistanceError::Stopped(_)) => Err(Interrupted::Stopped),
+            Err(error) => Err(Interrupted::Failed(DistancesError::Distances(error))),
+        }
+    }
+
+    fn memory(found: &PoseDistances, memory: &mut Memory) {
+        memory.own(distances_bytes(found));
+    }
+}
+
+/// Memory that distances hold.
+pub(super) fn distances_bytes(found: &PoseDistances) -> usize {
+    size_of_val(found.distances.upper()) + size_of_val(&*found.poses)
+}
+
+/// How poses are compared, as summaries and the activity list say it.
+pub fn distance_words(params: &PoseDistanceParams) -> String {
+    let mut metric = metric_words(&params.metric);
+    if params.smoothing > 0.0 {
+        metric += &format!(", smoothed over {} √area", params.smoothing);
+    }
+    match params.transport {
+        None => metric,
+        Some(transport) => match transport.reference {
+            Reference::Mean => format!("{metric}, transported onto the mean"),
+            Reference::Subject(index) => format!("{metric}, transported onto subject {index}"),
+        },
+    }
+}
+
+/// A metric with the settings that matter to it, as the activity list and figures say it.
+pub fn metric_words(metric: &MetricParams) -> String {
+    let kind = metric.kind.words().id;
+    if !metric.kind.has_forms() {
+        return kind.to_owned();
+    }
+    let form = match metric.form {
+        Form::Printed => "printed form".to_owned(),
+        Form::Bilinear => "bilinear form".to_owned(),
+        Form::Frozen => "frozen form".to_owned(),
+        Form::Additive if metric.curvature_role() == CurvatureRole::Term => {
+            format!("additive form, μ = {}", metric.mu)
+        }
+        Form::Additive => "additive form".to_owned(),
+    };
+    let corners = match metric.corners {
+        Corners::Raw => "raw corners",
+        Corners::ScaleFree => "scale-free corners",
+    };
+    format!("{kind}, {form}, {corners}, λ = {}", metric.lambda)
+}

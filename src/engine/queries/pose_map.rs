@@ -1,0 +1,98 @@
+//! The map of all poses.
+
+use std::sync::Arc;
+
+use crate::analysis::embedding::{Embedding, EmbeddingError, MapMethod, embed};
+use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
+use crate::engine::queries::pose_distances::{DistancesError, distance_words, distances_bytes};
+use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
+use crate::study::Study;
+
+/// Share of a map's time that its distances take: some 95 % on 184 poses of 2,500 vertices.
+const DISTANCE_SHARE: f32 = 0.95;
+
+/// The map is a plane.
+const MAP_DIMENSIONS: usize = 2;
+
+/// Settings of the map of all poses.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PoseMapParams {
+    /// How poses are compared.
+    pub distances: PoseDistanceParams,
+    /// How distances become a map.
+    pub method: MapMethod,
+}
+
+/// The map of all poses.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PoseMap {
+    /// What the map shows; rows correspond.
+    pub distances: Arc<PoseDistances>,
+    /// Two coordinates per pose.
+    pub embedding: Embedding,
+}
+
+/// Why there is no map of poses.
+#[derive(Debug, thiserror::Error)]
+pub enum PoseMapError {
+    /// There are no distances.
+    #[error(transparent)]
+    Distances(Failure<DistancesError>),
+    /// The distances cannot be mapped.
+    #[error(transparent)]
+    Embedding(EmbeddingError),
+}
+
+impl Query for PoseMapParams {
+    type Answer = PoseMap;
+    type Error = PoseMapError;
+    const TITLE: &'static str = "Pose map";
+    const FAILURE: Option<&'static str> = Some("The map of poses could not be computed");
+
+    fn parameters(&self) -> String {
+        map_words(self)
+    }
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::all_shapes(study)
+    }
+
+    fn run(&self, cx: &Context<'_>) -> Result<PoseMap, Interrupted<PoseMapError>> {
+        // Another method of mapping finds the distances known.
+        let known = cx.known(&self.distances).is_some();
+        let share = if known { 0.0 } else { DISTANCE_SHARE };
+        let comparing = cx.part("comparing poses", 0.0, share);
+        let distances =
+            (comparing.get(&self.distances)).map_err(|why| why.map(PoseMapError::Distances))?;
+        let progress = cx.progress();
+        progress.begin_phase("laying out the map", share, 1.0);
+        match embed(&distances.distances, self.method, MAP_DIMENSIONS, progress) {
+            Ok(embedding) => Ok(PoseMap {
+                distances,
+                embedding,
+            }),
+            Err(EmbeddingError::Stopped(_)) => Err(Interrupted::Stopped),
+            Err(error) => Err(Interrupted::Failed(PoseMapError::Embedding(error))),
+        }
+    }
+
+    fn memory(map: &PoseMap, memory: &mut Memory) {
+        memory.shared(&map.distances, distances_bytes(&map.distances));
+        memory.own(size_of_val(&*map.embedding.coordinates));
+    }
+}
+
+/// Settings of a map of poses, as the activity list says them.
+pub(super) fn map_words(params: &PoseMapParams) -> String {
+    let method = method_words(params.method);
+    format!("{}, {method}", distance_words(&params.distances))
+}
+
+/// A method of mapping, as the activity list says it.
+pub(super) fn method_words(method: MapMethod) -> String {
+    match method {
+        MapMethod::ClassicalMds => "classical MDS".to_owned(),
+        MapMethod::Smacof => "SMACOF".to_owned(),
+        MapMethod::Isomap { neighbours } => format!("Isomap of {neighbours} neighbours"),
+    }
+}

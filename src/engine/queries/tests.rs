@@ -1,0 +1,395 @@
+//! Every question: what it is made of, what is found again, what a stop leaves.
+
+use std::sync::Arc;
+
+use super::*;
+use crate::analysis::classification::ClassesParams;
+use crate::analysis::deformations::DeformationMapParams;
+use crate::analysis::embedding::MapMethod;
+use crate::analysis::geodesics::GeodesicParams;
+use crate::analysis::metrics::{MetricKind, MetricParams};
+use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances, PoseId};
+use crate::analysis::transport::{CohortTransportParams, TransportParams};
+use crate::engine::store::{Interrupted, Query, Store, StoreOptions};
+use crate::progress::Progress;
+use crate::study::built_in::{BuiltInParams, cohort};
+use crate::study::{Revision, Study, Subject};
+mod settings;
+
+pub(super) fn store() -> Store {
+    Store::start(StoreOptions::default()).unwrap()
+}
+
+/// The answer to a question.
+pub(super) fn ask<Q: Query>(store: &Store, study: &Arc<Study>, query: &Q) -> Arc<Q::Answer> {
+    match store.answer(study, query, &Progress::default()) {
+        Ok(answer) => answer,
+        Err(why) => panic!("{query:?}: {why:?}"),
+    }
+}
+
+/// What is said of a question that has no answer.
+pub(super) fn refusal<Q: Query>(store: &Store, study: &Arc<Study>, query: &Q) -> String {
+    match store.answer(study, query, &Progress::default()) {
+        Ok(_) => panic!("{query:?} has an answer"),
+        Err(Interrupted::Stopped) => "stopped".to_owned(),
+        Err(Interrupted::Failed(failure)) => failure.to_string(),
+    }
+}
+
+/// Whether a question that is stopped from the beginning has no answer, and none is kept.
+pub(super) fn is_stopped<Q: Query>(store: &Store, study: &Arc<Study>, query: &Q) -> bool {
+    let progress = Progress::default();
+    progress.stop();
+    let answer = store.answer(study, query, &progress);
+    matches!(answer, Err(Interrupted::Stopped)) && store.known(study, query).is_none()
+}
+
+fn study() -> Arc<Study> {
+    of_cohort(|whole| whole[..4].to_vec())
+}
+
+fn of_cohort(choose: impl Fn(&[Arc<Subject>]) -> Vec<Arc<Subject>>) -> Arc<Study> {
+    let params = BuiltInParams {
+        vertices: 200,
+        ..BuiltInParams::default()
+    };
+    let whole = cohort(&params).unwrap().study;
+    Arc::new(Study {
+        subjects: choose(&whole.subjects),
+        revision: Revision(7),
+        ..whole
+    })
+}
+
+fn map(method: MapMethod) -> PoseMapParams {
+    PoseMapParams {
+        method,
+        ..PoseMapParams::default()
+    }
+}
+
+#[test]
+fn another_method_of_mapping_computes_no_distance_again() {
+    let (study, store) = (study(), store());
+    let first = ask(&store, &study, &map(MapMethod::ClassicalMds));
+    let second = ask(&store, &study, &map(MapMethod::Smacof));
+    assert!(Arc::ptr_eq(&first.distances, &second.distances));
+    assert_ne!(first.embedding, second.embedding);
+    assert_eq!(first.embedding.len(), 32);
+}
+
+#[test]
+fn the_same_question_brings_the_same_answer_back() {
+    let (study, store) = (study(), store());
+    let first = ask(&store, &study, &Measures);
+    assert!(Arc::ptr_eq(&first, &ask(&store, &study, &Measures)));
+    let edited = Arc::new(Study {
+        revision: Revision(8),
+        ..Study::clone(&study)
+    });
+    assert!(!Arc::ptr_eq(&first, &ask(&store, &edited, &Measures)));
+}
+
+#[test]
+fn settings_out_of_range_are_an_answer_in_words() {
+    let mut params = PoseDistanceParams::default();
+    params.metric.lambda = -1.0;
+    let said = refusal(&store(), &study(), &params);
+    assert!(said.contains("-1"), "{said}");
+}
+
+#[test]
+fn settings_read_as_a_person_would_say_them() {
+    assert_eq!(
+        PoseMapParams::default().parameters(),
+        "quasi-conformal, additive form, μ = 0.001, scale-free corners, λ = 3, \
+         smoothed over 0.1 √area, SMACOF"
+    );
+    let mut metric = MetricParams {
+        kind: MetricKind::Rigid,
+        ..MetricParams::default()
+    };
+    assert_eq!(metric_words(&metric), "rigid");
+    metric.kind = MetricKind::AnglePreserving;
+    assert!(!metric_words(&metric).contains('μ'));
+}
+
+/// The first five hearts and the last five: normal ones and patients.
+fn two_classes() -> Arc<Study> {
+    of_cohort(|whole| [&whole[..5], &whole[whole.len() - 5..]].concat())
+}
+
+/// The same study after an edit of one subject.
+pub(super) fn edited(study: &Study, index: usize, edit: impl FnOnce(&mut Subject)) -> Arc<Study> {
+    let mut subject = Subject::clone(&study.subjects[index]);
+    edit(&mut subject);
+    Arc::new(study.with_subject(index, subject, Revision(study.revision.0 + 1)))
+}
+
+fn classes() -> ClassesSettings {
+    ClassesSettings {
+        classes: ClassesParams {
+            permutations: 50,
+            ..ClassesParams::default()
+        },
+        ..ClassesSettings::default()
+    }
+}
+
+fn few_in_betweens() -> GeodesicParams {
+    GeodesicParams {
+        in_betweens: 1,
+        max_iterations: 3,
+        ..GeodesicParams::default()
+    }
+}
+
+fn in_betweens() -> InBetweens {
+    InBetweens {
+        subject: 1,
+        params: few_in_betweens(),
+        looked_at: LookedAt::default(),
+    }
+}
+
+fn interval(interval: usize) -> Interval {
+    Interval {
+        subject: 1,
+        interval,
+        params: few_in_betweens(),
+    }
+}
+
+fn contribution() -> Contribution {
+    let pose = |subject| PoseId { subject, frame: 3 };
+    Contribution {
+        a: pose(0),
+        b: pose(2),
+        distances: PoseDistanceParams::default(),
+    }
+}
+
+fn transfer() -> Transfer {
+    Transfer {
+        from: 3,
+        onto: 0,
+        params: TransportParams {
+            in_betweens: 0,
+            ..TransportParams::default()
+        },
+    }
+}
+
+#[test]
+fn deformations_are_mapped_from_the_map_of_poses_that_is_there() {
+    let (study, store) = (study(), store());
+    let settings = DeformationMapSettings::default();
+    let poses = ask(&store, &study, &settings.poses);
+    let map = ask(&store, &study, &settings);
+    assert_eq!(map.subjects, [0, 1, 2, 3]);
+    assert_eq!(map.embedding.len(), 4);
+    let begin = map.curves[2][0];
+    assert_eq!(poses.embedding.point(16), [begin[0], begin[1]]);
+    let heavier = DeformationMapSettings {
+        map: DeformationMapParams {
+            time_weight: Some(2.0 * map.time_weight),
+            ..settings.map
+        },
+        ..settings
+    };
+    ask(&store, &study, &heavier);
+    let kept = [
+        store.answers::<PoseDistanceParams>(),
+        store.answers::<PoseMapParams>(),
+        store.answers::<DeformationMapSettings>(),
+    ];
+    assert_eq!(kept, [1, 1, 2], "only the last step anew");
+}
+
+#[test]
+fn classes_are_classified_on_the_rows_of_the_deformation_map() {
+    let (study, store) = (two_classes(), store());
+    let found = ask(&store, &study, &classes());
+    assert_eq!(found.of_row.len(), 10);
+    assert_eq!(found.names.len(), 2);
+    assert_eq!(found.nearest_neighbour.unwrap().of, 10);
+    // A label taken away is one case less, and no distance is computed for that.
+    let relabelled = edited(&study, 0, |subject| subject.label = None);
+    let again = ask(&store, &relabelled, &classes());
+    assert_eq!(again.nearest_neighbour.unwrap().of, 9);
+    assert_eq!(store.answers::<PoseDistanceParams>(), 1);
+}
+
+#[test]
+fn a_beat_has_in_betweens_in_every_interval_and_the_last_runs_into_the_first() {
+    let (study, store) = (study(), store());
+    let paths = ask(&store, &study, &in_betweens());
+    let sequence = &study.subjects[1].sequence;
+    assert_eq!(paths.len(), sequence.frame_count());
+    let last = paths.last().unwrap();
+    assert_eq!(last.poses.len(), 3);
+    assert_eq!(
+        last.poses[0],
+        sequence.pose(sequence.frame_count() - 1).unwrap()
+    );
+    assert_eq!(last.poses[2], sequence.pose(0).unwrap());
+    assert!(Arc::ptr_eq(&ask(&store, &study, &interval(2)), &paths[2]));
+}
+
+#[test]
+fn the_interval_looked_at_is_found_first() {
+    let (study, store) = (study(), store());
+    let query = in_betweens();
+    query.looked_at.set(5);
+    store.ask(&study, &query);
+    while store.answers::<Interval>() == 0 {
+        std::thread::yield_now();
+    }
+    store.end_frame();
+    store.end_frame();
+    let known = |i: usize| store.known(&study, &interval(i)).is_some();
+    assert_eq!([5, 4].map(known), [true, false]);
+    // What was done stays.
+    while store.busy() {
+        std::thread::yield_now();
+    }
+    let done = store.answers::<Interval>();
+    assert!((1..8).contains(&done), "{done}");
+}
+
+#[test]
+fn a_stopped_path_is_no_answer() {
+    let (study, store) = (study(), store());
+    let endless = Interval {
+        subject: 1,
+        interval: 0,
+        params: GeodesicParams {
+            in_betweens: 127,
+            tolerance: 0.0,
+            max_iterations: u32::MAX,
+            ..GeodesicParams::default()
+        },
+    };
+    let progress = Progress::default();
+    std::thread::scope(|scope| {
+        let work = scope.spawn(|| store.answer(&study, &endless, &progress));
+        while progress.phase().is_empty() {
+            std::thread::yield_now();
+        }
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        progress.stop();
+        assert!(matches!(work.join().unwrap(), Err(Interrupted::Stopped)));
+    });
+    while store.busy() {
+        std::thread::yield_now();
+    }
+    assert_eq!(store.answers::<Interval>(), 0);
+}
+
+#[test]
+fn what_depends_on_shapes_alone_survives_an_edited_label() {
+    let (study, store) = (study(), store());
+    let (path, beat) = (
+        ask(&store, &study, &interval(0)),
+        ask(&store, &study, &transfer()),
+    );
+    let poses = ask(&store, &study, &map(MapMethod::ClassicalMds));
+    let labelled = edited(&study, 1, |subject| subject.label = Some("MINF".to_owned()));
+    assert!(Arc::ptr_eq(&path, &ask(&store, &labelled, &interval(0))));
+    assert!(Arc::ptr_eq(&beat, &ask(&store, &labelled, &transfer())));
+    let again = ask(&store, &labelled, &map(MapMethod::ClassicalMds));
+    assert!(Arc::ptr_eq(&poses, &again));
+    let restated = edited(&study, 0, |subject| subject.end_diastole = Some(1));
+    assert!(!Arc::ptr_eq(&beat, &ask(&store, &restated, &transfer())));
+}
+
+#[test]
+fn a_transported_motion_begins_as_the_heart_that_it_moves() {
+    let (study, store) = (study(), store());
+    let beat = ask(&store, &study, &transfer());
+    let (from, onto) = (&study.subjects[3].sequence, &study.subjects[0].sequence);
+    assert_eq!(beat.frame_count(), from.frame_count());
+    assert_eq!(beat.pose(0), onto.pose(0));
+    assert_ne!(beat.pose(3), onto.pose(3));
+    assert_eq!(beat.correspondence(), onto.correspondence());
+}
+
+#[test]
+fn shares_of_faces_sum_to_the_squared_distance_of_the_matrix() {
+    let (study, store) = (study(), store());
+    let params = PoseDistanceParams::default();
+    let distances: Arc<PoseDistances> = ask(&store, &study, &params);
+    let [a, b] = [3, 21].map(|row| distances.poses[row]);
+    let query = Contribution {
+        a,
+        b,
+        distances: params,
+    };
+    let shares = ask(&store, &study, &query);
+    assert_eq!(shares.len(), study.subjects[0].sequence.face_count());
+    let whole: f64 = shares.iter().sum();
+    let squared = distances.distances.get(3, 21).powi(2);
+    assert!(
+        (whole - squared).abs() < 1e-9 * squared,
+        "{whole} {squared}"
+    );
+}
+
+#[test]
+fn distances_after_a_transfer_are_another_answer() {
+    let (study, store) = (study(), store());
+    let distances = |transfer: Option<CohortTransportParams>| {
+        let params = PoseDistanceParams {
+            transport: transfer,
+            ..PoseDistanceParams::default()
+        };
+        ask(&store, &study, &params)
+    };
+    let straight = CohortTransportParams {
+        in_betweens: 0,
+        ..CohortTransportParams::default()
+    };
+    let (plain, carried) = (distances(None), distances(Some(straight)));
+    assert_eq!(plain.poses, carried.poses);
+    // End-diastole of all hearts is one pose then.
+    assert!(plain.distances.get(0, 8) > 1e-2);
+    assert!(carried.distances.get(0, 8) < 1e-9);
+}
+
+#[test]
+fn no_question_is_answered_once_stopped_and_nothing_is_kept() {
+    let (study, store) = (study(), store());
+    assert!(is_stopped(&store, &study, &Measures));
+    assert!(is_stopped(&store, &study, &map(MapMethod::Smacof)));
+    assert!(is_stopped(
+        &store,
+        &study,
+        &DeformationMapSettings::default()
+    ));
+    assert!(is_stopped(&store, &study, &classes()));
+    assert!(is_stopped(&store, &study, &in_betweens()));
+    assert!(is_stopped(&store, &study, &interval(0)));
+    assert!(is_stopped(&store, &study, &transfer()));
+    assert!(is_stopped(&store, &study, &contribution()));
+    assert_eq!(store.answers::<PoseDistanceParams>(), 0);
+}
+
+#[test]
+fn what_is_not_there_is_named() {
+    let (study, store) = (study(), store());
+    let said = refusal(&store, &study, &interval(9));
+    assert_eq!(said, "interval 9 of a beat of 8 frames");
+    let query = Transfer {
+        from: 0,
+        onto: 4,
+        params: TransportParams::default(),
+    };
+    let said = refusal(&store, &study, &query);
+    assert_eq!(said, "there is no subject 4 among 4");
+    let nobody = InBetweens {
+        subject: 4,
+        ..in_betweens()
+    };
+    assert_eq!(refusal(&store, &study, &nobody), said);
+}

@@ -1,0 +1,130 @@
+//! Every setting of a question reaches the analysis: answers are those of the analysis asked directly.
+
+use super::*;
+use crate::analysis::classification::classify;
+use crate::analysis::deformations::{deformation_distances, deformation_map};
+use crate::analysis::embedding::embed;
+use crate::analysis::pose_distances::pose_distances_knowing;
+use crate::analysis::transport::{Nearness, transported_motion};
+
+/// Settings that are none of those the program starts with.
+fn other_distances() -> PoseDistanceParams {
+    PoseDistanceParams {
+        metric: MetricParams {
+            kind: MetricKind::Rigid,
+            ..MetricParams::default()
+        },
+        smoothing: 0.0,
+        ..PoseDistanceParams::default()
+    }
+}
+
+fn other_deformations() -> DeformationMapSettings {
+    DeformationMapSettings {
+        poses: PoseMapParams {
+            distances: other_distances(),
+            method: MapMethod::ClassicalMds,
+        },
+        map: DeformationMapParams {
+            time_weight: Some(0.3),
+            samples: 20,
+            ..DeformationMapParams::default()
+        },
+    }
+}
+
+/// Two classes, before them a heart that corresponds with none: rows are not subjects.
+fn with_a_stranger() -> Arc<Study> {
+    let mut study = Study::clone(&two_classes());
+    let params = BuiltInParams {
+        vertices: 300,
+        ..BuiltInParams::default()
+    };
+    let stranger = cohort(&params).unwrap().study.subjects[0].clone();
+    study.subjects.insert(0, stranger);
+    Arc::new(study)
+}
+
+#[test]
+fn a_map_of_deformations_is_made_with_all_of_its_settings() {
+    let (study, progress) = (study(), Progress::default());
+    let settings = other_deformations();
+    let found = ask(&store(), &study, &settings);
+    let checked = settings.poses.distances.check().unwrap();
+    let poses = pose_distances_knowing(&study, &checked, None, &progress)
+        .unwrap()
+        .distances;
+    let map = embed(&poses.distances, MapMethod::ClassicalMds, 2, &progress).unwrap();
+    let params = settings.map.check().unwrap();
+    let expected = deformation_map(&study, &poses.poses, &map, &params, &progress).unwrap();
+    assert_eq!(*found, expected);
+}
+
+#[test]
+fn classes_are_classified_with_their_own_distances_settings_and_labels() {
+    let (study, store, progress) = (with_a_stranger(), store(), Progress::default());
+    let settings = ClassesSettings {
+        deformations: other_deformations(),
+        classes: ClassesParams {
+            permutations: 30,
+            seed: 5,
+            ..ClassesParams::default()
+        },
+    };
+    let found = ask(&store, &study, &settings);
+    let map = ask(&store, &study, &settings.deformations);
+    let poses = ask(&store, &study, &other_distances());
+    let whole = deformation_distances(&study, &poses, &progress).unwrap();
+    assert_eq!(whole.subjects, (1..11).collect::<Vec<_>>());
+    let labels: Vec<Option<&str>> = (study.subjects[1..].iter())
+        .map(|subject| subject.label.as_deref())
+        .collect();
+    let checked = settings.classes.check().unwrap();
+    let expected = classify(
+        &whole.distances,
+        &map.embedding,
+        &labels,
+        &checked,
+        &progress,
+    );
+    assert_eq!(*found, expected.unwrap());
+}
+
+#[test]
+fn a_motion_is_transported_with_the_settings_of_its_question() {
+    let study = study();
+    let params = TransportParams {
+        in_betweens: 0,
+        nearness: Nearness::Coordinates,
+        ..TransportParams::default()
+    };
+    let query = Transfer {
+        params,
+        ..transfer()
+    };
+    let found = ask(&store(), &study, &query);
+    let (from, onto) = (&study.subjects[3], &study.subjects[0]);
+    let checked = params.check().unwrap();
+    let expected = transported_motion(from, onto, &checked, &Progress::default()).unwrap();
+    assert_eq!(*found, expected);
+}
+
+#[test]
+fn shares_of_faces_are_those_of_the_metric_and_of_both_hearts_as_they_are() {
+    let (study, store) = (study(), store());
+    let distances = other_distances();
+    let query = Contribution {
+        distances,
+        ..contribution()
+    };
+    let shares = ask(&store, &study, &query);
+    let poses = ask(&store, &study, &distances);
+    let [i, j] =
+        [query.a, query.b].map(|id| poses.poses.iter().position(|pose| *pose == id).unwrap());
+    let squared = poses.distances.get(i, j).powi(2);
+    assert!((shares.iter().sum::<f64>() - squared).abs() < 1e-9 * squared);
+    let restated = edited(&study, query.b.subject, |subject| {
+        subject.end_diastole = Some(1);
+    });
+    assert!(!Arc::ptr_eq(&shares, &ask(&store, &restated, &query)));
+}

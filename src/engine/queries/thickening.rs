@@ -1,0 +1,231 @@
+//! How one wall thickens: atoms over the beat compared with end-diastole, and the patches that do not thicken.
+
+use std::sync::Arc;
+
+use serde::{Deserialize, Serialize};
+
+use crate::analysis::measures::{SubjectMeasures, measure_subject};
+use crate::analysis::medial::{MedialBeat, MedialParams};
+use crate::analysis::medial_space::RatioForm;
+use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segment};
+use crate::analysis::thickening::{
+    Thickening, ThickeningError, ThickeningParamError, ThickeningParams, phases, thickening,
+};
+use crate::analysis::verdicts::{
+    NotAssessed, VerdictInput, VerdictParamError, VerdictParams, examine,
+};
+use crate::engine::queries::measures::Measures;
+use crate::engine::queries::medial_beat::{
+    MedialBeatError, MedialSurfaces, beat_bytes, medial_words,
+};
+use crate::engine::queries::subject::{NoSubject, subject_of};
+use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query, Urgency};
+use crate::mesh::Point3;
+use crate::study::Study;
+
+/// Share of the time of a subject's thickening that its atoms take.
+const ATOMS_SHARE: f32 = 0.8;
+
+/// Settings of the search for patches, from the surfaces on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct ThickeningSettings {
+    /// How medial spheres are fitted.
+    pub medial: MedialParams,
+    /// What counts as still, and as a patch.
+    pub thickening: ThickeningParams,
+}
+
+/// How one subject's wall thickens, and which patches of it do not.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallThickening {
+    /// Whose wall.
+    pub subject: usize,
+    /// How medial spheres are fitted, and what counts as a patch.
+    pub settings: ThickeningSettings,
+}
+
+/// What window, tables and figures read of one subject.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SubjectThickening {
+    /// Its atoms at every frame.
+    pub beat: Arc<MedialBeat>,
+    /// How they thicken, and where they do not.
+    pub thickening: Thickening,
+    /// Why its wall carries no verdict, where it is not resolved: what is found in it may be blur or noise.
+    pub not_assessed: Option<NotAssessed>,
+    /// The long axis at end-diastole.
+    pub axis: Option<LongAxis>,
+    /// Why there is no axis, where there is none.
+    pub without_axis: Option<String>,
+    /// Per atom, in which segment it lies at end-diastole; all `None` where septum and anterior wall are not known.
+    pub segments: Vec<Option<Segment>>,
+    /// Per atom, its place on the bull's-eye at end-diastole; all `None` without an axis.
+    pub polar: Vec<Option<Polar>>,
+}
+
+impl SubjectThickening {
+    /// Memory that it holds without its atoms, which other answers share.
+    fn own_bytes(&self) -> usize {
+        let found = &self.thickening;
+        let steps: usize = (found.steps.iter())
+            .map(|step| size_of_val(step) + size_of_val(&*step.pt) + size_of_val(&*step.still))
+            .sum();
+        let patches: usize = (found.patches.iter())
+            .map(|patch| {
+                size_of_val(patch) + size_of_val(&*patch.atoms) + size_of_val(&*patch.path)
+            })
+            .sum();
+        let atoms = size_of_val(&*found.ed_to_es) + size_of_val(&*found.thickening);
+        steps + patches + atoms + size_of_val(&*self.segments) + size_of_val(&*self.polar)
+    }
+}
+
+/// Why nothing is known of how a wall thickens.
+#[derive(Debug, thiserror::Error)]
+pub enum ThickeningQueryError {
+    /// There is no such subject.
+    #[error(transparent)]
+    NoSubject(#[from] NoSubject),
+    /// A setting is out of range.
+    #[error(transparent)]
+    Settings(#[from] ThickeningParamError),
+    /// A setting of the verdict on the wall's resolution is out of range.
+    #[error(transparent)]
+    Resolution(#[from] VerdictParamError),
+    /// The wall has no medial surface.
+    #[error(transparent)]
+    Medial(Failure<MedialBeatError>),
+    /// Its thickness cannot be compared.
+    #[error(transparent)]
+    Thickening(ThickeningError),
+}
+
+impl Query for WallThickening {
+    type Answer = SubjectThickening;
+    type Error = ThickeningQueryError;
+    const TITLE: &'static str = "Thickening";
+    // Thresholds are dragged while the patches are looked at.
+    const URGENCY: Urgency = Urgency::Interactive;
+
+    fn parameters(&self) -> String {
+        thickening_words(&self.settings)
+    }
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::hearts(study, [self.subject])
+    }
+
+    fn run(&self, cx: &Context<'_>) -> Result<SubjectThickening, Interrupted<Self::Error>> {
+        let failed = |error: ThickeningQueryError| Interrupted::Failed(error);
+        let params = (self.settings.thickening.check()).map_err(|error| failed(error.into()))?;
+        let subject = subject_of(cx.study(), self.subject).map_err(|error| failed(error.into()))?;
+        let atoms = MedialSurfaces {
+            subject: self.subject,
+            params: self.settings.medial,
+        };
+        // Other thresholds find the atoms known.
+        let share = if cx.known(&atoms).is_some() {
+            0.0
+        } else {
+            ATOMS_SHARE
+        };
+        let part = cx.part("fitting medial spheres", 0.0, share);
+        let beat = part
+            .get(&atoms)
+            .map_err(|why| why.map(ThickeningQueryError::Medial))?;
+        let part = cx.part("comparing thickness", share, 1.0);
+        let measures = self.measures(cx)?;
+        let end_diastole = phases(&beat, &measures)[0];
+        let (axis, without_axis) = match long_axis(subject, end_diastole) {
+            Ok(axis) => (Some(axis), None),
+            Err(error) => (None, Some(error.to_string())),
+        };
+        let found = match thickening(&beat, &measures, axis.as_ref(), &params, part.progress()) {
+            Ok(found) => found,
+            Err(ThickeningError::Stopped(_)) => return Err(Interrupted::Stopped),
+            Err(error) => return Err(failed(ThickeningQueryError::Thickening(error))),
+        };
+        let centres: Vec<Point3> = (beat.frames[end_diastole].atoms.iter())
+            .map(|atom| atom.position)
+            .collect();
+        let verdicts = (VerdictParams::default().check()).map_err(|error| failed(error.into()))?;
+        let heart = VerdictInput {
+            beat: &beat,
+            thickening: &found,
+        };
+        Ok(SubjectThickening {
+            not_assessed: examine(&heart, &verdicts).err(),
+            beat,
+            thickening: found,
+            segments: (centres.iter())
+                .map(|&point| segment(axis.as_ref()?, point))
+                .collect(),
+            polar: (centres.iter())
+                .map(|&point| Some(polar(axis.as_ref()?, point)))
+                .collect(),
+            axis,
+            without_axis,
+        })
+    }
+
+    fn memory(found: &SubjectThickening, memory: &mut Memory) {
+        memory.shared(&found.beat, beat_bytes(&found.beat));
+        memory.own(found.own_bytes());
+    }
+
+    fn replaces(&self, other: &Self) -> bool {
+        self.subject == other.subject
+    }
+
+    /// While a threshold is dragged, patches follow the drag; other spheres take too long for that.
+    fn lets_finish(&self, begun: &Self) -> bool {
+        self.subject == begun.subject && self.settings.medial == begun.settings.medial
+    }
+}
+
+impl WallThickening {
+    /// The measures of the subject: of the whole study where they are known, otherwise of it alone; both are equal.
+    fn measures(
+        &self,
+        cx: &Context<'_>,
+    ) -> Result<SubjectMeasures, Interrupted<ThickeningQueryError>> {
+        let known = cx.known(&Measures);
+        match known.and_then(|all| all.get(self.subject).cloned()) {
+            Some(measures) => Ok(measures),
+            None => subject_of(cx.study(), self.subject)
+                .map(measure_subject)
+                .map_err(|error| Interrupted::Failed(error.into())),
+        }
+    }
+}
+
+/// Settings of the search for patches, as summaries and the activity list say it.
+pub fn thickening_words(settings: &ThickeningSettings) -> String {
+    let ThickeningParams {
+        tolerance,
+        ratio,
+        core,
+        still,
+        border,
+        min_share,
+        min_thickening,
+        smoothing,
+        redraws,
+        seed,
+    } = settings.thickening;
+    let tolerance = tolerance.map_or_else(|| "by noise".to_owned(), |t| format!("± {t}"));
+    let ratio = match ratio {
+        RatioForm::GeometricMean => "geometric mean",
+        RatioForm::Product => "product",
+    };
+    format!(
+        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core {core}, still {still:.3}, border {border}, \
+         least share {min_share}, least thickening {min_thickening:.3}, averaged over {smoothing}, \
+         {redraws} redraws, seed {seed}",
+        medial_words(&settings.medial)
+    )
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,284 @@
+//! Thickness of one wall at one frame by all methods, beside each other.
+
+use std::sync::Arc;
+use std::time::Instant;
+
+use crate::analysis::medial::{MedialBeat, MedialParamError, MedialParams, medial_beat};
+use crate::analysis::thickness_methods::{
+    Agreement, CheckedThicknessParams, ThicknessError, ThicknessMethod, ThicknessParams,
+    ThicknessSpread, thickness,
+};
+use crate::engine::queries::medial_beat::{MedialSurfaces, medial_words};
+use crate::engine::queries::subject::{NoSubject, subject_of};
+use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
+use crate::progress::{Progress, Stopped};
+use crate::study::{MeshSequence, SequenceError, Study, Subject, SurfaceSequence};
+
+/// Share of the work that medial spheres take; field lines take most of the rest.
+const MEDIAL_SHARE: f32 = 0.2;
+
+/// Settings of the ways of measuring.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ThicknessSettings {
+    /// How medial spheres are fitted.
+    pub medial: MedialParams,
+    /// Slices, chords and voxels of the other ways.
+    pub methods: ThicknessParams,
+}
+
+/// A way of telling how thick the wall is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ThicknessWay {
+    /// Twice the radius of the medial atoms that take part: what the others are compared with.
+    Medial,
+    /// Any of the others.
+    Other(ThicknessMethod),
+}
+
+impl ThicknessWay {
+    /// The words for it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Medial => "medial spheres",
+            Self::Other(method) => method.name(),
+        }
+    }
+}
+
+/// What one way says of the wall at a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WayAnswer {
+    /// Which way.
+    pub way: ThicknessWay,
+    /// Its thicknesses in coordinates, or why it says nothing.
+    pub found: Result<ThicknessSpread, String>,
+    /// How it differs from twice the medial radius at the same vertices; `None` for that itself, and
+    /// where either says nothing.
+    pub agreement: Option<Agreement>,
+    /// Seconds that it took for this frame; they differ from run to run.
+    pub seconds: f64,
+}
+
+/// What all ways say of the wall at a frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameThickness {
+    /// The frame.
+    pub frame: usize,
+    /// The medial radius first.
+    pub answers: Vec<WayAnswer>,
+}
+
+/// Thickness of one subject's wall at a frame by all methods.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseThickness {
+    /// Whose wall.
+    pub subject: usize,
+    /// At which frame.
+    pub frame: usize,
+    /// How it is measured.
+    pub settings: ThicknessSettings,
+}
+
+/// Why thickness cannot be measured at a frame.
+#[derive(Debug, thiserror::Error)]
+pub enum FrameThicknessError {
+    /// There is no such subject.
+    #[error(transparent)]
+    NoSubject(#[from] NoSubject),
+    /// A setting is out of range, or there is no such frame.
+    #[error(transparent)]
+    Thickness(#[from] ThicknessError),
+    /// A setting of the medial spheres is out of range.
+    #[error(transparent)]
+    Medial(#[from] MedialParamError),
+    /// The frame alone makes no sequence.
+    #[error(transparent)]
+    Sequence(#[from] SequenceError),
+}
+
+impl Query for PoseThickness {
+    type Answer = FrameThickness;
+    type Error = FrameThicknessError;
+    const TITLE: &'static str = "Thickness methods";
+
+    fn parameters(&self) -> String {
+        let ThicknessParams {
+            slices,
+            chords,
+            voxels_across,
+        } = self.settings.methods;
+        format!(
+            "frame {}, {}, {slices} slices of {chords} chords, {voxels_across} voxels across the wall",
+            self.frame,
+            medial_words(&self.settings.medial)
+        )
+    }
+
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::hearts(study, [self.subject])
+    }
+
+    fn run(&self, cx: &Context<'_>) -> Result<FrameThickness, Interrupted<FrameThicknessError>> {
+        let failed = |error: FrameThicknessError| Interrupted::Failed(error);
+        let params = (self.settings.methods.check()).map_err(|error| failed(error.into()))?;
+        let subject = subject_of(cx.study(), self.subject).map_err(|error| failed(error.into()))?;
+        let (frame, frames) = (self.frame, subject.sequence.frame_count());
+        if frame >= frames {
+            return Err(failed(ThicknessError::NoFrame { frame, frames }.into()));
+        }
+        let part = cx.part("fitting medial spheres", 0.0, MEDIAL_SHARE);
+        let medial = self.medial(subject, &part)?;
+        let mut answers = vec![WayAnswer {
+            way: ThicknessWay::Medial,
+            found: medial.told.clone(),
+            agreement: None,
+            seconds: medial.seconds,
+        }];
+        let count = ThicknessMethod::ALL.len();
+        for (place, method) in ThicknessMethod::ALL.into_iter().enumerate() {
+            let share =
+                |done: usize| MEDIAL_SHARE + (1.0 - MEDIAL_SHARE) * done as f32 / count as f32;
+            let part = cx.part(method.name(), share(place), share(place + 1));
+            answers.push(other(
+                subject,
+                frame,
+                method,
+                &params,
+                &medial,
+                part.progress(),
+            )?);
+        }
+        Ok(FrameThickness { frame, answers })
+    }
+
+    fn memory(found: &FrameThickness, memory: &mut Memory) {
+        memory.own(size_of_val(&*found.answers));
+    }
+
+    fn replaces(&self, other: &Self) -> bool {
+        (self.subject, self.frame) == (other.subject, other.frame)
+    }
+
+    /// Stepping through the frames stops nothing.
+    fn lets_finish(&self, begun: &Self) -> bool {
+        (self.subject, self.settings) == (begun.subject, begun.settings)
+    }
+}
+
+/// Twice the medial radii at a frame.
+struct Medial {
+    /// Vertex of the inner side and thickness there, of each atom that takes part.
+    twice_radius: Vec<(u32, f64)>,
+    told: Result<ThicknessSpread, String>,
+    seconds: f64,
+}
+
+impl PoseThickness {
+    fn medial(
+        &self,
+        subject: &Subject,
+        cx: &Context<'_>,
+    ) -> Result<Medial, Interrupted<FrameThicknessError>> {
+        let params = self.settings.medial;
+        let surfaces = MedialSurfaces {
+            subject: self.subject,
+            params,
+        };
+        let beat: Arc<MedialBeat> = match cx.get(&surfaces) {
+            Ok(beat) => beat,
+            Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
+            // The other methods may still measure the wall.
+            Err(Interrupted::Failed(failure)) => {
+                return Ok(Medial {
+                    twice_radius: Vec::new(),
+                    told: Err(failure.to_string()),
+                    seconds: 0.0,
+                });
+            }
+        };
+        let twice_radius = twice_radii(&beat, self.frame);
+        let spread =
+            ThicknessSpread::of(twice_radius.iter().map(|&(_, thickness)| Some(thickness)));
+        Ok(Medial {
+            told: spread.ok_or_else(|| "no atom takes part in the analysis".to_owned()),
+            seconds: seconds_of_one(subject, self.frame, &params, cx.progress())?,
+            twice_radius,
+        })
+    }
+}
+
+/// Vertex and thickness of the atoms that take part.
+fn twice_radii(beat: &MedialBeat, frame: usize) -> Vec<(u32, f64)> {
+    let Some(surface) = beat.frames.get(frame) else {
+        return Vec::new();
+    };
+    let atoms = surface.atoms.iter().zip(&beat.vertices).zip(&beat.regular);
+    atoms
+        .filter(|(_, regular)| **regular)
+        .map(|((atom, &vertex), _)| (vertex, 2.0 * atom.radius))
+        .collect()
+}
+
+/// How long the medial spheres of one frame take, whether or not those of the beat were known.
+fn seconds_of_one(
+    subject: &Subject,
+    frame: usize,
+    params: &MedialParams,
+    progress: &Progress,
+) -> Result<f64, Interrupted<FrameThicknessError>> {
+    let failed = |error: FrameThicknessError| Interrupted::Failed(error);
+    let params = params.check().map_err(|error| failed(error.into()))?;
+    let surfaces = subject.sequence.surfaces().iter();
+    let at_frame = surfaces.map(|surface| {
+        SurfaceSequence::new(surface.kind(), surface.frames()[frame..=frame].to_vec())
+    });
+    let at_frame = at_frame
+        .collect::<Result<_, _>>()
+        .and_then(MeshSequence::new);
+    let mut alone = subject.clone();
+    alone.sequence = at_frame.map_err(|error| failed(error.into()))?;
+    let begin = Instant::now();
+    // What it says is known; only the time is new.
+    medial_beat(&alone, &params, &progress.within()).ok();
+    progress.check()?;
+    Ok(begin.elapsed().as_secs_f64())
+}
+
+fn other(
+    subject: &Subject,
+    frame: usize,
+    method: ThicknessMethod,
+    params: &CheckedThicknessParams,
+    medial: &Medial,
+    progress: &Progress,
+) -> Result<WayAnswer, Stopped> {
+    let begin = Instant::now();
+    let map = thickness(subject, frame, method, params, progress);
+    let seconds = begin.elapsed().as_secs_f64();
+    let way = ThicknessWay::Other(method);
+    let map = match map {
+        Ok(map) => map,
+        Err(ThicknessError::Stopped(stopped)) => return Err(stopped),
+        Err(reason) => {
+            return Ok(WayAnswer {
+                way,
+                found: Err(reason.to_string()),
+                agreement: None,
+                seconds,
+            });
+        }
+    };
+    let at_atoms = (medial.twice_radius.iter())
+        .map(|&(vertex, _)| map.thickness.get(vertex as usize).copied().flatten());
+    let reference = medial.twice_radius.iter().map(|&(_, told)| Some(told));
+    let spread = ThicknessSpread::of(map.thickness.iter().copied());
+    Ok(WayAnswer {
+        way,
+        agreement: Agreement::of(at_atoms, reference),
+        found: spread.ok_or_else(|| "it tells the thickness of no vertex".to_owned()),
+        seconds,
+    })
+}
+
+#[cfg(test)]
+mod tests;

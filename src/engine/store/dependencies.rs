@@ -1,0 +1,99 @@
+//! What of a study an answer depends on: it stays true as long as that stays as it is.
+
+use crate::study::{Anatomy, Revision, SequenceId, ShapeKey, Study};
+use crate::units::LengthUnit;
+
+/// The state of what an answer was computed from. Equal dependencies, equal answers.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Dependencies {
+    revision: Option<Revision>,
+    /// `None` for a subject that does not exist.
+    subjects: Vec<Option<SubjectKey>>,
+}
+
+/// What was read of a subject; nothing is said of what was not read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct SubjectKey {
+    surfaces: SequenceId,
+    shape: Option<ShapeKey>,
+    heart: Option<(Option<usize>, LengthUnit, Option<Anatomy>)>,
+}
+
+/// How much of a subject is read.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Reads {
+    Surfaces,
+    Shape,
+    Heart,
+}
+
+impl Dependencies {
+    /// On nothing of the study: the question holds all that it needs.
+    pub fn nothing() -> Self {
+        Self::default()
+    }
+
+    /// On everything, labels included: any edit asks for another answer.
+    pub fn study(study: &Study) -> Self {
+        let mut all = Self::of(study, 0..study.subjects.len(), Reads::Surfaces);
+        all.revision = Some(study.revision);
+        all
+    }
+
+    /// On the surfaces of these subjects.
+    pub fn surfaces(study: &Study, subjects: impl IntoIterator<Item = usize>) -> Self {
+        Self::of(study, subjects, Reads::Surfaces)
+    }
+
+    /// On the surfaces and end-diastole of these subjects.
+    pub fn shapes(study: &Study, subjects: impl IntoIterator<Item = usize>) -> Self {
+        Self::of(study, subjects, Reads::Shape)
+    }
+
+    /// On surfaces and end-diastole of all subjects.
+    pub fn all_shapes(study: &Study) -> Self {
+        Self::shapes(study, 0..study.subjects.len())
+    }
+
+    /// On surfaces, both phases, unit and landmarks of these subjects: all but labels and what is known of the patient.
+    pub fn hearts(study: &Study, subjects: impl IntoIterator<Item = usize>) -> Self {
+        Self::of(study, subjects, Reads::Heart)
+    }
+
+    /// Whether both were computed from the same surfaces, whatever else was edited: then one may stay on screen while
+    /// the other is computed.
+    pub fn same_surfaces(&self, other: &Self) -> bool {
+        let surfaces = |all: &Self| -> Vec<Option<SequenceId>> {
+            let subjects = all.subjects.iter();
+            subjects.map(|key| key.map(|key| key.surfaces)).collect()
+        };
+        self.subjects.len() == other.subjects.len() && surfaces(self) == surfaces(other)
+    }
+
+    /// What the shapes of the subjects were known by; `None` if more or less than shapes was read.
+    pub fn shape_keys(&self) -> Option<Vec<ShapeKey>> {
+        self.subjects
+            .iter()
+            .map(|key| key.as_ref()?.shape)
+            .collect()
+    }
+
+    fn of(study: &Study, subjects: impl IntoIterator<Item = usize>, reads: Reads) -> Self {
+        let key = |index: usize| {
+            let subject = study.subjects.get(index)?;
+            Some(SubjectKey {
+                surfaces: subject.sequence.id(),
+                shape: (reads >= Reads::Shape).then(|| subject.shape_key()),
+                heart: (reads >= Reads::Heart).then_some((
+                    subject.end_systole,
+                    subject.unit,
+                    subject.anatomy,
+                )),
+            })
+        };
+        Self {
+            revision: None,
+            subjects: subjects.into_iter().map(key).collect(),
+        }
+    }
+}

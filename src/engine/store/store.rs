@@ -1,0 +1,375 @@
+//! The store of one window or one command: what is asked is answered once, and kept while there is room.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::engine::activity::{Activity, Topic};
+use crate::engine::job::{JobWatch, Wake};
+use crate::engine::store::ask::{Answered, compute, known, shelf, tell};
+use crate::engine::store::cell::Peek;
+use crate::engine::store::interrupted::{Interrupted, SharedError};
+use crate::engine::store::memory::default_budget;
+use crate::engine::store::query::Query;
+use crate::engine::store::queue::{Queue, Urgency};
+use crate::engine::store::shelf::CellOf;
+use crate::engine::store::shelves::{FailedWork, Shelves};
+use crate::engine::store::work::{Pin, Work, lock};
+use crate::progress::Progress;
+use crate::study::Study;
+
+/// Longer than any chain of questions.
+const MAX_RELEASES: usize = 16;
+
+/// What a pane may draw for a question.
+#[derive(Debug)]
+pub enum Showing<A> {
+    /// The answer.
+    Ready(Arc<A>),
+    /// On its way, or not begun yet.
+    Computing {
+        /// The last good answer, which stays on screen.
+        previous: Option<Arc<A>>,
+        /// Fraction, phase and time left.
+        watch: Arc<JobWatch>,
+    },
+    /// Cancelled by the user, or failed; a retry begins it again.
+    Interrupted {
+        /// Which of the two.
+        why: Interrupted<SharedError>,
+        /// The last good answer, which stays on screen.
+        previous: Option<Arc<A>>,
+    },
+}
+
+impl<A> Showing<A> {
+    /// The answer to what was asked, if it is there.
+    pub fn ready(&self) -> Option<&Arc<A>> {
+        match self {
+            Self::Ready(answer) => Some(answer),
+            Self::Computing { .. } | Self::Interrupted { .. } => None,
+        }
+    }
+
+    /// The answer, else the last good one.
+    pub fn latest(&self) -> Option<&Arc<A>> {
+        match self {
+            Self::Ready(answer) => Some(answer),
+            Self::Computing { previous, .. } | Self::Interrupted { previous, .. } => {
+                previous.as_ref()
+            }
+        }
+    }
+
+    /// Whether it is on its way.
+    pub fn computing(&self) -> bool {
+        matches!(self, Self::Computing { .. })
+    }
+
+    /// Why it failed, if it did.
+    pub fn failure(&self) -> Option<&SharedError> {
+        match self {
+            Self::Interrupted {
+                why: Interrupted::Failed(error),
+                ..
+            } => Some(error),
+            _ => None,
+        }
+    }
+
+    /// Whether the user cancelled it.
+    pub fn stopped(&self) -> bool {
+        matches!(
+            self,
+            Self::Interrupted {
+                why: Interrupted::Stopped,
+                ..
+            }
+        )
+    }
+}
+
+// Written by hand, because `derive` would ask for `A: Clone`.
+impl<A> Clone for Showing<A> {
+    fn clone(&self) -> Self {
+        match self {
+            Self::Ready(answer) => Self::Ready(Arc::clone(answer)),
+            Self::Computing { previous, watch } => Self::Computing {
+                previous: previous.clone(),
+                watch: Arc::clone(watch),
+            },
+            Self::Interrupted { why, previous } => Self::Interrupted {
+                why: why.clone(),
+                previous: previous.clone(),
+            },
+        }
+    }
+}
+
+/// How a store is set up.
+#[derive(Clone)]
+pub struct StoreOptions {
+    /// Bytes that all answers together may hold; what is on screen stays even if it is more.
+    pub budget: usize,
+    /// Called whenever work that a pane asked for ends.
+    pub wake: Wake,
+}
+
+impl Default for StoreOptions {
+    fn default() -> Self {
+        Self {
+            budget: default_budget(),
+            wake: Arc::new(|| ()),
+        }
+    }
+}
+
+/// Asks, answers and keeps. Dropping it stops its work, then joins its threads.
+pub struct Store {
+    shelves: Arc<Shelves>,
+    /// What is shown of a question that is not begun.
+    not_begun: OnceLock<Arc<JobWatch>>,
+}
+
+impl Store {
+    /// Starts the threads.
+    ///
+    /// # Errors
+    /// If the operating system refuses one.
+    pub fn start(options: StoreOptions) -> std::io::Result<Self> {
+        let shelves = Shelves::new(Queue::start()?, options.wake, options.budget);
+        Ok(Self {
+            shelves: Arc::new(shelves),
+            not_begun: OnceLock::new(),
+        })
+    }
+
+    /// What a pane draws for a question now; begins the work if need be. Cheap every frame: what no pane asks for in a
+    /// frame is stopped at its [end](Self::end_frame).
+    pub fn ask<Q: Query>(&self, study: &Arc<Study>, query: &Q) -> Showing<Q::Answer> {
+        self.show(study, query, true)
+    }
+
+    /// The same, without beginning anything: for what can wait while the pointer is down.
+    pub fn watch<Q: Query>(&self, study: &Arc<Study>, query: &Q) -> Showing<Q::Answer> {
+        self.show(study, query, false)
+    }
+
+    /// The answer to a question if it is known. Asks for nothing.
+    pub fn known<Q: Query>(&self, study: &Study, query: &Q) -> Option<Arc<Q::Answer>> {
+        known(&self.shelves, study, query)
+    }
+
+    /// Takes in an answer that is known from elsewhere.
+    pub fn put<Q: Query>(&self, study: &Study, query: &Q, answer: Arc<Q::Answer>) {
+        let (depends_on, now) = (query.depends_on(study), self.shelves.tick());
+        let shelf = shelf::<Q>(&self.shelves);
+        shelf.entries().of(query, &depends_on, now).cell.set(answer);
+        self.shelves.give_memory_back();
+    }
+
+    /// The answer, however long it takes: for commands and exports. Computed by the store's threads, so that it goes on
+    /// for a pane that wants it too when `progress` is stopped.
+    ///
+    /// # Errors
+    /// What interrupted it.
+    pub fn answer<Q: Query>(
+        &self,
+        study: &Arc<Study>,
+        query: &Q,
+        progress: &Progress,
+    ) -> Answered<Q> {
+        let (depends_on, now) = (query.depends_on(study), self.shelves.tick());
+        let shelf = shelf::<Q>(&self.shelves);
+        let cell = Arc::clone(&shelf.entries().of(query, &depends_on, now).cell);
+        // Whoever asks so may well want what a pane was told to do without; each step below it may be held too.
+        let mut releases = MAX_RELEASES;
+        loop {
+            let under_way = match cell.peek() {
+                Peek::Done(answer) => {
+                    progress.followed();
+                    return Ok(answer);
+                }
+                Peek::Failed(failure, ..) => return Err(Interrupted::Failed(failure)),
+                Peek::Cancelled(hold) if releases > 0 => {
+                    releases -= 1;
+                    hold.release();
+                    None
+                }
+                Peek::Cancelled(_) => return Err(Interrupted::Stopped),
+                Peek::UnderWay(work) => Some(Pin::on(&work)),
+                Peek::Idle => None,
+            };
+            progress.check()?;
+            let pin = under_way.unwrap_or_else(|| {
+                let pin = Pin::on(&Arc::<Work>::default());
+                // Nobody watches for a place that statistics of a cohort may take, so they go with the rest.
+                self.enqueue(
+                    study,
+                    query,
+                    &cell,
+                    pin.work(),
+                    Q::URGENCY.max(Urgency::Visible),
+                );
+                pin
+            });
+            progress.follow(pin.work().watch.progress());
+            while progress.check().is_ok()
+                && matches!(cell.peek(), Peek::UnderWay(now) if Arc::ptr_eq(&now, pin.work()))
+            {
+                cell.wait_for(pin.work());
+            }
+        }
+    }
+
+    /// The user pressed Cancel: what panes ask for of this kind stops, and is not begun again until it is retried.
+    pub fn cancel(&self, topic: Topic) {
+        for shelf in self.shelves.all() {
+            if shelf.topic() == topic {
+                shelf.cancel();
+            }
+        }
+    }
+
+    /// Lets what was cancelled or has failed of this kind begin again at the next [`Self::ask`].
+    pub fn retry(&self, topic: Topic) {
+        for shelf in self.shelves.all() {
+            if shelf.topic() == topic {
+                shelf.retry();
+            }
+        }
+    }
+
+    /// Ends a frame: what no pane asked for in it is stopped, and memory past the budget is given back.
+    pub fn end_frame(&self) {
+        self.shelves.end_frame();
+    }
+
+    /// What went wrong since the last call and needs a card.
+    pub fn take_failures(&self) -> Vec<FailedWork> {
+        std::mem::take(&mut lock(&self.shelves.failures))
+    }
+
+    /// Has a card say that a job went wrong.
+    pub fn tell(&self, failure: FailedWork) {
+        lock(&self.shelves.failures).push(failure);
+    }
+
+    /// Shows a job in the activity list, among what panes asked for.
+    pub fn list_job(
+        &self,
+        topic: Topic,
+        name: impl Into<String>,
+        parameters: impl Into<String>,
+        watch: Arc<JobWatch>,
+    ) {
+        lock(&self.shelves.log).record(topic, name, parameters, watch);
+    }
+
+    /// All work of this run that panes asked for, and jobs, newest first.
+    pub fn activities(&self) -> Vec<Activity> {
+        lock(&self.shelves.log).list()
+    }
+
+    /// The work that waits or runs, newest first.
+    pub fn running(&self) -> Vec<Activity> {
+        lock(&self.shelves.log).running()
+    }
+
+    /// Whether something of this kind is under way that a pane asks for.
+    pub fn works_on(&self, topic: Topic) -> bool {
+        (self.shelves.all().iter()).any(|shelf| shelf.topic() == topic && shelf.works())
+    }
+
+    /// Whether any thread works, or work waits for one.
+    pub fn busy(&self) -> bool {
+        self.shelves.queue.busy()
+    }
+
+    /// How many answers to this type of question are kept.
+    pub fn answers<Q: Query>(&self) -> usize {
+        shelf::<Q>(&self.shelves).entries().answers()
+    }
+
+    fn show<Q: Query>(&self, study: &Arc<Study>, query: &Q, begin: bool) -> Showing<Q::Answer> {
+        let (frame, now) = (self.shelves.frame(), self.shelves.tick());
+        let depends_on = query.depends_on(study);
+        let shelf = shelf::<Q>(&self.shelves);
+        let mut entries = shelf.entries();
+        let entry = entries.of(query, &depends_on, now);
+        entry.touch(frame, now);
+        let cell = Arc::clone(&entry.cell);
+        let seen = cell.peek();
+        if let Peek::Done(answer) = seen {
+            entry.show(now);
+            return Showing::Ready(answer);
+        }
+        let first = match seen {
+            Peek::Idle => entries.finished_first(query, frame, now),
+            _ => None,
+        };
+        let previous = entries.previous(query, &depends_on, frame);
+        drop(entries);
+        let watch = match seen {
+            Peek::Failed(failure, ..) => {
+                if Q::FAILURE.is_some() {
+                    tell::<Q>(cell.tell(), &self.shelves);
+                }
+                let why = Interrupted::Failed(failure.erased());
+                return Showing::Interrupted { why, previous };
+            }
+            Peek::Cancelled(_) => {
+                let why = Interrupted::Stopped;
+                return Showing::Interrupted { why, previous };
+            }
+            Peek::UnderWay(work) => Some(Arc::clone(&work.watch)),
+            Peek::Idle if begin && first.is_none() => Some(self.begin(study, query, &cell)),
+            Peek::Idle | Peek::Done(_) => first,
+        };
+        let watch = watch.unwrap_or_else(|| Arc::clone(self.not_begun.get_or_init(Arc::default)));
+        Showing::Computing { previous, watch }
+    }
+
+    fn begin<Q: Query>(&self, study: &Arc<Study>, query: &Q, cell: &CellOf<Q>) -> Arc<JobWatch> {
+        let work = Arc::<Work>::default();
+        work.set_asked(true);
+        if Q::LISTED {
+            let (topic, watch) = (Topic::of::<Q>(), Arc::clone(&work.watch));
+            lock(&self.shelves.log).record(topic, Q::TITLE, query.parameters(), watch);
+        }
+        self.enqueue(study, query, cell, &work, Q::URGENCY);
+        Arc::clone(&work.watch)
+    }
+
+    fn enqueue<Q: Query>(
+        &self,
+        study: &Arc<Study>,
+        query: &Q,
+        cell: &CellOf<Q>,
+        work: &Arc<Work>,
+        urgency: Urgency,
+    ) {
+        if !cell.queue(work) {
+            return;
+        }
+        let (study, query, cell) = (Arc::clone(study), query.clone(), Arc::clone(cell));
+        // The queue must not keep alive the shelves that keep the queue.
+        let shelves = Arc::downgrade(&self.shelves);
+        let begun = Arc::clone(work);
+        let run = Box::new(move || {
+            if let Some(shelves) = shelves.upgrade()
+                && cell.begin(&begun)
+            {
+                compute(&cell, &begun, &query, &study, urgency, &shelves);
+            }
+        });
+        self.shelves.queue.push(urgency, work, run);
+    }
+}
+
+impl Drop for Store {
+    fn drop(&mut self) {
+        for shelf in self.shelves.all() {
+            shelf.stop_all();
+        }
+        self.shelves.queue.close();
+    }
+}
