@@ -7,14 +7,15 @@ use std::time::{Duration, Instant};
 use egui::{Context, Ui};
 
 use crate::engine::{OpenSource, Wake, WorkKind};
+use crate::study::Subject;
 use crate::study::built_in::BuiltInParams;
 use crate::ui::{self, Command};
 
 use super::apply::{Effect, Moment, apply};
 use super::background::{Background, reference_frames};
 use super::background_medial::Seen;
-use super::dialogs::Question;
-use super::export;
+use super::dialogs::{Answer, AskPaths, Question, system_dialogs};
+use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::paint;
@@ -31,7 +32,7 @@ const BAR_PERIOD: Duration = Duration::from_millis(100);
 const LONGEST_STEP_S: f64 = 0.25;
 
 /// What the window begins with.
-#[derive(Clone, Debug)]
+#[derive(Clone)]
 pub struct AppOptions {
     /// What is opened first; nothing if `None`.
     pub open: Option<OpenSource>,
@@ -39,6 +40,8 @@ pub struct AppOptions {
     pub built_in: BuiltInParams,
     /// When the program began, for the times that it can print.
     pub started: Instant,
+    /// Who is asked for files and folders.
+    pub ask_paths: AskPaths,
 }
 
 impl AppOptions {
@@ -48,6 +51,7 @@ impl AppOptions {
             open: Some(OpenSource::paths_or_built_in(paths)),
             built_in: BuiltInParams::default(),
             started: Instant::now(),
+            ask_paths: system_dialogs(),
         }
     }
 
@@ -56,7 +60,7 @@ impl AppOptions {
         Self {
             open: Some(OpenSource::BuiltIn(params)),
             built_in: params,
-            started: Instant::now(),
+            ..Self::opening(Vec::new())
         }
     }
 
@@ -67,6 +71,14 @@ impl AppOptions {
             ..Self::opening(Vec::new())
         }
     }
+}
+
+/// A figure that was asked for before the selected subject was on screen and its wall measured.
+struct WaitingFigure {
+    kind: FigureKind,
+    /// Where it goes; asked for if `None`.
+    path: Option<PathBuf>,
+    subject: Arc<Subject>,
 }
 
 /// The window.
@@ -84,6 +96,7 @@ pub struct App {
     times: Times,
     queue: Vec<Command>,
     played_at_s: Option<f64>,
+    waiting_figure: Option<WaitingFigure>,
     /// What the driver refused, so that it is told once.
     refused: Option<String>,
 }
@@ -102,7 +115,7 @@ impl App {
             paint::install(device);
         }
         let wake: Wake = Arc::new(move || ctx.request_repaint());
-        let mut background = Background::start(&wake)?;
+        let mut background = Background::start(&wake, options.ask_paths)?;
         let mut state = State {
             theme: settings.theme,
             recent: settings.recent,
@@ -133,6 +146,7 @@ impl App {
             times: Times::new(options.started),
             queue: Vec::new(),
             played_at_s: None,
+            waiting_figure: None,
             refused: None,
         })
     }
@@ -179,9 +193,18 @@ impl App {
     }
 
     fn take_in(&mut self, ctx: &Context) {
+        let opening = self.state.document.study.opening;
         self.background.poll(&mut self.state);
+        if self.state.document.study.opening != opening {
+            // What the pointer holds is a subject of the study before.
+            egui::DragAndDrop::clear_payload(ctx);
+        }
         match self.background.dialogs.poll() {
-            Some(Ok(command)) => self.queue.push(command),
+            Some(Ok(Answer::Open(paths))) => self.queue.push(Command::Open(paths)),
+            Some(Ok(Answer::Figure(figure, path))) => self.write_figure(*figure, path),
+            Some(Ok(Answer::Tables(tables, folder))) => {
+                tables.write(&mut self.background.engine, folder);
+            }
             Some(Err(problem)) => super::errors::push_card(
                 &mut self.state.errors,
                 "No file dialog",
@@ -232,27 +255,21 @@ impl App {
     fn perform(&mut self, ctx: &Context, effect: Effect) {
         let dialogs = &mut self.background.dialogs;
         match effect {
-            Effect::ChooseFiles => dialogs.ask(Question::Files, String::new()),
-            Effect::ChooseFolder => dialogs.ask(Question::Folder, String::new()),
-            Effect::ChooseFigure(kind) => {
-                dialogs.ask(
-                    Question::Figure(kind),
-                    export::figure_name(&self.state, kind),
-                );
+            Effect::ChooseFiles => dialogs.ask(Question::Files),
+            Effect::ChooseFolder => dialogs.ask(Question::Folder),
+            Effect::ChooseFigure(kind) => self.ask_for_figure(ctx, kind, None),
+            Effect::ChooseTables => {
+                if let Some(tables) = TableExport::now(&self.state) {
+                    dialogs.ask(Question::Tables(Box::new(tables)));
+                }
             }
-            Effect::ChooseTables => dialogs.ask(Question::Tables, String::new()),
             Effect::Open(source) => self.background.open(source),
-            Effect::WriteFigure(kind, path) => export::write_figure(
-                &mut self.background.engine,
-                &mut self.state,
-                &self.viewport,
-                ctx.global_style().visuals.dark_mode,
-                kind,
-                path,
-            ),
+            Effect::WriteFigure(kind, path) => self.ask_for_figure(ctx, kind, Some(path)),
             Effect::ReadPicture(path) => self.background.saved_views.read(path),
             Effect::WriteTables(folder) => {
-                export::write_tables(&mut self.background.engine, &self.state, folder);
+                if let Some(tables) = TableExport::now(&self.state) {
+                    tables.write(&mut self.background.engine, folder);
+                }
             }
             Effect::Stop(kind) => self.background.stop(kind),
             Effect::Retry(kind) => self.background.retry(&self.state, kind),
@@ -268,6 +285,58 @@ impl App {
                 ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(full));
             }
             Effect::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+        }
+    }
+
+    /// Fixes what a figure shows at the moment it is asked for, then asks where it goes if that is not known.
+    fn ask_for_figure(&mut self, ctx: &Context, kind: FigureKind, path: Option<PathBuf>) {
+        let dark = ctx.global_style().visuals.dark_mode;
+        match (
+            FigureExport::now(&self.state, &self.viewport, dark, kind),
+            path,
+        ) {
+            (Ok(figure), Some(path)) => self.write_figure(figure, path),
+            (Ok(figure), None) => {
+                let question = Question::Figure(Box::new(figure));
+                self.background.dialogs.ask(question);
+            }
+            (Err(NoFigure::Refused(reason)), _) => {
+                let title = "There is no patch figure of this heart";
+                super::errors::push_card(&mut self.state.errors, title, reason, None);
+            }
+            (Err(NoFigure::NotYet), path) => {
+                let subject = self.state.document.selected().map(Arc::clone);
+                self.waiting_figure = subject.map(|subject| {
+                    self.state.message = format!("The figure waits for {}", subject.id);
+                    WaitingFigure {
+                        kind,
+                        path,
+                        subject,
+                    }
+                });
+            }
+        }
+    }
+
+    /// Takes the figure that waits for its subject, once that is on screen; never of another subject.
+    fn take_waiting_figure(&mut self, ctx: &Context) {
+        let Some(waiting) = self.waiting_figure.take() else {
+            return;
+        };
+        let selected = self.state.document.selected();
+        if selected.is_some_and(|selected| Arc::ptr_eq(selected, &waiting.subject)) {
+            self.ask_for_figure(ctx, waiting.kind, waiting.path);
+            return;
+        }
+        let title = format!("There is no figure of {}", waiting.subject.id);
+        let reason = "another subject was selected before this one was drawn and measured";
+        super::errors::push_card(&mut self.state.errors, title, reason, None);
+    }
+
+    fn write_figure(&mut self, figure: FigureExport, path: PathBuf) {
+        if let Err(reason) = figure.write(&mut self.background.engine, path) {
+            let title = "The figure could not be written";
+            super::errors::push_card(&mut self.state.errors, title, reason, None);
         }
     }
 
@@ -322,9 +391,13 @@ impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.times.begin_frame(self.state.play.playing);
         let begin = Instant::now();
+        // What was clicked concerns what was drawn: it comes before anything that finished since, such as
+        // another study, in whose table a row is another subject.
+        self.apply_queue(ctx);
         self.take_in(ctx);
         self.tell_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
+        self.take_waiting_figure(ctx);
         self.play(ctx);
         let seen = Seen {
             panes: self.layout.seen(),

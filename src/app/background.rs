@@ -15,7 +15,7 @@ use super::background_beats::AskedBeats;
 use super::background_medial::{self, Seen, wanted_map};
 use super::background_thickness::AskedThickness;
 use super::background_walls::{AskedVerdicts, AskedWalls};
-use super::dialogs::Dialogs;
+use super::dialogs::{AskPaths, Dialogs};
 use super::document::OpeningReport;
 use super::errors::{push_card, push_open_errors};
 use super::map_orientation::{deformations_like, oriented_like};
@@ -71,11 +71,11 @@ impl Background {
     ///
     /// # Errors
     /// If the operating system refuses one.
-    pub fn start(wake: &Wake) -> std::io::Result<Self> {
+    pub fn start(wake: &Wake, ask_paths: AskPaths) -> std::io::Result<Self> {
         Ok(Self {
             engine: Engine::start(Arc::clone(wake))?,
             pictures: Pictures::start(Arc::clone(wake))?,
-            dialogs: Dialogs::start(Arc::clone(wake))?,
+            dialogs: Dialogs::start(Arc::clone(wake), ask_paths)?,
             saved_views: SavedViews::start(Arc::clone(wake))?,
             beats: AskedBeats::default(),
             walls: AskedWalls::default(),

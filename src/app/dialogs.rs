@@ -5,9 +5,8 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use crate::engine::{Job, Wake, Workers};
-use crate::ui::Command;
 
-use super::export::FigureKind;
+use super::export::{FigureExport, FigureKind, TableExport};
 
 /// Endings of files that can be opened, as the dialog filters them.
 const READABLE: [&str; 12] = [
@@ -17,18 +16,49 @@ const READABLE: [&str; 12] = [
 /// An answer this quick was given by no person: no dialog could be shown.
 const TOO_QUICK: Duration = Duration::from_millis(150);
 
-/// What is asked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What is asked. What a file will hold is fixed before its place is asked for: while a dialog is open, the
+/// window goes on, and another subject may be selected.
 pub enum Question {
     /// Which files to open.
     Files,
     /// Which folder to open.
     Folder,
-    /// Where a picture goes.
-    Figure(FigureKind),
+    /// Where a figure goes.
+    Figure(Box<FigureExport>),
     /// Into which folder tables go.
-    Tables,
+    Tables(Box<TableExport>),
 }
+
+/// What was answered, with what the question was about.
+pub enum Answer {
+    /// Open these.
+    Open(Vec<PathBuf>),
+    /// Write this figure there.
+    Figure(Box<FigureExport>, PathBuf),
+    /// Write these tables there.
+    Tables(Box<TableExport>, PathBuf),
+}
+
+/// What a dialog asks the person at the screen.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum PathQuestion {
+    /// Files to open.
+    OpenFiles,
+    /// Folders to open.
+    OpenFolders,
+    /// A new file for a figure.
+    SaveFigure {
+        /// What the dialog is called.
+        title: &'static str,
+        /// The name that it proposes.
+        suggested: String,
+    },
+    /// A folder for tables.
+    SaveTables,
+}
+
+/// Answers questions about paths: the dialogs of the operating system, or a test. `None` if nothing was chosen.
+pub type AskPaths = Arc<dyn Fn(&PathQuestion) -> Option<Vec<PathBuf>> + Send + Sync>;
 
 /// Why no answer came.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -41,9 +71,10 @@ pub struct NoDialog;
 /// The dialog that is open, if one is.
 pub struct Dialogs {
     // Stands before the thread: dropped first, which lets go of the answer.
-    open: Option<Job<Option<Command>, NoDialog>>,
+    open: Option<Job<Option<Answer>, NoDialog>>,
     thread: Workers,
     wake: Wake,
+    ask_paths: AskPaths,
 }
 
 impl Dialogs {
@@ -51,73 +82,96 @@ impl Dialogs {
     ///
     /// # Errors
     /// If the operating system refuses a thread.
-    pub fn start(wake: Wake) -> std::io::Result<Self> {
+    pub fn start(wake: Wake, ask_paths: AskPaths) -> std::io::Result<Self> {
         Ok(Self {
             open: None,
             thread: Workers::start("dialog", 1)?,
             wake,
+            ask_paths,
         })
     }
 
-    /// Asks, unless a dialog is open already. `suggested` names a new file.
-    pub fn ask(&mut self, question: Question, suggested: String) {
+    /// Asks, unless a dialog is open already.
+    pub fn ask(&mut self, question: Question) {
         if self.open.is_some() {
             return;
         }
+        let ask_paths = Arc::clone(&self.ask_paths);
         let job = Job::spawn(&self.thread, Arc::clone(&self.wake), move |_| {
             let asked = Instant::now();
-            let answer = answer(question, &suggested);
-            if answer.is_none() && asked.elapsed() < TOO_QUICK {
+            let paths = ask_paths(&question.about_paths());
+            if paths.is_none() && asked.elapsed() < TOO_QUICK {
                 return Err(NoDialog);
             }
-            Ok(answer)
+            Ok(paths.and_then(|paths| question.answer(paths)))
         });
         self.open = Some(job);
     }
 
-    /// What was answered, as the command it stands for; once.
-    pub fn poll(&mut self) -> Option<Result<Command, NoDialog>> {
+    /// What was answered; once.
+    pub fn poll(&mut self) -> Option<Result<Answer, NoDialog>> {
         let outcome = self.open.as_mut()?.poll()?;
         self.open = None;
         match outcome {
-            Ok(command) => command.map(Ok),
+            Ok(answer) => answer.map(Ok),
             Err(_) => Some(Err(NoDialog)),
         }
     }
 }
 
-fn answer(question: Question, suggested: &str) -> Option<Command> {
-    let dialog = rfd::FileDialog::new();
-    match question {
-        Question::Files => dialog
-            .set_title("Open meshes or a study")
-            .add_filter("Meshes and studies", &READABLE)
-            .add_filter("All files", &["*"])
-            .pick_files()
-            .map(Command::Open),
-        Question::Folder => dialog
-            .set_title("Open a folder of meshes")
-            .pick_folders()
-            .map(Command::Open),
-        Question::Figure(kind) => {
-            let (title, command): (_, fn(Option<PathBuf>) -> Command) = match kind {
-                FigureKind::View => ("Save the 3D view as a figure", Command::ExportFigure),
-                FigureKind::Patch => ("Save the patch figure", Command::ExportPatchFigure),
-            };
-            dialog
-                .set_title(title)
+impl Question {
+    fn about_paths(&self) -> PathQuestion {
+        match self {
+            Self::Files => PathQuestion::OpenFiles,
+            Self::Folder => PathQuestion::OpenFolders,
+            Self::Figure(figure) => PathQuestion::SaveFigure {
+                title: match figure.kind() {
+                    FigureKind::View => "Save the 3D view as a figure",
+                    FigureKind::Patch => "Save the patch figure",
+                },
+                suggested: figure.file_name(),
+            },
+            Self::Tables(_) => PathQuestion::SaveTables,
+        }
+    }
+
+    /// The answer that chosen paths are; none if nothing was chosen.
+    fn answer(self, paths: Vec<PathBuf>) -> Option<Answer> {
+        Some(match self {
+            Self::Files | Self::Folder if paths.is_empty() => return None,
+            Self::Files | Self::Folder => Answer::Open(paths),
+            Self::Figure(figure) => {
+                Answer::Figure(figure, with_png_ending(paths.into_iter().next()?))
+            }
+            Self::Tables(tables) => Answer::Tables(tables, paths.into_iter().next()?),
+        })
+    }
+}
+
+/// The dialogs of the operating system.
+pub fn system_dialogs() -> AskPaths {
+    Arc::new(|question| {
+        let dialog = rfd::FileDialog::new();
+        let one = |path: Option<PathBuf>| path.map(|path| vec![path]);
+        match question {
+            PathQuestion::OpenFiles => dialog
+                .set_title("Open meshes or a study")
+                .add_filter("Meshes and studies", &READABLE)
+                .add_filter("All files", &["*"])
+                .pick_files(),
+            PathQuestion::OpenFolders => dialog.set_title("Open a folder of meshes").pick_folders(),
+            PathQuestion::SaveFigure { title, suggested } => one(dialog
+                .set_title(*title)
                 .set_file_name(suggested)
                 .add_filter("PNG picture", &["png"])
                 .add_filter("SVG drawing", &["svg"])
                 .add_filter("PDF page", &["pdf"])
-                .save_file()
-                .map(|path| command(Some(with_png_ending(path))))
+                .save_file()),
+            PathQuestion::SaveTables => one(dialog
+                .set_title("Save all tables into a folder")
+                .pick_folder()),
         }
-        Question::Tables => dialog
-            .set_title("Save all tables into a folder")
-            .pick_folder()
-            .map(|folder| Command::ExportTables(Some(folder))),
-    }
+    })
 }
 
 fn with_png_ending(path: PathBuf) -> PathBuf {

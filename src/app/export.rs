@@ -1,4 +1,7 @@
 //! Writes what is on screen: a figure of the 3D view, all tables as files.
+//!
+//! What an export holds is fixed when it is asked for. Its place is chosen later, while the window goes on:
+//! whatever is selected or opened in the meantime changes neither the name nor the content.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -16,6 +19,8 @@ use crate::picture::page::{FigureFonts, PageFormat};
 use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings};
 use crate::progress::Progress;
 use crate::render::{Camera, Headless};
+use crate::study::Study;
+use crate::ui::ViewMode;
 
 use super::document::nearest_frame;
 use super::play::pose_in;
@@ -49,30 +54,8 @@ impl FigureKind {
     }
 }
 
-/// A name for the figure of what is on screen, of the pseudonym and the frame.
-pub fn figure_name(state: &State, kind: FigureKind) -> String {
-    let id = state
-        .document
-        .selected()
-        .map_or_else(|| "figure".to_owned(), |subject| subject.id.clone());
-    let safe: String = id
-        .chars()
-        .map(|c| {
-            if c.is_alphanumeric() || "-_.".contains(c) {
-                c
-            } else {
-                '_'
-            }
-        })
-        .collect();
-    match kind {
-        FigureKind::View => format!("{safe}_frame_{}.png", state.document.frame()),
-        FigureKind::Patch => format!("{safe}_patch.png"),
-    }
-}
-
-/// A heart, a camera and settings: everything that a figure is drawn from.
-struct Figure {
+/// A heart, a camera and settings as they were when the figure was asked for: everything that it is drawn from.
+pub struct FigureExport {
     kind: FigureKind,
     study: String,
     shown: ShownHeart,
@@ -84,76 +67,132 @@ struct Figure {
     verdicts: Option<Arc<Verdicts>>,
 }
 
-/// Why there is no patch figure of a heart, where there is none.
-fn without_patch_figure(state: &State, shown: &ShownHeart) -> Option<String> {
-    if shown.medial.is_some() {
-        return None;
-    }
-    Some(match state.wall_of(shown.index) {
-        Some((Err(why), _)) => format!("{}: not assessed: {why}", shown.subject.id),
-        _ => format!("{}: its wall is still being measured", shown.subject.id),
-    })
+/// Why there is no figure now.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum NoFigure {
+    /// The selected subject is not on screen yet, or its wall is still being measured.
+    NotYet,
+    /// It cannot be had; the words name the subject.
+    Refused(String),
 }
 
-/// Draws and writes the selected heart as it is seen now, off the window's thread.
-pub fn write_figure(
-    engine: &mut Engine,
-    state: &mut State,
-    viewport: &Viewport,
-    dark: bool,
-    kind: FigureKind,
-    path: PathBuf,
-) {
-    let Some(shown) = viewport.shown().first() else {
-        return;
-    };
-    if kind == FigureKind::Patch
-        && let Some(reason) = without_patch_figure(state, shown)
-    {
-        let title = "There is no patch figure of this heart";
-        super::errors::push_card(&mut state.errors, title, reason, None);
-        return;
-    }
-    let Some(format) = PageFormat::of(&path) else {
-        let reason = format!(
-            "{}: the name must end in .png, .svg or .pdf",
-            path.display()
-        );
-        let title = "The figure could not be written";
-        super::errors::push_card(&mut state.errors, title, reason, None);
-        return;
-    };
-    let figure = Figure {
-        kind,
-        study: state.document.study().name.clone(),
-        measures: state.measures_of(shown.index).cloned(),
-        settings: SceneSettings {
-            theme: if dark {
-                PictureTheme::DARK
-            } else {
-                PictureTheme::LIGHT
+impl FigureExport {
+    /// The selected subject as it is seen now.
+    ///
+    /// # Errors
+    /// If the view still shows another subject, its wall is still being measured, or it has none for a patch figure.
+    pub fn now(
+        state: &State,
+        viewport: &Viewport,
+        dark: bool,
+        kind: FigureKind,
+    ) -> Result<Self, NoFigure> {
+        let shown = selected_on_screen(state, viewport).ok_or(NoFigure::NotYet)?;
+        if kind == FigureKind::Patch && shown.medial.is_none() {
+            return Err(match state.wall_of(shown.index) {
+                Some((Err(why), _)) => {
+                    NoFigure::Refused(format!("{}: not assessed: {why}", shown.subject.id))
+                }
+                _ => NoFigure::NotYet,
+            });
+        }
+        Ok(Self {
+            kind,
+            study: state.document.study().name.clone(),
+            measures: state.measures_of(shown.index).cloned(),
+            settings: SceneSettings {
+                theme: if dark {
+                    PictureTheme::DARK
+                } else {
+                    PictureTheme::LIGHT
+                },
+                ..viewport.settings(state, dark)
             },
-            ..viewport.settings(state, dark)
-        },
-        camera: viewport.camera(state, shown),
-        bulls_eye: state.document.bulls_eye,
-        thickening: state.document.thickening,
-        verdicts: state.verdicts().map(|(told, _)| Arc::clone(told)),
-        shown: shown.clone(),
-    };
-    let [width, height] = kind.size();
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let words = format!("{width} × {height} pixels, {name}");
-    engine.start_export(kind.name(), words, move |progress| {
-        let bytes = drawn(&figure, format, progress)?;
-        Ok(vec![ExportFile {
-            path,
-            bytes: bytes.into(),
-        }])
-    });
+            camera: viewport.camera(state, shown),
+            bulls_eye: state.document.bulls_eye,
+            thickening: state.document.thickening,
+            verdicts: state.verdicts().map(|(told, _)| Arc::clone(told)),
+            shown: shown.clone(),
+        })
+    }
+
+    /// Which figure it is.
+    pub fn kind(&self) -> FigureKind {
+        self.kind
+    }
+
+    /// A name for its file, of the pseudonym and the frame that it shows.
+    pub fn file_name(&self) -> String {
+        let safe: String = self
+            .shown
+            .subject
+            .id
+            .chars()
+            .map(|c| {
+                if c.is_alphanumeric() || "-_.".contains(c) {
+                    c
+                } else {
+                    '_'
+                }
+            })
+            .collect();
+        match self.kind {
+            FigureKind::View => format!("{safe}_frame_{}.png", self.frame()),
+            FigureKind::Patch => format!("{safe}_patch.png"),
+        }
+    }
+
+    fn frame(&self) -> usize {
+        nearest_frame(self.shown.position, self.shown.heart.prepared.frame_count)
+    }
+
+    /// Draws and writes it, off the window's thread.
+    ///
+    /// # Errors
+    /// If the name has an ending that no figure has.
+    pub fn write(self, engine: &mut Engine, path: PathBuf) -> Result<(), String> {
+        let Some(format) = PageFormat::of(&path) else {
+            return Err(format!(
+                "{}: the name must end in .png, .svg or .pdf",
+                path.display()
+            ));
+        };
+        let [width, height] = self.kind.size();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let words = format!("{width} × {height} pixels, {name}");
+        engine.start_export(self.kind.name(), words, move |progress| {
+            let bytes = drawn(&self, format, progress)?;
+            Ok(vec![ExportFile {
+                path,
+                bytes: bytes.into(),
+            }])
+        });
+        Ok(())
+    }
 }
 
-fn drawn(figure: &Figure, format: PageFormat, progress: &Progress) -> Result<Vec<u8>, String> {
+/// The selected subject where it is on screen, at the frame of the time bar where every frame is shown.
+fn selected_on_screen<'a>(state: &State, viewport: &'a Viewport) -> Option<&'a ShownHeart> {
+    let document = &state.document;
+    let selected = document.selected()?;
+    let mut own = viewport
+        .shown()
+        .iter()
+        .filter(|shown| Arc::ptr_eq(&shown.subject, selected));
+    if document.view_mode == ViewMode::AllPhases {
+        own.find(|shown| {
+            nearest_frame(shown.position, shown.heart.prepared.frame_count) == document.frame()
+        })
+    } else {
+        own.next()
+    }
+}
+
+fn drawn(
+    figure: &FigureExport,
+    format: PageFormat,
+    progress: &Progress,
+) -> Result<Vec<u8>, String> {
     progress.begin_phase("drawing", 0.0, 0.8);
     let said = |error: &dyn std::fmt::Display| error.to_string();
     let fonts = FigureFonts::load().map_err(|error| said(&error))?;
@@ -165,7 +204,7 @@ fn drawn(figure: &Figure, format: PageFormat, progress: &Progress) -> Result<Vec
         shown: FigureSubject {
             subject: &shown.subject,
             measures: figure.measures.as_ref(),
-            frame: nearest_frame(shown.position, prepared.frame_count),
+            frame: figure.frame(),
         },
         position: shown.position,
         pose: pose_in(prepared, shown.position),
@@ -196,27 +235,39 @@ fn drawn(figure: &Figure, format: PageFormat, progress: &Progress) -> Result<Vec
     bytes.map_err(|error| said(&error))
 }
 
-/// Writes all tables into a folder, off the window's thread: what `analyze` writes, with the
-/// metric that the map on screen has.
-pub fn write_tables(engine: &mut Engine, state: &State, folder: PathBuf) {
-    let study = Arc::clone(state.document.study());
-    if study.subjects.is_empty() {
-        return;
+/// A study and settings as they were when its tables were asked for.
+pub struct TableExport {
+    study: Arc<Study>,
+    settings: TableSettings,
+}
+
+impl TableExport {
+    /// What `analyze` writes, with the metric that the map on screen has; `None` while nothing is open.
+    pub fn now(state: &State) -> Option<Self> {
+        let study = Arc::clone(state.document.study());
+        (!study.subjects.is_empty()).then(|| Self {
+            study,
+            settings: TableSettings {
+                deformations: DeformationMapSettings {
+                    poses: state.document.map,
+                    map: state.document.deformation_map,
+                },
+                verdicts: VerdictSettings {
+                    thickening: state.document.thickening,
+                    ..VerdictSettings::default()
+                },
+            },
+        })
     }
-    let settings = TableSettings {
-        deformations: DeformationMapSettings {
-            poses: state.document.map,
-            map: state.document.deformation_map,
-        },
-        verdicts: VerdictSettings {
-            thickening: state.document.thickening,
-            ..VerdictSettings::default()
-        },
-    };
-    let words = distance_words(&settings.deformations.poses.distances);
-    engine.start_export("Tables", words, move |progress| {
-        let tables = AnalysisTables::of(&study, &settings, &folder, &Cache::default(), progress)
-            .map_err(|error| error.to_string())?;
-        Ok(tables.files(Vec::new())?.0)
-    });
+
+    /// Writes all tables into a folder, off the window's thread.
+    pub fn write(self, engine: &mut Engine, folder: PathBuf) {
+        let words = distance_words(&self.settings.deformations.poses.distances);
+        engine.start_export("Tables", words, move |progress| {
+            let cache = Cache::default();
+            let tables = AnalysisTables::of(&self.study, &self.settings, &folder, &cache, progress)
+                .map_err(|error| error.to_string())?;
+            Ok(tables.files(Vec::new())?.0)
+        });
+    }
 }

@@ -58,6 +58,7 @@ mod walls;
 pub use app::{App, AppOptions};
 pub use background::Background;
 pub use carried::{CarriedHeart, CarryingState};
+pub use dialogs::{AskPaths, PathQuestion};
 pub use differences::{DifferenceStore, PosePair};
 pub use document::{CarriedBeat, Document, OpeningReport, StudyRef, Visibility};
 pub use found_verdicts::{VerdictKey, VerdictStore};

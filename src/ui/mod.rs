@@ -27,6 +27,7 @@ mod metric_words;
 mod normal_ranges;
 mod number_field;
 mod patch_panel;
+mod pointer_steps;
 mod pose_map;
 mod shortcut_sheet;
 mod shortcuts;

@@ -9,6 +9,7 @@ use egui::{
 };
 
 use crate::ui::command::ThemeChoice;
+use crate::ui::pointer_steps::PointerSteps;
 use crate::ui::theme::{Colours, MOTION_S, line, radius, space, type_size};
 
 const REGULAR: &[u8] = include_bytes!("../../assets/fonts/Inter-Regular.otf");
@@ -17,6 +18,7 @@ const SEMIBOLD: &[u8] = include_bytes!("../../assets/fonts/Inter-SemiBold.otf");
 
 /// Gives a window its fonts and both themes, once, before anything is drawn.
 pub fn install(ctx: &Context) {
+    ctx.add_plugin(PointerSteps::default());
     ctx.set_fonts(fonts());
     for theme in [Theme::Dark, Theme::Light] {
         ctx.set_style_of(theme, style(theme == Theme::Dark));

@@ -129,6 +129,34 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
 }
 
 #[test]
+fn a_drag_that_arrives_in_one_frame_moves_the_subject_that_was_pressed() {
+    let mut harness = cohort_window();
+    harness.run();
+    let (from, onto) = (row(&harness, "P05"), row(&harness, "N02"));
+    let (between, after) = (row(&harness, "P04"), row(&harness, "N04"));
+    let button = |pos, pressed| egui::Event::PointerButton {
+        pos,
+        button: egui::PointerButton::Primary,
+        pressed,
+        modifiers: egui::Modifiers::NONE,
+    };
+    harness.input_mut().events.extend([
+        egui::Event::PointerMoved(from),
+        button(from, true),
+        egui::Event::PointerMoved(between),
+        egui::Event::PointerMoved(from.lerp(onto, 0.5)),
+        egui::Event::PointerMoved(onto),
+        button(onto, false),
+        egui::Event::PointerMoved(after),
+    ]);
+    harness.run_steps(8);
+    let state = harness.state().state();
+    let beat = state.document.carrying().expect("a motion is transported");
+    let id = |index: usize| state.subject(index).unwrap().id.clone();
+    assert_eq!((id(beat.from), id(beat.onto)), ("P05".into(), "N02".into()));
+}
+
+#[test]
 fn a_subject_dragged_onto_another_plays_its_beat_there() {
     let mut harness = cohort_window();
     harness.run();

@@ -2,7 +2,12 @@
 
 use super::*;
 
-use cardiomorph::app::Document;
+use std::sync::Mutex;
+use std::sync::mpsc::{Receiver, Sender, channel};
+
+use cardiomorph::app::{Document, PathQuestion};
+use cardiomorph::picture::figure::SavedView;
+use cardiomorph::picture::page::{VIEW_KEY, png_text};
 use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 
 /// P05 has a large patch.
@@ -184,4 +189,126 @@ fn f2_asks_for_a_place_and_svg_and_pdf_are_written_by_their_endings() {
         "{card:?}"
     );
     assert!(!wrong.exists());
+}
+
+/// A file dialog that a test answers: what it asks comes out, a path goes in.
+struct Dialog {
+    asked: Receiver<PathQuestion>,
+    answer: Sender<PathBuf>,
+}
+
+/// A window whose dialogs the test answers, on the heart with a patch.
+fn asking_window() -> (Harness<'static, App>, Dialog) {
+    let (ask, asked) = channel();
+    let (answer, answers) = channel::<PathBuf>();
+    let ends = Mutex::new((ask, answers));
+    let mut options = AppOptions::built_in(small());
+    options.ask_paths = Arc::new(move |question| {
+        let (ask, answers) = &*ends.lock().unwrap();
+        ask.send(question.clone()).unwrap();
+        answers.recv().ok().map(|path| vec![path])
+    });
+    let mut harness = window(options);
+    wait_for_heart(&mut harness);
+    give(&mut harness, Command::SelectSubject(PATCHED));
+    wait_for_verdicts(&mut harness);
+    (harness, Dialog { asked, answer })
+}
+
+/// What the dialog asks once it is open, while the window goes on.
+fn question(harness: &mut Harness<'_, App>, dialog: &Dialog) -> PathQuestion {
+    let begin = Instant::now();
+    loop {
+        if let Ok(question) = dialog.asked.try_recv() {
+            return question;
+        }
+        assert!(begin.elapsed() < Duration::from_secs(30), "no dialog");
+        harness.step();
+        std::thread::sleep(Duration::from_millis(3));
+    }
+}
+
+/// The subject that a picture says it shows.
+fn shown_in(path: &Path) -> (String, f64) {
+    let file = std::fs::File::open(path).unwrap();
+    let text = png_text(std::io::BufReader::new(file), VIEW_KEY).unwrap();
+    let view = SavedView::read(&text.unwrap()).unwrap();
+    (view.subject.id, view.position)
+}
+
+#[test]
+fn a_figure_holds_the_subject_of_its_command_while_another_one_is_clicked() {
+    let folder = tempfile::tempdir().unwrap();
+    for (command, name) in [
+        (Command::ExportPatchFigure(None), "P05_patch.png"),
+        (Command::ExportFigure(None), "P05_frame_2.png"),
+    ] {
+        let (mut harness, dialog) = asking_window();
+        give(&mut harness, Command::SetPosition(2.0));
+        give(&mut harness, command);
+        let asked = question(&mut harness, &dialog);
+        let PathQuestion::SaveFigure { suggested, .. } = asked else {
+            panic!("{asked:?}");
+        };
+        assert_eq!(suggested, name);
+        give(&mut harness, Command::SelectSubject(15));
+        give(&mut harness, Command::SetPosition(5.0));
+        wait(&mut harness, "P07 on screen", |app| {
+            app.hearts_on_screen()[0].0 == 15
+        });
+        let path = folder.path().join(&suggested);
+        dialog.answer.send(path.clone()).unwrap();
+        wait(&mut harness, "the figure", |_| path.exists());
+        assert_eq!(shown_in(&path), ("P05".to_owned(), 2.0), "{name}");
+    }
+}
+
+#[test]
+fn a_figure_asked_for_right_after_a_click_waits_for_the_clicked_subject() {
+    let (mut harness, dialog) = asking_window();
+    // In one frame, before anything of P07 is drawn or measured.
+    harness.state_mut().push(Command::SelectSubject(15));
+    harness.state_mut().push(Command::ExportPatchFigure(None));
+    let asked = question(&mut harness, &dialog);
+    let PathQuestion::SaveFigure { suggested, .. } = asked else {
+        panic!("{asked:?}");
+    };
+    assert_eq!(suggested, "P07_patch.png");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join(suggested);
+    dialog.answer.send(path.clone()).unwrap();
+    wait(&mut harness, "the figure", |_| path.exists());
+    assert_eq!(shown_in(&path).0, "P07");
+    assert!(harness.state().state().errors.is_empty());
+}
+
+#[test]
+fn a_figure_whose_subject_is_left_before_it_is_drawn_is_refused_by_name() {
+    let (mut harness, _dialog) = asking_window();
+    harness.state_mut().push(Command::SelectSubject(15));
+    harness.state_mut().push(Command::ExportFigure(None));
+    harness.state_mut().push(Command::SelectSubject(2));
+    wait(&mut harness, "a card", |app| !app.state().errors.is_empty());
+    let card = harness.state().state().errors[0].clone();
+    assert_eq!(card.title, "There is no figure of P07");
+}
+
+#[test]
+fn tables_hold_the_study_of_their_command_while_another_one_is_opened() {
+    let (mut harness, dialog) = asking_window();
+    give(&mut harness, Command::ExportTables(None));
+    assert_eq!(question(&mut harness, &dialog), PathQuestion::SaveTables);
+    let (folder, manifest) = cohort_on_disk();
+    let text = std::fs::read_to_string(&manifest).unwrap();
+    std::fs::write(&manifest, text.replace("\"P05\"", "\"Q05\"")).unwrap();
+    give(&mut harness, Command::Open(vec![manifest]));
+    wait(&mut harness, "the other study", |app| {
+        app.state().document.study().subjects[PATCHED].id == "Q05"
+    });
+    let tables = folder.path().join("tables");
+    dialog.answer.send(tables.clone()).unwrap();
+    let subjects = tables.join("subjects.csv");
+    wait(&mut harness, "the tables", |_| subjects.exists());
+    let text = std::fs::read_to_string(&subjects).unwrap();
+    assert!(text.contains("P05") && !text.contains("Q05"), "{text}");
 }
