@@ -1,7 +1,8 @@
 //! Wavefront OBJ: reading polygons with the file's own vertex numbers, and writing.
 //!
 //! The reader is our own: tobj renumbers vertices by their first use and drops unused ones, which
-//! would lose the correspondence of frames, and its errors name no line.
+//! would lose the correspondence of frames, and its errors name no line. Corners of triangles agree
+//! with tobj's by their coordinates (`tests/it/obj_by_tobj.rs`).
 
 use std::borrow::Cow;
 use std::io::{self, Write};

@@ -9,7 +9,7 @@ mod medial;
 #[cfg(test)]
 mod noise_medial;
 #[cfg(test)]
-mod patch_figures;
+pub mod patch_figures;
 #[cfg(test)]
 mod refusals;
 #[cfg(test)]

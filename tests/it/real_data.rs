@@ -1,6 +1,4 @@
 //! Real ventricles of the shared folder, opened as a clinician would drop them.
-//!
-//! The data are no part of the project: where the folder is absent a test says that it is skipped.
 
 use cardiomorph::io::{Limits, Opened, open_paths};
 use cardiomorph::progress::Progress;
@@ -12,8 +10,8 @@ use crate::shared::shared_data;
 const SHEETS: [SurfaceKind; 2] = [SurfaceKind::Endocardium, SurfaceKind::Epicardium];
 
 /// The study under `data` with its load report printed, which must have no error.
-fn opened(place: &str) -> Option<Opened> {
-    let path = shared_data(place)?;
+fn opened(place: &str) -> Opened {
+    let path = shared_data(place);
     let opened = open_paths(&[path], &Limits::default(), &Progress::default()).unwrap();
     assert!(opened.errors.is_empty(), "{:?}", opened.errors);
     println!("{place}: {} subjects", opened.study.subjects.len());
@@ -25,7 +23,7 @@ fn opened(place: &str) -> Option<Opened> {
             println!("  {}, {:?}: {}", first.id, notice.severity, notice.text);
         }
     }
-    Some(opened)
+    opened
 }
 
 fn kinds(subject: &Subject) -> Vec<SurfaceKind> {
@@ -43,10 +41,12 @@ fn says(notices: &[Notice], words: &str) -> bool {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn gated_spect_opens_as_one_cohort_in_file_units() {
-    let Some(opened) = opened("gated_spect/meshes") else {
-        return;
-    };
+    let opened = opened("gated_spect/meshes");
     assert_eq!(opened.study.name, "gated_spect/meshes");
     assert_eq!(opened.study.subjects.len(), 20);
     assert!(says(&opened.notices, "all 20 subjects have the same faces"));
@@ -70,10 +70,12 @@ fn gated_spect_opens_as_one_cohort_in_file_units() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn acdc_walls_open_by_their_manifest_with_labels() {
-    let Some(opened) = opened("acdc_walls/study.toml") else {
-        return;
-    };
+    let opened = opened("acdc_walls/study.toml");
     assert_eq!(opened.study.name, "ACDC walls");
     assert_eq!(opened.study.label_roles.normal, ["NOR"]);
     assert_eq!(opened.study.label_roles.abnormal, ["MINF", "DCM", "HCM"]);
@@ -101,10 +103,12 @@ fn acdc_walls_open_by_their_manifest_with_labels() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn cine_mri_opens_with_all_frames_in_millimetres() {
-    let Some(opened) = opened("cine_mri") else {
-        return;
-    };
+    let opened = opened("cine_mri");
     let facts: Vec<(&str, usize)> = opened
         .study
         .subjects
@@ -139,10 +143,12 @@ fn cine_mri_opens_with_all_frames_in_millimetres() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn mesa_opens_with_its_phases_and_says_that_frames_were_aligned() {
-    let Some(opened) = opened("mesa/meshes") else {
-        return;
-    };
+    let opened = opened("mesa/meshes");
     assert_eq!(opened.study.subjects.len(), 25);
     assert_eq!(opened.study.subjects[0].id, "subj0062");
     assert!(says(
@@ -167,10 +173,12 @@ fn mesa_opens_with_its_phases_and_says_that_frames_were_aligned() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn the_horse_opens_and_is_no_heart() {
-    let Some(opened) = opened("horse_gallop") else {
-        return;
-    };
+    let opened = opened("horse_gallop");
     let horse = &opened.study.subjects[0];
     assert_eq!(
         (horse.id.as_str(), kinds(horse)),
@@ -190,11 +198,13 @@ fn the_horse_opens_and_is_no_heart() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn the_population_mean_opens_as_a_wall_cut_in_two() {
     for place in ["population_mean", "population_mean/LV_ED_mean.vtk"] {
-        let Some(opened) = opened(place) else {
-            return;
-        };
+        let opened = opened(place);
         let mean = &opened.study.subjects[0];
         assert_eq!(kinds(mean), [SurfaceKind::Wall]);
         assert_eq!(mean.sequence.vertex_count(), 22_043);
@@ -212,10 +222,12 @@ fn the_population_mean_opens_as_a_wall_cut_in_two() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn a_folder_of_images_says_that_they_are_not_read() {
-    let Some(path) = shared_data("acdc") else {
-        return;
-    };
+    let path = shared_data("acdc");
     let opened = open_paths(&[path], &Limits::default(), &Progress::default()).unwrap();
     assert_eq!(opened.errors.len(), 1);
     assert!(

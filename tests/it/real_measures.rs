@@ -31,10 +31,12 @@ fn number(row: &HashMap<String, String>, column: &str) -> f64 {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn gated_spect_ejection_fractions_are_those_of_the_table() {
-    let Some(folder) = shared_data("gated_spect") else {
-        return;
-    };
+    let folder = shared_data("gated_spect");
     let (study, measures) = measured(folder.join("meshes"));
     let rows = table(folder.join("subjects.csv"));
     assert_eq!(rows.len(), 20);
@@ -51,10 +53,12 @@ fn gated_spect_ejection_fractions_are_those_of_the_table() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn cine_mri_volumes_are_those_of_the_table_and_phases_its_extremes() {
-    let Some(folder) = shared_data("cine_mri") else {
-        return;
-    };
+    let folder = shared_data("cine_mri");
     let rows = table(folder.join("measures.csv"));
     let mut worst = [0.0_f64; 2];
     for (id, frames) in [("bivme_patient1", 25), ("bivme_testpatient2_EDES", 2)] {
@@ -83,10 +87,12 @@ fn cine_mri_volumes_are_those_of_the_table_and_phases_its_extremes() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn acdc_ejection_fractions_are_those_of_the_table() {
-    let Some(folder) = shared_data("acdc_walls") else {
-        return;
-    };
+    let folder = shared_data("acdc_walls");
     let (study, measures) = measured(folder.join("study.toml"));
     let rows = table(folder.join("subjects.csv"));
     assert_eq!((rows.len(), study.subjects.len()), (100, 100));
@@ -107,10 +113,12 @@ fn acdc_ejection_fractions_are_those_of_the_table() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn the_mean_wall_of_a_population_has_a_cavity_and_a_mass() {
-    let Some(folder) = shared_data("population_mean") else {
-        return;
-    };
+    let folder = shared_data("population_mean");
     let (study, measures) = measured(folder.join("LV_ED_mean.vtk"));
     // Two open sheets in one file: the cavity is the inner one.
     assert!(unknown_volumes(&study.subjects[0]).is_empty());

@@ -7,10 +7,12 @@ use cardiomorph::progress::Progress;
 use crate::shared::{opened, shared_data};
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn rest_and_stress_of_one_patient_are_nearer_than_most_others_by_the_defaults() {
-    let Some(folder) = shared_data("gated_spect/meshes") else {
-        return;
-    };
+    let folder = shared_data("gated_spect/meshes");
     let progress = Progress::default();
     let study = opened(folder);
     let all = PartnerParams::all_metrics(CohortTransportParams::default());

@@ -48,8 +48,8 @@ fn landmarks(endo: &[Point3], epi: &[Point3]) -> [Point3; 4] {
 
 /// The cohort with orientation: its own manifest with a line of landmarks more for each heart, beside the patterns of
 /// the files where they lie.
-fn oriented() -> Option<Study> {
-    let folder = shared_data("acdc_walls")?;
+fn oriented() -> Study {
+    let folder = shared_data("acdc_walls");
     let manifest = fs::read_to_string(folder.join("study.toml")).unwrap();
     let mut lines = Vec::new();
     for line in manifest.lines() {
@@ -77,7 +77,7 @@ fn oriented() -> Option<Study> {
     let opened = open_paths(&[path], &Limits::default(), &Progress::default()).unwrap();
     assert!(opened.errors.is_empty(), "{:?}", opened.errors);
     assert_eq!(opened.study.subjects.len(), 100);
-    Some(opened.study)
+    opened.study
 }
 
 fn vertices(path: &Path) -> Vec<Point3> {
@@ -111,10 +111,12 @@ fn segments_of(subject: &Subject, beat: &MedialBeat, found: &Thickening) -> Vec<
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn each_infarcted_heart_has_patches_with_segments_area_and_centroid() {
-    let Some(study) = oriented() else {
-        return;
-    };
+    let study = oriented();
     let hearts = all_thickened(&with_label(&study, "MINF"));
     assert_eq!(hearts.len(), 20);
     println!(
@@ -170,10 +172,12 @@ fn each_infarcted_heart_has_patches_with_segments_area_and_centroid() {
 /// Hypertrophic hearts are thick at the septum: were it elsewhere, no group would be. Thickness of the septal segments over
 /// that of the lateral ones, basal and mid.
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn hypertrophy_is_thickest_where_the_landmarks_say_that_the_septum_is() {
-    let Some(study) = oriented() else {
-        return;
-    };
+    let study = oriented();
     let ratio = |label: &str| {
         let mut ratios: Vec<f64> = (all_thickened(&with_label(&study, label)).iter())
             .map(|(subject, beat, found)| {

@@ -71,14 +71,16 @@ fn is_sound(
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn the_way_from_end_diastole_to_end_systole_does_not_collapse() {
     for (kind, name) in [
         (SurfaceKind::Endocardium, "endocardium"),
         (SurfaceKind::Epicardium, "epicardium"),
     ] {
-        let Some(folder) = shared_data("cine_mri/bivme_patient1") else {
-            return;
-        };
+        let folder = shared_data("cine_mri/bivme_patient1");
         let tolerance = GeodesicParams::default().tolerance;
         // End-diastole is the largest volume of the table, end-systole the smallest.
         let path = is_sound(name, &surface(folder, kind), [24, 9], tolerance, 0.02);
@@ -89,10 +91,12 @@ fn the_way_from_end_diastole_to_end_systole_does_not_collapse() {
 /// Legs that turn lose volume along the straight line, 3.2 % below the smaller end; the path keeps it within 0.6 %
 /// above the larger one.
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn the_way_of_a_galloping_horse_does_not_collapse() {
-    let Some(folder) = shared_data("horse_gallop") else {
-        return;
-    };
+    let folder = shared_data("horse_gallop");
     is_sound(
         "horse",
         &surface(folder, SurfaceKind::Other),

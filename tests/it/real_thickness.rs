@@ -73,21 +73,21 @@ fn level_words(means: [Option<f64>; 4]) -> String {
     told.collect::<Vec<_>>().join(", ")
 }
 
-fn rows_of(place: &str) -> Option<Vec<HashMap<String, String>>> {
-    let mut reader = csv::Reader::from_path(shared_data(place)?).unwrap();
-    Some(reader.deserialize().map(Result::unwrap).collect())
+fn rows_of(place: &str) -> Vec<HashMap<String, String>> {
+    let mut reader = csv::Reader::from_path(shared_data(place)).unwrap();
+    reader.deserialize().map(Result::unwrap).collect()
 }
 
 /// The table has the nearest distances from the vertices of the epicardium; atoms are not asked there, but on the endocardium,
 /// and have the ball between both sides.
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn a_beat_of_25_frames_is_as_thick_as_its_table_and_thickens_in_contraction() {
-    let (Some(folder), Some(rows)) = (
-        shared_data("cine_mri/bivme_patient1"),
-        rows_of("cine_mri/measures.csv"),
-    ) else {
-        return;
-    };
+    let folder = shared_data("cine_mri/bivme_patient1");
+    let rows = rows_of("cine_mri/measures.csv");
     let study = opened(folder);
     let subject = &study.subjects[0];
     let (beat, found) = thickened(subject).unwrap();
@@ -143,13 +143,13 @@ fn a_beat_of_25_frames_is_as_thick_as_its_table_and_thickens_in_contraction() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn volunteers_have_walls_of_plausible_thickness_and_those_that_eject_less_thicken_less() {
-    let (Some(folder), Some(rows)) = (
-        shared_data("mesa/meshes"),
-        rows_of("mesa/meshes/selection.csv"),
-    ) else {
-        return;
-    };
+    let folder = shared_data("mesa/meshes");
+    let rows = rows_of("mesa/meshes/selection.csv");
     let study = opened(folder);
     let mut medians = Vec::new();
     let mut by_group: HashMap<&str, Vec<f64>> = HashMap::new();
@@ -229,10 +229,12 @@ fn volunteers_have_walls_of_plausible_thickness_and_those_that_eject_less_thicke
 /// These meshes are slit from the base to the apex, where the points of a seam stand twice; so there is no rim by which
 /// levels could be told.
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn the_mean_of_volunteers_has_a_plausible_wall_at_both_phases() {
-    let Some(folder) = shared_data("mesa/mean_shape") else {
-        return;
-    };
+    let folder = shared_data("mesa/mean_shape");
     let study = opened(folder);
     let subject = &study.subjects[0];
     for notice in &subject.notices {
@@ -261,10 +263,12 @@ fn the_mean_of_volunteers_has_a_plausible_wall_at_both_phases() {
 }
 
 #[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
 fn the_mean_of_1093_hearts_has_a_plausible_wall_and_one_pose_tells_no_thickening() {
-    let Some(path) = shared_data("population_mean/LV_ED_mean.vtk") else {
-        return;
-    };
+    let path = shared_data("population_mean/LV_ED_mean.vtk");
     let study = opened(path);
     let subject = &study.subjects[0];
     let params = MedialParams::default().check().unwrap();

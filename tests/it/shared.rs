@@ -1,5 +1,5 @@
-//! Where real data lies, for the tests that use it. It is no part of the project: where the folder is absent, a test says
-//! that it is skipped.
+//! Where real data lies, for the tests that use it. It is no part of the project: where the folder is absent, they report
+//! themselves as ignored (`build.rs` looks for it).
 
 use std::path::{Path, PathBuf};
 
@@ -11,18 +11,16 @@ use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::progress::Progress;
 use cardiomorph::study::{Study, Subject};
 
-/// A path under `data`, or `None` with a message where the shared folder is absent.
-pub fn shared_data(place: &str) -> Option<PathBuf> {
-    let shared = std::env::var_os("CARDIOMORPH_SHARED").map_or_else(
-        || Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared"),
-        PathBuf::from,
-    );
-    let path = shared.join("data").join(place);
-    if !path.exists() {
-        println!("skipped: {} is absent", path.display());
-        return None;
-    }
-    Some(path)
+/// A path of the shared folder, which must exist.
+pub fn shared(place: &str) -> PathBuf {
+    let path = Path::new(env!("SHARED_FOLDER")).join(place);
+    assert!(path.exists(), "{} is absent", path.display());
+    path
+}
+
+/// A path under `data` of the shared folder.
+pub fn shared_data(place: &str) -> PathBuf {
+    shared(&format!("data/{place}"))
 }
 
 /// The study at a path, which must open without an error.
@@ -42,4 +40,14 @@ pub fn thickened(subject: &Subject) -> Result<(MedialBeat, Thickening), String> 
     let found = thickening(&beat, &measures, axis.as_ref(), &params, &progress)
         .map_err(|error| error.to_string())?;
     Ok((beat, found))
+}
+
+#[test]
+fn the_folder_of_real_data_is_where_it_was() {
+    let there = Path::new(env!("SHARED_FOLDER")).join("data").exists();
+    assert_eq!(
+        there,
+        cfg!(shared_data),
+        "the folder came or went since the tests were built: `touch tests/it/build.rs`"
+    );
 }

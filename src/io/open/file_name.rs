@@ -241,8 +241,21 @@ mod tests {
 
     #[test]
     fn odd_names_are_no_trouble() {
-        for stem in ["", "_", "___", "é_endo", "99999999999999999999999", "-1"] {
-            let _ = mesh_name(stem);
+        for (stem, case, surface, frame) in [
+            ("", "", None, None),
+            ("_", "", None, None),
+            ("___", "", None, None),
+            ("é_endo", "é", Some(Endocardium), None),
+            // More digits than a frame number has: a name like any other.
+            (
+                "99999999999999999999999",
+                "99999999999999999999999",
+                None,
+                None,
+            ),
+            ("-1", "", None, Some(Number(1))),
+        ] {
+            assert_eq!(parts(stem), (case.to_owned(), surface, frame), "{stem}");
         }
     }
 }

@@ -1,6 +1,5 @@
-//! Panels seen from outside: as pictures for the eye, and as text that must not overlap.
+//! Panels seen from outside, with a cohort made up for them.
 
-mod example;
-mod gallery;
+pub mod example;
 mod layout;
-mod window;
+pub mod window;

@@ -1,12 +1,11 @@
-//! The whole window laid out by hand, panel by panel.
+//! Panels of the window with the numbers of the example.
 
 use std::sync::Arc;
 
-use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::picture::Quantity;
 use cardiomorph::report::SubjectRow;
 use cardiomorph::study::LabelRole;
-use cardiomorph::ui::theme::{colours, space};
+use cardiomorph::ui::theme::colours;
 use cardiomorph::ui::*;
 use cardiomorph::units::LengthUnit;
 use egui::{Frame, Margin, Rect, Stroke, Ui, UiBuilder, pos2, vec2};
@@ -30,63 +29,6 @@ pub fn pane(ui: &mut Ui, rect: Rect, add: impl FnOnce(&mut Ui)) {
             add(ui);
         });
     });
-}
-
-pub fn rect(left: f32, top: f32, right: f32, bottom: f32) -> Rect {
-    Rect::from_min_max(pos2(left, top), pos2(right, bottom))
-}
-
-/// The whole window as `look/window_dark.png` has it.
-pub fn window(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
-    let whole = ui.ctx().content_rect();
-    ui.set_clip_rect(whole);
-    ui.painter().rect_filled(whole, 0.0, colours(ui).window);
-    let (w, h, gap) = (whole.width(), whole.height(), space::PANE_GAP);
-    let (left, right) = (278.0f32.min(0.22 * w), w - 476.0f32.min(0.32 * w));
-    let (top, foot, bar) = (36.0, h - 72.0, h - 140.0);
-    let mut menu = ui.new_child(UiBuilder::new().max_rect(rect(4.0, 4.0, w - 4.0, 32.0)));
-    let view = MenuBarView {
-        study_name: Some("Built-in cohort"),
-        subject_count: example.rows.len(),
-        pose_count: example.points.len(),
-        recent: &[],
-        actions: &example.actions,
-    };
-    menu_bar_ui(&mut menu, &view, commands);
-    pane(ui, rect(gap, top, left, bar - gap), |ui| {
-        cohort(ui, example, commands);
-    });
-    pane(ui, rect(left + gap, top, right, bar - gap), |ui| {
-        viewport(ui, example, commands);
-    });
-    let middle = 0.5 * (top + bar) - 40.0;
-    pane(ui, rect(right + gap, top, w - gap, middle), |ui| {
-        let view = example.map(MapState::Ready);
-        pose_map_header_ui(ui, &view, commands);
-        pose_map_ui(ui, &view, commands);
-    });
-    pane(
-        ui,
-        rect(right + gap, middle + gap, w - gap, bar - gap),
-        |ui| measures(ui, example, commands),
-    );
-    pane(ui, rect(gap, bar, w - gap, foot + 34.0 - gap), |ui| {
-        time(ui, example, commands);
-    });
-    let mut status = ui.new_child(UiBuilder::new().max_rect(rect(0.0, foot + 34.0, w, h)));
-    let view = StatusBarView {
-        job: Some(StatusJob {
-            kind: Topic::of::<PoseMapParams>(),
-            text: "Quasi-conformal distances of 184 poses",
-            fraction: 0.71,
-            seconds_left: Some(3.4),
-        }),
-        adapter: "llvmpipe, software Vulkan",
-        notice_count: 5,
-        warning_count: 2,
-        ..Default::default()
-    };
-    status_bar_ui(&mut status, &view, commands);
 }
 
 pub fn cohort(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {

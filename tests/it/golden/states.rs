@@ -1,31 +1,41 @@
-//! Panels as pictures, for the eye: written where `CARDIOMORPH_GALLERY` says.
-
-use std::path::PathBuf;
+//! Panes and sheets in states that the built-in cohort does not bring about, from views made by hand.
 
 use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::study::Notice;
 use cardiomorph::ui::*;
-use egui::{Ui, UiBuilder, pos2};
+use egui::{Ui, pos2};
 use egui_kittest::Harness;
 
-use super::example::Example;
-use super::window::{pane, rect, window};
+use super::{compare, on_reference_driver};
+use crate::panels::example::Example;
+use crate::panels::window::pane;
 
-/// What lies over the window in a picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Over {
-    Nothing,
-    Palette,
-    Sheet,
-    Report,
-    Errors,
-    About,
-}
+pub const NAMES: [&str; 15] = [
+    "about",
+    "activity",
+    "deformations_few",
+    "empty",
+    "error_card",
+    "files_above",
+    "load_report",
+    "map_computing",
+    "map_empty",
+    "map_failed",
+    "map_hover",
+    "no_match",
+    "palette",
+    "shortcuts",
+    "thickness",
+];
 
-fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Command>) {
-    match over {
-        Over::Nothing => {}
-        Over::Palette => {
+/// What lies over the window, on an empty one.
+fn over_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Command>) {
+    let whole = ui.ctx().content_rect();
+    ui.set_clip_rect(whole);
+    ui.painter()
+        .rect_filled(whole, 0.0, theme::colours(ui).window);
+    match name {
+        "palette" => {
             let view = CommandPaletteView {
                 actions: &example.actions,
                 subjects: &example.rows,
@@ -33,8 +43,8 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
             };
             command_palette_ui(ui, &view, commands);
         }
-        Over::Sheet => shortcut_sheet_ui(ui, commands),
-        Over::Report => {
+        "shortcuts" => shortcut_sheet_ui(ui, commands),
+        "load_report" => {
             let subjects = [
                 ReportSubject {
                     id: "P-041".to_owned(),
@@ -64,7 +74,7 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
             ];
             load_report_ui(ui, &subjects, commands);
         }
-        Over::Errors => {
+        "error_card" => {
             let cards = [ErrorCard {
                 title: "1 of 24 files could not be read".to_owned(),
                 message: "line 812: face refers to vertex 9041, but only 9000 are defined"
@@ -72,12 +82,9 @@ fn over_ui(ui: &mut Ui, over: Over, example: &Example, commands: &mut Vec<Comman
                 details: "p12/endo_03.obj".to_owned(),
                 retry: Some(Topic::OPENING),
             }];
-            let whole = ui.ctx().content_rect();
-            let middle = rect(0.0, 0.0, whole.right(), whole.bottom() - 140.0);
-            let mut over = ui.new_child(UiBuilder::new().max_rect(middle));
-            error_cards_ui(&mut over, &cards, commands);
+            error_cards_ui(ui, &cards, commands);
         }
-        Over::About => about_ui(ui, "llvmpipe", commands),
+        _ => about_ui(ui, "llvmpipe", commands),
     }
 }
 
@@ -86,9 +93,9 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
     let whole = ui.ctx().content_rect();
     ui.set_clip_rect(whole);
     pane(ui, whole.shrink(2.0), |ui| match name {
-        "map_hover" | "map_computing" | "map_failed" | "map_empty" | "map_first" => {
+        "map_hover" | "map_computing" | "map_failed" | "map_empty" => {
             let state = match name {
-                "map_computing" | "map_first" => MapState::Computing {
+                "map_computing" => MapState::Computing {
                     fraction: 0.42,
                     seconds_left: Some(12.0),
                 },
@@ -99,27 +106,16 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 _ => MapState::Ready,
             };
             let mut view = example.map(state);
-            if matches!(name, "map_first" | "map_empty") {
+            if name == "map_empty" {
                 view.map.points = &[];
             }
             pose_map_header_ui(ui, &view, commands);
             pose_map_ui(ui, &view, commands);
         }
-        "deformations" | "deformations_computing" | "deformations_few" => {
-            let state = match name {
-                "deformations" => MapState::Ready,
-                "deformations_few" => {
-                    MapState::Unanswerable("Fewer than 4 subjects: no deformation map".to_owned())
-                }
-                _ => MapState::Computing {
-                    fraction: 0.42,
-                    seconds_left: Some(12.0),
-                },
-            };
-            let mut view = example.deformation_map(state);
-            if name == "deformations_few" {
-                view.map.points = &[];
-            }
+        "deformations_few" => {
+            let too_few = "Fewer than 4 subjects: no deformation map";
+            let mut view = example.deformation_map(MapState::Unanswerable(too_few.to_owned()));
+            view.map.points = &[];
             pane_header_ui(
                 ui,
                 |ui| {
@@ -131,8 +127,6 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
             );
             deformation_map_ui(ui, &view, commands);
         }
-        "space_time" => space_time_ui(ui, &example.space_time(MapState::Ready), commands),
-        "metric" => metric_panel_ui(ui, &example.metric(), commands),
         "activity" => {
             let item = |title: &str, parameters: &str, duration_s, state| WorkItem {
                 kind: Topic::of::<PoseMapParams>(),
@@ -164,12 +158,23 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
             activity_ui(ui, &items, commands);
         }
         "empty" => empty_state_ui(ui, &EmptyStateView::default(), commands),
-        "empty_hover" => {
+        "files_above" => {
             let view = EmptyStateView {
                 files_hover: true,
                 opening: false,
             };
             empty_state_ui(ui, &view, commands);
+        }
+        "thickness" => {
+            let view = ThicknessPanelView {
+                subject: Some("P-050"),
+                state: &ThicknessState::Ready,
+                moment: "ES",
+                unit: "mm",
+                rows: &thickness_rows(),
+                max: 16.0,
+            };
+            thickness_panel_ui(ui, &view, commands);
         }
         _ => {
             let view = CohortView {
@@ -187,42 +192,54 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
     });
 }
 
-/// Writes pictures of single panels where `CARDIOMORPH_GALLERY` says; for the eye.
-#[test]
-fn the_states_of_panels_are_drawn_where_it_is_asked_for() {
-    let Some(folder) = std::env::var_os("CARDIOMORPH_GALLERY").map(PathBuf::from) else {
-        println!("skipped: CARDIOMORPH_GALLERY names no folder");
-        return;
+fn thickness_rows() -> [ThicknessRow; 3] {
+    let strip = |moment: &str, median: f64| ThicknessStrip {
+        moment: moment.to_owned(),
+        on_screen: moment == "ES",
+        quantiles: [-3.0, -1.0, 0.0, 1.0, 3.5].map(|offset| median + offset),
     };
-    let names = [
-        "map_hover",
-        "map_computing",
-        "map_failed",
-        "map_empty",
-        "map_first",
-        "deformations",
-        "space_time",
-        "metric",
-        "deformations_computing",
-        "deformations_few",
-        "activity",
-        "empty",
-        "empty_hover",
-        "no_match",
-    ];
-    for (index, name) in names.into_iter().enumerate() {
+    [
+        ThicknessRow {
+            name: "Medial spheres".to_owned(),
+            strips: vec![strip("ED", 9.0), strip("ES", 12.0)],
+            reference: true,
+            seconds: Some(0.02),
+            ..ThicknessRow::default()
+        },
+        ThicknessRow {
+            name: "Laplace field lines".to_owned(),
+            strips: vec![strip("ED", 9.2), strip("ES", 12.3)],
+            difference: Some(Difference {
+                bias: 0.31,
+                deviation: 0.2,
+                pairs: 800,
+            }),
+            seconds: Some(0.5),
+            ..ThicknessRow::default()
+        },
+        ThicknessRow {
+            name: "Centreline in slices".to_owned(),
+            reason: Some("no landmarks".to_owned()),
+            ..ThicknessRow::default()
+        },
+    ]
+}
+
+type Draw = fn(&mut Ui, &str, &Example, &mut Vec<Command>);
+
+fn compare_states(draw: Draw, dark: bool, states: &[(&str, [f32; 2])]) {
+    if !on_reference_driver() {
+        return;
+    }
+    for &(name, size) in states {
         let example = Example::new();
         let mut harness = Harness::builder()
-            .with_size(match name {
-                "metric" => [280.0, 640.0],
-                "space_time" | "deformations" => [400.0, 420.0],
-                _ => [400.0, 330.0],
-            })
-            .with_theme(egui::Theme::from_dark_mode(index % 2 == 0))
+            .with_size(size)
+            .with_theme(egui::Theme::from_dark_mode(dark))
             .with_context_setup(install)
             .wgpu()
             .build_ui_state(
-                |ui, commands: &mut Vec<Command>| state_ui(ui, name, &example, commands),
+                |ui, commands: &mut Vec<Command>| draw(ui, name, &example, commands),
                 Vec::new(),
             );
         harness.run();
@@ -231,48 +248,51 @@ fn the_states_of_panels_are_drawn_where_it_is_asked_for() {
             harness.hover_at(pos2(347.0, 92.0));
             harness.run_steps(40);
         }
-        let path = folder.join(format!("state_{name}.png"));
-        harness.render().unwrap().save(path).unwrap();
+        compare(&harness.render().unwrap(), &format!("states/{name}"));
     }
 }
 
-/// Writes pictures of the whole window where `CARDIOMORPH_GALLERY` says; for the eye.
 #[test]
-fn the_gallery_is_drawn_where_it_is_asked_for() {
-    let Some(folder) = std::env::var_os("CARDIOMORPH_GALLERY").map(PathBuf::from) else {
-        println!("skipped: CARDIOMORPH_GALLERY names no folder");
-        return;
-    };
-    let pictures = [
-        ("window", 1600.0, 1000.0, 1.0, Over::Nothing),
-        ("window_2x", 1600.0, 1000.0, 2.0, Over::Nothing),
-        ("narrow", 900.0, 640.0, 1.0, Over::Nothing),
-        ("palette", 1280.0, 800.0, 1.0, Over::Palette),
-        ("sheet", 1280.0, 800.0, 1.0, Over::Sheet),
-        ("report", 1280.0, 800.0, 1.0, Over::Report),
-        ("errors", 1280.0, 800.0, 1.0, Over::Errors),
-        ("about", 1280.0, 800.0, 1.0, Over::About),
-    ];
-    for dark in [true, false] {
-        for (name, width, height, scale, over) in pictures {
-            let example = Example::new();
-            let mut harness = Harness::builder()
-                .with_size([width, height])
-                .with_pixels_per_point(scale)
-                .with_theme(egui::Theme::from_dark_mode(dark))
-                .with_context_setup(move |ctx| apply(ctx, dark))
-                .wgpu()
-                .build_ui_state(
-                    |ui, commands: &mut Vec<Command>| {
-                        window(ui, &example, commands);
-                        over_ui(ui, over, &example, commands);
-                    },
-                    Vec::new(),
-                );
-            harness.run();
-            let theme = if dark { "dark" } else { "light" };
-            let path = folder.join(format!("{name}_{theme}.png"));
-            harness.render().unwrap().save(path).unwrap();
-        }
-    }
+fn states_of_maps_look_as_they_did() {
+    compare_states(
+        state_ui,
+        true,
+        &[
+            ("map_computing", [360.0, 280.0]),
+            ("map_failed", [360.0, 280.0]),
+            ("map_empty", [360.0, 280.0]),
+            ("map_hover", [400.0, 330.0]),
+            ("deformations_few", [360.0, 280.0]),
+        ],
+    );
+}
+
+#[test]
+fn states_of_other_panes_look_as_they_did() {
+    compare_states(
+        state_ui,
+        false,
+        &[
+            ("activity", [360.0, 240.0]),
+            ("empty", [400.0, 300.0]),
+            ("files_above", [400.0, 300.0]),
+            ("no_match", [300.0, 240.0]),
+            ("thickness", [320.0, 280.0]),
+        ],
+    );
+}
+
+#[test]
+fn what_lies_over_the_window_looks_as_it_did() {
+    compare_states(
+        over_ui,
+        true,
+        &[
+            ("about", [480.0, 360.0]),
+            ("error_card", [480.0, 160.0]),
+            ("load_report", [640.0, 400.0]),
+            ("palette", [640.0, 400.0]),
+            ("shortcuts", [640.0, 480.0]),
+        ],
+    );
 }

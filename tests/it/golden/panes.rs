@@ -1,0 +1,222 @@
+//! Panes of the window on the built-in cohort, each alone in a small window and cut out of its bars.
+
+use cardiomorph::analysis::segments::Segment;
+use cardiomorph::app::App;
+use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
+use cardiomorph::ui::theme::space;
+use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
+use egui::{Rect, pos2, vec2};
+
+use super::{FRAME, SUBJECT, compare_part, on_reference_driver, window_after};
+
+pub const NAMES: [&str; 16] = [
+    "atoms",
+    "bulls_eye",
+    "bulls_eye_segments",
+    "cohort",
+    "deformations",
+    "difference",
+    "measures",
+    "medial_map",
+    "metric",
+    "patch",
+    "pose_map",
+    "space_time",
+    "thickness_ratio",
+    "transport",
+    "verdict",
+    "volume",
+];
+
+/// Heights of the bars above and below the panes, as `app/frame_ui.rs` has them.
+const BARS: [f32; 2] = [34.0, 72.0 + 36.0];
+
+/// Panes in the order of their tabs: closed one after another, each is in front when its turn comes.
+const PANES: [Pane; 14] = [
+    Pane::Cohort,
+    Pane::Activity,
+    Pane::Metric,
+    Pane::Viewport,
+    Pane::PoseMap,
+    Pane::DeformationMap,
+    Pane::SpaceTime,
+    Pane::MedialMap,
+    Pane::Measures,
+    Pane::Patch,
+    Pane::Verdict,
+    Pane::BullsEye,
+    Pane::Curves,
+    Pane::Thickness,
+];
+
+/// Compares a pane of this size alone in the window, after these commands.
+fn compare_pane(
+    name: &str,
+    pane: Pane,
+    [width, height]: [f32; 2],
+    theme: ThemeChoice,
+    commands: &[Command],
+    ready: impl Fn(&App) -> bool,
+) {
+    if !on_reference_driver() {
+        return;
+    }
+    let [above, below] = BARS;
+    let gap = space::PANE_GAP;
+    let window = [width + 2.0 * gap, above + height + 2.0 * gap + below];
+    let mut all: Vec<Command> = PANES.map(Command::TogglePane).to_vec();
+    all.push(Command::ShowPane(pane));
+    all.extend_from_slice(commands);
+    let mut harness = window_after(window, theme, all, ready);
+    let place = Rect::from_min_size(pos2(gap, above + gap), vec2(width, height));
+    compare_part(&harness.render().unwrap(), place, &format!("panes/{name}"));
+}
+
+fn wall_is_known(app: &App) -> bool {
+    matches!(app.state().wall_of(SUBJECT), Some((Ok(_), true)))
+}
+
+fn verdict_is_known(app: &App) -> bool {
+    wall_is_known(app) && matches!(app.state().verdicts(), Some((_, true)))
+}
+
+const DARK: ThemeChoice = ThemeChoice::Dark;
+const LIGHT: ThemeChoice = ThemeChoice::Light;
+
+#[test]
+fn the_cohort_looks_as_it_did() {
+    compare_pane("cohort", Pane::Cohort, [300.0, 360.0], LIGHT, &[], |app| {
+        verdict_is_known(app)
+    });
+}
+
+#[test]
+fn measures_look_as_they_did() {
+    let size = [240.0, 280.0];
+    compare_pane("measures", Pane::Measures, size, DARK, &[], |_| true);
+}
+
+#[test]
+fn volumes_over_the_beat_look_as_they_did() {
+    let size = [320.0, 240.0];
+    compare_pane("volume", Pane::Curves, size, LIGHT, &[], |_| true);
+}
+
+#[test]
+fn the_map_of_poses_looks_as_it_did() {
+    let size = [360.0, 320.0];
+    compare_pane("pose_map", Pane::PoseMap, size, DARK, &[], |_| true);
+}
+
+#[test]
+fn the_map_of_deformations_looks_as_it_did() {
+    let (pane, size) = (Pane::DeformationMap, [360.0, 400.0]);
+    compare_pane("deformations", pane, size, LIGHT, &[], |app| {
+        app.state().deformations().is_some()
+    });
+}
+
+#[test]
+fn poses_through_time_look_as_they_did() {
+    let size = [360.0, 360.0];
+    compare_pane("space_time", Pane::SpaceTime, size, DARK, &[], |_| true);
+}
+
+#[test]
+fn the_map_of_the_medial_shape_space_looks_as_it_did() {
+    let size = [360.0, 320.0];
+    compare_pane("medial_map", Pane::MedialMap, size, LIGHT, &[], |app| {
+        app.state().medial_map().is_some()
+    });
+}
+
+#[test]
+fn settings_of_metric_and_maps_look_as_they_did() {
+    let size = [300.0, 480.0];
+    compare_pane("metric", Pane::Metric, size, DARK, &[], |_| true);
+}
+
+#[test]
+fn a_patch_looks_as_it_did() {
+    let commands = [Command::SelectPart(Some(WallPart::Patch(0)))];
+    let size = [300.0, 420.0];
+    compare_pane("patch", Pane::Patch, size, LIGHT, &commands, wall_is_known);
+}
+
+#[test]
+fn a_verdict_looks_as_it_did() {
+    let size = [320.0, 480.0];
+    compare_pane("verdict", Pane::Verdict, size, DARK, &[], verdict_is_known);
+}
+
+#[test]
+fn the_bulls_eye_looks_as_it_did() {
+    let commands = [Command::SelectPart(Some(WallPart::Patch(0)))];
+    let (pane, size) = (Pane::BullsEye, [300.0, 320.0]);
+    compare_pane("bulls_eye", pane, size, DARK, &commands, wall_is_known);
+}
+
+#[test]
+fn the_bulls_eye_with_a_colour_for_each_segment_looks_as_it_did() {
+    let commands = [
+        Command::ToggleBullsEyeSegments,
+        Command::SetBullsEye(BullsEyeQuantity::Thickening),
+        Command::SelectPart(Some(WallPart::Segment(Segment::new(8).unwrap()))),
+    ];
+    let (name, pane, size) = ("bulls_eye_segments", Pane::BullsEye, [300.0, 320.0]);
+    compare_pane(name, pane, size, LIGHT, &commands, wall_is_known);
+}
+
+#[test]
+fn atoms_and_the_outline_of_a_patch_look_as_they_did() {
+    let commands = [
+        Command::ToggleAtoms,
+        Command::SelectPart(Some(WallPart::Patch(0))),
+    ];
+    let size = [420.0, 360.0];
+    compare_pane(
+        "atoms",
+        Pane::Viewport,
+        size,
+        DARK,
+        &commands,
+        wall_is_known,
+    );
+}
+
+#[test]
+fn the_thickness_ratio_looks_as_it_did() {
+    let commands = [Command::SetQuantity(Quantity::ThicknessRatio)];
+    let (name, size) = ("thickness_ratio", [420.0, 360.0]);
+    compare_pane(name, Pane::Viewport, size, LIGHT, &commands, wall_is_known);
+}
+
+#[test]
+fn a_motion_on_another_subject_looks_as_it_did() {
+    let commands = [
+        Command::TransportMotion {
+            from: SUBJECT,
+            onto: 2,
+        },
+        Command::TogglePlay,
+        Command::SetPosition(FRAME as f64 + 0.5),
+    ];
+    let (name, size) = ("transport", [480.0, 320.0]);
+    compare_pane(name, Pane::Viewport, size, DARK, &commands, |app| {
+        let in_betweens = app.state().in_betweens_of(SUBJECT);
+        app.state().carried_heart().is_some() && in_betweens.is_some_and(|beat| beat.complete())
+    });
+}
+
+#[test]
+fn the_difference_of_two_hearts_looks_as_it_did() {
+    let commands = [
+        Command::SetViewMode(ViewMode::SideBySide),
+        Command::CompareWith(Some(2)),
+        Command::SetQuantity(Quantity::Contribution),
+    ];
+    let (name, size) = ("difference", [480.0, 320.0]);
+    compare_pane(name, Pane::Viewport, size, LIGHT, &commands, |app| {
+        app.state().answers.difference().is_some()
+    });
+}
