@@ -11,6 +11,7 @@ pub mod cli;
 pub mod engine;
 pub mod io;
 pub mod mesh;
+pub mod panes;
 pub mod picture;
 pub mod render;
 pub mod report;

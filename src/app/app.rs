@@ -7,9 +7,10 @@ use std::time::{Duration, Instant};
 use egui::{Context, Ui};
 
 use crate::engine::{OpenSource, Topic, Wake};
+use crate::panes::Command;
 use crate::study::Subject;
 use crate::study::built_in::BuiltInParams;
-use crate::ui::{self, Command};
+use crate::ui::{self};
 
 use super::apply::{Effect, Moment, apply};
 use super::asks::Seen;
@@ -226,7 +227,7 @@ impl App {
         if !dropped.is_empty() {
             self.queue.push(Command::Open(dropped));
         }
-        self.queue.extend(ui::pressed_commands(ctx));
+        self.queue.extend(crate::panes::pressed_commands(ctx));
     }
 
     fn apply_queue(&mut self, ctx: &Context) {
@@ -457,7 +458,7 @@ impl eframe::App for App {
     }
 
     fn raw_input_hook(&mut self, ctx: &Context, input: &mut egui::RawInput) {
-        self.queue.extend(ui::claim_tab(ctx, input));
+        self.queue.extend(crate::panes::claim_tab(ctx, input));
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {

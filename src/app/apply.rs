@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use crate::engine::OpenSource;
 use crate::engine::Topic;
+use crate::panes::{Command, Pane, ThemeChoice};
 use crate::study::Revision;
-use crate::ui::{Command, Pane, ThemeChoice};
 
 use super::document::Document;
 use super::export::FigureKind;

@@ -1,6 +1,6 @@
 //! Commands that choose a heart and a place in its beat.
 
-use crate::ui::Command;
+use crate::panes::Command;
 
 use super::apply::{Moment, change};
 use super::document::position_at_phase;

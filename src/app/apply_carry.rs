@@ -1,8 +1,8 @@
 //! Commands that play one heart's beat on another, and those about poses between frames.
 
 use crate::engine::{InBetweens, Topic, Transfer};
+use crate::panes::{Command, ViewMode};
 use crate::picture::Quantity;
-use crate::ui::{Command, ViewMode};
 
 use super::apply::{Effect, Moment, change};
 use super::document::CarriedBeat;

@@ -5,10 +5,10 @@ use super::export::FigureKind;
 use super::state::State;
 use super::testing::{state_of, subject_with_frames};
 use crate::engine::{PoseMapParams, Topic};
+use crate::panes::{Command, ViewMode};
 use crate::picture::Quantity;
 use crate::render::Camera;
 use crate::study::Revision;
-use crate::ui::{Command, ViewMode};
 
 fn moment(now_s: f64) -> Moment {
     Moment {

@@ -2,7 +2,7 @@
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::PoseMapParams;
-use crate::ui::Command;
+use crate::panes::Command;
 
 use super::apply::{Moment, change};
 use super::look::{Direction, Look};

@@ -1,7 +1,7 @@
 //! Commands about the middle of the wall, its patches and the bull's-eye.
 
 use crate::engine::ThickeningSettings;
-use crate::ui::Command;
+use crate::panes::Command;
 
 use super::apply::{Moment, change};
 use super::look::{Direction, Look};

@@ -1,7 +1,7 @@
 //! Commands that reach beyond the study: files, jobs, panes, sheets.
 
 use crate::engine::OpenSource;
-use crate::ui::Command;
+use crate::panes::Command;
 
 use super::apply::Effect;
 use super::export::FigureKind;

@@ -7,7 +7,7 @@ use crate::engine::{
     ClassesSettings, DeformationMapSettings, FrameThickness, Measures, MedialMapParams,
     PoseThickness, Query, Showing, Store, ThicknessSettings, VerdictSettings, WallThickening,
 };
-use crate::ui::Pane;
+use crate::panes::Pane;
 
 use super::answers::{Answers, WallAnswer};
 use super::asks_beats::BeatAsks;

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use crate::analysis::geodesics::GeodesicParams;
 use crate::engine::{Contribution, InBetweens, Interval, LookedAt, Showing, Store, Transfer};
+use crate::panes::ViewMode;
 use crate::picture::{Quantity, relative_density};
-use crate::ui::ViewMode;
 
 use super::answers::{Answers, InBetweensAnswer};
 use super::carried::{CarriedHeart, CarryingState, transport_params};

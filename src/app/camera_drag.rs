@@ -3,8 +3,8 @@
 use egui::{PointerButton, Pos2, Response, Ui};
 use glam::{DVec3, Vec2};
 
+use crate::panes::Command;
 use crate::render::Camera;
-use crate::ui::Command;
 
 use super::shown_heart::Cell;
 use super::state::State;

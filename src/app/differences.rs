@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseId};
+use crate::panes::ViewMode;
 use crate::study::Subject;
-use crate::ui::ViewMode;
 
 use super::document::{Document, nearest_frame, phase_of, position_at_phase};
 

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::{PoseMapParams, ThickeningSettings};
 use crate::io::OpenError;
+use crate::panes::ViewMode;
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
 use crate::render::Shading;
 use crate::study::{Notice, Revision, Study, Subject};
-use crate::ui::ViewMode;
 
 use super::look::Look;
 

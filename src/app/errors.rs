@@ -1,8 +1,8 @@
 //! Cards that say what went wrong, until they are dismissed.
 
+use crate::app::ErrorCard;
 use crate::engine::{FailedWork, Topic};
 use crate::io::OpenError;
-use crate::ui::ErrorCard;
 
 /// Files that could not be opened have a card each up to this many; more are summed up in one:
 /// a folder of a thousand bad files is one mistake.

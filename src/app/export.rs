@@ -12,6 +12,7 @@ use crate::engine::{
     AnalysisTables, DeformationMapSettings, Engine, ExportFile, Interrupted, TableSettings,
     ThickeningSettings, VerdictSettings, distance_words,
 };
+use crate::panes::ViewMode;
 use crate::picture::figure::{
     FigureOrder, FigureSubject, FigureView, PatchOrder, rendered_figure, rendered_patch_figure,
 };
@@ -20,7 +21,6 @@ use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings};
 use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
-use crate::ui::ViewMode;
 
 use super::document::nearest_frame;
 use super::play::pose_in;

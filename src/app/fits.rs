@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use egui::Rect;
 
+use crate::panes::ViewMode;
 use crate::render::Camera;
-use crate::ui::ViewMode;
 
 use super::look::Look;
 use super::pictures::Heart;

@@ -5,12 +5,16 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 
+use crate::app::{CommandPaletteView, StatusBarView};
 use crate::engine::{Engine, Showing};
+use crate::panes::Command;
 use crate::ui::theme::{colours, line, radius, space};
-use crate::ui::{self, Command, CommandPaletteView, StatusBarView};
+use crate::ui::{self};
 
+use super::bars;
 use super::layout::Layout;
 use super::panes::{Panes, tab_containers};
+use super::sheets;
 use super::state::State;
 use super::viewport::Viewport;
 use super::views::{
@@ -66,7 +70,7 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
         .frame(bar.inner_margin(Margin::symmetric(space::MEDIUM as i8, 3)))
         .show_separator_line(true)
         .show(ui, |ui| {
-            ui::menu_bar_ui(ui, &menu_bar_view(state, &actions), drawing.commands);
+            bars::menu_bar_ui(ui, &menu_bar_view(state, &actions), drawing.commands);
         });
     Panel::bottom("status bar")
         .exact_size(STATUS_HEIGHT)
@@ -75,7 +79,7 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
         .show(ui, |ui| {
             let data = StatusData::of(state, &drawing.engine.running());
             let view: StatusBarView = data.view(state, drawing.adapter);
-            ui::status_bar_ui(ui, &view, drawing.commands);
+            bars::status_bar_ui(ui, &view, drawing.commands);
         });
     if state.document.selected().is_some() {
         Panel::bottom("time bar")
@@ -95,7 +99,7 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
                     .corner_radius(radius::PANE)
                     .show(ui, |ui| {
                         ui.set_min_size(ui.available_size());
-                        ui::time_bar_ui(ui, &beat.time_bar(state), drawing.commands);
+                        bars::time_bar_ui(ui, &beat.time_bar(state), drawing.commands);
                     });
             });
     }
@@ -154,18 +158,18 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
     drawing.layout.tree.ui(&mut panes, ui);
 }
 
-fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &ui::ActionState) {
+fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &crate::panes::ActionState) {
     let state = drawing.state;
     let commands = &mut *drawing.commands;
-    ui::error_cards_ui(ui, &state.errors, commands);
+    sheets::error_cards_ui(ui, &state.errors, commands);
     if state.sheets.load_report {
-        ui::load_report_ui(ui, &report_entries(state), commands);
+        sheets::load_report_ui(ui, &report_entries(state), commands);
     }
     if state.sheets.about {
-        ui::about_ui(ui, drawing.adapter, commands);
+        sheets::about_ui(ui, drawing.adapter, commands);
     }
     if state.sheets.shortcuts {
-        ui::shortcut_sheet_ui(ui, commands);
+        sheets::shortcut_sheet_ui(ui, commands);
     }
     if state.sheets.palette {
         let view = CommandPaletteView {
@@ -173,10 +177,10 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &ui::ActionState) {
             subjects: drawing.cohort.rows(),
             selected: state.document.selected().map(|_| state.document.subject),
         };
-        ui::command_palette_ui(ui, &view, commands);
+        sheets::command_palette_ui(ui, &view, commands);
     }
     files_hover_ui(ui, state);
-    ui::dragged_subject_ui(ui);
+    crate::panes::dragged_subject_ui(ui);
 }
 
 /// While files are held over an open study, a frame says that they can be let go.

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 use egui_tiles::{Container, Linear, LinearDir, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
 
-use crate::ui::Pane;
+use crate::panes::Pane;
 
 /// All panes with the words that name them in a saved layout; the words never change.
 pub const PANES: [(Pane, &str); 14] = [

@@ -11,16 +11,17 @@ use egui_tiles::{
     Tree, UiResponse,
 };
 
-use crate::ui::theme::{colours, line, radius, space};
-use crate::ui::{
+use crate::panes::{
     BullsEyeView, Command, DeformationMapView, EmptyStateView, MeasuresView, MedialMapView,
     MetricPanelView, Pane, PatchPanelView, PoseMapView, SpaceTimeView, ThicknessPanelView,
     VerdictPanelView, WorkItem, activity_ui, bulls_eye_ui, cohort_table_ui, curves_ui,
     deformation_map_ui, deformation_note, empty_state_ui, measures_card_ui, medial_map_choosers_ui,
-    medial_map_header_ui, medial_map_ui, metric_panel_ui, pane_header_ui, patch_panel_ui,
-    pose_map_choosers_ui, pose_map_header_ui, pose_map_ui, space_time_ui, tab_ui,
-    thickness_panel_ui, verdict_panel_ui, viewport_header_ui,
+    medial_map_header_ui, medial_map_ui, metric_panel_ui, patch_panel_ui, pose_map_choosers_ui,
+    pose_map_header_ui, pose_map_ui, space_time_ui, thickness_panel_ui, verdict_panel_ui,
+    viewport_header_ui,
 };
+use crate::ui::theme::{colours, line, radius, space};
+use crate::ui::{pane_header_ui, tab_ui};
 
 use super::corners::corner_masks;
 use super::layout::PaneTile;

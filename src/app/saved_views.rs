@@ -8,10 +8,10 @@ use glam::{Quat, Vec3};
 
 use crate::engine::{Job, Wake, Workers};
 use crate::io::read_head;
+use crate::panes::{Command, ViewMode};
 use crate::picture::figure::SavedView;
 use crate::picture::page::{PageFormat, VIEW_KEY, png_text};
 use crate::render::Shading;
-use crate::ui::{Command, ViewMode};
 
 use super::apply::{Moment, change};
 use super::document::Visibility;

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use crate::ui::ThemeChoice;
+use crate::panes::ThemeChoice;
 
 use super::layout::Layout;
 
@@ -93,7 +93,7 @@ pub fn remember_recent(recent: &mut Vec<PathBuf>, opened: &[PathBuf]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::ui::Pane;
+    use crate::panes::Pane;
 
     #[test]
     fn settings_come_back_from_their_text() {

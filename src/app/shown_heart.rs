@@ -4,13 +4,13 @@ use std::sync::Arc;
 
 use egui::Rect;
 
+use crate::panes::ViewMode;
 use crate::picture::{
     HeartExtras, HeartMedial, MedialSettings, PatchLook, PreparedMedial, Quantity, SceneSettings,
     SurfaceScalars,
 };
 use crate::render::Camera;
 use crate::study::Subject;
-use crate::ui::ViewMode;
 
 use super::pictures::{Heart, Pictures, ShownMedial};
 use super::stage::OnStage;

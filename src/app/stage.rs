@@ -2,7 +2,7 @@
 
 use egui::{Rect, pos2, vec2};
 
-use crate::ui::ViewMode;
+use crate::panes::ViewMode;
 
 use super::document::{phase_of, position_at_phase};
 use super::state::State;

@@ -8,10 +8,11 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::MedialMap;
 use crate::analysis::transport::Reference;
+use crate::app::ErrorCard;
 use crate::engine::{PoseMap, Showing};
+use crate::panes::ThemeChoice;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Study, Subject};
-use crate::ui::{ErrorCard, ThemeChoice};
 
 use super::answers::{Answers, FoundWall};
 use super::carried::{CarriedHeart, transport_params};

@@ -5,15 +5,15 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
+use crate::panes::{
+    Command, SubjectTarget, ViewMode, dragged_subject, subject_target_ui, viewport_overlay_ui,
+};
 use crate::picture::{
     CohortLimits, HeartScene, MedialSettings, PatchLook, PictureTheme, Quantity, SceneSettings,
     WallPart, heart_scene,
 };
 use crate::render::{Camera, ViewId};
 use crate::ui::theme::{colours, line, radius, type_size};
-use crate::ui::{
-    Command, SubjectTarget, ViewMode, dragged_subject, subject_target_ui, viewport_overlay_ui,
-};
 
 use super::camera_drag::camera_command;
 use super::fits::Fits;

@@ -210,6 +210,15 @@ pub fn time_left_text(seconds: f64) -> String {
     }
 }
 
+/// "71 % · 4 s left".
+pub fn progress_text(fraction: f32, seconds_left: Option<f64>) -> String {
+    let percent = format!("{:.0} %", 100.0 * fraction.clamp(0.0, 1.0));
+    match seconds_left {
+        Some(seconds) => format!("{percent} · {}", time_left_text(seconds)),
+        None => percent,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

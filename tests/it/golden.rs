@@ -20,9 +20,9 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
+use cardiomorph::panes::{Command, ThemeChoice};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, ThemeChoice};
 use egui::Rect;
 use egui_kittest::Harness;
 use egui_kittest::wgpu::{create_render_state, default_wgpu_setup};

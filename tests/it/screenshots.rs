@@ -9,9 +9,9 @@ use std::process::Command as Program;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
+use cardiomorph::panes::{Command, Pane, ThemeChoice, ViewMode};
 use cardiomorph::picture::Quantity;
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
 use egui_kittest::Harness;
 
 /// One picture of the window: its name, and what a person did before it was taken.

@@ -22,8 +22,8 @@ use std::time::{Duration, Instant};
 use cardiomorph::analysis::embedding::Embedding;
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::engine::{PoseMapParams, Topic};
+use cardiomorph::panes::{Command, Pane, ViewMode};
 use cardiomorph::study::built_in::BuiltInParams;
-use cardiomorph::ui::{Command, Pane, ViewMode};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 

@@ -1,11 +1,12 @@
 //! The beat of the selected heart: time bar, volume curves and measures.
 
 use crate::analysis::measures::FrameMeasures;
+use crate::app::TimeBarView;
 use crate::app::document::phase_of;
 use crate::app::in_betweens::{BetweenWords, between_words, geodesic_params};
 use crate::app::state::State;
+use crate::panes::{BeatAxis, Curve, CurveKind, CurvesView, MeasuresView};
 use crate::report::SubjectRow;
-use crate::ui::{BeatAxis, Curve, CurveKind, CurvesView, MeasuresView, TimeBarView};
 
 /// Numbers of the selected heart's beat.
 #[derive(Clone, Debug, Default, PartialEq)]

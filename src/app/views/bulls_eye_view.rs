@@ -6,10 +6,10 @@ use crate::app::document::nearest_frame;
 use crate::app::state::State;
 use crate::app::views::overlay_view::phase_name;
 use crate::engine::SubjectThickening;
+use crate::panes::{BullsEyePatch, BullsEyeView, WallState};
 use crate::picture::{
     BullsEyeScale, CohortLimits, PatchStanding, PolarMap, PolarValues, WallPart, part_name, percent,
 };
-use crate::ui::{BullsEyePatch, BullsEyeView, WallState};
 
 /// What the atoms' colours are made from and how the plot is laid.
 #[derive(Debug, Default)]

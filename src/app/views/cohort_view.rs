@@ -7,8 +7,8 @@ use crate::analysis::verdicts::Verdicts;
 use crate::app::document::Sorting;
 use crate::app::state::State;
 use crate::app::views::verdict_view::cohort_verdict;
+use crate::panes::{CohortColumn, CohortRow, CohortSort, CohortView, ViewMode, visible_rows};
 use crate::study::{Revision, Severity, Subject};
-use crate::ui::{CohortColumn, CohortRow, CohortSort, CohortView, ViewMode, visible_rows};
 
 /// What rows are made from: measures and verdicts as long as they are the same ones.
 type MadeFrom = (

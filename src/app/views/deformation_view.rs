@@ -6,11 +6,11 @@ use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::DeformationMap;
 use crate::app::state::State;
 use crate::engine::{DeformationMapSettings, Interrupted, PoseMapParams, Showing, Topic};
-use crate::study::Study;
-use crate::ui::{
+use crate::panes::{
     ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, MapState, MapSubject,
     MetricPanelView, PosePhase, ScatterData, ScatterPoint, ScatterView,
 };
+use crate::study::Study;
 
 use super::scatter::{Details, Shared, details, map_state, plane, scatter_view};
 

@@ -1,8 +1,8 @@
 //! The numbers that speak for a verdict, each beside those of the normal hearts.
 
 use crate::analysis::verdicts::{Feature, Features, Verdicts};
+use crate::panes::EvidenceRow;
 use crate::study::{LabelRole, Study};
-use crate::ui::EvidenceRow;
 
 /// How a number is written.
 #[derive(Clone, Copy)]

@@ -2,8 +2,8 @@
 
 use crate::app::differences::hindrance;
 use crate::app::state::State;
+use crate::panes::ViewportHeaderView;
 use crate::study::{Subject, SurfaceKind};
-use crate::ui::ViewportHeaderView;
 
 /// Why there is no distance of a carried beat.
 const NOTHING_CARRIED: &str =

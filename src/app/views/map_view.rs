@@ -5,11 +5,11 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::app::document::phase_of;
 use crate::app::state::State;
 use crate::engine::{PoseMap, Showing};
-use crate::study::Study;
-use crate::ui::{
+use crate::panes::{
     MapSubject, POSE_MAP, PoseMapView, PosePhase, SPACE_TIME, ScatterData, ScatterPoint,
     ScatterView, SpaceTimeView, pose_map_note,
 };
+use crate::study::Study;
 
 use super::scatter::{Details, Shared, details, left_out, map_state, plane, scatter_view};
 

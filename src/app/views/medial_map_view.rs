@@ -4,11 +4,11 @@ use crate::analysis::medial_map::{MedialMap, MedialPose};
 use crate::app::document::phase_of;
 use crate::app::state::State;
 use crate::engine::Showing;
-use crate::study::Study;
-use crate::ui::{
+use crate::panes::{
     MEDIAL_MAP, MapSubject, MedialMapView, PosePhase, ScatterData, ScatterPoint, ScatterView,
     medial_facts, medial_map_note,
 };
+use crate::study::Study;
 
 use super::scatter::{Details, Shared, details, left_out, map_state, plane, scatter_view};
 

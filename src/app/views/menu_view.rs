@@ -1,8 +1,9 @@
 //! The menu bar, and what menus and the palette must know to grey and tick their lines.
 
+use crate::app::MenuBarView;
 use crate::app::layout::{Layout, PANES};
 use crate::app::state::State;
-use crate::ui::{ActionState, MenuBarView};
+use crate::panes::ActionState;
 
 /// Which actions can be done now and which switches are on.
 pub fn action_state(state: &State, layout: &Layout) -> ActionState {

@@ -8,14 +8,14 @@ use crate::app::stage::OnStage;
 use crate::app::state::State;
 use crate::app::views::beat_view::straight_because;
 use crate::app::views::patch_words::patch_note;
+use crate::panes::{
+    ColourBarView, Command, CubeView, PatchNote, ScaleBarView, ViewMode, ViewportOverlayView,
+};
 use crate::picture::{
     ColourLegend, HeartAxes, HeartScene, PreparedSubject, Quantity, USER_LIMITS, frame_words,
 };
 use crate::render::Camera;
 use crate::study::{LabelRole, Subject};
-use crate::ui::{
-    ColourBarView, Command, CubeView, PatchNote, ScaleBarView, ViewMode, ViewportOverlayView,
-};
 
 /// Owned texts behind the overlay of one heart.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -5,6 +5,7 @@ use crate::app::shown_heart::ShownHeart;
 use crate::app::state::State;
 use crate::app::views::patch_words::standing_note;
 use crate::engine::{Showing, SubjectThickening};
+use crate::panes::{PatchLine, PatchPanelView, WallState};
 use crate::picture::{
     PatchStanding, WallPart, extent_words, facing_patch, patch_heading, segment_words,
     smallest_words,
@@ -12,7 +13,6 @@ use crate::picture::{
 use crate::render::Camera;
 use crate::report::PatchRow;
 use crate::study::Subject;
-use crate::ui::{PatchLine, PatchPanelView, WallState};
 
 /// A framed patch has this much of the heart around it, as a share of the heart's size.
 const LEAST_HALF_HEIGHT: f64 = 0.42;

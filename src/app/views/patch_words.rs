@@ -3,11 +3,11 @@
 use crate::analysis::thickening::Thickening;
 use crate::analysis::verdicts::Finding;
 use crate::app::state::State;
+use crate::panes::PatchNote;
 use crate::picture::{
     PatchStanding, WallPart, area_text, part_name, patch_heading, percent, segment_words,
 };
 use crate::report::PatchRow;
-use crate::ui::PatchNote;
 use crate::units::LengthUnit;
 
 /// Why the parts are called so; empty where there are none, or where they are abnormal.

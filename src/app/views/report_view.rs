@@ -1,8 +1,8 @@
 //! The load report: what was read of every subject, what was assumed, and what could not be read.
 
+use crate::app::ReportSubject;
 use crate::app::state::State;
 use crate::study::Subject;
-use crate::ui::ReportSubject;
 
 /// All entries: the study as a whole, what could not be read, then subject by subject.
 pub fn report_entries(state: &State) -> Vec<ReportSubject> {

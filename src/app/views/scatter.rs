@@ -6,10 +6,10 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::app::play::pose_at;
 use crate::app::state::State;
 use crate::engine::{Interrupted, Showing};
-use crate::study::{Revision, Study};
-use crate::ui::{
+use crate::panes::{
     MapState, MapSubject, MapWords, ScatterPoint, ScatterView, ViewMode, places_between,
 };
+use crate::study::{Revision, Study};
 
 /// A shared value that is equal only to itself, or to nothing where both are absent.
 #[derive(Debug)]

@@ -1,9 +1,10 @@
 //! The status bar and the activity list: what runs, how far it is, what was done.
 
 use crate::app::state::State;
+use crate::app::{StatusBarView, StatusJob};
 use crate::engine::{Activity, ActivityState, Topic};
+use crate::panes::{WorkItem, WorkState};
 use crate::study::Severity;
-use crate::ui::{StatusBarView, StatusJob, WorkItem, WorkState};
 
 /// Work shorter than this shows no bar: it would only flicker.
 const SHOWN_AFTER_S: f64 = 0.2;

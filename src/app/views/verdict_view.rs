@@ -6,12 +6,12 @@ use crate::analysis::verdicts::{
 use crate::app::state::State;
 use crate::app::views::evidence::evidence;
 use crate::engine::{Interrupted, Showing};
-use crate::picture::percent;
-use crate::study::LabelRole;
-use crate::ui::{
+use crate::panes::{
     ClassifierReport, ClassifierResult, CohortVerdict, SimilarSubject, TrainingDistance,
     VerdictMark, VerdictPanelView, VerdictReport, VerdictState,
 };
+use crate::picture::percent;
+use crate::study::LabelRole;
 
 /// Share of the training subjects at least as far from the others, below which a subject is outside their distribution.
 const OUTSIDE: f64 = 0.05;

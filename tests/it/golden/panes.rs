@@ -2,9 +2,9 @@
 
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::App;
+use cardiomorph::panes::{Command, Pane, ThemeChoice, ViewMode};
 use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 use cardiomorph::ui::theme::space;
-use cardiomorph::ui::{Command, Pane, ThemeChoice, ViewMode};
 use egui::{Rect, pos2, vec2};
 
 use super::{FRAME, SUBJECT, compare_part, on_reference_driver, window_after};

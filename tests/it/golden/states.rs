@@ -2,6 +2,8 @@
 
 use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::study::Notice;
+use cardiomorph::app::*;
+use cardiomorph::panes::*;
 use cardiomorph::ui::*;
 use egui::{Ui, pos2};
 use egui_kittest::Harness;

@@ -1,6 +1,6 @@
 //! The whole window, once in each theme.
 
-use cardiomorph::ui::{Command, ThemeChoice, ViewMode};
+use cardiomorph::panes::{Command, ThemeChoice, ViewMode};
 
 use super::{compare, on_reference_driver, window_after};
 

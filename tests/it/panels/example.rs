@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 use cardiomorph::analysis::deformations::DeformationMapParams;
 use cardiomorph::engine::PoseMapParams;
 use cardiomorph::study::LabelRole;
-use cardiomorph::ui::*;
+use cardiomorph::panes::*;
 
 /// What panels show.
 pub struct Example {

@@ -6,6 +6,8 @@ use cardiomorph::picture::Quantity;
 use cardiomorph::report::SubjectRow;
 use cardiomorph::study::LabelRole;
 use cardiomorph::ui::theme::colours;
+use cardiomorph::app::*;
+use cardiomorph::panes::*;
 use cardiomorph::ui::*;
 use cardiomorph::units::LengthUnit;
 use egui::{Frame, Margin, Rect, Stroke, Ui, UiBuilder, pos2, vec2};

@@ -6,11 +6,11 @@ use cardiomorph::engine::{ClassesSettings, DeformationMapSettings};
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
 use cardiomorph::io::{MeshFormat, write_study};
 use cardiomorph::mesh::TriMesh;
+use cardiomorph::panes::CohortColumn;
 use cardiomorph::picture::PatchStanding;
 use cardiomorph::progress::Progress;
 use cardiomorph::study::built_in::cohort;
 use cardiomorph::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
-use cardiomorph::ui::CohortColumn;
 
 /// P05 has a large patch.
 const PATCHED: usize = 13;

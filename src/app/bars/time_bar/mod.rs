@@ -1,0 +1,331 @@
+//! The time bar: play, drag through the cardiac cycle, jump to end-diastole and end-systole.
+
+use egui::{
+    Align, Align2, Color32, EventFilter, Key, Layout, Rect, Response, Role, Sense, Stroke, Ui,
+    WidgetInfo, pos2, vec2,
+};
+
+use crate::panes::beat_axis::BeatAxis;
+use crate::panes::command::Command;
+use crate::panes::shortcuts::hint;
+use crate::ui::controls::{choice_ui, chooser_ui, focus_ring, icon_button_ui};
+use crate::ui::marks::{Icon, icon};
+use crate::ui::style::{note_font, text_font};
+use crate::ui::theme::{Colours, colours, line, space};
+
+/// Speeds on offer, relative to the recorded motion.
+pub const SPEEDS: [f32; 6] = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0];
+
+/// Distance in points within which a click snaps to a frame.
+const SNAP: f32 = 6.0;
+
+/// What the time bar shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TimeBarView<'a> {
+    /// Whether the motion plays.
+    pub playing: bool,
+    /// Speed relative to the recorded motion.
+    pub speed: f32,
+    /// Whether playing starts over.
+    pub looping: bool,
+    /// Position in frames, in `0..frame_count`.
+    pub position: f64,
+    /// Times of the frames within the cycle.
+    pub axis: BeatAxis<'a>,
+    /// Frame of end-diastole.
+    pub end_diastole: Option<usize>,
+    /// Frame of end-systole.
+    pub end_systole: Option<usize>,
+    /// Time after the R peak, where the study states it.
+    pub time_ms: Option<f64>,
+    /// What is shown between frames, such as `interpolated`; `None` on a frame.
+    pub between: Option<&'a str>,
+    /// Positions of computed poses between frames, ascending; each has a small mark.
+    pub in_betweens: &'a [f64],
+    /// More about the poses between frames, for whoever points at the line; may be empty.
+    pub note: &'a str,
+}
+
+/// Draws the buttons, the line and the readout.
+pub fn time_bar_ui(ui: &mut Ui, view: &TimeBarView, commands: &mut Vec<Command>) {
+    let playable = view.axis.frame_count() > 1;
+    let width = ui.available_width();
+    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+        ui.add_space(space::LARGE);
+        ui.add_enabled_ui(playable, |ui| {
+            play_button_ui(ui, view.playing, commands);
+            frame_buttons_ui(ui, commands);
+            if width > 620.0 {
+                speed_ui(ui, view.speed, commands);
+                let name = hint(ui.ctx(), "Loop", &Command::ToggleLoop);
+                if icon_button_ui(ui, Icon::Loop, "Loop", &name, view.looping).clicked() {
+                    commands.push(Command::ToggleLoop);
+                }
+            }
+        });
+        ui.add_space(space::LARGE);
+        let readout = readout_width(ui, view, width > 820.0);
+        let line_width = (ui.available_width() - readout - space::LARGE).max(60.0);
+        line_ui(ui, view, line_width, commands);
+        ui.add_space(space::LARGE);
+        ui.add(egui::Label::new(readout_text(view)).truncate());
+    });
+}
+
+fn play_button_ui(ui: &mut Ui, playing: bool, commands: &mut Vec<Command>) {
+    let (name, symbol) = if playing {
+        ("Pause", Icon::Pause)
+    } else {
+        ("Play", Icon::Play)
+    };
+    let (rect, response) = ui.allocate_exact_size(vec2(30.0, 30.0), Sense::click());
+    let enabled = ui.is_enabled();
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, enabled, name));
+    let colours = colours(ui);
+    let fill = match (enabled, response.hovered()) {
+        (false, _) => colours.line,
+        (true, true) => colours.accent.lerp_to_gamma(colours.strong, 0.15),
+        (true, false) => colours.accent,
+    };
+    ui.painter().circle_filled(rect.center(), 14.0, fill);
+    let nudge = if playing { 0.0 } else { 1.0 };
+    icon(
+        ui.painter(),
+        rect.center() + vec2(nudge, 0.0),
+        11.0,
+        symbol,
+        colours.on_accent,
+    );
+    focus_ring(ui, &response);
+    let text = hint(ui.ctx(), name, &Command::TogglePlay);
+    if response.on_hover_text(text).clicked() {
+        commands.push(Command::TogglePlay);
+    }
+}
+
+fn frame_buttons_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.x = 2.0;
+    for (step, name, symbol) in [
+        (-1, "Previous frame", Icon::StepBack),
+        (1, "Next frame", Icon::StepForward),
+    ] {
+        let text = hint(ui.ctx(), name, &Command::StepFrame(step));
+        if icon_button_ui(ui, symbol, name, &text, false).clicked() {
+            commands.push(Command::StepFrame(step));
+        }
+    }
+}
+
+fn speed_ui(ui: &mut Ui, speed: f32, commands: &mut Vec<Command>) {
+    chooser_ui(ui, "Speed", speed_text(speed), |ui| {
+        for choice in SPEEDS {
+            let chosen = (choice - speed).abs() < 1e-3;
+            if choice_ui(ui, &speed_text(choice), chosen) {
+                commands.push(Command::SetSpeed(choice));
+            }
+        }
+    });
+}
+
+fn speed_text(speed: f32) -> String {
+    let digits = if (speed * 10.0).fract().abs() < 1e-3 {
+        1
+    } else {
+        2
+    };
+    format!("{speed:.digits$}×")
+}
+
+/// Room for the longest readout, so that the line does not move while the motion plays.
+fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
+    let mut widest = match view.time_ms {
+        Some(_) => "8888 ms · 100 % R-R".to_owned(),
+        None => "100 % R-R".to_owned(),
+    };
+    if with_between {
+        widest += " · linear interpolation";
+    }
+    let galley = ui
+        .painter()
+        .layout_no_wrap(widest, text_font(), Color32::PLACEHOLDER);
+    galley.size().x + space::LARGE
+}
+
+/// "412 ms · 53 % R-R · interpolated".
+fn readout_text(view: &TimeBarView) -> String {
+    if view.axis.frame_count() == 0 {
+        return "No motion".to_owned();
+    }
+    let percent = 100.0 * view.axis.share_at(view.position);
+    let mut text = match view.time_ms {
+        Some(time) => format!("{time:.0} ms · {percent:.0} % R-R"),
+        None => format!("{percent:.0} % R-R"),
+    };
+    if let Some(between) = view.between {
+        text += " · ";
+        text += between;
+    }
+    text
+}
+
+fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Command>) {
+    let (rect, response) = ui.allocate_exact_size(vec2(width, 40.0), Sense::click_and_drag());
+    let count = view.axis.frame_count();
+    response.widget_info(|| {
+        WidgetInfo::slider(count > 1, view.position, "Position in the cardiac cycle")
+    });
+    let rail = Rect::from_center_size(rect.center() - vec2(0.0, 3.0), vec2(width - 16.0, 3.0));
+    let x_at = |share: f64| egui::lerp(rail.x_range(), share as f32);
+    draw_rail(ui, view, rail, x_at);
+    if count == 0 {
+        return;
+    }
+    let knob = pos2(x_at(view.axis.share_at(view.position)), rail.center().y);
+    draw_knob(ui, knob, &response);
+    if let Some(pointer) = response.interact_pointer_pos() {
+        let share = f64::from(egui::remap_clamp(pointer.x, rail.x_range(), 0.0..=1.0));
+        if response.clicked() {
+            commands.push(Command::SetPosition(snapped(view, share, rail.width())));
+        } else if response.dragged() {
+            commands.push(Command::SetPosition(position_within(view.axis, share)));
+        }
+    }
+    keys(ui, &response, commands);
+    response.on_hover_ui_at_pointer(|ui| {
+        ui.label("Drag to move through the cardiac cycle, click near a mark to show its pose");
+        if !view.note.is_empty() {
+            ui.label(crate::ui::style::note(view.note));
+        }
+    });
+}
+
+/// The end of the cycle is its start, so positions stay below the number of frames.
+fn position_within(axis: BeatAxis, share: f64) -> f64 {
+    let count = axis.frame_count() as f64;
+    let position = axis.position_at(share);
+    if position >= count { 0.0 } else { position }
+}
+
+/// The nearest pose where it is near enough, the very position otherwise. A frame goes before the
+/// poses beside it.
+fn snapped(view: &TimeBarView, share: f64, rail_width: f32) -> f64 {
+    let axis = view.axis;
+    let near = |position: f64| {
+        (axis.share_at(position) - share).abs() * f64::from(rail_width) <= f64::from(SNAP)
+    };
+    let frame = axis.position_at(share).round();
+    if near(frame) {
+        return if frame >= axis.frame_count() as f64 {
+            0.0
+        } else {
+            frame
+        };
+    }
+    let distance = |position: &f64| (axis.share_at(*position) - share).abs();
+    let nearest = view
+        .in_betweens
+        .iter()
+        .copied()
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)));
+    nearest
+        .filter(|position| near(*position))
+        .unwrap_or_else(|| position_within(axis, share))
+}
+
+/// With the keyboard on the line, the arrows step through frames instead of controls.
+fn keys(ui: &Ui, response: &Response, commands: &mut Vec<Command>) {
+    if !response.has_focus() {
+        return;
+    }
+    let filter = EventFilter {
+        horizontal_arrows: true,
+        ..Default::default()
+    };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    for (key, step) in [(Key::ArrowLeft, -1), (Key::ArrowRight, 1)] {
+        if ui.input(|input| input.key_pressed(key) && input.modifiers.is_none()) {
+            commands.push(Command::StepFrame(step));
+        }
+    }
+}
+
+fn draw_rail(ui: &Ui, view: &TimeBarView, rail: Rect, x_at: impl Fn(f64) -> f32) {
+    let colours = colours(ui);
+    let painter = ui.painter();
+    painter.rect_filled(rail, 1.5, colours.line);
+    let here = view.axis.share_at(view.position);
+    let mut done = rail;
+    done.set_right(x_at(here));
+    painter.rect_filled(done, 1.5, colours.accent);
+    let shade = |share: f64| {
+        if share <= here {
+            colours.accent
+        } else {
+            colours.muted
+        }
+    };
+    let count = view.axis.frame_count();
+    // Marks nearer to each other than this would run together.
+    let frame_gap = rail.width() / count.max(1) as f32;
+    let per_frame = view.in_betweens.len() as f32 / count.max(1) as f32;
+    if frame_gap > 4.0 * (per_frame + 1.0) {
+        for position in view.in_betweens {
+            let share = view.axis.share_at(*position);
+            let tick = Rect::from_center_size(pos2(x_at(share), rail.center().y), vec2(1.0, 5.0));
+            painter.rect_filled(tick, 0.0, shade(share));
+        }
+    }
+    for frame in 0..=count {
+        let share = view.axis.share_at(frame as f64);
+        let tick = Rect::from_center_size(pos2(x_at(share), rail.center().y), vec2(2.0, 9.0));
+        painter.rect_filled(tick, 1.0, shade(share));
+    }
+    draw_phase_names(ui, view, rail, x_at, colours);
+}
+
+fn draw_phase_names(
+    ui: &Ui,
+    view: &TimeBarView,
+    rail: Rect,
+    x_at: impl Fn(f64) -> f32,
+    colours: &Colours,
+) {
+    let count = view.axis.frame_count();
+    let mut marks: Vec<(f32, &str)> = Vec::new();
+    for (frame, name) in [(view.end_diastole, "ED"), (view.end_systole, "ES")] {
+        let Some(frame) = frame else { continue };
+        marks.push((x_at(view.axis.share_at(frame as f64)), name));
+        if frame == 0 && count > 1 {
+            marks.push((rail.right(), name));
+        }
+    }
+    for (x, name) in marks {
+        let y = rail.center().y + 6.0;
+        ui.painter().text(
+            pos2(x, y),
+            Align2::CENTER_TOP,
+            name,
+            note_font(),
+            colours.muted,
+        );
+    }
+}
+
+fn draw_knob(ui: &Ui, centre: egui::Pos2, response: &Response) {
+    let colours = colours(ui);
+    let painter = ui.painter();
+    painter.circle_filled(centre, 8.0, colours.pane);
+    let edge = if response.hovered() || response.dragged() {
+        colours.strong
+    } else {
+        colours.accent
+    };
+    painter.circle_stroke(centre, 7.0, Stroke::new(line::STRONG + 0.5, edge));
+    if response.has_focus() {
+        let glow: Color32 = colours.accent.gamma_multiply(0.4);
+        painter.circle_stroke(centre, 11.0, Stroke::new(line::STRONG, glow));
+    }
+}
+
+#[cfg(test)]
+mod tests;

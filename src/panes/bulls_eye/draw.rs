@@ -1,0 +1,204 @@
+//! The plot itself: colours, rings and sectors, patches, numbers, names, colour bar.
+
+use egui::epaint::Mesh;
+use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2};
+
+use crate::analysis::segments::{RING_RADII, Segment};
+use crate::panes::bulls_eye::BullsEyeView;
+use crate::panes::bulls_eye::layout::Disc;
+use crate::picture::{BullsEyeScale, ink_on, sector_line, sector_outline, sector_strip};
+use crate::ui::style::note_font;
+use crate::ui::theme::{colours, line};
+
+/// Lines between segments: dark on every colour of the map.
+const BETWEEN: Color32 = Color32::from_rgba_premultiplied(22, 24, 28, 190);
+/// What has no value.
+const NO_VALUE: Color32 = Color32::from_rgb(0x80, 0x85, 0x8c);
+
+fn colour(scale: &BullsEyeScale, value: f64) -> Color32 {
+    scale.colour(value).map_or(NO_VALUE, |[red, green, blue]| {
+        Color32::from_rgb(red, green, blue)
+    })
+}
+
+/// Borders of patches, on whatever colour, in either theme.
+const FOUND: Color32 = Color32::from_rgb(0xff, 0xd1, 0x66);
+/// And of places that only thicken little.
+const FAINT: Color32 = Color32::from_rgb(0xc8, 0xcd, 0xd3);
+
+/// Draws the disc.
+pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>) {
+    let painter = ui.painter();
+    painter.circle_filled(disc.centre, disc.radius, colours(ui).control);
+    if view.by_segment && view.oriented {
+        for segment in Segment::all() {
+            let value = view.segments[segment.index()].unwrap_or(f64::NAN);
+            painter.add(sector_mesh(disc, segment, colour(view.scale, value)));
+        }
+    } else {
+        painter.add(Shape::mesh(continuous(view, disc)));
+    }
+    borders(ui, view, disc);
+    if view.by_segment && view.oriented {
+        numbers(ui, view, disc);
+    }
+    for patch in view.patches {
+        let fine = !patch.selected && view.patches.iter().any(|patch| patch.selected);
+        let width = if fine { line::THIN } else { line::STRONG };
+        for border in &patch.borders {
+            let points: Vec<Pos2> = border.iter().map(|&point| disc.at(point)).collect();
+            // Dark below light: seen on pale and on deep colours.
+            let below = Stroke::new(width + 2.0, BETWEEN);
+            painter.add(Shape::closed_line(points.clone(), below));
+            if patch.faint {
+                let closed: Vec<Pos2> = points.iter().chain(points.first()).copied().collect();
+                let above = Stroke::new(width, FAINT);
+                painter.extend(Shape::dashed_line(&closed, above, 5.0, 4.0));
+            } else {
+                let above = Stroke::new(width, FOUND);
+                painter.add(Shape::closed_line(points, above));
+            }
+        }
+    }
+    for (segment, width) in [
+        (hovered, line::MARK),
+        (view.selected.filter(|_| view.oriented), line::STRONG),
+    ] {
+        if let Some(segment) = segment {
+            let stroke = Stroke::new(width, colours(ui).strong);
+            let below = Stroke::new(width + 2.0, BETWEEN);
+            let outline: Vec<Pos2> = (sector_outline(segment).into_iter())
+                .map(|point| disc.at(point))
+                .collect();
+            painter.add(Shape::closed_line(outline.clone(), below));
+            painter.add(Shape::closed_line(outline, stroke));
+        }
+    }
+}
+
+/// Every place its own colour.
+fn continuous(view: &BullsEyeView, disc: &Disc) -> Mesh {
+    let mut mesh = Mesh::default();
+    for (point, &value) in view.points.iter().zip(view.values) {
+        mesh.colored_vertex(disc.at(*point), colour(view.scale, f64::from(value)));
+    }
+    let count = mesh.vertices.len() as u32;
+    for face in view.faces {
+        if face.iter().all(|&vertex| vertex < count) {
+            mesh.add_triangle(face[0], face[1], face[2]);
+        }
+    }
+    mesh
+}
+
+fn sector_mesh(disc: &Disc, segment: Segment, colour: Color32) -> Shape {
+    let mut mesh = Mesh::default();
+    for (index, [near, far]) in sector_strip(segment).into_iter().enumerate() {
+        mesh.colored_vertex(disc.at(near), colour);
+        mesh.colored_vertex(disc.at(far), colour);
+        if index > 0 {
+            let next = 2 * index as u32;
+            mesh.add_triangle(next - 2, next - 1, next);
+            mesh.add_triangle(next - 1, next + 1, next);
+        }
+    }
+    Shape::mesh(mesh)
+}
+
+/// Rings, and sectors where the orientation is known.
+fn borders(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
+    let stroke = Stroke::new(line::THIN, BETWEEN);
+    for radius in RING_RADII {
+        let radius = disc.radius * radius as f32;
+        ui.painter().circle_stroke(disc.centre, radius, stroke);
+    }
+    if !view.oriented {
+        return;
+    }
+    for ends in Segment::all().filter_map(sector_line) {
+        ui.painter()
+            .line_segment(ends.map(|end| disc.at(end)), stroke);
+    }
+}
+
+fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
+    let size = (0.1 * disc.radius).clamp(8.0, 13.0);
+    for segment in Segment::all() {
+        let Some(value) = view.segments[segment.index()] else {
+            continue;
+        };
+        let [red, green, blue, _] = colour(view.scale, value).to_array();
+        let [ink_red, ink_green, ink_blue] = ink_on([red, green, blue]);
+        let ink = Color32::from_rgb(ink_red, ink_green, ink_blue);
+        let at = disc.middle_of(segment);
+        let text = view.scale.text(value);
+        let font = FontId::proportional(size);
+        let painter = ui.painter();
+        painter.text(at, Align2::CENTER_CENTER, text, font, ink);
+    }
+}
+
+/// The sides by name, where they are known; elsewhere that they are not.
+pub fn names(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
+    let colour = colours(ui).muted;
+    let painter = ui.painter();
+    let put = |at: Pos2, align: Align2, text: &str| {
+        painter.text(at, align, text, note_font(), colour);
+    };
+    if !view.oriented {
+        put(area.left_top(), Align2::LEFT_TOP, "orientation unknown");
+        return;
+    }
+    let (c, r) = (disc.centre, disc.radius + 3.0);
+    put(pos2(c.x, c.y - r), Align2::CENTER_BOTTOM, "anterior");
+    put(pos2(c.x, c.y + r), Align2::CENTER_TOP, "inferior");
+    // Words where they have room, initials where they have none.
+    let side = c.x - r - area.left();
+    let [left, right] = if side > 42.0 {
+        ["septal", "lateral"]
+    } else {
+        ["S", "L"]
+    };
+    put(pos2(c.x - r, c.y), Align2::RIGHT_CENTER, left);
+    put(pos2(c.x + r, c.y), Align2::LEFT_CENTER, right);
+}
+
+/// The colours with numbers, title and unit.
+pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
+    const HEIGHT: f32 = 7.0;
+    let colours = colours(ui);
+    let painter = ui.painter();
+    let bar = Rect::from_min_max(
+        pos2(area.left() + 16.0, area.top()),
+        pos2(area.right() - 16.0, area.top() + HEIGHT),
+    );
+    let mut mesh = Mesh::default();
+    let steps = 64u32;
+    for step in 0..=steps {
+        let part = f64::from(step) / f64::from(steps);
+        let [red, green, blue] = view.scale.map.at(part);
+        let x = egui::lerp(bar.x_range(), part as f32);
+        let colour = Color32::from_rgb(red, green, blue);
+        mesh.colored_vertex(pos2(x, bar.top()), colour);
+        mesh.colored_vertex(pos2(x, bar.bottom()), colour);
+        if step > 0 {
+            let next = 2 * step;
+            mesh.add_triangle(next - 2, next - 1, next);
+            mesh.add_triangle(next - 1, next + 1, next);
+        }
+    }
+    painter.add(Shape::mesh(mesh));
+    let mut free_from = f32::NEG_INFINITY;
+    for (value, text) in view.scale.ticks(4) {
+        let x = egui::lerp(bar.x_range(), view.scale.share(value) as f32);
+        if x < free_from {
+            continue;
+        }
+        let at = pos2(x, bar.bottom() + 1.0);
+        painter.text(at, Align2::CENTER_TOP, text, note_font(), colours.muted);
+        free_from = x + 34.0;
+    }
+    let title = view.scale.title(view.moment);
+    let at = pos2(area.center().x, area.bottom());
+    painter.text(at, Align2::CENTER_BOTTOM, title, note_font(), colours.text);
+}

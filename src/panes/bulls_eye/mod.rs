@@ -1,0 +1,198 @@
+//! The bull's-eye: the polar map of 17 AHA segments, anterior up and septum left, linked with all views.
+
+mod draw;
+mod layout;
+#[cfg(test)]
+mod tests;
+
+use egui::{Role, Sense, Ui, WidgetInfo};
+
+use crate::analysis::segments::Segment;
+use crate::engine::{Topic, WallThickening};
+use crate::panes::command::Command;
+use crate::panes::patch::WallState;
+use crate::picture::{BullsEyeQuantity, BullsEyeScale, WallPart};
+use crate::ui::controls::{choice_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
+use crate::ui::theme::space;
+
+/// A patch on the plot.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BullsEyePatch {
+    /// Closed borders, x to the right and y up in the unit disc.
+    pub borders: Vec<Vec<[f64; 2]>>,
+    /// "Patch 1 · 31 % of the LV".
+    pub name: String,
+    /// Whether it is selected.
+    pub selected: bool,
+    /// Whether the verdict is not an abnormal patch: dashed and grey.
+    pub faint: bool,
+}
+
+/// What the pane shows.
+#[derive(Clone, Debug)]
+pub struct BullsEyeView<'a> {
+    /// The selected subject.
+    pub subject: Option<&'a str>,
+    /// State of its measurement.
+    pub state: &'a WallState,
+    /// Why there is no map, where the wall is known and the long axis is not.
+    pub without_axis: Option<&'a str>,
+    /// What is shown, in which colours and words.
+    pub scale: &'a BullsEyeScale,
+    /// The pose on screen: "ES", "frame 3".
+    pub moment: &'a str,
+    /// One colour for each segment.
+    pub by_segment: bool,
+    /// Atoms, x to the right and y up in the unit disc.
+    pub points: &'a [[f64; 2]],
+    /// Faces over atoms.
+    pub faces: &'a [[u32; 3]],
+    /// Value of each atom; not a number where it does not take part.
+    pub values: &'a [f32],
+    /// Mean of each segment.
+    pub segments: [Option<f64>; Segment::COUNT],
+    /// Borders of the patches.
+    pub patches: &'a [BullsEyePatch],
+    /// The selected segment.
+    pub selected: Option<Segment>,
+    /// Whether septum and anterior wall are known, and so segments have names.
+    pub oriented: bool,
+}
+
+/// Draws the pane.
+pub fn bulls_eye_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
+    if view.points.is_empty() {
+        without_map_ui(ui, view, commands);
+        return;
+    }
+    let frame = egui::Frame::new().inner_margin(egui::Margin {
+        left: space::LARGE as i8,
+        right: space::LARGE as i8,
+        top: space::SMALL as i8,
+        bottom: space::MEDIUM as i8,
+    });
+    frame.show(ui, |ui| {
+        choosers_ui(ui, view, commands);
+        map_ui(ui, view, commands);
+    });
+}
+
+fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
+    let what = "Wall thickness and thickening by AHA segment are shown here";
+    match (view.state, view.without_axis) {
+        (WallState::NotAssessed(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
+        (WallState::Computing { fraction }, _) => {
+            empty_pane_ui(ui, "Measuring wall thickness", what, |ui| {
+                let width = 180f32.min(ui.available_width());
+                progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
+            });
+        }
+        (WallState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
+            if ui.button("Measure wall thickness").clicked() {
+                commands.push(Command::Retry(Topic::of::<WallThickening>()));
+            }
+        }),
+        (WallState::Ready, Some(why)) => empty_pane_ui(ui, "No bull's-eye", why, |_| {}),
+        _ => empty_pane_ui(ui, "No bull's-eye", what, |_| {}),
+    }
+}
+
+fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space::SMALL;
+        chooser_ui(ui, "Bull's-eye", view.scale.quantity.name(), |ui| {
+            for quantity in BullsEyeQuantity::ALL {
+                if choice_ui(ui, quantity.name(), quantity == view.scale.quantity) {
+                    commands.push(Command::SetBullsEye(quantity));
+                }
+            }
+        })
+        .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
+        let narrow = ui.available_width() < 110.0;
+        let name = if narrow { "AHA 17" } else { "Segment values" };
+        let segments = egui::Button::new(name).selected(view.by_segment);
+        let response = ui.add(segments);
+        response.widget_info(|| {
+            WidgetInfo::selected(Role::Button, true, view.by_segment, "Segment values")
+        });
+        let hint = "One value for each of the 17 AHA segments (Cerqueira et al., Circulation 2002)";
+        if response.on_hover_text(hint).clicked() {
+            commands.push(Command::ToggleBullsEyeSegments);
+        }
+    });
+}
+
+fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
+    let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Bull's-eye map"));
+    let (disc, bar) = layout::places(area, view.oriented);
+    if disc.radius < 20.0 {
+        return;
+    }
+    let pointed = |at: Option<egui::Pos2>| disc.segment_at(at?).filter(|_| view.oriented);
+    let border = |at: Option<egui::Pos2>| patch_at(view, &disc, at?);
+    let on_border = border(response.hover_pos());
+    let hovered = pointed(response.hover_pos()).filter(|_| on_border.is_none());
+    draw::plot(ui, view, &disc, hovered);
+    draw::names(ui, view, &disc, area);
+    draw::colour_bar(ui, view, bar);
+    if response.clicked()
+        && let Some(patch) = border(response.interact_pointer_pos())
+    {
+        let again = view.patches[patch].selected;
+        let part = (!again).then_some(WallPart::Patch(patch));
+        commands.push(Command::SelectPart(part));
+    } else if response.clicked() {
+        let clicked = pointed(response.interact_pointer_pos());
+        // The selected one again, or beside the plot: nothing is selected.
+        let part = clicked
+            .filter(|segment| view.selected != Some(*segment))
+            .map(WallPart::Segment);
+        if view.oriented && (part.is_some() || view.selected.is_some()) {
+            commands.push(Command::SelectPart(part));
+        }
+    }
+    if let Some(patch) = on_border {
+        response
+            .on_hover_cursor(egui::CursorIcon::PointingHand)
+            .on_hover_text_at_pointer(&view.patches[patch].name);
+    } else if let Some(segment) = hovered {
+        response.on_hover_text_at_pointer(hover_text(view, segment));
+    }
+}
+
+/// The patch whose border is at a place.
+fn patch_at(view: &BullsEyeView, disc: &layout::Disc, at: egui::Pos2) -> Option<usize> {
+    const REACH: f32 = 5.0;
+    let distance = |patch: &BullsEyePatch| {
+        let sides = patch.borders.iter().flat_map(|border| {
+            let next = border.iter().cycle().skip(1);
+            border.iter().zip(next)
+        });
+        sides
+            .map(|(a, b)| distance_to(at, disc.at(*a), disc.at(*b)))
+            .fold(f32::INFINITY, f32::min)
+    };
+    let near = view.patches.iter().map(distance).enumerate();
+    near.filter(|(_, distance)| *distance <= REACH)
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+        .map(|(patch, _)| patch)
+}
+
+/// Distance from a place to a line between two others.
+fn distance_to(at: egui::Pos2, a: egui::Pos2, b: egui::Pos2) -> f32 {
+    let along = b - a;
+    let length = along.length_sq().max(f32::EPSILON);
+    let share = ((at - a).dot(along) / length).clamp(0.0, 1.0);
+    (at - a - share * along).length()
+}
+
+/// "12 mid anterolateral · PT 1.52 × at ES".
+fn hover_text(view: &BullsEyeView, segment: Segment) -> String {
+    let name = format!("{} {}", segment.number(), segment.name());
+    let value = view.segments[segment.index()];
+    match value {
+        None => format!("{name} · no value"),
+        Some(value) => format!("{name} · {}", view.scale.words(value, view.moment)),
+    }
+}

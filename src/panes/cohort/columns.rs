@@ -1,0 +1,182 @@
+//! Positions of the columns of the cohort table, and their cells.
+
+use egui::{Align2, Ui, pos2};
+
+use crate::panes::cohort::rows::{CohortColumn, CohortVerdict};
+use crate::panes::verdict_marks::verdict_mark;
+use crate::ui::style::{note_font, text_font};
+use crate::ui::theme::{colours, space};
+
+/// Horizontal places of the columns.
+pub(super) struct Columns {
+    pub(super) mark: f32,
+    pub(super) subject: f32,
+    pub(super) label: f32,
+    /// Right edge: numbers end here.
+    pub(super) ejection_fraction: f32,
+    /// Left and right edge of the verdicts.
+    pub(super) verdict: [f32; 2],
+    /// What the verdict's column has room for.
+    pub(super) room: VerdictRoom,
+}
+
+/// What there is room for beside the mark of a verdict.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum VerdictRoom {
+    /// "patch 31 %".
+    Words,
+    /// "31 %".
+    Share,
+    /// The mark alone.
+    Mark,
+}
+
+/// Width of the mark of a verdict with the gap after it.
+const VERDICT_MARK: f32 = 14.0;
+/// Inner widths of a pane from which a verdict has words, and a share.
+const VERDICT_WIDTHS: [f32; 2] = [272.0, 236.0];
+/// Room of "100" and of its heading.
+const EF_WIDTH: f32 = 38.0;
+
+impl Columns {
+    /// Without labels their column is empty, and names take its room.
+    pub(super) fn within(across: egui::Rangef, labelled: bool) -> Self {
+        let inner = across.shrink(space::LARGE);
+        let from = inner.min + 22.0;
+        let room = match inner.span() {
+            width if width >= VERDICT_WIDTHS[0] => VerdictRoom::Words,
+            width if width >= VERDICT_WIDTHS[1] => VerdictRoom::Share,
+            _ => VerdictRoom::Mark,
+        };
+        let width = match room {
+            VerdictRoom::Words => VERDICT_MARK + 70.0,
+            VerdictRoom::Share => VERDICT_MARK + 36.0,
+            VerdictRoom::Mark => VERDICT_MARK,
+        };
+        let verdict = [inner.max - width, inner.max];
+        let to = verdict[0] - space::MEDIUM - 2.0;
+        let free = (to - EF_WIDTH - from).max(0.0);
+        Self {
+            mark: inner.min + 6.0,
+            subject: from,
+            label: if labelled {
+                from + (free * 0.56).max(62.0).min(free)
+            } else {
+                from + free
+            },
+            ejection_fraction: to,
+            verdict,
+            room,
+        }
+    }
+
+    /// Room of a column, for its heading and its text.
+    pub(super) fn span(&self, column: CohortColumn) -> [f32; 2] {
+        let gap = space::MEDIUM;
+        match column {
+            CohortColumn::Role => [self.mark - 10.0, self.subject - 2.0],
+            CohortColumn::Subject => [self.subject, self.label - gap],
+            CohortColumn::Label => [self.label, self.ejection_fraction - EF_WIDTH],
+            CohortColumn::EjectionFraction => {
+                [self.ejection_fraction - EF_WIDTH, self.ejection_fraction]
+            }
+            CohortColumn::Verdict => self.verdict,
+        }
+    }
+}
+
+/// The mark of a verdict and as many words as there is room for.
+pub(super) fn verdict_cell(
+    ui: &Ui,
+    columns: &Columns,
+    y: f32,
+    verdict: Option<&CohortVerdict>,
+    classifying: bool,
+) {
+    let colours = colours(ui);
+    let left = columns.verdict[0];
+    let write = |x: f32, text: String, colour| {
+        let at = pos2(x, y);
+        ui.painter()
+            .text(at, Align2::LEFT_CENTER, text, note_font(), colour);
+    };
+    let Some(verdict) = verdict else {
+        write(
+            left,
+            if classifying { "…" } else { "–" }.to_owned(),
+            colours.muted,
+        );
+        return;
+    };
+    let colour = verdict.mark.colour(colours);
+    let centre = pos2(left + 4.0, y);
+    verdict_mark(ui.painter(), centre, 4.5, verdict.mark, colour);
+    let text = match columns.room {
+        VerdictRoom::Words => verdict.text(),
+        VerdictRoom::Share => verdict.short(),
+        VerdictRoom::Mark => return,
+    };
+    let patch = verdict.share.is_some();
+    let colour = if patch { colours.text } else { colours.muted };
+    write(left + VERDICT_MARK, text, colour);
+}
+
+/// Text of one cell, cut off with an ellipsis where the column ends.
+pub(super) fn cell(
+    ui: &Ui,
+    columns: &Columns,
+    column: CohortColumn,
+    y: f32,
+    text: &str,
+    colour: egui::Color32,
+) {
+    let [left, right] = columns.span(column);
+    let max_width = (right - left).max(8.0);
+    // Names of one study often begin alike and differ at their end.
+    let text = match column {
+        CohortColumn::Subject => without_middle(text, |shown| {
+            let shown = shown.to_owned();
+            ui.painter()
+                .layout_no_wrap(shown, text_font(), colour)
+                .size()
+                .x
+                <= max_width
+        }),
+        _ => text.to_owned(),
+    };
+    let mut job = egui::text::LayoutJob::simple_singleline(text, text_font(), colour);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(max_width);
+    let galley = ui.painter().layout_job(job);
+    let at = pos2(left, y - 0.5 * galley.size().y);
+    ui.painter().galley(at, galley, colour);
+}
+
+/// First letters of a name that stay when its middle is left out.
+const HEAD: usize = 3;
+
+/// A name with as little left out of its middle as makes it fit.
+fn without_middle(name: &str, fits: impl Fn(&str) -> bool) -> String {
+    let letters: Vec<char> = name.chars().collect();
+    if letters.len() <= HEAD + 2 || fits(name) {
+        return name.to_owned();
+    }
+    let head: String = letters[..HEAD].iter().collect();
+    let shown = |from: usize| format!("{head}…{}", letters[from..].iter().collect::<String>());
+    let from = (HEAD + 1..letters.len() - 1).find(|&from| fits(&shown(from)));
+    shown(from.unwrap_or(letters.len() - 1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_keeps_its_beginning_and_its_end() {
+        let fits = |max: usize| move |shown: &str| shown.chars().count() <= max;
+        assert_eq!(without_middle("patient015", fits(10)), "patient015");
+        assert_eq!(without_middle("patient015", fits(8)), "pat…t015");
+        assert_eq!(without_middle("patient015", fits(2)), "pat…5");
+        assert_eq!(without_middle("P03", fits(1)), "P03");
+        assert_eq!(without_middle("", fits(0)), "");
+    }
+}

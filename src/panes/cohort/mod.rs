@@ -1,0 +1,345 @@
+//! The table of subjects: filter, sort, select.
+
+mod columns;
+pub(crate) mod rows;
+
+use egui::{
+    Align2, Key, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2,
+    vec2,
+};
+
+use crate::panes::cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict};
+use crate::panes::command::Command;
+use crate::panes::normal_ranges::EJECTION_FRACTION;
+use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
+use crate::ui::controls::empty_pane_ui;
+use crate::ui::marks::{role_mark, role_name};
+use crate::ui::style::{note, note_font, text_font};
+use crate::ui::theme::{colours, space};
+
+use columns::{Columns, VerdictRoom, cell, verdict_cell};
+
+/// What the cohort pane shows.
+#[derive(Clone, Debug)]
+pub struct CohortView<'a> {
+    /// All subjects in the order of the study.
+    pub rows: &'a [CohortRow],
+    /// Those shown, in the order shown: the answer of [`crate::panes::visible_rows`].
+    pub visible: &'a [usize],
+    /// The text in the filter box.
+    pub search: &'a str,
+    /// How the rows are sorted.
+    pub sort: Option<CohortSort>,
+    /// The selected subject.
+    pub selected: Option<usize>,
+    /// The second subject of the side-by-side view.
+    pub compared: Option<usize>,
+    /// Whether ejection fractions are being computed.
+    pub measuring: bool,
+    /// Whether verdicts are being computed.
+    pub classifying: bool,
+}
+
+/// Draws the filter box and the table.
+pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
+    if view.rows.is_empty() {
+        empty_pane_ui(
+            ui,
+            "No subjects",
+            "Open mesh files, a folder of them or a study",
+            |ui| {
+                if ui.button("Open folder…").clicked() {
+                    commands.push(Command::ChooseFolder);
+                }
+                if ui.button("Open the built-in cohort").clicked() {
+                    commands.push(Command::OpenBuiltIn);
+                }
+            },
+        );
+        return;
+    }
+    search_ui(ui, view, commands);
+    let labelled = view.rows.iter().any(|row| row.label.is_some());
+    let columns = Columns::within(ui.available_rect_before_wrap().x_range(), labelled);
+    header_ui(ui, view, &columns, commands);
+    if view.visible.is_empty() {
+        ui.add_space(space::LARGE);
+        ui.vertical_centered(|ui| {
+            ui.label(note(format!("No subject matches “{}”", view.search)));
+            if ui.button("Clear the filter").clicked() {
+                commands.push(Command::SetSearch(String::new()));
+            }
+        });
+        return;
+    }
+    rows_ui(ui, view, &columns, commands);
+}
+
+fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
+    egui::Frame::new()
+        .inner_margin(egui::Margin::symmetric(space::LARGE as i8, 6))
+        .show(ui, |ui| {
+            let mut text = view.search.to_owned();
+            let edit = TextEdit::singleline(&mut text)
+                .hint_text("Filter by name, label, EF, verdict")
+                .margin(vec2(space::MEDIUM, 3.0))
+                .desired_width(f32::INFINITY);
+            let response = ui.add(edit).accessible_name("Filter subjects");
+            if response.changed() {
+                commands.push(Command::SetSearch(text));
+            } else if response.has_focus()
+                && ui.input(|input| input.key_pressed(Key::Escape))
+                && !view.search.is_empty()
+            {
+                commands.push(Command::SetSearch(String::new()));
+            }
+        });
+}
+
+fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
+    let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
+    let verdict = match columns.room {
+        VerdictRoom::Words | VerdictRoom::Share => "Verdict",
+        VerdictRoom::Mark => "",
+    };
+    let names = ["", "Subject", "Label", "EF %", verdict];
+    let readable = ["Role", "Subject", "Label", "EF %", "Verdict"];
+    for (index, column) in CohortColumn::ALL.into_iter().enumerate() {
+        let [left, right] = columns.span(column);
+        if right <= left {
+            continue;
+        }
+        let rect = Rect::from_min_max(pos2(left, row.top()), pos2(right, row.bottom()));
+        let id = ui.scope_id().with(("sort", index));
+        let response = ui.interact(rect, id, Sense::click());
+        response.widget_info(|| {
+            WidgetInfo::labeled(Role::Button, true, format!("Sort by {}", readable[index]))
+        });
+        let sorted = view.sort.filter(|sort| sort.column == column);
+        let colour = if sorted.is_some() || response.hovered() {
+            colours(ui).text
+        } else {
+            colours(ui).muted
+        };
+        let (at, anchor) = if column == CohortColumn::EjectionFraction {
+            (rect.right_center(), Align2::RIGHT_CENTER)
+        } else {
+            (rect.left_center(), Align2::LEFT_CENTER)
+        };
+        let text = ui
+            .painter()
+            .text(at, anchor, names[index], note_font(), colour);
+        if let Some(sort) = sorted {
+            let arrow = if sort.descending { "▼" } else { "▲" };
+            let (at, anchor) = if column == CohortColumn::EjectionFraction {
+                (text.left_center() - vec2(3.0, 0.0), Align2::RIGHT_CENTER)
+            } else {
+                (text.right_center() + vec2(3.0, 0.0), Align2::LEFT_CENTER)
+            };
+            ui.painter()
+                .text(at, anchor, arrow, egui::FontId::proportional(8.0), colour);
+        }
+        crate::ui::controls::focus_ring(ui, &response);
+        let hint = match column {
+            CohortColumn::Verdict => {
+                "Sort by verdict (predicted probability of abnormal)".to_owned()
+            }
+            _ => format!("Sort by {}", readable[index]),
+        };
+        if response.on_hover_text(hint).clicked() {
+            commands.push(Command::SortCohort(index));
+        }
+    }
+}
+
+fn rows_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
+    ui.spacing_mut().item_spacing.y = 0.0;
+    let height = ui.available_height();
+    let area = ScrollArea::vertical()
+        .id_salt("cohort rows")
+        .auto_shrink(false);
+    let shown_before = ui.data(|data| data.get_temp::<usize>(ui.scope_id().with("shown")));
+    let moved = view.selected.is_some() && shown_before != view.selected;
+    if moved && let Some(selected) = view.selected {
+        ui.data_mut(|data| data.insert_temp(ui.scope_id().with("shown"), selected));
+    }
+    let place = view
+        .visible
+        .iter()
+        .position(|row| Some(*row) == view.selected);
+    area.show_viewport(ui, |ui, seen| {
+        ui.set_height(space::ROW * view.visible.len() as f32);
+        let top = ui.max_rect().top();
+        let first = (seen.top() / space::ROW).floor().max(0.0) as usize;
+        let last = ((seen.bottom() / space::ROW).ceil() as usize).min(view.visible.len());
+        for place in first..last {
+            let index = view.visible[place];
+            let rect = Rect::from_min_size(
+                pos2(ui.max_rect().left(), top + place as f32 * space::ROW),
+                vec2(ui.max_rect().width(), space::ROW),
+            );
+            row_ui(ui, rect, index, view, columns, commands);
+        }
+        if let (true, Some(place)) = (moved, place) {
+            let y = place as f32 * space::ROW;
+            if y < seen.top() || y + space::ROW > seen.top() + height {
+                let rect =
+                    Rect::from_min_size(pos2(ui.max_rect().left(), top + y), vec2(1.0, space::ROW));
+                ui.scroll_to_rect(rect, Some(egui::Align::Center));
+            }
+        }
+    });
+}
+
+fn row_ui(
+    ui: &mut Ui,
+    rect: Rect,
+    index: usize,
+    view: &CohortView,
+    columns: &Columns,
+    commands: &mut Vec<Command>,
+) {
+    let row = &view.rows[index];
+    let colours = colours(ui);
+    let selected = view.selected == Some(index);
+    let id = ui.scope_id().with(("row", index));
+    let response = ui.interact(rect, id, Sense::click_and_drag());
+    response.widget_info(|| {
+        let mut info = WidgetInfo::selected(Role::ListBoxOption, true, selected, &row.id);
+        info.current_text_value = row.verdict.as_ref().map(CohortVerdict::text);
+        info
+    });
+    if selected {
+        ui.painter().rect_filled(rect, 0.0, colours.selected_row);
+        let edge = Rect::from_min_size(rect.min, vec2(2.0, rect.height()));
+        ui.painter().rect_filled(edge, 0.0, colours.selection);
+    } else if response.hovered() {
+        ui.painter().rect_filled(rect, 0.0, colours.control);
+    } else if view.compared == Some(index) {
+        ui.painter()
+            .rect_filled(rect, 0.0, colours.selected_row.gamma_multiply(0.5));
+    }
+    let y = rect.center().y;
+    role_mark(
+        ui.painter(),
+        pos2(columns.mark, y),
+        4.0,
+        row.role,
+        colours.role(row.role),
+        true,
+    );
+    let id_colour = if selected {
+        colours.strong
+    } else {
+        colours.text
+    };
+    cell(ui, columns, CohortColumn::Subject, y, &row.id, id_colour);
+    let [left, right] = columns.span(CohortColumn::Label);
+    if left < right {
+        let label = row.label.as_deref().unwrap_or("–");
+        cell(ui, columns, CohortColumn::Label, y, label, colours.muted);
+    }
+    let (text, colour) = match row.ejection_fraction {
+        Some(ef) => (format!("{:.0}", 100.0 * ef), id_colour),
+        None if view.measuring => ("…".to_owned(), colours.muted),
+        None => ("–".to_owned(), colours.muted),
+    };
+    ui.painter().text(
+        pos2(columns.ejection_fraction, y),
+        Align2::RIGHT_CENTER,
+        text,
+        text_font(),
+        colour,
+    );
+    verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying);
+    crate::ui::controls::focus_ring(ui, &response);
+    if response.clicked() {
+        commands.push(Command::SelectSubject(index));
+    }
+    response.dnd_set_drag_payload(DraggedSubject {
+        subject: index,
+        id: row.id.clone(),
+        correspondence: row.correspondence,
+    });
+    let target = SubjectTarget {
+        rect,
+        subject: index,
+        id: &row.id,
+        correspondence: row.correspondence,
+    };
+    subject_target_ui(ui, &response, &target, commands);
+    row_menu_ui(&response, index, view, commands);
+    response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
+}
+
+fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &mut Vec<Command>) {
+    response.context_menu(|ui| {
+        if view.compared == Some(index) {
+            if ui.button("Stop comparing").clicked() {
+                commands.push(Command::CompareWith(None));
+            }
+        } else if ui.button("Compare side by side").clicked() {
+            commands.push(Command::CompareWith(Some(index)));
+        }
+        if ui.button("Select").clicked() {
+            commands.push(Command::SelectSubject(index));
+        }
+        if let Some(selected) = view.selected.filter(|selected| *selected != index) {
+            ui.separator();
+            transport_choices_ui(ui, view, [selected, index], commands);
+        }
+    });
+}
+
+/// Transport of one subject's motion to the other, in both directions.
+fn transport_choices_ui(
+    ui: &mut Ui,
+    view: &CohortView,
+    pair: [usize; 2],
+    commands: &mut Vec<Command>,
+) {
+    let [a, b] = pair.map(|index| &view.rows[index]);
+    let correspond = a.correspondence == b.correspondence;
+    for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {
+        let name = format!(
+            "Transport motion: {} → {}",
+            view.rows[from].id, view.rows[onto].id
+        );
+        let button = ui
+            .add_enabled(correspond, egui::Button::new(name))
+            .on_disabled_hover_text("No vertex correspondence");
+        if button.clicked() {
+            commands.push(Command::TransportMotion { from, onto });
+        }
+    }
+}
+
+fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
+    ui.label(RichText::new(&row.id).strong());
+    let label = row.label.as_deref().unwrap_or("none");
+    ui.label(format!("Label {label}, class {}", role_name(row.role)));
+    match row.ejection_fraction {
+        Some(ef) => ui.label(format!(
+            "Ejection fraction {:.0} %, {}",
+            100.0 * ef,
+            EJECTION_FRACTION.short
+        )),
+        None => ui.label("Ejection fraction unknown"),
+    };
+    if let Some(verdict) = &row.verdict {
+        ui.label(&verdict.words);
+    }
+    ui.label(note(match row.frame_count {
+        1 => "1 frame".to_owned(),
+        count => format!("{count} frames"),
+    }));
+    if row.warning_count > 0 {
+        ui.colored_label(
+            colours(ui).warning,
+            format!("{} warnings in the load report", row.warning_count),
+        );
+    }
+}
+
+#[cfg(test)]
+mod tests;

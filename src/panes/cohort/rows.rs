@@ -1,0 +1,275 @@
+//! Which rows of the cohort are shown, and in which order.
+
+use std::cmp::Ordering;
+
+use crate::panes::verdict_marks::VerdictMark;
+use crate::study::LabelRole;
+
+/// The verdict on one subject.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CohortVerdict {
+    /// The verdict as a shape.
+    pub mark: VerdictMark,
+    /// Share of the wall in abnormal patches; `None` without one.
+    pub share: Option<f64>,
+    /// Predicted probability of class abnormal, in `0..=1`; `None` where it is not assessed.
+    pub probability: Option<f64>,
+    /// In a sentence or two.
+    pub words: String,
+}
+
+impl CohortVerdict {
+    /// "patch 31 %".
+    pub fn text(&self) -> String {
+        let word = self.mark.word();
+        match self.share {
+            Some(share) => format!("{word} {:.0} %", 100.0 * share),
+            None => word.to_owned(),
+        }
+    }
+
+    /// For a narrow column, beside the mark: "31 %"; empty without an abnormal patch.
+    pub fn short(&self) -> String {
+        self.share
+            .map_or_else(String::new, |share| format!("{:.0} %", 100.0 * share))
+    }
+}
+
+/// One subject as the cohort table and the palette show it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CohortRow {
+    /// Pseudonym.
+    pub id: String,
+    /// Free text of the study.
+    pub label: Option<String>,
+    /// Class of the label.
+    pub role: LabelRole,
+    /// Ejection fraction as a fraction; `None` until it is computed or where it cannot be.
+    pub ejection_fraction: Option<f64>,
+    /// Its verdict; `None` until there is one.
+    pub verdict: Option<CohortVerdict>,
+    /// Number of frames.
+    pub frame_count: usize,
+    /// Warnings of the load report.
+    pub warning_count: usize,
+    /// Subjects whose vertices correspond have the same number.
+    pub correspondence: usize,
+}
+
+/// Columns in the order of [`crate::panes::Command::SortCohort`].
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CohortColumn {
+    /// Shape of the label's role.
+    Role,
+    /// Pseudonym.
+    #[default]
+    Subject,
+    /// Free label.
+    Label,
+    /// Ejection fraction.
+    EjectionFraction,
+    /// Verdict; sorted by the probability of being abnormal.
+    Verdict,
+}
+
+impl CohortColumn {
+    /// All columns from left to right; the index is the argument of `SortCohort`.
+    pub const ALL: [Self; 5] = [
+        Self::Role,
+        Self::Subject,
+        Self::Label,
+        Self::EjectionFraction,
+        Self::Verdict,
+    ];
+}
+
+/// A column to sort by; `None` in a view is the order of the study.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CohortSort {
+    /// Which column.
+    pub column: CohortColumn,
+    /// From the greatest down.
+    pub descending: bool,
+}
+
+/// Indices of the rows that match a search, sorted; rows that compare equal keep the study's order.
+///
+/// Every word of the search must occur in the id, the label, the role's name, the EF in percent or the words of
+/// the verdict's column; letter case does not matter. Missing values come last in either direction.
+pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) -> Vec<usize> {
+    let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
+    let mut visible: Vec<usize> = (0..rows.len())
+        .filter(|index| {
+            let text = searchable(&rows[*index]);
+            words.iter().all(|word| text.contains(word.as_str()))
+        })
+        .collect();
+    if let Some(sort) = sort {
+        visible.sort_by(|a, b| compare(&rows[*a], &rows[*b], sort));
+    }
+    visible
+}
+
+fn searchable(row: &CohortRow) -> String {
+    let percent = row
+        .ejection_fraction
+        .map(|ef| format!("{:.0}", 100.0 * ef))
+        .unwrap_or_default();
+    let role = crate::ui::marks::role_name(row.role);
+    let label = row.label.as_deref().unwrap_or_default();
+    let verdict = row.verdict.as_ref().map(CohortVerdict::text);
+    let verdict = verdict.unwrap_or_default();
+    format!("{} {label} {role} {percent} {verdict}", row.id).to_lowercase()
+}
+
+fn compare(a: &CohortRow, b: &CohortRow, sort: CohortSort) -> Ordering {
+    let turn = |order: Ordering| {
+        if sort.descending {
+            order.reverse()
+        } else {
+            order
+        }
+    };
+    match sort.column {
+        CohortColumn::Role => turn(a.role.cmp(&b.role)),
+        CohortColumn::Subject => turn(natural_order(&a.id, &b.id)),
+        CohortColumn::Label => missing_last(a.label.as_deref(), b.label.as_deref(), |a, b| {
+            turn(natural_order(a, b))
+        }),
+        CohortColumn::EjectionFraction => {
+            missing_last(a.ejection_fraction, b.ejection_fraction, |a, b| {
+                turn(a.total_cmp(&b))
+            })
+        }
+        CohortColumn::Verdict => missing_last(verdict_order(a), verdict_order(b), |a, b| {
+            turn(a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
+        }),
+    }
+}
+
+/// Verdict and probability; `None` where there is none.
+fn verdict_order(row: &CohortRow) -> Option<(VerdictMark, f64)> {
+    let verdict = row.verdict.as_ref()?;
+    Some((verdict.mark, verdict.probability?))
+}
+
+fn missing_last<T>(a: Option<T>, b: Option<T>, compare: impl Fn(T, T) -> Ordering) -> Ordering {
+    match (a, b) {
+        (Some(a), Some(b)) => compare(a, b),
+        (Some(_), None) => Ordering::Less,
+        (None, Some(_)) => Ordering::Greater,
+        (None, None) => Ordering::Equal,
+    }
+}
+
+/// Text order in which runs of digits count as numbers: P2 before P10.
+fn natural_order(a: &str, b: &str) -> Ordering {
+    let (mut a, mut b) = (a.chars().peekable(), b.chars().peekable());
+    loop {
+        match (a.peek().copied(), b.peek().copied()) {
+            (None, None) => return Ordering::Equal,
+            (None, Some(_)) => return Ordering::Less,
+            (Some(_), None) => return Ordering::Greater,
+            (Some(x), Some(y)) if x.is_ascii_digit() && y.is_ascii_digit() => {
+                let order = take_number(&mut a).cmp(&take_number(&mut b));
+                if order != Ordering::Equal {
+                    return order;
+                }
+            }
+            (Some(x), Some(y)) => {
+                let order = x.to_lowercase().cmp(y.to_lowercase());
+                if order != Ordering::Equal {
+                    return order;
+                }
+                a.next();
+                b.next();
+            }
+        }
+    }
+}
+
+/// A run of digits as (length without leading zeros, digits), which compares like its number.
+fn take_number(text: &mut std::iter::Peekable<std::str::Chars>) -> (usize, String) {
+    let mut digits = String::new();
+    while let Some(digit) = text.next_if(char::is_ascii_digit) {
+        if !(digits.is_empty() && digit == '0') {
+            digits.push(digit);
+        }
+    }
+    (digits.len(), digits)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(id: &str, role: LabelRole, ef: Option<f64>) -> CohortRow {
+        CohortRow {
+            id: id.to_owned(),
+            label: None,
+            role,
+            ejection_fraction: ef,
+            ..CohortRow::default()
+        }
+    }
+
+    fn cohort() -> Vec<CohortRow> {
+        vec![
+            row("P10", LabelRole::Abnormal, Some(0.31)),
+            row("P2", LabelRole::Abnormal, None),
+            row("N1", LabelRole::Normal, Some(0.62)),
+        ]
+    }
+
+    #[test]
+    fn every_word_of_a_search_must_occur() {
+        assert_eq!(visible_rows(&cohort(), "abnormal p", None), [0, 1]);
+        assert_eq!(visible_rows(&cohort(), "62", None), [2]);
+        assert_eq!(visible_rows(&cohort(), "p 62", None), [0_usize; 0]);
+    }
+
+    #[test]
+    fn numbers_in_names_count_as_numbers() {
+        let sort = Some(CohortSort::default());
+        assert_eq!(visible_rows(&cohort(), "", sort), [2, 1, 0]);
+    }
+
+    #[test]
+    fn verdicts_are_found_by_their_words_and_sorted_by_probability() {
+        let verdict = |mark, share, probability| {
+            Some(CohortVerdict {
+                mark,
+                share,
+                probability,
+                words: String::new(),
+            })
+        };
+        let mut rows = cohort();
+        rows[0].verdict = verdict(VerdictMark::Patch, Some(0.312), Some(0.98));
+        rows[1].verdict = verdict(VerdictMark::NotAssessed, None, None);
+        rows[2].verdict = verdict(VerdictMark::NoAbnormality, None, Some(0.03));
+        let texts = rows.iter().map(|row| row.verdict.as_ref().unwrap().text());
+        let texts: Vec<String> = texts.collect();
+        assert_eq!(texts, ["patch 31 %", "not assessed", "no finding"]);
+        assert_eq!(visible_rows(&rows, "patch", None), [0]);
+        assert_eq!(visible_rows(&rows, "not assessed", None), [1]);
+        for (descending, order) in [(false, [2, 0, 1]), (true, [0, 2, 1])] {
+            let sort = Some(CohortSort {
+                column: CohortColumn::Verdict,
+                descending,
+            });
+            assert_eq!(visible_rows(&rows, "", sort), order);
+        }
+    }
+
+    #[test]
+    fn missing_values_come_last_in_either_direction() {
+        for (descending, order) in [(false, [0, 2, 1]), (true, [2, 0, 1])] {
+            let sort = Some(CohortSort {
+                column: CohortColumn::EjectionFraction,
+                descending,
+            });
+            assert_eq!(visible_rows(&cohort(), "", sort), order);
+        }
+    }
+}

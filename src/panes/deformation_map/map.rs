@@ -1,0 +1,113 @@
+//! The words of the map of deformations, its note, and the card below it.
+
+use egui::Ui;
+
+use crate::engine::{DeformationMapSettings, Topic};
+use crate::panes::command::Command;
+use crate::panes::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
+use crate::ui::style::{note, note_font};
+
+use super::classes::{self, ClassesView};
+
+/// What the map of deformations shows.
+#[derive(Clone, Debug)]
+pub struct DeformationMapView<'a> {
+    /// Its points, and how the map stands.
+    pub map: ScatterView<'a>,
+    /// Size of the neighbourhoods that the map keeps.
+    pub neighbours: Option<usize>,
+    /// How far points are from what their neighbours say of them; no unit.
+    pub reconstruction_error: Option<f64>,
+    /// How much of the map's unit one beat counts for.
+    pub time_weight: Option<f64>,
+    /// How well classifiers find the labels.
+    pub classes: ClassesView<'a>,
+}
+
+/// The words of the map.
+pub static DEFORMATION_MAP: MapWords = MapWords {
+    job: Topic::of::<DeformationMapSettings>(),
+    name: "Deformation map",
+    item: "Deformation",
+    empty: "No deformations",
+    what: "Every subject is one point here; subjects with similar motion lie near each other.",
+    none: "No deformation map",
+    hints: &["Click to play this subject"],
+    command: play,
+};
+
+/// Draws the map with its legend and, below, how well classifiers find the labels.
+pub fn deformation_map_ui(ui: &mut Ui, view: &DeformationMapView, commands: &mut Vec<Command>) {
+    let card = classes::height(ui.available_size(), &view.classes);
+    scatter_map_ui(ui, &view.map, card, commands);
+    if card > 0.0 && !view.map.points.is_empty() {
+        classes::classes_ui(ui, &view.classes, card);
+    }
+}
+
+/// Draws what the map keeps and how well, for the header: short where there is little room.
+///
+/// `kept` points of the width are for what stands on the left.
+pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
+    let long = note_parts(view, "neighbours ").join(" · ");
+    let parts = note_parts(view, "k ");
+    let room = ui.available_width() - kept;
+    let fits = |text: &String| {
+        let text = text.clone();
+        let painter = ui.painter();
+        let galley = painter.layout_no_wrap(text, note_font(), egui::Color32::PLACEHOLDER);
+        galley.size().x <= room
+    };
+    // Where there is no room, words go first, then the last part.
+    let shorter = (0..=parts.len())
+        .rev()
+        .map(|count| parts[..count].join(" · "));
+    let fitting = std::iter::once(long.clone()).chain(shorter).find(fits);
+    if let Some(text) = fitting.filter(|text| !text.is_empty()) {
+        ui.label(note(text))
+            .on_hover_text(format!("{long}\n\n{EXPLANATION}"));
+    }
+}
+
+const EXPLANATION: &str = "Locally linear embedding: the motion of every subject is reconstructed \
+                           from its neighbours, and lies in the plane where these reconstructions \
+                           fit best. The error is what they miss, as a share of the spread of the \
+                           motions. Time counts by its weight, in units of the pose map per beat.";
+
+/// "neighbours 8", "error 0.012", "time × 1.4", as far as they are known.
+fn note_parts(view: &DeformationMapView, neighbours: &str) -> Vec<String> {
+    let neighbours = view.neighbours.map(|count| format!("{neighbours}{count}"));
+    let error = view.reconstruction_error;
+    let error = error.map(|error| format!("error {}", significant(error)));
+    let time = view.time_weight;
+    let time = time.map(|weight| format!("time × {}", significant(weight)));
+    [neighbours, error, time].into_iter().flatten().collect()
+}
+
+/// Two figures: what an error or a weight deserves; one where it is very small.
+fn significant(value: f64) -> String {
+    if value == 0.0 {
+        return "0".to_owned();
+    }
+    let first_digit = -value.abs().log10().floor() as i32;
+    if first_digit > 5 {
+        return "< 0.00001".to_owned();
+    }
+    let digits = first_digit + i32::from(first_digit < 3);
+    format!("{value:.*}", digits.max(0) as usize)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_have_two_figures() {
+        assert_eq!(significant(0.01234), "0.012");
+        assert_eq!(significant(1.416), "1.4");
+        assert_eq!(significant(23.4), "23");
+        assert_eq!(significant(0.0), "0");
+        assert_eq!(significant(8.7e-5), "0.00009");
+        assert_eq!(significant(1.2e-7), "< 0.00001");
+    }
+}

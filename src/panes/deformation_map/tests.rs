@@ -1,0 +1,89 @@
+//! What the map of deformations says beside and below its points.
+
+use egui_kittest::{Harness, kittest::Queryable as _};
+
+use super::*;
+use crate::panes::command::Command;
+use crate::panes::scatter_map::{MapSubject, PosePhase, ScatterPoint, ScatterView};
+
+fn harness(
+    rows: Vec<ClassifierView>,
+    absent: ClassesView<'static>,
+) -> Harness<'static, Vec<Command>> {
+    let subjects: Vec<MapSubject> = (0..4)
+        .map(|index| MapSubject {
+            id: format!("P{index}"),
+            ..MapSubject::default()
+        })
+        .collect();
+    let places = [[-1.0, 0.0], [1.0, 0.2], [0.9, 0.9], [0.0, -0.6]];
+    let points = places.into_iter().enumerate();
+    let points: Vec<ScatterPoint> = points
+        .map(|(subject, at)| ScatterPoint {
+            subject,
+            at,
+            start_frame: 2,
+            phase: PosePhase::WholeBeat,
+            label: Some(""),
+            ..ScatterPoint::default()
+        })
+        .collect();
+    let mut harness = Harness::builder()
+        .with_size([420.0, 420.0])
+        .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+        .build_ui_state(
+            move |ui, commands: &mut Vec<Command>| {
+                let map = ScatterView::new(&DEFORMATION_MAP, &subjects, &points);
+                let view = DeformationMapView {
+                    map,
+                    neighbours: Some(5),
+                    reconstruction_error: Some(0.0123),
+                    time_weight: Some(1.42),
+                    classes: if rows.is_empty() {
+                        absent.clone()
+                    } else {
+                        ClassesView::Ready(&rows)
+                    },
+                };
+                deformation_note(ui, &view, 0.0);
+                deformation_map_ui(ui, &view, commands);
+            },
+            Vec::new(),
+        );
+    harness.run();
+    harness
+}
+
+#[test]
+fn a_click_on_a_subject_plays_it_from_the_beginning_of_its_beat() {
+    let mut harness = harness(Vec::new(), ClassesView::Absent);
+    harness.get_by_label("neighbours 5 · error 0.012 · time × 1.4");
+    harness.get_by_label("Deformation of P1, other").click();
+    harness.run();
+    let played = Command::SelectPose {
+        subject: 1,
+        frame: 2,
+        play: true,
+    };
+    assert_eq!(*harness.state(), [played]);
+}
+
+#[test]
+fn accuracies_stand_beside_the_permutation_mean() {
+    let row = ClassifierView {
+        name: "Nearest neighbour",
+        correct: 20,
+        of: 23,
+        permutation_mean: 12.43,
+        p_value: 0.001,
+        ..ClassifierView::default()
+    };
+    harness(vec![row], ClassesView::Absent)
+        .get_by_label("Nearest neighbour: 20 of 23 · permutation mean 12.4 · p 0.001");
+}
+
+#[test]
+fn too_few_labels_are_reported() {
+    harness(Vec::new(), ClassesView::Unanswerable("not enough labels"))
+        .get_by_label("Classes: not enough labels");
+}

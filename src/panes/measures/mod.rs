@@ -1,0 +1,191 @@
+//! The clinical measures of the selected heart, with units and, where one is defensible, the normal range.
+
+use egui::text::{LayoutJob, TextFormat};
+use egui::{Align, RichText, Ui};
+
+use crate::panes::command::Command;
+use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE};
+use crate::report::{Column, NO_VALUE, SubjectRow};
+use crate::ui::controls::{chooser_ui, empty_pane_ui};
+use crate::ui::style::{medium, note, note_font, text_font, title_font};
+use crate::ui::theme::{colours, space};
+use crate::units::LengthUnit;
+
+/// What the measures card shows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MeasuresView<'a> {
+    /// The selected subject; `None` when nothing is selected.
+    pub subject: Option<&'a str>,
+    /// Whether measures are still to come.
+    pub computing: bool,
+    /// Its measures; empty where they are not known.
+    pub measures: SubjectRow,
+    /// The frame that is shown now.
+    pub current_frame: usize,
+}
+
+/// Draws the card.
+pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
+    if view.subject.is_none() {
+        empty_pane_ui(
+            ui,
+            "No subject selected",
+            "Select a subject to see its measures",
+            |_| {},
+        );
+        return;
+    }
+    let frame = egui::Frame::new().inner_margin(egui::Margin::same(space::LARGE as i8));
+    egui::ScrollArea::vertical()
+        .id_salt("measures")
+        .show(ui, |ui| {
+            frame.show(ui, |ui| {
+                ui.spacing_mut().item_spacing.y = 1.0;
+                ejection_fraction_ui(ui, view);
+                ui.add_space(space::MEDIUM);
+                let row = &view.measures;
+                let volumes = [SubjectRow::EDV, SubjectRow::ESV];
+                let heading = volumes.each_ref().map(|column| column.heading).join(" · ");
+                let pair = volumes
+                    .each_ref()
+                    .map(|column| column.shown(row))
+                    .join(" · ");
+                value_ui(ui, &heading, &pair, row.unit.volume_symbol());
+                column_ui(ui, &SubjectRow::SV, row);
+                // A mass needs a volume in ml.
+                if row.unit == LengthUnit::Millimetre {
+                    column_ui(ui, &SubjectRow::MASS_G, row);
+                }
+                ui.add_space(space::SMALL);
+                phases_ui(ui, view, commands);
+            });
+        });
+}
+
+fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
+    ui.add(egui::Label::new(note("Ejection fraction")).truncate());
+    let row = &view.measures;
+    let text = match row.ef {
+        None if view.computing => "…".to_owned(),
+        _ => SubjectRow::EF.shown(row),
+    };
+    let colours = colours(ui);
+    let format = |font_id, color| TextFormat {
+        font_id,
+        color,
+        valign: Align::BOTTOM,
+        ..TextFormat::default()
+    };
+    let mut line = LayoutJob::default();
+    line.append(&text, 0.0, format(title_font(), colours.strong));
+    let percent = SubjectRow::EF.unit.symbol(row.unit);
+    line.append(percent, space::SMALL, format(text_font(), colours.muted));
+    if ui.available_width() > 150.0 {
+        line.append(
+            EJECTION_FRACTION.short,
+            space::MEDIUM,
+            format(note_font(), colours.muted),
+        );
+        ui.label(line).on_hover_text(EJECTION_FRACTION.source);
+    } else {
+        ui.label(line).on_hover_text(EJECTION_FRACTION.source);
+        ui.add(egui::Label::new(note(EJECTION_FRACTION.short)).truncate());
+    }
+}
+
+fn column_ui(ui: &mut Ui, column: &Column<SubjectRow>, row: &SubjectRow) {
+    let unit = column.unit.symbol(row.unit);
+    value_ui(ui, column.heading, &column.shown(row), unit);
+}
+
+/// A volume or a mass.
+fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str) {
+    ui.add(egui::Label::new(note(name)).truncate());
+    ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space::SMALL;
+        ui.spacing_mut().interact_size.y = 16.0;
+        ui.label(medium(value));
+        if value != NO_VALUE {
+            ui.label(RichText::new(unit).weak());
+        }
+    })
+    .response
+    .on_hover_text(NO_VOLUME_RANGE);
+    ui.add_space(6.0);
+}
+
+fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
+    let row = &view.measures;
+    let source = if row.phases_stated {
+        " · set by user or study"
+    } else {
+        ""
+    };
+    let frames = [SubjectRow::END_DIASTOLE, SubjectRow::END_SYSTOLE];
+    let frames = frames
+        .each_ref()
+        .map(|column| format!("{} {}", column.heading, column.shown(row)));
+    let shown = frames.join(" · ") + source;
+    chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
+        let here = view.current_frame;
+        if ui
+            .button(format!("Set end-diastole to frame {here}"))
+            .clicked()
+        {
+            commands.push(Command::StateEndDiastole(Some(here)));
+        }
+        if ui
+            .button(format!("Set end-systole to frame {here}"))
+            .clicked()
+        {
+            commands.push(Command::StateEndSystole(Some(here)));
+        }
+        ui.separator();
+        if ui.button("End-diastole from the volume curve").clicked() {
+            commands.push(Command::StateEndDiastole(None));
+        }
+        if ui.button("End-systole from the volume curve").clicked() {
+            commands.push(Command::StateEndSystole(None));
+        }
+    });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui_kittest::{Harness, kittest::Queryable as _};
+
+    #[test]
+    fn the_current_frame_can_be_stated_as_end_systole() {
+        let mut harness = Harness::builder()
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                |ui, commands: &mut Vec<Command>| {
+                    let view = MeasuresView {
+                        subject: Some("P-041"),
+                        measures: SubjectRow {
+                            ef: Some(0.363),
+                            edv: Some(104.0),
+                            esv: Some(66.2),
+                            unit: LengthUnit::Millimetre,
+                            end_diastole: Some(0),
+                            end_systole: Some(3),
+                            ..SubjectRow::default()
+                        },
+                        current_frame: 4,
+                        ..Default::default()
+                    };
+                    measures_card_ui(ui, &view, commands);
+                },
+                Vec::new(),
+            );
+        harness.run();
+        harness.get_by_label_contains("36");
+        harness.get_by_label("104 · 66");
+        harness.get_by_label_contains("ED 0 · ES 3").click();
+        harness.run();
+        harness.get_by_label("Set end-systole to frame 4").click();
+        harness.run();
+        assert_eq!(harness.into_state(), [Command::StateEndSystole(Some(4))]);
+    }
+}

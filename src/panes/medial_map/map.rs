@@ -1,0 +1,86 @@
+//! The words of the medial map, and its header.
+
+use egui::Ui;
+
+use crate::analysis::embedding::MapMethod;
+use crate::engine::{MedialMapParams, Topic};
+use crate::panes::command::Command;
+use crate::panes::metric::words::method_name;
+use crate::panes::scatter_map::{MapWords, ScatterView, method_choices_ui, play, scatter_map_ui};
+use crate::ui::controls::{chooser_ui, pane_header_ui};
+use crate::ui::style::medium;
+
+/// What the medial pane shows.
+#[derive(Clone, Debug)]
+pub struct MedialMapView<'a> {
+    /// Its points, and how the map stands.
+    pub map: ScatterView<'a>,
+    /// How distances become the map.
+    pub method: MapMethod,
+}
+
+/// The words of the map.
+pub static MEDIAL_MAP: MapWords = MapWords {
+    job: Topic::of::<MedialMapParams>(),
+    name: "Medial map",
+    item: "Medial path",
+    empty: "No poses",
+    what: "The akinetic region of each wall is a path here: poses of a patch lie close together, \
+           those of a wall that thickens are spread out.",
+    none: "No map",
+    hints: &["Click to play this subject from this pose"],
+    command: play,
+};
+
+/// How well the map fits, with what that means; `frame` are the axes in which subjects are compared.
+pub fn medial_map_note(stress: Option<f64>, frame: &str) -> [String; 2] {
+    let stress = stress.map(|stress| format!("stress {stress:.2}"));
+    [
+        stress.unwrap_or_default(),
+        format!("{EXPLANATION}\nCompared by {frame}."),
+    ]
+}
+
+const EXPLANATION: &str = "A point is a step of the beat: mean position, mean thickness ratio and \
+                           mean normal of the medial atoms that do not thicken in it, of each patch \
+                           or, without one, of the whole wall. Kruskal's stress 1 says how far \
+                           distances on the map are from those: below 0.1 is good, above 0.2 the \
+                           map misleads. Filled marks begin at end-diastole, open ones at \
+                           end-systole; the axes have no unit.";
+
+/// What the hover card says of a step: the patch with its mean thickness ratio, and how far apart the
+/// poses of its path are.
+pub fn medial_facts(patch: Option<usize>, ratio: f64, mean_distance: Option<f64>) -> Vec<String> {
+    let region = match patch {
+        Some(patch) => format!("Patch {}", patch + 1),
+        None => "Akinetic region".to_owned(),
+    };
+    let ratio = format!("{region}: thickness ratio PT {ratio:.2}, mean over the step");
+    let distance =
+        mean_distance.map(|distance| format!("Mean pose distance of this path {distance:.2}"));
+    [Some(ratio), distance].into_iter().flatten().collect()
+}
+
+/// Draws the map below its header.
+pub fn medial_map_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Vec<Command>) {
+    scatter_map_ui(ui, &view.map, 0.0, commands);
+}
+
+/// Draws the name of the pane and the chooser.
+pub fn medial_map_header_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Vec<Command>) {
+    pane_header_ui(
+        ui,
+        |ui| {
+            ui.add(egui::Label::new(medium("Medial")).truncate());
+        },
+        |ui| medial_map_choosers_ui(ui, view, commands),
+    );
+}
+
+/// Draws the chooser of the method, for a header that has its own title. The maps of poses and of
+/// the medial shape space share the method, so that they can be compared.
+pub fn medial_map_choosers_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Vec<Command>) {
+    chooser_ui(ui, "Method", method_name(view.method), |ui| {
+        commands.extend(method_choices_ui(ui, view.method).map(Command::SetMapMethod));
+    });
+}

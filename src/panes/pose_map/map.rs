@@ -1,0 +1,46 @@
+//! The words of the map of poses.
+
+use egui::Ui;
+
+use crate::engine::{PoseMapParams, Topic};
+use crate::panes::command::Command;
+use crate::panes::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
+
+/// What the pane of poses shows.
+#[derive(Clone, Debug)]
+pub struct PoseMapView<'a> {
+    /// Its points, and how the map stands.
+    pub map: ScatterView<'a>,
+    /// How poses are compared and mapped.
+    pub params: PoseMapParams,
+}
+
+/// The words of the map.
+pub static POSE_MAP: MapWords = MapWords {
+    job: Topic::of::<PoseMapParams>(),
+    name: "Pose map",
+    item: "Poses",
+    empty: "No poses",
+    what: "Every pose of every subject is a point here; similar poses lie near each other.",
+    none: "No map",
+    hints: &["Click to play this subject from this pose"],
+    command: play,
+};
+
+/// How well the map fits, with what that means.
+pub fn pose_map_note(stress: Option<f64>, neighbours: Option<usize>) -> [String; 2] {
+    let stress = stress.map(|stress| format!("stress {stress:.2}"));
+    let neighbours = neighbours.map(|neighbours| format!("{neighbours} neighbours"));
+    let parts: Vec<String> = stress.into_iter().chain(neighbours).collect();
+    [parts.join(" · "), EXPLANATION.to_owned()]
+}
+
+const EXPLANATION: &str = "Kruskal's stress 1 says how far distances on the map are from those \
+                           between poses: below 0.1 is good, above 0.2 the map misleads. Only \
+                           distances between points mean something; the axes have no unit. Filled \
+                           marks are end-diastole, open ones end-systole.";
+
+/// Draws the map below its header.
+pub fn pose_map_ui(ui: &mut Ui, view: &PoseMapView, commands: &mut Vec<Command>) {
+    scatter_map_ui(ui, &view.map, 0.0, commands);
+}

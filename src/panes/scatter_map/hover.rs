@@ -1,0 +1,41 @@
+//! The card at the pointer: whose point it is, with its numbers and what a click does.
+
+use egui::{CursorIcon, Response, RichText, Ui};
+
+use crate::panes::normal_ranges::EJECTION_FRACTION;
+use crate::ui::marks::role_name;
+use crate::ui::style::note;
+
+use super::clusters::cluster_name;
+use super::point::ScatterPoint;
+use super::view::ScatterView;
+
+/// Shows a hand and, beside it, the card of the point under the pointer.
+pub fn hover_ui(response: Response, view: &ScatterView, pointed: Option<usize>) {
+    if let Some(point) = pointed.and_then(|index| view.points.get(index)) {
+        response
+            .on_hover_cursor(CursorIcon::PointingHand)
+            .on_hover_ui_at_pointer(|ui| card_ui(ui, view, point));
+    }
+}
+
+fn card_ui(ui: &mut Ui, view: &ScatterView, point: &ScatterPoint) {
+    ui.label(RichText::new(view.title(point)).strong());
+    if let Some(subject) = view.subjects.get(point.subject) {
+        let label = subject.label.as_deref().unwrap_or("no label");
+        ui.label(format!("{label}, class {}", role_name(subject.role)));
+        if let Some(ef) = subject.ejection_fraction {
+            let range = EJECTION_FRACTION.short;
+            ui.label(format!("Ejection fraction {:.0} %, {range}", 100.0 * ef));
+        }
+    }
+    for fact in &point.facts {
+        ui.label(fact);
+    }
+    if let Some(cluster) = point.cluster.filter(|_| view.shows_clusters) {
+        ui.label(format!("Cluster {}", cluster_name(cluster)));
+    }
+    for hint in view.words.hints {
+        ui.label(note(*hint));
+    }
+}

@@ -1,0 +1,67 @@
+//! What follows a picture of points, flat or in 3D: names for those who do not see it, the click, the
+//! hover card, and what is said over a map that is out of date.
+
+use egui::{Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
+
+use crate::panes::command::Command;
+use crate::ui::marks::role_name;
+
+use super::brush::brush;
+use super::draw::{Pointed, Projection};
+use super::hover::hover_ui;
+use super::path::paths;
+use super::state::over_map_ui;
+use super::view::ScatterView;
+
+/// What stands out: the point under the pointer or the keyboard, and its subject on all maps.
+pub fn pointed_at(
+    ui: &Ui,
+    view: &ScatterView,
+    response: &Response,
+    point: Option<usize>,
+) -> Pointed {
+    let subject = point.and_then(|index| view.points.get(index));
+    let subject = subject.map(|point| point.subject);
+    Pointed {
+        point,
+        subject: brush(ui, response.id, subject),
+    }
+}
+
+/// Answers to the pointer on a picture that is drawn; `hovered` and `clicked` are the points there.
+pub fn respond_ui(
+    ui: &mut Ui,
+    view: &ScatterView,
+    projection: &impl Projection,
+    response: Response,
+    hovered: Option<usize>,
+    clicked: Option<usize>,
+    commands: &mut Vec<Command>,
+) {
+    if let Some(point) = clicked.and_then(|index| view.points.get(index)) {
+        commands.push((view.words.command)(point));
+    }
+    name_paths(ui, view, projection, &response);
+    over_map_ui(ui, &view.state, view.job, projection.rect(), commands);
+    hover_ui(response, view, hovered);
+}
+
+/// Names paths for whoever does not see them, each in the middle of its beat.
+fn name_paths(ui: &Ui, view: &ScatterView, projection: &impl Projection, canvas: &Response) {
+    for path in paths(view.points) {
+        let point = &view.points[path.start + path.len() / 2];
+        let Some(subject) = view.subjects.get(point.subject) else {
+            continue;
+        };
+        let (place, _) = projection.see(point.at, point.share);
+        let rect = Rect::from_center_size(place, vec2(8.0, 8.0));
+        let id = canvas.id.with(("path", point.subject, point.patch));
+        let chosen = view.selected == Some(point.subject);
+        ui.interact(rect, id, Sense::hover()).widget_info(|| {
+            let item = view.words.item;
+            let path = view.path_name(&subject.id, point);
+            let name = format!("{item} of {path}, {}", role_name(subject.role));
+            WidgetInfo::selected(Role::ListItem, true, chosen, name)
+        });
+    }
+}

@@ -1,0 +1,187 @@
+//! What a map of points shows, as plain values: each map fills these in, and all are drawn alike.
+
+use crate::engine::Topic;
+use crate::panes::command::Command;
+use crate::study::LabelRole;
+
+use super::path::paths;
+use super::point::{PosePhase, ScatterPoint};
+
+/// How a map stands.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum MapState {
+    /// Nothing to map.
+    #[default]
+    Empty,
+    /// The points are those of the settings.
+    Ready,
+    /// A new map is being computed; the points are those of the one before, if any.
+    Computing {
+        /// Done share in `0..=1`.
+        fraction: f32,
+        /// Estimated seconds left, once they can be told.
+        seconds_left: Option<f64>,
+    },
+    /// The user stopped it.
+    Stopped,
+    /// It could not be computed, and why.
+    Failed(String),
+    /// This study has no such map, and why; trying again would change nothing.
+    Unanswerable(String),
+}
+
+/// A subject of a map.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MapSubject {
+    /// Pseudonym.
+    pub id: String,
+    /// Free text, as in the study.
+    pub label: Option<String>,
+    /// The class that the label stands for.
+    pub role: LabelRole,
+    /// Ejection fraction as a fraction.
+    pub ejection_fraction: Option<f64>,
+}
+
+/// The words of one map, and what its points ask for.
+#[derive(Clone, Copy, Debug)]
+pub struct MapWords {
+    /// The work that computes it.
+    pub job: Topic,
+    /// What the map is called.
+    pub name: &'static str,
+    /// What a path is called: "Curve" of a subject.
+    pub item: &'static str,
+    /// Heading where there is nothing to map.
+    pub empty: &'static str,
+    /// What would fill the pane.
+    pub what: &'static str,
+    /// Heading where it could not be computed.
+    pub none: &'static str,
+    /// Last lines of the hover card: what the pointer does.
+    pub hints: &'static [&'static str],
+    /// What a click on a point, or Enter, asks for.
+    pub command: fn(&ScatterPoint) -> Command,
+}
+
+/// Shows a point's subject from its first frame and plays.
+pub fn play(point: &ScatterPoint) -> Command {
+    Command::SelectPose {
+        subject: point.subject,
+        frame: point.start_frame,
+        play: true,
+    }
+}
+
+/// What a map shows.
+#[derive(Clone, Debug)]
+pub struct ScatterView<'a> {
+    /// Its words.
+    pub words: &'static MapWords,
+    /// How the map stands.
+    pub state: MapState,
+    /// The work that Cancel and Retry are about.
+    pub job: Topic,
+    /// All subjects of the study.
+    pub subjects: &'a [MapSubject],
+    /// All points; none where there is no map.
+    pub points: &'a [ScatterPoint],
+    /// The selected subject.
+    pub selected: Option<usize>,
+    /// The second subject of the side-by-side view.
+    pub compared: Option<usize>,
+    /// Where the position between frames lies on each path of the selected subject.
+    pub current: Vec<[f64; 2]>,
+    /// Whether clusters are drawn, where points have any.
+    pub shows_clusters: bool,
+    /// How well the map fits, in a few words; may be empty.
+    pub note: String,
+    /// What the note means.
+    pub explanation: String,
+    /// Who is not on the map, and why.
+    pub left_out: &'a [String],
+}
+
+impl<'a> ScatterView<'a> {
+    /// A map of these points as it is computed, with nothing selected.
+    pub fn new(
+        words: &'static MapWords,
+        subjects: &'a [MapSubject],
+        points: &'a [ScatterPoint],
+    ) -> Self {
+        Self {
+            words,
+            state: MapState::Ready,
+            job: words.job,
+            subjects,
+            points,
+            selected: None,
+            compared: None,
+            current: Vec::new(),
+            shows_clusters: false,
+            note: String::new(),
+            explanation: String::new(),
+            left_out: &[],
+        }
+    }
+
+    /// The class of a subject.
+    pub fn role(&self, subject: usize) -> LabelRole {
+        let subject = self.subjects.get(subject);
+        subject.map(|subject| subject.role).unwrap_or_default()
+    }
+
+    /// Whether the subject is one of the two that stand out.
+    pub fn is_chosen(&self, subject: usize) -> bool {
+        [self.selected, self.compared].contains(&Some(subject))
+    }
+
+    /// Whether the points are not those of the settings.
+    pub fn out_of_date(&self) -> bool {
+        !matches!(self.state, MapState::Ready | MapState::Empty)
+    }
+
+    /// "P05 · frame 3, 12 % R-R · end-diastole".
+    pub fn title(&self, point: &ScatterPoint) -> String {
+        let subject = self.subjects.get(point.subject);
+        let id = subject.map_or_else(String::new, |subject| subject.id.clone());
+        let frames = point.frames.map(|[from, to]| {
+            if from == to {
+                format!("frame {from}, {:.0} % R-R", 100.0 * point.share)
+            } else {
+                format!("frame {from} to {to}")
+            }
+        });
+        let phase = match point.phase {
+            PosePhase::EndDiastole => Some("end-diastole".to_owned()),
+            PosePhase::EndSystole => Some("end-systole".to_owned()),
+            PosePhase::Between | PosePhase::WholeBeat => None,
+        };
+        let parts: Vec<String> = [Some(id), frames, phase].into_iter().flatten().collect();
+        parts.join(" · ")
+    }
+
+    /// What is written beside a point of a selected subject: "P05 patch 2 ED".
+    pub fn label(&self, point: &ScatterPoint) -> Option<String> {
+        let label = point.label?;
+        let id = &self.subjects.get(point.subject)?.id;
+        let mut text = self.path_name(id, point);
+        if !label.is_empty() {
+            text += &format!(" {label}");
+        }
+        Some(text)
+    }
+
+    /// The subject with its patch; the patch has a number where there are several.
+    pub fn path_name(&self, id: &str, point: &ScatterPoint) -> String {
+        let Some(patch) = point.patch else {
+            return id.to_owned();
+        };
+        let own = |path: &std::ops::Range<usize>| self.points[path.start].subject == point.subject;
+        if paths(self.points).filter(own).count() > 1 {
+            format!("{id} patch {}", patch + 1)
+        } else {
+            format!("{id} patch")
+        }
+    }
+}

@@ -1,0 +1,185 @@
+//! Keys that were pressed, as commands, and keys as text.
+
+use egui::{Context, Key, KeyboardShortcut, Modifiers};
+
+use crate::panes::actions::{ACTIONS, Action};
+use crate::panes::command::Command;
+
+/// The shortcut of a command as text, such as `Ctrl+K`; `None` where it has none.
+pub fn shortcut_text(ctx: &Context, command: &Command) -> Option<String> {
+    let action = ACTIONS.iter().find(|action| action.command == *command)?;
+    Some(ctx.format_shortcut(action.shortcut.as_ref()?))
+}
+
+/// A name with its key behind it, for hints: `Next frame (Right)`.
+pub fn hint(ctx: &Context, name: &str, command: &Command) -> String {
+    match shortcut_text(ctx, command) {
+        Some(keys) => format!("{name} ({keys})"),
+        None => name.to_owned(),
+    }
+}
+
+/// Commands whose keys were pressed; the keys are consumed.
+///
+/// Keys that would disturb typing do nothing while a text field has the keyboard, and keys that
+/// move or press a control do nothing while one has it. Tab is taken by [`claim_tab`].
+pub fn pressed_commands(ctx: &Context) -> Vec<Command> {
+    let typing = ctx.text_edit_focused();
+    let on_control = ctx.memory(|memory| memory.focused()).is_some();
+    let popup = ctx.any_popup_open();
+    let mut by_modifiers: Vec<(&Action, KeyboardShortcut)> = ACTIONS
+        .iter()
+        .filter_map(|action| Some((action, action.shortcut?)))
+        .filter(|(_, shortcut)| shortcut.logical_key != Key::Tab)
+        .collect();
+    // Ctrl+Shift+Z before Ctrl+Z: a shortcut also matches with more Shift than it asks for.
+    by_modifiers.sort_by_key(|(_, shortcut)| std::cmp::Reverse(modifier_count(shortcut.modifiers)));
+    let mut commands = Vec::new();
+    for (action, shortcut) in by_modifiers {
+        let plain = !shortcut.modifiers.command && !is_function_key(shortcut.logical_key);
+        let moves = matches!(
+            shortcut.logical_key,
+            Key::Space | Key::ArrowLeft | Key::ArrowRight
+        );
+        // A text field undoes its own typing.
+        let undoes = shortcut.logical_key == Key::Z;
+        if (typing && (plain || undoes)) || ((on_control || popup) && moves) {
+            continue;
+        }
+        if ctx.input_mut(|input| input.consume_shortcut(&shortcut)) {
+            commands.push(action.command.clone());
+        }
+    }
+    commands
+}
+
+/// Takes Tab for the next subject while no control has the keyboard; call it on raw input,
+/// before egui moves its focus. F6 then gives the keyboard to the first control, Esc takes it back.
+pub fn claim_tab(ctx: &Context, input: &mut egui::RawInput) -> Vec<Command> {
+    let busy = ctx.memory(|memory| memory.focused()).is_some() || ctx.any_popup_open();
+    let mut commands = Vec::new();
+    for event in &mut input.events {
+        let egui::Event::Key {
+            key,
+            pressed,
+            modifiers,
+            ..
+        } = event
+        else {
+            continue;
+        };
+        if *key == Key::F6 && !busy {
+            *key = Key::Tab;
+        } else if *key == Key::Tab && !busy && !modifiers.command && !modifiers.alt {
+            if *pressed {
+                commands.push(Command::StepSubject(if modifiers.shift { -1 } else { 1 }));
+            }
+            // A key that nothing listens to.
+            *key = Key::F35;
+        }
+    }
+    commands
+}
+
+fn modifier_count(modifiers: Modifiers) -> usize {
+    [modifiers.command, modifiers.shift, modifiers.alt]
+        .into_iter()
+        .filter(|on| *on)
+        .count()
+}
+
+fn is_function_key(key: Key) -> bool {
+    matches!(key, Key::F2 | Key::F11)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const NONE: Modifiers = Modifiers::NONE;
+    const CTRL: Modifiers = Modifiers::COMMAND;
+    const SHIFT: Modifiers = Modifiers::SHIFT;
+
+    fn pressed(modifiers: Modifiers, key: Key) -> Vec<Command> {
+        let ctx = Context::default();
+        let input = egui::RawInput {
+            events: vec![egui::Event::Key {
+                key,
+                physical_key: None,
+                pressed: true,
+                repeat: false,
+                modifiers,
+            }],
+            ..Default::default()
+        };
+        let mut commands = Vec::new();
+        let output = ctx.run_ui(input, |ui| commands = pressed_commands(ui.ctx()));
+        output.drop_without_applying_deltas();
+        commands
+    }
+
+    #[test]
+    fn keys_with_shift_do_not_do_what_the_plain_key_does() {
+        assert_eq!(pressed(CTRL, Key::Z), [Command::Undo]);
+        assert_eq!(pressed(CTRL.plus(SHIFT), Key::Z), [Command::Redo]);
+        assert_eq!(pressed(SHIFT, Key::ArrowLeft), [Command::GoToEndDiastole]);
+        assert_eq!(pressed(NONE, Key::ArrowLeft), [Command::StepFrame(-1)]);
+        assert_eq!(
+            pressed(SHIFT, Key::Questionmark),
+            [Command::ToggleShortcuts]
+        );
+    }
+
+    #[test]
+    fn tab_steps_through_subjects_until_a_control_has_the_keyboard() {
+        let ctx = Context::default();
+        let tab = || egui::RawInput {
+            events: vec![egui::Event::Key {
+                key: Key::Tab,
+                physical_key: None,
+                pressed: true,
+                repeat: false,
+                modifiers: SHIFT,
+            }],
+            ..Default::default()
+        };
+        assert_eq!(claim_tab(&ctx, &mut tab()), [Command::StepSubject(-1)]);
+        let output = ctx.run_ui(Default::default(), |ui| {
+            ui.button("Here").request_focus();
+        });
+        output.drop_without_applying_deltas();
+        let mut input = tab();
+        assert_eq!(claim_tab(&ctx, &mut input), []);
+        assert!(matches!(
+            input.events[0],
+            egui::Event::Key { key: Key::Tab, .. }
+        ));
+    }
+
+    #[test]
+    fn a_text_field_keeps_the_keys_that_it_types_with() {
+        let ctx = Context::default();
+        let key = |key, modifiers| egui::Event::Key {
+            key,
+            physical_key: None,
+            pressed: true,
+            repeat: false,
+            modifiers,
+        };
+        let mut text = String::new();
+        let mut commands = Vec::new();
+        let keys = vec![key(Key::W, NONE), key(Key::Z, CTRL), key(Key::K, CTRL)];
+        for events in [Vec::new(), keys] {
+            let input = egui::RawInput {
+                events,
+                ..Default::default()
+            };
+            let output = ctx.run_ui(input, |ui| {
+                commands.extend(pressed_commands(ui.ctx()));
+                ui.text_edit_singleline(&mut text).request_focus();
+            });
+            output.drop_without_applying_deltas();
+        }
+        assert_eq!(commands, [Command::TogglePalette]);
+    }
+}

@@ -1,0 +1,134 @@
+//! What the pointer and the keyboard do with the spatiotemporal plot.
+
+use egui::{Color32, Pos2, Response, Role, Sense, Ui, WidgetInfo, vec2};
+
+use crate::engine::{PoseMapParams, Topic};
+use crate::panes::command::Command;
+use crate::panes::scatter_map::{
+    MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play, pointed_at,
+    pointer_zoom, pressed_arrows, respond_ui, without_map_ui,
+};
+use crate::ui::theme::colours;
+
+use super::axes::draw_axes;
+use super::eye::{Eye, Turn};
+use super::phase_plane::{draw_phase_plane, places_at};
+
+/// What the plot shows.
+#[derive(Clone, Debug)]
+pub struct SpaceTimeView<'a> {
+    /// The poses of their map, and how the map stands.
+    pub map: ScatterView<'a>,
+    /// Where the beat stands, as a share in `0..1`.
+    pub share: f64,
+}
+
+/// The words of the plot.
+pub static SPACE_TIME: MapWords = MapWords {
+    job: Topic::of::<PoseMapParams>(),
+    name: "Spatiotemporal plot",
+    item: "Curve",
+    empty: "No poses",
+    what: "The beat of every subject is a curve here, through the map of poses and time.",
+    none: "No map",
+    hints: &[
+        "Click to play this subject from this pose",
+        "Drag to turn, scroll to zoom, double click to turn back",
+    ],
+    command: play,
+};
+
+/// How near to a curve, in points of the screen, a click counts as on it.
+const REACH: f32 = 9.0;
+
+/// Draws the plot: dragging turns it, scrolling zooms, a double click turns it back.
+pub fn space_time_ui(ui: &mut Ui, view: &SpaceTimeView, commands: &mut Vec<Command>) {
+    let map = &view.map;
+    if map.points.is_empty() {
+        without_map_ui(ui, map, commands);
+        return;
+    }
+    let size = ui.available_size().max(vec2(60.0, 60.0));
+    let (rect, response) = ui.allocate_exact_size(size, Sense::click_and_drag());
+    response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, map.words.name));
+    let eye = Eye::new(turned(ui, &response), rect, map.points);
+    let pointer = response.hover_pos().filter(|_| !response.dragged());
+    let hovered = pointer.and_then(|pointer| nearest(map, &eye, pointer));
+    let (painter, colours) = (ui.painter_at(rect), colours(ui));
+    draw_axes(&painter, &eye, colours);
+    draw_phase_plane(&painter, map, view.share, &eye, colours);
+    let colour_of = |subject: usize| match Some(subject) {
+        chosen if chosen == map.selected => Some(colours.selection),
+        chosen if chosen == map.compared => Some(colours.strong),
+        _ => None,
+    };
+    let current: Vec<(Pos2, Color32)> = places_at(map.points, view.share, &eye)
+        .filter_map(|(subject, place)| Some((place, colour_of(subject)?)))
+        .collect();
+    let pointed = pointed_at(ui, map, &response, hovered);
+    draw_points(ui, map, &eye, &current, pointed);
+    let clicked = response.clicked().then(|| response.interact_pointer_pos());
+    let clicked = clicked
+        .flatten()
+        .and_then(|pointer| nearest(map, &eye, pointer));
+    respond_ui(ui, map, &eye, response, hovered, clicked, commands);
+}
+
+/// The side that the plot is seen from, after what the pointer and the keys did to it.
+fn turned(ui: &Ui, response: &Response) -> Turn {
+    let id = response.id.with("turn");
+    let before: Turn = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let mut turn = before;
+    if response.double_clicked() {
+        turn = Turn::default();
+    }
+    if response.dragged() {
+        turn.drag(response.drag_delta());
+    }
+    turn.zoom_by(pointer_zoom(ui, response) * key_zoom(ui, response));
+    for arrow in pressed_arrows(ui, response) {
+        // One press turns by about six degrees.
+        turn.drag(16.0 * arrow);
+    }
+    if turn != before {
+        ui.data_mut(|data| data.insert_temp(id, turn));
+    }
+    turn
+}
+
+/// The pose nearest to a place on screen on the curve nearest to it, if that is within reach; of
+/// curves that cross there, the one in front.
+fn nearest(view: &ScatterView, eye: &Eye, place: Pos2) -> Option<usize> {
+    let mut best: Option<(f32, usize)> = None;
+    for path in paths(view.points) {
+        for from in path.start..(path.end - 1).max(path.start + 1) {
+            let to = (from + 1).min(path.end - 1);
+            let [start, end] = [from, to].map(|index| {
+                let point = &view.points[index];
+                eye.see(point.at, point.share)
+            });
+            let (distance, along) = distance_to(start.0, end.0, place);
+            if distance > REACH {
+                continue;
+            }
+            // A pixel nearer to the pointer weighs as much as a twentieth of the depth.
+            let rank = distance + 20.0 * (start.1 + along * (end.1 - start.1));
+            if best.is_none_or(|(least, _)| rank < least) {
+                best = Some((rank, if along < 0.5 { from } else { to }));
+            }
+        }
+    }
+    best.map(|(_, point)| point)
+}
+
+/// How far a place is from a straight line, and how far along it the nearest place lies.
+fn distance_to(from: Pos2, to: Pos2, place: Pos2) -> (f32, f32) {
+    let line = to - from;
+    let length_squared = line.length_sq();
+    let along = if length_squared > 0.0 {
+        ((place - from).dot(line) / length_squared).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    ((from + along * line - place).length(), along)
+}

@@ -1,0 +1,297 @@
+//! The colour bar: title, unit, ticks, the colours beyond the ends, and limits that can be set.
+
+use std::sync::Arc;
+
+use egui::{
+    Align2, Button, Color32, Key, Mesh, Popup, Rect, RichText, Shape, Stroke, TextEdit, Ui,
+    UiBuilder, pos2, vec2,
+};
+
+use crate::panes::command::Command;
+use crate::picture::Tick;
+use crate::ui::style::{note, note_font};
+use crate::ui::theme::{colours, line, space};
+
+/// What a colour bar shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColourBarView<'a> {
+    /// Name of the quantity: "Displacement from ED".
+    pub title: &'a str,
+    /// Its unit; empty for ratios.
+    pub unit: &'a str,
+    /// Colours from low to high, sRGB, evenly spaced.
+    pub map: Arc<[[u8; 3]]>,
+    /// Values at the ends.
+    pub limits: [f64; 2],
+    /// Whether the range is divided by ratios.
+    pub logarithmic: bool,
+    /// Marks between the limits.
+    pub ticks: &'a [Tick],
+    /// Colour of values below the range.
+    pub below: [u8; 3],
+    /// Colour of values above the range.
+    pub above: [u8; 3],
+    /// "fixed for all subjects"; shown as a badge where limits were typed.
+    pub note: &'a str,
+    /// Whether limits were typed by the user.
+    pub typed: bool,
+}
+
+const HEIGHT: f32 = 10.0;
+const CAP: f32 = 8.0;
+/// Height of a bar with its numbers and its title.
+pub const BAR_HEIGHT: f32 = 54.0;
+
+/// Draws the bar in the lower left corner and returns where it ends.
+pub fn colour_bar_ui(
+    ui: &mut Ui,
+    inner: Rect,
+    view: &ColourBarView,
+    commands: &mut Vec<Command>,
+) -> f32 {
+    let bar = plain_bar_ui(ui, inner, view);
+    limits_ui(ui, bar, view, commands);
+    title_ui(ui, inner, bar, view)
+}
+
+/// Draws a bar with fixed limits.
+pub fn fixed_colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView) {
+    let bar = plain_bar_ui(ui, inner, view);
+    for (index, x) in [(0, bar.left()), (1, bar.right())] {
+        let at = pos2(x, bar.bottom() + 4.0);
+        let (text, colour) = (tick_text(view.limits[index]), colours(ui).muted);
+        ui.painter()
+            .text(at, Align2::CENTER_TOP, text, note_font(), colour);
+    }
+    title_ui(ui, inner, bar, view);
+}
+
+fn plain_bar_ui(ui: &Ui, inner: Rect, view: &ColourBarView) -> Rect {
+    let width = (inner.width() * 0.3).clamp(120.0, 230.0);
+    let top = inner.bottom() - 46.0;
+    let bar = Rect::from_min_size(
+        pos2(inner.left() + CAP, top),
+        vec2(width - 2.0 * CAP, HEIGHT),
+    );
+    draw_gradient(ui, bar, view);
+    draw_ticks(ui, bar, view);
+    bar
+}
+
+/// Title, unit and where the limits come from, below the bar; returns where they end.
+fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
+    let width = bar.width() + 2.0 * CAP;
+    let text_width = (inner.width() * 0.46).clamp(width, 380.0);
+    let mut text = view.title.to_owned();
+    if !view.unit.is_empty() {
+        text = format!("{text}, {}", view.unit);
+    }
+    let below = Rect::from_min_size(
+        pos2(inner.left(), bar.bottom() + 18.0),
+        vec2(text_width, 18.0),
+    );
+    let mut line_ui = ui.new_child(UiBuilder::new().max_rect(below));
+    line_ui.horizontal(|ui| {
+        ui.spacing_mut().item_spacing.x = space::SMALL;
+        ui.add(egui::Label::new(RichText::new(text).small()).truncate());
+        if view.typed {
+            let accent = colours(ui).selection;
+            ui.label(
+                RichText::new("· limits set by the user")
+                    .small()
+                    .color(accent),
+            );
+        } else if !view.note.is_empty() && text_width > 200.0 {
+            ui.add(egui::Label::new(note(format!("· {}", view.note))).truncate());
+        }
+    });
+    inner.left() + text_width
+}
+
+fn rgb([r, g, b]: [u8; 3]) -> Color32 {
+    Color32::from_rgb(r, g, b)
+}
+
+fn draw_gradient(ui: &Ui, bar: Rect, view: &ColourBarView) {
+    let mut mesh = Mesh::default();
+    let last = view.map.len().saturating_sub(1).max(1) as f32;
+    for (index, colour) in view.map.iter().enumerate() {
+        let x = egui::lerp(bar.x_range(), index as f32 / last);
+        mesh.colored_vertex(pos2(x, bar.top()), rgb(*colour));
+        mesh.colored_vertex(pos2(x, bar.bottom()), rgb(*colour));
+        if index > 0 {
+            let next = 2 * index as u32;
+            mesh.add_triangle(next - 2, next - 1, next);
+            mesh.add_triangle(next - 1, next + 1, next);
+        }
+    }
+    let painter = ui.painter();
+    painter.add(Shape::mesh(mesh));
+    for (edge, tip, colour) in [
+        (bar.left(), bar.left() - CAP, view.below),
+        (bar.right(), bar.right() + CAP, view.above),
+    ] {
+        let corners = vec![
+            pos2(edge, bar.top()),
+            pos2(tip, bar.center().y),
+            pos2(edge, bar.bottom()),
+        ];
+        let outline = Stroke::new(0.5, colours(ui).line);
+        painter.add(Shape::convex_polygon(corners, rgb(colour), outline));
+    }
+}
+
+/// Three figures, without needless zeros: `0.71`, `1`, `12.5`.
+fn tick_text(value: f64) -> String {
+    let magnitude = value.abs();
+    let digits: usize = match magnitude {
+        m if m >= 100.0 => 0,
+        m if m >= 10.0 => 1,
+        m if m >= 1.0 => 2,
+        m if m < 1e-12 => 0,
+        _ => 3,
+    };
+    let text = format!("{value:.digits$}");
+    if text.contains('.') {
+        text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    } else {
+        text
+    }
+}
+
+/// Marks with their numbers, as many as have room beside each other and beside the limits.
+fn draw_ticks(ui: &Ui, bar: Rect, view: &ColourBarView) {
+    const ROOM: f32 = 36.0;
+    let colours = colours(ui);
+    let mut free_from = bar.left() + ROOM;
+    for tick in view.ticks {
+        let x = egui::lerp(bar.x_range(), tick.position);
+        let stroke = Stroke::new(line::THIN, colours.muted);
+        ui.painter()
+            .vline(x, bar.bottom()..=bar.bottom() + 3.0, stroke);
+        if x >= free_from && x <= bar.right() - ROOM {
+            let at = pos2(x, bar.bottom() + 4.0);
+            ui.painter().text(
+                at,
+                Align2::CENTER_TOP,
+                &tick.text,
+                note_font(),
+                colours.muted,
+            );
+            free_from = x + ROOM;
+        }
+    }
+}
+
+/// The ends are buttons; either opens a small form with both limits.
+fn limits_ui(ui: &mut Ui, bar: Rect, view: &ColourBarView, commands: &mut Vec<Command>) {
+    for (index, name) in [(0, "Lower limit"), (1, "Upper limit")] {
+        let text = tick_text(view.limits[index]);
+        let x = if index == 0 { bar.left() } else { bar.right() };
+        let rect = Rect::from_center_size(pos2(x, bar.bottom() + 11.0), vec2(34.0, 16.0));
+        let mut child = ui.new_child(UiBuilder::new().max_rect(rect).layout(
+            egui::Layout::centered_and_justified(egui::Direction::LeftToRight),
+        ));
+        child.spacing_mut().button_padding = vec2(0.0, 0.0);
+        child.spacing_mut().interact_size = vec2(0.0, 0.0);
+        let button = Button::new(RichText::new(text.clone()).small()).frame_when_inactive(false);
+        let response = child.add(button);
+        response.widget_info(|| {
+            egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{name}: {text}"))
+        });
+        let response = response.on_hover_text("Set the limits of the colours");
+        Popup::menu(&response)
+            .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
+            .show(|ui| limits_form_ui(ui, view, commands));
+    }
+}
+
+fn limits_form_ui(ui: &mut Ui, view: &ColourBarView, commands: &mut Vec<Command>) {
+    let id = ui.scope_id().with("typed limits");
+    let mut typed: [String; 2] = ui
+        .data(|data| data.get_temp(id))
+        .unwrap_or_else(|| view.limits.map(tick_text));
+    ui.set_width(180.0);
+    ui.label(note(format!("Limits of {}", view.title.to_lowercase())));
+    let mut done = false;
+    for (text, name) in typed.iter_mut().zip(["From", "To"]) {
+        ui.horizontal(|ui| {
+            ui.label(name);
+            let edit = TextEdit::singleline(text).desired_width(90.0);
+            let response = ui.add(edit).accessible_name(format!("{name} value"));
+            done |= response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
+            ui.label(RichText::new(view.unit).weak());
+        });
+    }
+    let limits = parse_limits(&typed, view.logarithmic);
+    if let Err(why) = &limits {
+        ui.colored_label(colours(ui).error, *why);
+    }
+    ui.horizontal(|ui| {
+        done |= ui
+            .add_enabled(limits.is_ok(), Button::new("Apply"))
+            .clicked();
+        if ui.button("Default range").clicked() {
+            commands.push(Command::SetColourLimits(None));
+            ui.close();
+        }
+    });
+    ui.data_mut(|data| data.insert_temp(id, typed));
+    if let (true, Ok(limits)) = (done, limits) {
+        commands.push(Command::SetColourLimits(Some(limits)));
+        ui.data_mut(|data| data.remove::<[String; 2]>(id));
+        ui.close();
+    }
+}
+
+/// Two numbers in order, both above zero where the bar divides by ratios.
+fn parse_limits(typed: &[String; 2], logarithmic: bool) -> Result<[f64; 2], &'static str> {
+    let number = |text: &str| {
+        let value: f64 = text
+            .trim()
+            .replace(',', ".")
+            .parse()
+            .map_err(|_| "Not a number")?;
+        if value.is_finite() {
+            Ok(value)
+        } else {
+            Err("Not a number")
+        }
+    };
+    let (low, high) = (number(&typed[0])?, number(&typed[1])?);
+    if low >= high {
+        Err("The lower limit must be less than the upper")
+    } else if logarithmic && low <= 0.0 {
+        Err("Limits of a ratio must be positive")
+    } else {
+        Ok([low, high])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn typed_limits_must_be_numbers_in_order() {
+        let typed = |low: &str, high: &str| [low.to_owned(), high.to_owned()];
+        assert_eq!(parse_limits(&typed("0,5", "2"), true), Ok([0.5, 2.0]));
+        assert!(parse_limits(&typed("2", "0.5"), false).is_err());
+        assert!(parse_limits(&typed("-1", "1"), true).is_err());
+        assert!(parse_limits(&typed("inf", "1"), false).is_err());
+        assert!(parse_limits(&typed("", "1"), false).is_err());
+    }
+
+    #[test]
+    fn ticks_have_three_figures_at_most() {
+        for (value, text) in [
+            (0.7123, "0.712"),
+            (1.0, "1"),
+            (12.5, "12.5"),
+            (0.0, "0"),
+            (104.2, "104"),
+        ] {
+            assert_eq!(tick_text(value), text);
+        }
+    }
+}
