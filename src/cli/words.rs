@@ -21,7 +21,7 @@ pub enum DemoFormat {
 }
 
 /// Words of `--metric`, those of the list of metrics.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MetricWord(MetricKind);
 
 /// One word per metric, in the order of the list.
@@ -34,12 +34,6 @@ const METRIC_WORDS: [MetricWord; METRICS.len()] = {
     }
     words
 };
-
-impl Default for MetricWord {
-    fn default() -> Self {
-        Self(MetricKind::default())
-    }
-}
 
 impl ValueEnum for MetricWord {
     fn value_variants<'a>() -> &'a [Self] {
