@@ -9,7 +9,7 @@ use crate::analysis::transport::Geodesics;
 use crate::picture::{AnatomicalView, PictureTheme, Quantity};
 
 /// Words of `--metric`, those of the list of metrics.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct MetricWord(MetricKind);
 
 /// One word per metric, in the order of the list.
@@ -22,12 +22,6 @@ const METRIC_WORDS: [MetricWord; METRICS.len()] = {
     }
     words
 };
-
-impl Default for MetricWord {
-    fn default() -> Self {
-        Self(MetricKind::default())
-    }
-}
 
 impl ValueEnum for MetricWord {
     fn value_variants<'a>() -> &'a [Self] {
