@@ -94,6 +94,12 @@ impl Answers {
         self.difference.as_ref()
     }
 
+    /// Whether poses are still to be measured: between one and the next nothing may run.
+    pub(super) fn measures_on(&self) -> bool {
+        let mut poses = self.thickness.iter().map(|(_, showing)| showing);
+        poses.clone().all(|showing| !showing.stopped()) && poses.any(Showing::computing)
+    }
+
     /// How the wall of a subject on screen stands.
     pub(super) fn wall(&self, subject: usize) -> Option<&WallAnswer> {
         self.walls.iter().find(|wall| wall.subject == subject)

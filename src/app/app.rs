@@ -165,7 +165,7 @@ impl App {
 
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
-        self.background.busy()
+        self.background.busy() || self.state.answers.measures_on()
     }
 
     /// Whether one kind of work goes on.

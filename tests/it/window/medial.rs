@@ -112,13 +112,15 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
     );
     wait(&mut harness, "rest", |app| !app.busy());
     assert!(
-        harness.query_by_label_contains("Medial balls, ").is_none(),
+        harness
+            .query_by_label_contains("Medial spheres, ")
+            .is_none(),
         "nobody looks at it"
     );
     give(&mut harness, Command::ShowPane(Pane::Thickness));
     wait(&mut harness, "three poses", |app| !app.busy());
     for way in [
-        "Medial balls, ED ",
+        "Medial spheres, ED ",
         "Nearest distance, ED ",
         "Laplace field lines, ED ",
         "Volume over area, ED ",
