@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use egui::{Context, Ui};
 
 use crate::engine::{OpenSource, Topic, Wake};
-use crate::panes::Command;
+use crate::panes::{Command, FileCommand};
 use crate::study::Subject;
 use crate::study::built_in::BuiltInParams;
 use crate::ui::{self};
@@ -202,7 +202,9 @@ impl App {
             egui::DragAndDrop::clear_payload(ctx);
         }
         match self.background.dialogs.poll() {
-            Some(Ok(Answer::Open(paths))) => self.queue.push(Command::Open(paths)),
+            Some(Ok(Answer::Open(paths))) => {
+                self.queue.push(Command::File(FileCommand::Open(paths)))
+            }
             Some(Ok(Answer::Figure(figure, path))) => self.write_figure(*figure, path),
             Some(Ok(Answer::Tables(tables, folder))) => {
                 tables.write(&mut self.background.engine, folder);
@@ -225,7 +227,7 @@ impl App {
             files.map(|file| file.path().to_owned()).collect()
         });
         if !dropped.is_empty() {
-            self.queue.push(Command::Open(dropped));
+            self.queue.push(Command::File(FileCommand::Open(dropped)));
         }
         self.queue.extend(crate::panes::pressed_commands(ctx));
     }

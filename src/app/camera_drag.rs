@@ -3,7 +3,7 @@
 use egui::{PointerButton, Pos2, Response, Ui};
 use glam::{DVec3, Vec2};
 
-use crate::panes::Command;
+use crate::panes::{Command, ViewCommand};
 use crate::render::Camera;
 
 use super::shown_heart::Cell;
@@ -69,10 +69,10 @@ fn turned(state: &State, cell: &Cell, from: Pos2, to: Pos2) -> Camera {
 }
 
 fn command(cell: &Cell, camera: Camera, drag: bool) -> Command {
-    Command::SetCamera {
+    Command::View(ViewCommand::SetCamera {
         camera: cell.heart.heart.frame.heart_camera(camera),
         drag,
-    }
+    })
 }
 
 fn cell_at<'a, 'b>(cells: &'b [Cell<'a>], at: Pos2) -> Option<&'b Cell<'a>> {

@@ -7,13 +7,6 @@ mod answers;
 )]
 mod app;
 mod apply;
-mod apply_beat;
-mod apply_carry;
-#[cfg(test)]
-mod apply_tests;
-mod apply_view;
-mod apply_wall;
-mod apply_window;
 mod asks;
 mod asks_beats;
 mod background;

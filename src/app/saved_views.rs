@@ -8,7 +8,7 @@ use glam::{Quat, Vec3};
 
 use crate::engine::{Job, Wake, Workers};
 use crate::io::read_head;
-use crate::panes::{Command, ViewMode};
+use crate::panes::{Command, ViewCommand, ViewMode};
 use crate::picture::figure::SavedView;
 use crate::picture::page::{PageFormat, VIEW_KEY, png_text};
 use crate::render::Shading;
@@ -67,7 +67,7 @@ impl SavedViews {
         let outcome = self.reading.as_mut()?.poll()?;
         self.reading = None;
         Some(match outcome {
-            Ok(view) => Ok(Command::RestoreView(Box::new(view))),
+            Ok(view) => Ok(Command::View(ViewCommand::RestoreView(Box::new(view)))),
             Err(error) => Err(error.to_string()),
         })
     }

@@ -6,7 +6,8 @@ use std::sync::atomic::AtomicU64;
 use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
 use crate::panes::{
-    Command, SubjectTarget, ViewMode, dragged_subject, subject_target_ui, viewport_overlay_ui,
+    BeatCommand, Command, SubjectTarget, ViewCommand, ViewMode, WallCommand, dragged_subject,
+    subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
     CohortLimits, HeartScene, MedialSettings, PatchLook, PictureTheme, Quantity, SceneSettings,
@@ -180,13 +181,14 @@ impl Viewport {
     /// A double click fits the heart; a click on one of all phases goes there.
     fn click_command(&self, response: &Response, cells: &[Cell]) -> Option<Command> {
         if response.double_clicked() {
-            return Some(Command::FitView);
+            return Some(Command::View(ViewCommand::FitView));
         }
         let at = response
             .interact_pointer_pos()
             .filter(|_| response.clicked())?;
         let cell = cells.iter().find(|cell| cell.rect.contains(at))?;
-        (self.mode == ViewMode::AllFrames).then_some(Command::SetPosition(cell.heart.position))
+        (self.mode == ViewMode::AllFrames)
+            .then_some(Command::Beat(BeatCommand::SetPosition(cell.heart.position)))
     }
 
     /// Hands the hearts to our renderer; returns what the colours mean, and at which heart it stands.
@@ -333,7 +335,7 @@ fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Opti
             patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
         });
     let part = on_patch.map(WallPart::Patch);
-    (part != document.part).then_some(Command::SelectPart(part))
+    (part != document.part).then_some(Command::Wall(WallCommand::SelectPart(part)))
 }
 
 /// The number of a frame over its heart in the grid of all phases; the one that the time bar

@@ -4,7 +4,10 @@ use std::mem::discriminant;
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
-use crate::panes::command::{Command, Pane, ThemeChoice, ViewMode};
+use crate::panes::commands::{
+    BeatCommand, Command, EditCommand, FileCommand, MapCommand, Pane, ThemeChoice,
+    TransportCommand, ViewCommand, ViewMode, WallCommand, WindowCommand,
+};
 use crate::picture::{BullsEyeQuantity, Quantity};
 use crate::render::Shading;
 
@@ -73,28 +76,28 @@ impl ActionState {
     /// Whether a command would do anything now.
     pub fn enabled(&self, command: &Command) -> bool {
         match command {
-            Command::Undo => self.can_undo,
-            Command::Redo => self.can_redo,
-            Command::TransportToOther => self.has_other,
-            Command::StopTransport => self.transporting,
-            Command::SetQuantity(Quantity::Contribution) => {
+            Command::Edit(EditCommand::Undo) => self.can_undo,
+            Command::Edit(EditCommand::Redo) => self.can_redo,
+            Command::Transport(TransportCommand::TransportToOther) => self.has_other,
+            Command::Transport(TransportCommand::StopTransport) => self.transporting,
+            Command::View(ViewCommand::SetQuantity(Quantity::Contribution)) => {
                 self.has_other && self.view_mode == ViewMode::SideBySide
             }
-            Command::SetQuantity(Quantity::CarriedDistance) => self.transporting,
-            Command::ChooseFiles
-            | Command::ChooseFolder
-            | Command::Open(_)
-            | Command::OpenBuiltIn
-            | Command::SetTheme(_)
-            | Command::TogglePane(_)
-            | Command::ShowPane(_)
-            | Command::ResetLayout
-            | Command::TogglePalette
-            | Command::ToggleShortcuts
-            | Command::ToggleLoadReport
-            | Command::ToggleAbout
-            | Command::ToggleFullScreen
-            | Command::Quit => true,
+            Command::View(ViewCommand::SetQuantity(Quantity::CarriedDistance)) => self.transporting,
+            Command::File(FileCommand::ChooseFiles)
+            | Command::File(FileCommand::ChooseFolder)
+            | Command::File(FileCommand::Open(_))
+            | Command::File(FileCommand::OpenBuiltIn)
+            | Command::Window(WindowCommand::SetTheme(_))
+            | Command::Window(WindowCommand::TogglePane(_))
+            | Command::Window(WindowCommand::ShowPane(_))
+            | Command::Window(WindowCommand::ResetLayout)
+            | Command::Window(WindowCommand::TogglePalette)
+            | Command::Window(WindowCommand::ToggleShortcuts)
+            | Command::Window(WindowCommand::ToggleLoadReport)
+            | Command::Window(WindowCommand::ToggleAbout)
+            | Command::Window(WindowCommand::ToggleFullScreen)
+            | Command::File(FileCommand::Quit) => true,
             _ => self.has_study,
         }
     }
@@ -102,31 +105,35 @@ impl ActionState {
     /// Whether a switch is on; `None` for what is no switch.
     pub fn checked(&self, command: &Command) -> Option<bool> {
         match command {
-            Command::SetViewMode(mode) => Some(self.view_mode == *mode),
-            Command::SetQuantity(quantity) => Some(self.quantity == *quantity),
-            Command::SetInBetweens(count) => Some(self.in_betweens == *count),
-            Command::SetMetric(kind) => Some(self.metric == *kind),
+            Command::View(ViewCommand::SetViewMode(mode)) => Some(self.view_mode == *mode),
+            Command::View(ViewCommand::SetQuantity(quantity)) => Some(self.quantity == *quantity),
+            Command::Transport(TransportCommand::SetInBetweens(count)) => {
+                Some(self.in_betweens == *count)
+            }
+            Command::Map(MapCommand::SetMetric(kind)) => Some(self.metric == *kind),
             // Isomap is Isomap, whatever its neighbours.
-            Command::SetMapMethod(method) => {
+            Command::Map(MapCommand::SetMapMethod(method)) => {
                 Some(discriminant(&self.map_method) == discriminant(method))
             }
-            Command::SetTheme(theme) => Some(self.theme == *theme),
-            Command::SetShading(shading) => Some(self.shading == *shading),
-            Command::TogglePane(pane) => Some(!self.hidden_panes.contains(pane)),
-            Command::ToggleClusters => Some(self.shows_clusters),
-            Command::ToggleLoop => Some(self.looping),
-            Command::ToggleFreeCamera => Some(self.free_camera),
-            Command::ToggleEndocardium => Some(self.shows_endocardium),
-            Command::ToggleEpicardium => Some(self.shows_epicardium),
-            Command::ToggleWireframe => Some(self.shows_wireframe),
-            Command::ToggleVertices => Some(self.shows_vertices),
-            Command::ToggleAtoms => Some(self.shows_atoms),
-            Command::ToggleSpokes => Some(self.shows_spokes),
-            Command::TogglePatches => Some(self.shows_patches),
-            Command::ToggleDirection => Some(self.shows_direction),
-            Command::SetBullsEye(quantity) => Some(self.bulls_eye == *quantity),
-            Command::ToggleBullsEyeSegments => Some(self.bulls_eye_segments),
-            Command::ToggleFullScreen => Some(self.full_screen),
+            Command::Window(WindowCommand::SetTheme(theme)) => Some(self.theme == *theme),
+            Command::View(ViewCommand::SetShading(shading)) => Some(self.shading == *shading),
+            Command::Window(WindowCommand::TogglePane(pane)) => {
+                Some(!self.hidden_panes.contains(pane))
+            }
+            Command::Map(MapCommand::ToggleClusters) => Some(self.shows_clusters),
+            Command::Beat(BeatCommand::ToggleLoop) => Some(self.looping),
+            Command::View(ViewCommand::ToggleFreeCamera) => Some(self.free_camera),
+            Command::View(ViewCommand::ToggleEndocardium) => Some(self.shows_endocardium),
+            Command::View(ViewCommand::ToggleEpicardium) => Some(self.shows_epicardium),
+            Command::View(ViewCommand::ToggleWireframe) => Some(self.shows_wireframe),
+            Command::View(ViewCommand::ToggleVertices) => Some(self.shows_vertices),
+            Command::Wall(WallCommand::ToggleAtoms) => Some(self.shows_atoms),
+            Command::Wall(WallCommand::ToggleSpokes) => Some(self.shows_spokes),
+            Command::Wall(WallCommand::TogglePatches) => Some(self.shows_patches),
+            Command::Wall(WallCommand::ToggleDirection) => Some(self.shows_direction),
+            Command::Wall(WallCommand::SetBullsEye(quantity)) => Some(self.bulls_eye == *quantity),
+            Command::Wall(WallCommand::ToggleBullsEyeSegments) => Some(self.bulls_eye_segments),
+            Command::Window(WindowCommand::ToggleFullScreen) => Some(self.full_screen),
             _ => None,
         }
     }

@@ -1,12 +1,11 @@
 //! A folder a pane: what it wants to know, and how it is drawn. Panes draw prepared views and push commands.
 
 pub(crate) mod action_state;
-pub(crate) mod actions;
 pub(crate) mod activity;
 pub(crate) mod beat_axis;
 pub(crate) mod bulls_eye;
 pub(crate) mod cohort;
-pub(crate) mod command;
+pub(crate) mod commands;
 pub(crate) mod curves;
 pub(crate) mod deformation_map;
 pub(crate) mod measures;
@@ -25,13 +24,15 @@ pub(crate) mod verdict_marks;
 pub(crate) mod viewport;
 
 pub use action_state::ActionState;
-pub use actions::{ACTIONS, Action, Menu};
 pub use activity::{WorkItem, WorkState, activity_ui};
 pub use beat_axis::BeatAxis;
 pub use bulls_eye::{BullsEyePatch, BullsEyeView, bulls_eye_ui};
 pub use cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict, visible_rows};
 pub use cohort::{CohortView, cohort_table_ui};
-pub use command::{Command, Pane, ThemeChoice, ViewMode};
+pub use commands::{
+    ACTIONS, Action, BeatCommand, Command, EditCommand, FileCommand, MapCommand, Menu, Pane,
+    ThemeChoice, TransportCommand, ViewCommand, ViewMode, WallCommand, WindowCommand, WorkCommand,
+};
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};
 pub use deformation_map::{
     ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, deformation_map_ui,

@@ -2,8 +2,8 @@
 
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
-use crate::panes::actions::{ACTIONS, Action};
-use crate::panes::command::Command;
+use crate::panes::commands::{ACTIONS, Action};
+use crate::panes::commands::{BeatCommand, Command};
 
 /// The shortcut of a command as text, such as `Ctrl+K`; `None` where it has none.
 pub fn shortcut_text(ctx: &Context, command: &Command) -> Option<String> {
@@ -29,6 +29,7 @@ pub fn pressed_commands(ctx: &Context) -> Vec<Command> {
     let popup = ctx.any_popup_open();
     let mut by_modifiers: Vec<(&Action, KeyboardShortcut)> = ACTIONS
         .iter()
+        .copied()
         .filter_map(|action| Some((action, action.shortcut?)))
         .filter(|(_, shortcut)| shortcut.logical_key != Key::Tab)
         .collect();
@@ -72,7 +73,9 @@ pub fn claim_tab(ctx: &Context, input: &mut egui::RawInput) -> Vec<Command> {
             *key = Key::Tab;
         } else if *key == Key::Tab && !busy && !modifiers.command && !modifiers.alt {
             if *pressed {
-                commands.push(Command::StepSubject(if modifiers.shift { -1 } else { 1 }));
+                commands.push(Command::Beat(BeatCommand::StepSubject(
+                    if modifiers.shift { -1 } else { 1 },
+                )));
             }
             // A key that nothing listens to.
             *key = Key::F35;
@@ -95,6 +98,7 @@ fn is_function_key(key: Key) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::panes::{EditCommand, WindowCommand};
 
     const NONE: Modifiers = Modifiers::NONE;
     const CTRL: Modifiers = Modifiers::COMMAND;
@@ -120,13 +124,22 @@ mod tests {
 
     #[test]
     fn keys_with_shift_do_not_do_what_the_plain_key_does() {
-        assert_eq!(pressed(CTRL, Key::Z), [Command::Undo]);
-        assert_eq!(pressed(CTRL.plus(SHIFT), Key::Z), [Command::Redo]);
-        assert_eq!(pressed(SHIFT, Key::ArrowLeft), [Command::GoToEndDiastole]);
-        assert_eq!(pressed(NONE, Key::ArrowLeft), [Command::StepFrame(-1)]);
+        assert_eq!(pressed(CTRL, Key::Z), [Command::Edit(EditCommand::Undo)]);
+        assert_eq!(
+            pressed(CTRL.plus(SHIFT), Key::Z),
+            [Command::Edit(EditCommand::Redo)]
+        );
+        assert_eq!(
+            pressed(SHIFT, Key::ArrowLeft),
+            [Command::Beat(BeatCommand::GoToEndDiastole)]
+        );
+        assert_eq!(
+            pressed(NONE, Key::ArrowLeft),
+            [Command::Beat(BeatCommand::StepFrame(-1))]
+        );
         assert_eq!(
             pressed(SHIFT, Key::Questionmark),
-            [Command::ToggleShortcuts]
+            [Command::Window(WindowCommand::ToggleShortcuts)]
         );
     }
 
@@ -143,7 +156,10 @@ mod tests {
             }],
             ..Default::default()
         };
-        assert_eq!(claim_tab(&ctx, &mut tab()), [Command::StepSubject(-1)]);
+        assert_eq!(
+            claim_tab(&ctx, &mut tab()),
+            [Command::Beat(BeatCommand::StepSubject(-1))]
+        );
         let output = ctx.run_ui(Default::default(), |ui| {
             ui.button("Here").request_focus();
         });
@@ -180,6 +196,6 @@ mod tests {
             });
             output.drop_without_applying_deltas();
         }
-        assert_eq!(commands, [Command::TogglePalette]);
+        assert_eq!(commands, [Command::Window(WindowCommand::TogglePalette)]);
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{Align2, DragAndDrop, Id, LayerId, Order, Rect, Response, Stroke, StrokeKind, Ui, vec2};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, TransportCommand};
 use crate::ui::style::text_font;
 use crate::ui::theme::{colours, line, radius, space};
 
@@ -71,10 +71,10 @@ pub fn subject_target_ui(
     if ui.input(|input| input.pointer.any_released()) {
         DragAndDrop::take_payload::<DraggedSubject>(ui.ctx());
         // Without correspondence the command is given all the same: its refusal says why.
-        commands.push(Command::TransportMotion {
+        commands.push(Command::Transport(TransportCommand::TransportMotion {
             from: dragged.subject,
             onto: target.subject,
-        });
+        }));
         return;
     }
     let words = if correspond {

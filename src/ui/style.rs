@@ -8,7 +8,7 @@ use egui::{
     Stroke, Style, TextStyle, Theme, ThemePreference, vec2,
 };
 
-use crate::panes::command::ThemeChoice;
+use crate::panes::commands::ThemeChoice;
 use crate::ui::pointer_steps::PointerSteps;
 use crate::ui::theme::{Colours, MOTION_S, line, radius, space, type_size};
 

@@ -20,7 +20,7 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
-use cardiomorph::panes::{Command, ThemeChoice};
+use cardiomorph::panes::{BeatCommand, Command, ThemeChoice, WindowCommand};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
 use egui::Rect;
@@ -100,15 +100,19 @@ fn window_after(
         .with_max_steps(64)
         .wgpu()
         .build_eframe(move |cc| App::new(cc, options).unwrap());
-    harness.state_mut().push(Command::SetTheme(theme));
+    harness
+        .state_mut()
+        .push(Command::Window(WindowCommand::SetTheme(theme)));
     wait(&mut harness, "a map", |app| {
         app.state().classes().is_some() && !app.hearts_on_screen().is_empty()
     });
-    harness.state_mut().push(Command::SelectPose {
-        subject: SUBJECT,
-        frame: FRAME,
-        play: false,
-    });
+    harness
+        .state_mut()
+        .push(Command::Beat(BeatCommand::SelectPose {
+            subject: SUBJECT,
+            frame: FRAME,
+            play: false,
+        }));
     for command in commands {
         harness.state_mut().push(command);
     }

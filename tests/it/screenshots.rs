@@ -9,7 +9,10 @@ use std::process::Command as Program;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
-use cardiomorph::panes::{Command, Pane, ThemeChoice, ViewMode};
+use cardiomorph::panes::{
+    BeatCommand, Command, Pane, ThemeChoice, TransportCommand, ViewCommand, ViewMode, WallCommand,
+    WindowCommand,
+};
 use cardiomorph::picture::Quantity;
 use cardiomorph::study::built_in::BuiltInParams;
 use egui_kittest::Harness;
@@ -60,11 +63,11 @@ fn take(shot: Shot, folder: &Path) {
 }
 
 fn pose(subject: usize, frame: usize) -> Command {
-    Command::SelectPose {
+    Command::Beat(BeatCommand::SelectPose {
         subject,
         frame,
         play: false,
-    }
+    })
 }
 
 #[test]
@@ -72,8 +75,8 @@ fn pose(subject: usize, frame: usize) -> Command {
 fn screenshots_are_taken_when_asked_for() {
     let folder = folder();
     std::fs::create_dir_all(&folder).unwrap();
-    let dark = Command::SetTheme(ThemeChoice::Dark);
-    let light = Command::SetTheme(ThemeChoice::Light);
+    let dark = Command::Window(WindowCommand::SetTheme(ThemeChoice::Dark));
+    let light = Command::Window(WindowCommand::SetTheme(ThemeChoice::Light));
     // P07 has a very large patch, P05 a large one; frame 3 is end-systole.
     let shots = [
         Shot {
@@ -92,9 +95,9 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 dark.clone(),
                 pose(15, 3),
-                Command::SetQuantity(Quantity::AreaRatio),
-                Command::SetViewMode(ViewMode::SideBySide),
-                Command::CompareWith(Some(2)),
+                Command::View(ViewCommand::SetQuantity(Quantity::AreaRatio)),
+                Command::View(ViewCommand::SetViewMode(ViewMode::SideBySide)),
+                Command::Beat(BeatCommand::CompareWith(Some(2))),
             ],
         },
         Shot {
@@ -102,9 +105,9 @@ fn screenshots_are_taken_when_asked_for() {
             pixels_per_point: 1.0,
             commands: vec![
                 dark.clone(),
-                Command::TransportMotion { from: 15, onto: 2 },
-                Command::TogglePlay,
-                Command::SetPosition(3.5),
+                Command::Transport(TransportCommand::TransportMotion { from: 15, onto: 2 }),
+                Command::Beat(BeatCommand::TogglePlay),
+                Command::Beat(BeatCommand::SetPosition(3.5)),
             ],
         },
         Shot {
@@ -113,8 +116,8 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 light.clone(),
                 pose(15, 3),
-                Command::ShowPane(Pane::Metric),
-                Command::ShowPane(Pane::DeformationMap),
+                Command::Window(WindowCommand::ShowPane(Pane::Metric)),
+                Command::Window(WindowCommand::ShowPane(Pane::DeformationMap)),
             ],
         },
         Shot {
@@ -123,7 +126,7 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 dark.clone(),
                 pose(15, 3),
-                Command::ShowPane(Pane::SpaceTime),
+                Command::Window(WindowCommand::ShowPane(Pane::SpaceTime)),
             ],
         },
         Shot {
@@ -132,8 +135,8 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 light.clone(),
                 pose(13, 3),
-                Command::ShowPane(Pane::Patch),
-                Command::ToggleAtoms,
+                Command::Window(WindowCommand::ShowPane(Pane::Patch)),
+                Command::Wall(WallCommand::ToggleAtoms),
             ],
         },
         Shot {
@@ -142,14 +145,18 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 light.clone(),
                 pose(13, 3),
-                Command::ShowPane(Pane::MedialMap),
-                Command::ShowPane(Pane::Thickness),
+                Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+                Command::Window(WindowCommand::ShowPane(Pane::Thickness)),
             ],
         },
         Shot {
             name: "verdict.png",
             pixels_per_point: 1.0,
-            commands: vec![dark, pose(13, 3), Command::ShowPane(Pane::Verdict)],
+            commands: vec![
+                dark,
+                pose(13, 3),
+                Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+            ],
         },
         Shot {
             name: "difference.png",
@@ -157,9 +164,9 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 light.clone(),
                 pose(15, 3),
-                Command::SetViewMode(ViewMode::SideBySide),
-                Command::CompareWith(Some(2)),
-                Command::SetQuantity(Quantity::Contribution),
+                Command::View(ViewCommand::SetViewMode(ViewMode::SideBySide)),
+                Command::Beat(BeatCommand::CompareWith(Some(2))),
+                Command::View(ViewCommand::SetQuantity(Quantity::Contribution)),
             ],
         },
         Shot {
@@ -168,8 +175,8 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 light,
                 pose(4, 3),
-                Command::SetQuantity(Quantity::Displacement),
-                Command::SetViewMode(ViewMode::AllFrames),
+                Command::View(ViewCommand::SetQuantity(Quantity::Displacement)),
+                Command::View(ViewCommand::SetViewMode(ViewMode::AllFrames)),
             ],
         },
     ];

@@ -22,7 +22,7 @@ use std::time::{Duration, Instant};
 use cardiomorph::analysis::embedding::Embedding;
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::engine::{PoseMapParams, Topic};
-use cardiomorph::panes::{Command, Pane, ViewMode};
+use cardiomorph::panes::{BeatCommand, Command, MapCommand, Pane, ViewMode, WorkCommand};
 use cardiomorph::study::built_in::BuiltInParams;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -195,7 +195,7 @@ fn a_click_on_the_map_is_followed_by_table_picture_and_time_bar() {
     wait(&mut harness, "that heart", |app| {
         app.hearts_on_screen().first().map(|heart| heart.0) == Some(pose.subject)
     });
-    give(&mut harness, Command::TogglePlay);
+    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
     harness.run();
     let position = harness.state().state().document.position;
     assert_eq!(
@@ -219,16 +219,18 @@ fn a_click_on_the_map_is_followed_by_table_picture_and_time_bar() {
 #[test]
 fn a_point_is_shown_within_one_frame_when_its_heart_is_ready() {
     let mut harness = mapped_window();
-    give(&mut harness, Command::SelectSubject(4));
+    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(4)));
     wait(&mut harness, "the fifth heart", |app| {
         app.hearts_on_screen()[0].0 == 4
     });
-    give(&mut harness, Command::SelectSubject(0));
-    harness.state_mut().push(Command::SelectPose {
-        subject: 4,
-        frame: 3,
-        play: false,
-    });
+    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(0)));
+    harness
+        .state_mut()
+        .push(Command::Beat(BeatCommand::SelectPose {
+            subject: 4,
+            frame: 3,
+            play: false,
+        }));
     harness.step();
     assert_eq!(harness.state().hearts_on_screen(), [(4, 3.0)]);
 }
@@ -335,19 +337,21 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
     let before = harness.state().state().map().unwrap().clone();
     let mut other = harness.state().state().document.map;
     other.distances.metric.mu *= 2.0;
-    harness.state_mut().push(Command::SetPoseMap(other));
+    harness
+        .state_mut()
+        .push(Command::Map(MapCommand::SetPoseMap(other)));
     harness.step();
     harness.step();
     assert!(harness.state().busy(), "other settings make another map");
-    harness
-        .state_mut()
-        .push(Command::Cancel(Topic::of::<PoseMapParams>()));
+    harness.state_mut().push(Command::Work(WorkCommand::Cancel(
+        Topic::of::<PoseMapParams>(),
+    )));
     wait(&mut harness, "the end of the work", |app| !app.busy());
     assert_eq!(harness.state().state().map(), Some(&before));
     assert!(harness.state().state().errors.is_empty());
-    harness
-        .state_mut()
-        .push(Command::Retry(Topic::of::<PoseMapParams>()));
+    harness.state_mut().push(Command::Work(WorkCommand::Retry(
+        Topic::of::<PoseMapParams>(),
+    )));
     harness.step();
     harness.step();
     assert!(harness.state().busy(), "asked for again, it runs again");

@@ -5,8 +5,8 @@ use std::path::{Path, PathBuf};
 use egui::{Align, Button, Layout, RichText, Stroke, Ui, vec2};
 
 use crate::panes::action_state::ActionState;
-use crate::panes::actions::{ACTIONS, Menu};
-use crate::panes::command::Command;
+use crate::panes::commands::{ACTIONS, Menu};
+use crate::panes::commands::{Command, FileCommand, WindowCommand};
 use crate::panes::shortcuts::shortcut_text;
 use crate::ui::style::{note, title_text_font};
 use crate::ui::theme::{colours, line, space};
@@ -52,7 +52,8 @@ pub fn menu_bar_ui(ui: &mut Ui, view: &MenuBarView, commands: &mut Vec<Command>)
 }
 
 fn palette_button_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
-    let keys = shortcut_text(ui.ctx(), &Command::TogglePalette).unwrap_or_default();
+    let keys =
+        shortcut_text(ui.ctx(), &Command::Window(WindowCommand::TogglePalette)).unwrap_or_default();
     let colours = colours(ui);
     let clicked = ui.scope(|ui| {
         ui.spacing_mut().button_padding = vec2(space::MEDIUM, 3.0);
@@ -63,7 +64,7 @@ fn palette_button_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
         ui.add(button).clicked()
     });
     if clicked.inner {
-        commands.push(Command::TogglePalette);
+        commands.push(Command::Window(WindowCommand::TogglePalette));
     }
 }
 
@@ -86,7 +87,7 @@ fn menu_ui(ui: &mut Ui, menu: Menu, view: &MenuBarView, commands: &mut Vec<Comma
             commands.push(action.command.clone());
             ui.close();
         }
-        if action.command == Command::OpenBuiltIn {
+        if action.command == Command::File(FileCommand::OpenBuiltIn) {
             recent_ui(ui, view.recent, commands);
         }
     }
@@ -100,7 +101,7 @@ fn recent_ui(ui: &mut Ui, recent: &[PathBuf], commands: &mut Vec<Command>) {
                     .button(short_path(path))
                     .on_hover_text(path.display().to_string());
                 if response.clicked() {
-                    commands.push(Command::Open(vec![path.clone()]));
+                    commands.push(Command::File(FileCommand::Open(vec![path.clone()])));
                     ui.close();
                 }
             }
@@ -172,7 +173,7 @@ mod tests {
         };
         assert_eq!(
             clicked_through("Export", "3D view…", &state),
-            [Command::ExportFigure(None)]
+            [Command::File(FileCommand::ExportFigure(None))]
         );
     }
 

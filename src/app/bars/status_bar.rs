@@ -3,7 +3,7 @@
 use egui::{Align, Button, Layout, RichText, Ui};
 
 use crate::engine::Topic;
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WindowCommand, WorkCommand};
 use crate::ui::controls::{progress_bar_ui, progress_text};
 use crate::ui::style::note;
 use crate::ui::theme::{colours, space};
@@ -79,7 +79,7 @@ fn notices_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Command>) {
         .on_hover_text("Open the load report")
         .clicked()
     {
-        commands.push(Command::ToggleLoadReport);
+        commands.push(Command::Window(WindowCommand::ToggleLoadReport));
     }
 }
 
@@ -101,7 +101,7 @@ fn job_ui(ui: &mut Ui, job: &StatusJob, more: usize, commands: &mut Vec<Command>
         .on_hover_text(format!("Cancel: {}", job.text))
         .clicked()
     {
-        commands.push(Command::Cancel(job.kind));
+        commands.push(Command::Work(WorkCommand::Cancel(job.kind)));
     }
     if more > 0 && ui.available_width() > 60.0 {
         ui.label(note(format!("+ {more} more")));
@@ -144,8 +144,8 @@ mod tests {
         assert_eq!(
             harness.into_state(),
             [
-                Command::Cancel(Topic::of::<PoseMapParams>()),
-                Command::ToggleLoadReport
+                Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+                Command::Window(WindowCommand::ToggleLoadReport)
             ]
         );
     }

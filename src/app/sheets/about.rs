@@ -2,7 +2,7 @@
 
 use egui::{RichText, Ui};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WindowCommand};
 use crate::ui::controls::dialog_ui;
 use crate::ui::style::{note, title_font};
 use crate::ui::theme::{colours, space};
@@ -12,7 +12,7 @@ pub fn about_ui(ui: &mut Ui, adapter: &str, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
     let size = egui::vec2(404.0, 300.0);
     if dialog_ui(&ctx, "About", size, false, |ui| text_ui(ui, adapter)) {
-        commands.push(Command::ToggleAbout);
+        commands.push(Command::Window(WindowCommand::ToggleAbout));
     }
 }
 

@@ -6,9 +6,9 @@ use egui::{
 };
 
 use crate::panes::action_state::ActionState;
-use crate::panes::actions::ACTIONS;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::command::Command;
+use crate::panes::commands::ACTIONS;
+use crate::panes::commands::{BeatCommand, Command, TransportCommand, WindowCommand};
 use crate::ui::fuzzy::fuzzy_score;
 use crate::ui::style::note;
 use crate::ui::theme::{colours, radius, space};
@@ -46,7 +46,7 @@ struct Typed {
 /// Greatest number of lines shown.
 const MAX_LINES: usize = 50;
 
-/// Draws the palette. It pushes the chosen command after [`Command::TogglePalette`], which closes it.
+/// Draws the palette. It pushes the chosen command after [`Command::Window(WindowCommand::TogglePalette)`], which closes it.
 pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
     let id = Id::unique("command palette");
@@ -98,8 +98,10 @@ pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut
     typed.opened = true;
     if chosen.is_some() || escape || outside {
         ctx.data_mut(|data| data.remove::<Typed>(id));
-        commands.push(Command::TogglePalette);
-        commands.extend(chosen.filter(|command| *command != Command::TogglePalette));
+        commands.push(Command::Window(WindowCommand::TogglePalette));
+        commands.extend(
+            chosen.filter(|command| *command != Command::Window(WindowCommand::TogglePalette)),
+        );
     } else {
         ctx.data_mut(|data| data.insert_temp(id, typed));
     }
@@ -145,7 +147,7 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         where_it_stands: format!("Subject · {}", row.label.as_deref().unwrap_or("no label")),
         keys: String::new(),
         enabled: true,
-        command: Command::SelectSubject(index),
+        command: Command::Beat(BeatCommand::SelectSubject(index)),
     });
     let motion = view
         .selected
@@ -159,7 +161,7 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
                 where_it_stands: "Transport".to_owned(),
                 keys: String::new(),
                 enabled: other.correspondence == row.correspondence,
-                command: Command::TransportMotion { from, onto },
+                command: Command::Transport(TransportCommand::TransportMotion { from, onto }),
             })
     });
     let mut scored: Vec<(i32, Offer)> = actions
@@ -247,6 +249,7 @@ fn draw_offer(ui: &mut Ui, rect: Rect, offer: &Offer, current: bool, hovered: bo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::panes::ViewCommand;
     use egui_kittest::Harness;
 
     fn chosen_by(keys: impl FnOnce(&mut Harness<'_, Vec<Command>>)) -> Vec<Command> {
@@ -291,8 +294,13 @@ mod tests {
             type_text(harness, "sbs");
             harness.key_press(Key::Enter);
         });
-        let side_by_side = Command::SetViewMode(crate::panes::command::ViewMode::SideBySide);
-        assert_eq!(commands, [Command::TogglePalette, side_by_side]);
+        let side_by_side = Command::View(ViewCommand::SetViewMode(
+            crate::panes::commands::ViewMode::SideBySide,
+        ));
+        assert_eq!(
+            commands,
+            [Command::Window(WindowCommand::TogglePalette), side_by_side]
+        );
     }
 
     #[test]
@@ -303,7 +311,10 @@ mod tests {
         });
         assert_eq!(
             commands,
-            [Command::TogglePalette, Command::SelectSubject(0)]
+            [
+                Command::Window(WindowCommand::TogglePalette),
+                Command::Beat(BeatCommand::SelectSubject(0))
+            ]
         );
     }
 
@@ -313,8 +324,11 @@ mod tests {
             type_text(harness, "transport n007");
             harness.key_press(Key::Enter);
         });
-        let wanted = Command::TransportMotion { from: 0, onto: 1 };
-        assert_eq!(commands, [Command::TogglePalette, wanted]);
+        let wanted = Command::Transport(TransportCommand::TransportMotion { from: 0, onto: 1 });
+        assert_eq!(
+            commands,
+            [Command::Window(WindowCommand::TogglePalette), wanted]
+        );
     }
 
     #[test]
@@ -326,9 +340,12 @@ mod tests {
         });
         assert_eq!(
             commands,
-            [Command::TogglePalette, ACTIONS[1].command.clone()]
+            [
+                Command::Window(WindowCommand::TogglePalette),
+                ACTIONS[1].command.clone()
+            ]
         );
         let commands = chosen_by(|harness| harness.key_press(Key::Escape));
-        assert_eq!(commands, [Command::TogglePalette]);
+        assert_eq!(commands, [Command::Window(WindowCommand::TogglePalette)]);
     }
 }

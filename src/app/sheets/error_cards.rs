@@ -5,7 +5,7 @@ use egui::{
 };
 
 use crate::engine::Topic;
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WorkCommand};
 use crate::ui::controls::icon_button_ui;
 use crate::ui::marks::Icon;
 use crate::ui::style::medium;
@@ -61,7 +61,7 @@ fn card_ui(ui: &mut Ui, index: usize, card: &ErrorCard, commands: &mut Vec<Comma
             |ui| ui.label(medium(&card.title).color(colours.error)),
             |ui| {
                 if icon_button_ui(ui, Icon::Close, "Dismiss", "Dismiss", false).clicked() {
-                    commands.push(Command::DismissError(index));
+                    commands.push(Command::Work(WorkCommand::DismissError(index)));
                 }
             },
         );
@@ -77,7 +77,7 @@ fn card_ui(ui: &mut Ui, index: usize, card: &ErrorCard, commands: &mut Vec<Comma
         if let Some(kind) = card.retry
             && ui.button("Retry").clicked()
         {
-            commands.push(Command::Retry(kind));
+            commands.push(Command::Work(WorkCommand::Retry(kind)));
         }
     });
 }
@@ -112,7 +112,10 @@ mod tests {
         harness.run();
         assert_eq!(
             harness.into_state(),
-            [Command::Retry(Topic::OPENING), Command::DismissError(0)]
+            [
+                Command::Work(WorkCommand::Retry(Topic::OPENING)),
+                Command::Work(WorkCommand::DismissError(0))
+            ]
         );
     }
 }

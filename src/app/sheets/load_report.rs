@@ -2,7 +2,7 @@
 
 use egui::{CollapsingHeader, RichText, ScrollArea, TextEdit, Ui};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WindowCommand};
 use crate::study::{Notice, Severity};
 use crate::ui::controls::dialog_ui;
 use crate::ui::style::{medium, note};
@@ -69,7 +69,7 @@ pub fn load_report_ui(ui: &mut Ui, subjects: &[ReportSubject], commands: &mut Ve
     if dialog_ui(&ctx, "Load report", size, true, |ui| {
         report_ui(ui, subjects);
     }) {
-        commands.push(Command::ToggleLoadReport);
+        commands.push(Command::Window(WindowCommand::ToggleLoadReport));
     }
 }
 
@@ -195,6 +195,9 @@ mod tests {
         assert!(harness.query_by_label("good").is_none());
         harness.key_press(egui::Key::Escape);
         harness.run();
-        assert_eq!(harness.into_state(), [Command::ToggleLoadReport]);
+        assert_eq!(
+            harness.into_state(),
+            [Command::Window(WindowCommand::ToggleLoadReport)]
+        );
     }
 }

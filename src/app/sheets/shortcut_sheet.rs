@@ -2,8 +2,8 @@
 
 use egui::{Grid, ScrollArea, TextEdit, Ui};
 
-use crate::panes::actions::{ACTIONS, Menu};
-use crate::panes::command::Command;
+use crate::panes::commands::{ACTIONS, Menu};
+use crate::panes::commands::{Command, WindowCommand};
 use crate::ui::controls::dialog_ui;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
@@ -29,7 +29,7 @@ pub fn shortcut_sheet_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
         true,
         sheet_ui,
     ) {
-        commands.push(Command::ToggleShortcuts);
+        commands.push(Command::Window(WindowCommand::ToggleShortcuts));
     }
 }
 

@@ -9,7 +9,8 @@ use crate::app::state::State;
 use crate::app::views::beat_view::straight_because;
 use crate::app::views::patch_words::patch_note;
 use crate::panes::{
-    ColourBarView, Command, CubeView, PatchNote, ScaleBarView, ViewMode, ViewportOverlayView,
+    ColourBarView, Command, CubeView, PatchNote, ScaleBarView, TransportCommand, ViewMode,
+    ViewportOverlayView,
 };
 use crate::picture::{
     ColourLegend, HeartAxes, HeartScene, PreparedSubject, Quantity, USER_LIMITS, frame_words,
@@ -73,7 +74,10 @@ impl OverlayData {
     /// Names the heart that plays a carried beat, or will.
     fn beside_its_origin(state: &State, cell: &OnStage, from: &Subject, onto: &Subject) -> Self {
         let role = state.document.study().role(onto);
-        let own = ("Show own motion", Command::StopTransport);
+        let own = (
+            "Show own motion",
+            Command::Transport(TransportCommand::StopTransport),
+        );
         if cell.carried {
             let count = from.sequence.frame_count();
             let frame = nearest_frame(cell.position, count);
@@ -98,7 +102,10 @@ impl OverlayData {
         let (standing, leave) = match (state.answers.carrying, beat) {
             (CarryingState::Stopped, Some(beat)) => {
                 let (from, onto) = (beat.from, beat.onto);
-                let again = ("Transport again", Command::TransportMotion { from, onto });
+                let again = (
+                    "Transport again",
+                    Command::Transport(TransportCommand::TransportMotion { from, onto }),
+                );
                 (
                     format!("transport from {} was stopped", from_id(state, from)),
                     again,

@@ -3,7 +3,7 @@
 use egui::{Label, RichText, ScrollArea, Ui};
 
 use crate::engine::Topic;
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WorkCommand};
 use crate::ui::controls::progress_text;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::{medium, note};
@@ -96,7 +96,7 @@ fn item_ui(ui: &mut Ui, item: &WorkItem, commands: &mut Vec<Command>) {
                         .on_hover_text(format!("Cancel: {}", item.title))
                         .clicked()
                     {
-                        commands.push(Command::Cancel(item.kind));
+                        commands.push(Command::Work(WorkCommand::Cancel(item.kind)));
                     }
                 },
             );
@@ -130,7 +130,7 @@ fn again_ui(
                 .on_hover_text(format!("Retry: {}", item.title))
                 .clicked()
             {
-                commands.push(Command::Retry(item.kind));
+                commands.push(Command::Work(WorkCommand::Retry(item.kind)));
             }
         },
     );
@@ -176,17 +176,17 @@ mod tests {
                     seconds_left: None,
                 },
                 "Cancel",
-                Command::Cancel(Topic::of::<PoseMapParams>()),
+                Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
             ),
             (
                 WorkState::Stopped,
                 "Retry",
-                Command::Retry(Topic::of::<PoseMapParams>()),
+                Command::Work(WorkCommand::Retry(Topic::of::<PoseMapParams>())),
             ),
             (
                 WorkState::Failed("no poses".to_owned()),
                 "Retry",
-                Command::Retry(Topic::of::<PoseMapParams>()),
+                Command::Work(WorkCommand::Retry(Topic::of::<PoseMapParams>())),
             ),
         ] {
             let items = [item(state)];

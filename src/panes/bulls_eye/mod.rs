@@ -9,7 +9,7 @@ use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::analysis::segments::Segment;
 use crate::engine::{Topic, WallThickening};
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WallCommand, WorkCommand};
 use crate::panes::patch::WallState;
 use crate::picture::{BullsEyeQuantity, BullsEyeScale, WallPart};
 use crate::ui::controls::{choice_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
@@ -89,7 +89,9 @@ fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>)
         }
         (WallState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
             if ui.button("Measure wall thickness").clicked() {
-                commands.push(Command::Retry(Topic::of::<WallThickening>()));
+                commands.push(Command::Work(WorkCommand::Retry(
+                    Topic::of::<WallThickening>(),
+                )));
             }
         }),
         (WallState::Ready, Some(why)) => empty_pane_ui(ui, "No bull's-eye", why, |_| {}),
@@ -103,7 +105,7 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
         chooser_ui(ui, "Bull's-eye", view.scale.quantity.name(), |ui| {
             for quantity in BullsEyeQuantity::ALL {
                 if choice_ui(ui, quantity.name(), quantity == view.scale.quantity) {
-                    commands.push(Command::SetBullsEye(quantity));
+                    commands.push(Command::Wall(WallCommand::SetBullsEye(quantity)));
                 }
             }
         })
@@ -117,7 +119,7 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
         });
         let hint = "One value for each of the 17 AHA segments (Cerqueira et al., Circulation 2002)";
         if response.on_hover_text(hint).clicked() {
-            commands.push(Command::ToggleBullsEyeSegments);
+            commands.push(Command::Wall(WallCommand::ToggleBullsEyeSegments));
         }
     });
 }
@@ -141,7 +143,7 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     {
         let again = view.patches[patch].selected;
         let part = (!again).then_some(WallPart::Patch(patch));
-        commands.push(Command::SelectPart(part));
+        commands.push(Command::Wall(WallCommand::SelectPart(part)));
     } else if response.clicked() {
         let clicked = pointed(response.interact_pointer_pos());
         // The selected one again, or beside the plot: nothing is selected.
@@ -149,7 +151,7 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
             .filter(|segment| view.selected != Some(*segment))
             .map(WallPart::Segment);
         if view.oriented && (part.is_some() || view.selected.is_some()) {
-            commands.push(Command::SelectPart(part));
+            commands.push(Command::Wall(WallCommand::SelectPart(part)));
         }
     }
     if let Some(patch) = on_border {

@@ -3,6 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::panes::WallCommand;
 
 struct Shown {
     state: WallState,
@@ -80,7 +81,7 @@ fn a_click_selects_the_segment_and_a_second_one_lets_it_go() {
     for segment in Segment::all() {
         let mut shown = harness(Shown::default());
         click_on(&mut shown, segment, true);
-        let wanted = Command::SelectPart(Some(WallPart::Segment(segment)));
+        let wanted = Command::Wall(WallCommand::SelectPart(Some(WallPart::Segment(segment))));
         assert_eq!(*shown.state(), [wanted]);
     }
     let segment = Segment::new(9);
@@ -89,7 +90,10 @@ fn a_click_selects_the_segment_and_a_second_one_lets_it_go() {
         ..Shown::default()
     });
     click_on(&mut shown, segment.unwrap(), true);
-    assert_eq!(*shown.state(), [Command::SelectPart(None)]);
+    assert_eq!(
+        *shown.state(),
+        [Command::Wall(WallCommand::SelectPart(None))]
+    );
 }
 
 #[test]
@@ -108,7 +112,10 @@ fn a_click_on_a_border_selects_its_patch() {
         let area = shown.get_by_label("Bull's-eye map").rect();
         let (disc, _) = layout::places(area, true);
         click_at(&mut shown, disc.at([0.55, 0.32]));
-        assert_eq!(*shown.state(), [Command::SelectPart(part)]);
+        assert_eq!(
+            *shown.state(),
+            [Command::Wall(WallCommand::SelectPart(part))]
+        );
     }
 }
 
@@ -144,8 +151,8 @@ fn the_quantity_is_chosen_from_a_menu_and_segments_by_a_switch() {
     shown.get_by_label("Segment values").click();
     shown.run();
     let wanted = [
-        Command::SetBullsEye(BullsEyeQuantity::Thickening),
-        Command::ToggleBullsEyeSegments,
+        Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Thickening)),
+        Command::Wall(WallCommand::ToggleBullsEyeSegments),
     ];
     assert_eq!(*shown.state(), wanted);
 }

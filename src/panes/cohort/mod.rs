@@ -9,7 +9,7 @@ use egui::{
 };
 
 use crate::panes::cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict};
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand, ViewCommand};
 use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::controls::empty_pane_ui;
@@ -49,10 +49,10 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
             "Open mesh files, a folder of them or a study",
             |ui| {
                 if ui.button("Open folder…").clicked() {
-                    commands.push(Command::ChooseFolder);
+                    commands.push(Command::File(FileCommand::ChooseFolder));
                 }
                 if ui.button("Open the built-in cohort").clicked() {
-                    commands.push(Command::OpenBuiltIn);
+                    commands.push(Command::File(FileCommand::OpenBuiltIn));
                 }
             },
         );
@@ -67,7 +67,7 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
         ui.vertical_centered(|ui| {
             ui.label(note(format!("No subject matches “{}”", view.search)));
             if ui.button("Clear the filter").clicked() {
-                commands.push(Command::SetSearch(String::new()));
+                commands.push(Command::View(ViewCommand::SetSearch(String::new())));
             }
         });
         return;
@@ -86,12 +86,12 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
                 .desired_width(f32::INFINITY);
             let response = ui.add(edit).accessible_name("Filter subjects");
             if response.changed() {
-                commands.push(Command::SetSearch(text));
+                commands.push(Command::View(ViewCommand::SetSearch(text)));
             } else if response.has_focus()
                 && ui.input(|input| input.key_pressed(Key::Escape))
                 && !view.search.is_empty()
             {
-                commands.push(Command::SetSearch(String::new()));
+                commands.push(Command::View(ViewCommand::SetSearch(String::new())));
             }
         });
 }
@@ -147,7 +147,7 @@ fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut V
             _ => format!("Sort by {}", readable[index]),
         };
         if response.on_hover_text(hint).clicked() {
-            commands.push(Command::SortCohort(index));
+            commands.push(Command::View(ViewCommand::SortCohort(index)));
         }
     }
 }
@@ -254,7 +254,7 @@ fn row_ui(
     verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying);
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
-        commands.push(Command::SelectSubject(index));
+        commands.push(Command::Beat(BeatCommand::SelectSubject(index)));
     }
     response.dnd_set_drag_payload(DraggedSubject {
         subject: index,
@@ -276,13 +276,13 @@ fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &
     response.context_menu(|ui| {
         if view.compared == Some(index) {
             if ui.button("Stop comparing").clicked() {
-                commands.push(Command::CompareWith(None));
+                commands.push(Command::Beat(BeatCommand::CompareWith(None)));
             }
         } else if ui.button("Compare side by side").clicked() {
-            commands.push(Command::CompareWith(Some(index)));
+            commands.push(Command::Beat(BeatCommand::CompareWith(Some(index))));
         }
         if ui.button("Select").clicked() {
-            commands.push(Command::SelectSubject(index));
+            commands.push(Command::Beat(BeatCommand::SelectSubject(index)));
         }
         if let Some(selected) = view.selected.filter(|selected| *selected != index) {
             ui.separator();
@@ -309,7 +309,10 @@ fn transport_choices_ui(
             .add_enabled(correspond, egui::Button::new(name))
             .on_disabled_hover_text("No vertex correspondence");
         if button.clicked() {
-            commands.push(Command::TransportMotion { from, onto });
+            commands.push(Command::Transport(TransportCommand::TransportMotion {
+                from,
+                onto,
+            }));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What the table does under pointer and keys.
 
 use super::*;
+use crate::panes::{BeatCommand, FileCommand, TransportCommand, ViewCommand};
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 fn rows(count: usize) -> Vec<CohortRow> {
@@ -57,9 +58,9 @@ fn a_click_selects_a_row_and_a_heading_sorts() {
     assert_eq!(
         harness.into_state(),
         [
-            Command::SelectSubject(3),
-            Command::SortCohort(3),
-            Command::SortCohort(4)
+            Command::Beat(BeatCommand::SelectSubject(3)),
+            Command::View(ViewCommand::SortCohort(3)),
+            Command::View(ViewCommand::SortCohort(4))
         ]
     );
 }
@@ -107,7 +108,10 @@ fn rows_can_be_reached_and_selected_by_keyboard() {
     harness.run();
     harness.key_press(Key::Enter);
     harness.run();
-    assert_eq!(harness.into_state(), [Command::SelectSubject(2)]);
+    assert_eq!(
+        harness.into_state(),
+        [Command::Beat(BeatCommand::SelectSubject(2))]
+    );
 }
 
 #[test]
@@ -133,7 +137,7 @@ fn what_is_typed_becomes_the_filter() {
     harness.run();
     assert_eq!(
         harness.state().last(),
-        Some(&Command::SetSearch("minf".to_owned()))
+        Some(&Command::View(ViewCommand::SetSearch("minf".to_owned())))
     );
 }
 
@@ -143,7 +147,10 @@ fn an_empty_cohort_offers_to_open_one() {
     harness.run();
     harness.get_by_label("Open the built-in cohort").click();
     harness.run();
-    assert_eq!(harness.into_state(), [Command::OpenBuiltIn]);
+    assert_eq!(
+        harness.into_state(),
+        [Command::File(FileCommand::OpenBuiltIn)]
+    );
 }
 
 fn drag(harness: &mut Harness<'static, Vec<Command>>, from: &str, onto: &str) {
@@ -165,14 +172,14 @@ fn a_row_dropped_on_another_transports_its_motion() {
     let mut harness = harness(5, Some(2));
     harness.run();
     drag(&mut harness, "S1", "S3");
-    let wanted = Command::TransportMotion { from: 1, onto: 3 };
+    let wanted = Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 3 });
     assert_eq!(harness.state().as_slice(), [wanted]);
     // Dropped where the drag began, it is neither a drop nor a click.
     drag(&mut harness, "S1", "S1");
     assert_eq!(harness.state().len(), 1);
     // Without correspondence the command is given all the same: the window says why it is refused.
     drag(&mut harness, "S1", "S4");
-    let refused = Command::TransportMotion { from: 1, onto: 4 };
+    let refused = Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 4 });
     assert_eq!(harness.state().last(), Some(&refused));
 }
 
@@ -202,6 +209,9 @@ fn the_menu_of_a_row_offers_both_directions() {
     harness.run();
     assert_eq!(
         harness.into_state(),
-        [Command::TransportMotion { from: 2, onto: 0 }]
+        [Command::Transport(TransportCommand::TransportMotion {
+            from: 2,
+            onto: 0
+        })]
     );
 }

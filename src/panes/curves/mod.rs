@@ -5,7 +5,7 @@ use egui::{
 };
 
 use crate::panes::beat_axis::BeatAxis;
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command};
 use crate::picture::nice_ticks;
 use crate::ui::controls::empty_pane_ui;
 use crate::ui::style::{medium_note_font, note_font};
@@ -77,7 +77,9 @@ pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
     if let Some(pointer) = response.interact_pointer_pos()
         && (response.clicked() || response.dragged())
     {
-        commands.push(Command::SetPosition(plot.position_at(pointer, view.axis)));
+        commands.push(Command::Beat(BeatCommand::SetPosition(
+            plot.position_at(pointer, view.axis),
+        )));
     }
     if let Some(pointer) = response.hover_pos() {
         let text = hover_text(view, plot.position_at(pointer, view.axis));

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::engine::{DeformationMapSettings, Topic};
-use crate::panes::command::Command;
+use crate::panes::commands::Command;
 use crate::panes::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
 use crate::ui::style::{note, note_font};
 

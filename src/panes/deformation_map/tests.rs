@@ -3,7 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::scatter_map::{MapSubject, PosePhase, ScatterPoint, ScatterView};
 
 fn harness(
@@ -60,11 +60,11 @@ fn a_click_on_a_subject_plays_it_from_the_beginning_of_its_beat() {
     harness.get_by_label("neighbours 5 · error 0.012 · time × 1.4");
     harness.get_by_label("Deformation of P1, other").click();
     harness.run();
-    let played = Command::SelectPose {
+    let played = Command::Beat(BeatCommand::SelectPose {
         subject: 1,
         frame: 2,
         play: true,
-    };
+    });
     assert_eq!(*harness.state(), [played]);
 }
 

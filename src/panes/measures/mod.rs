@@ -3,7 +3,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, RichText, Ui};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE};
 use crate::report::{Column, NO_VALUE, SubjectRow};
 use crate::ui::controls::{chooser_ui, empty_pane_ui};
@@ -132,20 +132,20 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
             .button(format!("Set end-diastole to frame {here}"))
             .clicked()
         {
-            commands.push(Command::StateEndDiastole(Some(here)));
+            commands.push(Command::Beat(BeatCommand::StateEndDiastole(Some(here))));
         }
         if ui
             .button(format!("Set end-systole to frame {here}"))
             .clicked()
         {
-            commands.push(Command::StateEndSystole(Some(here)));
+            commands.push(Command::Beat(BeatCommand::StateEndSystole(Some(here))));
         }
         ui.separator();
         if ui.button("End-diastole from the volume curve").clicked() {
-            commands.push(Command::StateEndDiastole(None));
+            commands.push(Command::Beat(BeatCommand::StateEndDiastole(None)));
         }
         if ui.button("End-systole from the volume curve").clicked() {
-            commands.push(Command::StateEndSystole(None));
+            commands.push(Command::Beat(BeatCommand::StateEndSystole(None)));
         }
     });
 }
@@ -186,6 +186,9 @@ mod tests {
         harness.run();
         harness.get_by_label("Set end-systole to frame 4").click();
         harness.run();
-        assert_eq!(harness.into_state(), [Command::StateEndSystole(Some(4))]);
+        assert_eq!(
+            harness.into_state(),
+            [Command::Beat(BeatCommand::StateEndSystole(Some(4)))]
+        );
     }
 }

@@ -4,7 +4,7 @@ use egui::Ui;
 
 use crate::analysis::embedding::MapMethod;
 use crate::engine::{MedialMapParams, Topic};
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, MapCommand};
 use crate::panes::metric::words::method_name;
 use crate::panes::scatter_map::{MapWords, ScatterView, method_choices_ui, play, scatter_map_ui};
 use crate::ui::controls::{chooser_ui, pane_header_ui};
@@ -81,6 +81,9 @@ pub fn medial_map_header_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Ve
 /// the medial shape space share the method, so that they can be compared.
 pub fn medial_map_choosers_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Vec<Command>) {
     chooser_ui(ui, "Method", method_name(view.method), |ui| {
-        commands.extend(method_choices_ui(ui, view.method).map(Command::SetMapMethod));
+        commands.extend(
+            method_choices_ui(ui, view.method)
+                .map(|value| Command::Map(MapCommand::SetMapMethod(value))),
+        );
     });
 }

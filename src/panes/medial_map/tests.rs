@@ -4,7 +4,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 use crate::analysis::embedding::MapMethod;
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, MapCommand};
 use crate::panes::scatter_map::ScatterView;
 
 #[test]
@@ -28,7 +28,7 @@ fn the_method_is_chosen_in_the_header() {
     harness.run();
     harness.get_by_label("MDS").click();
     harness.run();
-    let wanted = Command::SetMapMethod(MapMethod::ClassicalMds);
+    let wanted = Command::Map(MapCommand::SetMapMethod(MapMethod::ClassicalMds));
     assert_eq!(*harness.state(), [wanted]);
 }
 

@@ -11,7 +11,7 @@ use egui::{Margin, ScrollArea, Ui};
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::PoseMapParams;
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, MapCommand};
 use crate::panes::scatter_map::MapSubject;
 use crate::ui::controls::{chooser_ui, empty_pane_ui};
 use crate::ui::number_field::row_ui;
@@ -72,19 +72,19 @@ fn settings_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<Command>)
     commands.extend(
         poses
             .filter(|poses| *poses != view.poses)
-            .map(Command::SetPoseMap),
+            .map(|value| Command::Map(MapCommand::SetPoseMap(value))),
     );
     commands.extend(
         deformations
             .filter(|deformations| *deformations != view.deformations)
-            .map(Command::SetDeformationMap),
+            .map(|value| Command::Map(MapCommand::SetDeformationMap(value))),
     );
     ui.add_space(space::LARGE);
     let default = view.poses == PoseMapParams::default()
         && view.deformations == DeformationMapParams::default();
     let reset = egui::Button::new("Reset to defaults");
     if ui.add_enabled(!default, reset).clicked() {
-        commands.push(Command::ResetMaps);
+        commands.push(Command::Map(MapCommand::ResetMaps));
     }
 }
 

@@ -6,6 +6,7 @@ use super::*;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::{Form, MetricKind};
 use crate::analysis::transport::{CohortTransportParams, Reference};
+use crate::panes::MapCommand;
 
 #[derive(Default)]
 struct Scene {
@@ -38,8 +39,10 @@ fn harness(scene: Scene) -> Harness<'static, Scene> {
                 metric_panel_ui(ui, &view, &mut commands);
                 for command in &commands {
                     match command {
-                        Command::SetPoseMap(params) => scene.poses = *params,
-                        Command::SetDeformationMap(params) => scene.deformations = *params,
+                        Command::Map(MapCommand::SetPoseMap(params)) => scene.poses = *params,
+                        Command::Map(MapCommand::SetDeformationMap(params)) => {
+                            scene.deformations = *params
+                        }
                         _ => {}
                     }
                 }
@@ -154,5 +157,8 @@ fn reset_is_enabled_once_a_setting_was_changed() {
     choose(&mut harness, "Method: SMACOF", "MDS: classical scaling");
     harness.get_by_label("Reset to defaults").click();
     harness.run();
-    assert_eq!(harness.state().commands.last(), Some(&Command::ResetMaps));
+    assert_eq!(
+        harness.state().commands.last(),
+        Some(&Command::Map(MapCommand::ResetMaps))
+    );
 }

@@ -8,7 +8,7 @@ mod tests;
 use egui::{Margin, RichText, ScrollArea, Ui};
 
 use crate::engine::{ThickeningSettings, Topic, WallThickening};
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WorkCommand};
 use crate::picture::PatchStanding;
 use crate::render::Camera;
 use crate::report::PatchRow;
@@ -129,7 +129,9 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
         WallState::Stopped => {
             ui.label(note("Stopped"));
             if ui.button("Measure again").clicked() {
-                commands.push(Command::Retry(Topic::of::<WallThickening>()));
+                commands.push(Command::Work(WorkCommand::Retry(
+                    Topic::of::<WallThickening>(),
+                )));
             }
         }
         _ => {}

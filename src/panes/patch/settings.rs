@@ -6,7 +6,7 @@ use egui::{Slider, Ui};
 
 use crate::analysis::thickening::ThickeningParams;
 use crate::engine::ThickeningSettings;
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WallCommand};
 use crate::panes::patch::PatchPanelView;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::space;
@@ -38,16 +38,18 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     }
     ui.add(egui::Label::new(note(tolerance_note(view, now.tolerance))).wrap());
     if wanted != now {
-        commands.push(Command::SetThickening(ThickeningSettings {
-            thickening: wanted,
-            ..view.settings
-        }));
+        commands.push(Command::Wall(WallCommand::SetThickening(
+            ThickeningSettings {
+                thickening: wanted,
+                ..view.settings
+            },
+        )));
     }
     ui.add_space(space::MEDIUM);
     let default = view.settings == ThickeningSettings::default();
     let reset = egui::Button::new("Reset to defaults");
     if ui.add_enabled(!default, reset).clicked() {
-        commands.push(Command::ResetThickening);
+        commands.push(Command::Wall(WallCommand::ResetThickening));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WallCommand};
 use crate::panes::patch::PatchLine;
 use crate::picture::{PatchStanding, WallPart};
 use crate::report::{Column, PatchRow};
@@ -138,11 +138,11 @@ fn row_ui(
     focus_ring(ui, &response);
     if response.clicked() {
         commands.push(match row.camera {
-            Some(camera) => Command::ShowPatch {
+            Some(camera) => Command::Wall(WallCommand::ShowPatch {
                 patch: index,
                 camera,
-            },
-            None => Command::SelectPart(Some(WallPart::Patch(index))),
+            }),
+            None => Command::Wall(WallCommand::SelectPart(Some(WallPart::Patch(index)))),
         });
     }
     response.on_hover_text(match standing {

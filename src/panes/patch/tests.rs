@@ -3,6 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::panes::{WallCommand, WorkCommand};
 use crate::picture::WallPart;
 
 struct Shown {
@@ -72,7 +73,7 @@ fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
         .get_by_label_contains("Patch 1: Area 21 cm², LV share 31 %, Thickening 4 %")
         .click();
     shown.run();
-    let wanted = Command::SelectPart(Some(WallPart::Patch(0)));
+    let wanted = Command::Wall(WallCommand::SelectPart(Some(WallPart::Patch(0))));
     assert_eq!(*shown.state(), [wanted]);
     let camera = Camera::default();
     let framed = PatchLine {
@@ -82,7 +83,10 @@ fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
     let mut shown = harness(Shown::with(WallState::Ready, "1 patch", vec![framed]));
     shown.get_by_label_contains("anteroseptal").click();
     shown.run();
-    assert_eq!(*shown.state(), [Command::ShowPatch { patch: 0, camera }]);
+    assert_eq!(
+        *shown.state(),
+        [Command::Wall(WallCommand::ShowPatch { patch: 0, camera })]
+    );
 }
 
 #[test]
@@ -115,7 +119,9 @@ fn a_stopped_measurement_can_be_begun_again() {
     shown.run();
     assert_eq!(
         *shown.state(),
-        [Command::Retry(Topic::of::<WallThickening>())]
+        [Command::Work(WorkCommand::Retry(
+            Topic::of::<WallThickening>()
+        ))]
     );
 }
 
@@ -130,7 +136,7 @@ fn the_border_moves_by_keyboard_and_takes_its_core_along() {
     shown.key_press(egui::Key::ArrowRight);
     shown.run();
     let commands = shown.into_state();
-    let Some(Command::SetThickening(settings)) = commands.first() else {
+    let Some(Command::Wall(WallCommand::SetThickening(settings))) = commands.first() else {
         panic!("{commands:?}");
     };
     let (core, border) = (settings.thickening.core, settings.thickening.border);

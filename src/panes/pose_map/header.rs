@@ -4,7 +4,7 @@ use egui::Ui;
 
 use crate::analysis::metrics::Corners;
 use crate::engine::PoseMapParams;
-use crate::panes::command::{Command, Pane};
+use crate::panes::commands::{Command, MapCommand, Pane, WindowCommand};
 use crate::panes::metric::words::{
     FORMS, METRICS, form_name, has_forms, method_name, metric_name, metric_sentence,
 };
@@ -45,7 +45,10 @@ pub fn pose_map_choosers_ui(
 
 fn methods_ui(ui: &mut Ui, params: PoseMapParams, commands: &mut Vec<Command>) {
     if let Some(method) = method_choices_ui(ui, params.method) {
-        commands.push(Command::SetPoseMap(PoseMapParams { method, ..params }));
+        commands.push(Command::Map(MapCommand::SetPoseMap(PoseMapParams {
+            method,
+            ..params
+        })));
     }
 }
 
@@ -86,12 +89,12 @@ fn metric_ui(ui: &mut Ui, params: PoseMapParams, with_method: bool, commands: &m
         }
         ui.separator();
         if ui.button("All settings…").clicked() {
-            commands.push(Command::ShowPane(Pane::Metric));
+            commands.push(Command::Window(WindowCommand::ShowPane(Pane::Metric)));
             ui.close();
         }
     });
     response.on_hover_text(metric_sentence(&params.distances.metric));
     if wanted != params {
-        commands.push(Command::SetPoseMap(wanted));
+        commands.push(Command::Map(MapCommand::SetPoseMap(wanted)));
     }
 }

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::engine::{PoseMapParams, Topic};
-use crate::panes::command::Command;
+use crate::panes::commands::Command;
 use crate::panes::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
 
 /// What the pane of poses shows.

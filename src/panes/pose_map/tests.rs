@@ -5,7 +5,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use super::*;
 use crate::analysis::embedding::MapMethod;
 use crate::engine::PoseMapParams;
-use crate::panes::command::{Command, Pane};
+use crate::panes::commands::{Command, MapCommand, Pane, WindowCommand};
 use crate::panes::scatter_map::{ScatterPoint, ScatterView};
 
 fn harness() -> Harness<'static, Vec<Command>> {
@@ -43,7 +43,10 @@ fn the_method_is_chosen_in_the_header() {
         method: MapMethod::ClassicalMds,
         ..Default::default()
     };
-    assert_eq!(*harness.state(), [Command::SetPoseMap(params)]);
+    assert_eq!(
+        *harness.state(),
+        [Command::Map(MapCommand::SetPoseMap(params))]
+    );
 }
 
 #[test]
@@ -54,7 +57,10 @@ fn all_settings_are_a_step_away_from_the_header() {
     // The menu is longer than this small window.
     harness.get_by_label("All settings…").click_accesskit();
     harness.run();
-    assert_eq!(*harness.state(), [Command::ShowPane(Pane::Metric)]);
+    assert_eq!(
+        *harness.state(),
+        [Command::Window(WindowCommand::ShowPane(Pane::Metric))]
+    );
 }
 
 #[test]

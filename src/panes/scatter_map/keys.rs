@@ -2,7 +2,7 @@
 
 use egui::{Key, Response, Role, Ui, Vec2, WidgetInfo};
 
-use crate::panes::command::Command;
+use crate::panes::commands::Command;
 
 use super::input::pressed_arrows;
 use super::point::ScatterPoint;

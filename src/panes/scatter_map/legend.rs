@@ -2,7 +2,7 @@
 
 use egui::{Align2, RichText, Sense, Ui, UiBuilder, pos2, vec2};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, MapCommand};
 use crate::study::LabelRole;
 use crate::ui::marks::{role_mark, role_name};
 use crate::ui::style::{note, note_font};
@@ -151,7 +151,7 @@ fn clusters_ui(
         .checkbox(&mut shown, note("Clusters"))
         .on_hover_text("Groups that k-means finds without knowing the labels");
     if box_ui.clicked() {
-        commands.push(Command::ToggleClusters);
+        commands.push(Command::Map(MapCommand::ToggleClusters));
     }
 }
 

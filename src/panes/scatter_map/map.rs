@@ -2,7 +2,7 @@
 
 use egui::{Color32, Pos2, Ui};
 
-use crate::panes::command::Command;
+use crate::panes::commands::Command;
 use crate::ui::theme::colours;
 
 use super::clusters::draw_clusters;

@@ -3,7 +3,7 @@
 
 use egui::{Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
-use crate::panes::command::Command;
+use crate::panes::commands::Command;
 use crate::ui::marks::role_name;
 
 use super::brush::brush;

@@ -3,7 +3,7 @@
 use egui::{Rect, Ui, vec2};
 
 use crate::engine::Topic;
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WorkCommand};
 use crate::ui::controls::progress_text;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::note;
@@ -53,13 +53,13 @@ fn cancel_ui(
 ) {
     let button = ui.button(name.into());
     if button.on_hover_text("Stop computing the map").clicked() {
-        commands.push(Command::Cancel(job));
+        commands.push(Command::Work(WorkCommand::Cancel(job)));
     }
 }
 
 fn retry_ui(ui: &mut Ui, name: &str, job: Topic, commands: &mut Vec<Command>) {
     if ui.button(name).clicked() {
-        commands.push(Command::Retry(job));
+        commands.push(Command::Work(WorkCommand::Retry(job)));
     }
 }
 

@@ -7,7 +7,7 @@ use super::lens::Lens;
 use super::view::play;
 use super::*;
 use crate::engine::{PoseMapParams, Topic};
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command, MapCommand, WorkCommand};
 use crate::study::LabelRole;
 
 /// Points and subjects of a small map: two poses of P0, one of P1, one each of two patches of P2.
@@ -124,11 +124,11 @@ fn click(harness: &mut Shown, at: Pos2) {
 }
 
 fn played(subject: usize, frame: usize) -> Command {
-    Command::SelectPose {
+    Command::Beat(BeatCommand::SelectPose {
         subject,
         frame,
         play: true,
-    }
+    })
 }
 
 #[test]
@@ -257,7 +257,9 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
         computing.run();
         assert_eq!(
             *computing.state(),
-            [Command::Cancel(Topic::of::<PoseMapParams>())]
+            [Command::Work(WorkCommand::Cancel(
+                Topic::of::<PoseMapParams>()
+            ))]
         );
         let again = if with_points {
             "Retry"
@@ -269,7 +271,9 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
         stopped.run();
         assert_eq!(
             *stopped.state(),
-            [Command::Retry(Topic::of::<PoseMapParams>())]
+            [Command::Work(WorkCommand::Retry(
+                Topic::of::<PoseMapParams>()
+            ))]
         );
     }
 }
@@ -304,7 +308,7 @@ fn clusters_have_a_switch_in_the_legend_and_take_the_place_of_the_note() {
     harness.get_by_label("A 4");
     harness.get_by_label("Clusters").click();
     harness.run();
-    assert_eq!(*harness.state(), [Command::ToggleClusters]);
+    assert_eq!(*harness.state(), [Command::Map(MapCommand::ToggleClusters)]);
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! What a map of points shows, as plain values: each map fills these in, and all are drawn alike.
 
 use crate::engine::Topic;
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command};
 use crate::study::LabelRole;
 
 use super::path::paths;
@@ -66,11 +66,11 @@ pub struct MapWords {
 
 /// Shows a point's subject from its first frame and plays.
 pub fn play(point: &ScatterPoint) -> Command {
-    Command::SelectPose {
+    Command::Beat(BeatCommand::SelectPose {
         subject: point.subject,
         frame: point.start_frame,
         play: true,
-    }
+    })
 }
 
 /// What a map shows.

@@ -3,7 +3,7 @@
 use egui::{Color32, Pos2, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use crate::engine::{PoseMapParams, Topic};
-use crate::panes::command::Command;
+use crate::panes::commands::Command;
 use crate::panes::scatter_map::{
     MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play, pointed_at,
     pointer_zoom, pressed_arrows, respond_ui, without_map_ui,

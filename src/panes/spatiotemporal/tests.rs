@@ -6,7 +6,7 @@ use egui::{Key, Pos2, vec2};
 
 use super::*;
 use crate::engine::{PoseMapParams, Topic};
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command, WorkCommand};
 use crate::panes::scatter_map::{MapState, MapSubject, PosePhase, ScatterPoint, ScatterView};
 
 fn points() -> Vec<ScatterPoint> {
@@ -65,11 +65,11 @@ fn a_click_on_a_curve_plays_that_subject_from_that_pose() {
     let mut harness = harness(MapState::Ready);
     harness.get_by_label("Curve of P1, other").click();
     harness.run();
-    let wanted = Command::SelectPose {
+    let wanted = Command::Beat(BeatCommand::SelectPose {
         subject: 1,
         frame: 2,
         play: true,
-    };
+    });
     assert_eq!(*harness.state(), [wanted]);
 }
 
@@ -129,6 +129,8 @@ fn a_new_map_can_be_cancelled_while_the_old_curves_stay() {
     harness.run();
     assert_eq!(
         *harness.state(),
-        [Command::Cancel(Topic::of::<PoseMapParams>())]
+        [Command::Work(WorkCommand::Cancel(
+            Topic::of::<PoseMapParams>()
+        ))]
     );
 }

@@ -7,7 +7,7 @@ mod tests;
 use egui::{Margin, ScrollArea, Ui};
 
 use crate::engine::{PoseThickness, Topic};
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WorkCommand};
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::note;
 use crate::ui::theme::space;
@@ -139,7 +139,9 @@ fn state_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut Vec<Command>)
                 progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
                 ui.label(note(format!("{moment}, {:.0} %", 100.0 * fraction)));
                 if ui.button(note("Cancel")).clicked() {
-                    commands.push(Command::Cancel(Topic::of::<PoseThickness>()));
+                    commands.push(Command::Work(WorkCommand::Cancel(
+                        Topic::of::<PoseThickness>(),
+                    )));
                 }
             });
         }
@@ -147,7 +149,9 @@ fn state_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut Vec<Command>)
             ui.horizontal(|ui| {
                 ui.label(note("Stopped"));
                 if ui.button(note("Measure")).clicked() {
-                    commands.push(Command::Retry(Topic::of::<PoseThickness>()));
+                    commands.push(Command::Work(WorkCommand::Retry(
+                        Topic::of::<PoseThickness>(),
+                    )));
                 }
             });
         }

@@ -3,6 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::panes::WorkCommand;
 
 fn strip(moment: &str, median: f64) -> ThicknessStrip {
     ThicknessStrip {
@@ -92,7 +93,9 @@ fn measuring_can_be_cancelled_and_begun_again() {
     shown.run();
     assert_eq!(
         *shown.state(),
-        [Command::Cancel(Topic::of::<PoseThickness>())]
+        [Command::Work(WorkCommand::Cancel(
+            Topic::of::<PoseThickness>()
+        ))]
     );
     let mut shown = harness(ThicknessState::Stopped, Some("P05"));
     shown.run();
@@ -100,7 +103,9 @@ fn measuring_can_be_cancelled_and_begun_again() {
     shown.run();
     assert_eq!(
         *shown.state(),
-        [Command::Retry(Topic::of::<PoseThickness>())]
+        [Command::Work(WorkCommand::Retry(
+            Topic::of::<PoseThickness>()
+        ))]
     );
 }
 

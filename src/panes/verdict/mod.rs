@@ -9,7 +9,7 @@ mod tests;
 use egui::{Margin, RichText, ScrollArea, Ui};
 
 use crate::engine::{Topic, VerdictSettings};
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, WorkCommand};
 use crate::panes::verdict_marks::VerdictMark;
 use crate::study::LabelRole;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui, time_left_text};
@@ -209,13 +209,17 @@ fn state_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>) {
                 egui::WidgetInfo::labeled(egui::Role::Button, true, "Cancel classification")
             });
             if cancel.clicked() {
-                commands.push(Command::Cancel(Topic::of::<VerdictSettings>()));
+                commands.push(Command::Work(WorkCommand::Cancel(Topic::of::<
+                    VerdictSettings,
+                >())));
             }
         }
         VerdictState::Stopped => {
             lines(ui, "Not classified", "The classification was stopped");
             if ui.button("Classify the subjects").clicked() {
-                commands.push(Command::Retry(Topic::of::<VerdictSettings>()));
+                commands.push(Command::Work(WorkCommand::Retry(Topic::of::<
+                    VerdictSettings,
+                >())));
             }
         }
         VerdictState::Failed(why) => {
@@ -223,7 +227,9 @@ fn state_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>) {
             ui.label(medium("The subjects could not be classified").color(colour));
             ui.add(egui::Label::new(RichText::new(why.as_str()).weak()).wrap());
             if ui.button("Retry").clicked() {
-                commands.push(Command::Retry(Topic::of::<VerdictSettings>()));
+                commands.push(Command::Work(WorkCommand::Retry(Topic::of::<
+                    VerdictSettings,
+                >())));
             }
         }
     }

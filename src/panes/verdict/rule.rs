@@ -2,7 +2,7 @@
 
 use egui::{Button, Label, Role, Ui, WidgetInfo};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::verdict::{ClassifierReport, SimilarSubject, pair_ui};
 use crate::ui::style::{medium, note};
 use crate::ui::theme::space;
@@ -42,7 +42,7 @@ fn subject_ui(ui: &mut Ui, subject: &SimilarSubject, commands: &mut Vec<Command>
         subject.id, subject.label, subject.verdict
     );
     if button.on_hover_text(hover).clicked() {
-        commands.push(Command::SelectSubject(subject.subject));
+        commands.push(Command::Beat(BeatCommand::SelectSubject(subject.subject)));
     }
 }
 

@@ -3,6 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::panes::{BeatCommand, WorkCommand};
 
 fn report() -> VerdictReport {
     let subject = |subject: usize, id: &str, role| SimilarSubject {
@@ -100,7 +101,7 @@ fn a_similar_subject_is_selected_by_a_click() {
     shown.run();
     shown.get_by_label("Select P03, a similar subject").click();
     shown.run();
-    let wanted = [4, 11].map(Command::SelectSubject);
+    let wanted = [4, 11].map(|subject| Command::Beat(BeatCommand::SelectSubject(subject)));
     assert_eq!(shown.into_state(), wanted);
 }
 
@@ -121,7 +122,9 @@ fn work_under_way_shows_how_far_it_is_and_can_be_cancelled() {
         shown.run();
         assert_eq!(
             shown.into_state(),
-            [Command::Cancel(Topic::of::<VerdictSettings>())]
+            [Command::Work(WorkCommand::Cancel(Topic::of::<
+                VerdictSettings,
+            >()))]
         );
     }
 }
@@ -138,7 +141,9 @@ fn what_was_stopped_or_failed_can_be_asked_for_again() {
         shown.run();
         assert_eq!(
             shown.into_state(),
-            [Command::Retry(Topic::of::<VerdictSettings>())]
+            [Command::Work(WorkCommand::Retry(Topic::of::<
+                VerdictSettings,
+            >()))]
         );
     }
 }

@@ -2,7 +2,7 @@
 
 use egui::{Button, RichText, Stroke, StrokeKind, Ui};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, FileCommand};
 use crate::ui::style::{heading_font, note};
 use crate::ui::theme::{colours, line, radius, space};
 
@@ -51,9 +51,12 @@ pub fn empty_state_ui(ui: &mut Ui, view: &EmptyStateView, commands: &mut Vec<Com
 fn buttons_ui(ui: &mut Ui, opening: bool, commands: &mut Vec<Command>) {
     ui.add_enabled_ui(!opening, |ui| {
         for (name, command) in [
-            ("Open files…", Command::ChooseFiles),
-            ("Open folder…", Command::ChooseFolder),
-            ("Open the built-in cohort", Command::OpenBuiltIn),
+            ("Open files…", Command::File(FileCommand::ChooseFiles)),
+            ("Open folder…", Command::File(FileCommand::ChooseFolder)),
+            (
+                "Open the built-in cohort",
+                Command::File(FileCommand::OpenBuiltIn),
+            ),
         ] {
             let button = Button::new(name).min_size(egui::vec2(220.0, 30.0));
             if ui.add(button).clicked() {
@@ -87,9 +90,9 @@ mod tests {
         assert_eq!(
             harness.into_state(),
             [
-                Command::ChooseFiles,
-                Command::ChooseFolder,
-                Command::OpenBuiltIn
+                Command::File(FileCommand::ChooseFiles),
+                Command::File(FileCommand::ChooseFolder),
+                Command::File(FileCommand::OpenBuiltIn)
             ]
         );
     }

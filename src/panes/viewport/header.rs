@@ -2,7 +2,7 @@
 
 use egui::{Button, Ui};
 
-use crate::panes::command::{Command, ViewMode};
+use crate::panes::commands::{Command, ViewCommand, ViewMode, WallCommand};
 use crate::panes::shortcuts::hint;
 use crate::picture::Quantity;
 use crate::render::Shading;
@@ -72,21 +72,21 @@ pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut
                     ui,
                     "Atoms",
                     Some(view.shows_atoms),
-                    Command::ToggleAtoms,
+                    Command::Wall(WallCommand::ToggleAtoms),
                     &mut pushed,
                 );
                 switch_ui(
                     ui,
                     "Epicardium",
                     view.shows_epicardium,
-                    Command::ToggleEpicardium,
+                    Command::View(ViewCommand::ToggleEpicardium),
                     &mut pushed,
                 );
                 switch_ui(
                     ui,
                     "Endocardium",
                     view.shows_endocardium,
-                    Command::ToggleEndocardium,
+                    Command::View(ViewCommand::ToggleEndocardium),
                     &mut pushed,
                 );
             }
@@ -106,7 +106,7 @@ fn modes_ui(ui: &mut Ui, chosen: ViewMode, commands: &mut Vec<Command>) {
     if ui.available_width() > 240.0 {
         for (mode, name) in MODES {
             if tab_ui(ui, name, chosen == mode).clicked() {
-                commands.push(Command::SetViewMode(mode));
+                commands.push(Command::View(ViewCommand::SetViewMode(mode)));
             }
             ui.add_space(space::SMALL);
         }
@@ -120,7 +120,7 @@ fn modes_ui(ui: &mut Ui, chosen: ViewMode, commands: &mut Vec<Command>) {
         |ui| {
             for (mode, name) in MODES {
                 if choice_ui(ui, name, chosen == mode) {
-                    commands.push(Command::SetViewMode(mode));
+                    commands.push(Command::View(ViewCommand::SetViewMode(mode)));
                 }
             }
         },
@@ -131,7 +131,7 @@ fn quantity_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Comman
     chooser_ui(ui, "Colour", quantity_name(view.quantity), |ui| {
         for choice in Quantity::ALL {
             if choice_ui(ui, quantity_name(choice), choice == view.quantity) {
-                commands.push(Command::SetQuantity(choice));
+                commands.push(Command::View(ViewCommand::SetQuantity(choice)));
             }
         }
         ui.separator();
@@ -141,7 +141,7 @@ fn quantity_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Comman
         ] {
             ui.add_enabled_ui(hindrance.is_none(), |ui| {
                 if choice_ui(ui, choice.name(), choice == view.quantity) {
-                    commands.push(Command::SetQuantity(choice));
+                    commands.push(Command::View(ViewCommand::SetQuantity(choice)));
                 }
             })
             .response
@@ -156,43 +156,47 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
             (
                 "Endocardium",
                 view.shows_endocardium,
-                Command::ToggleEndocardium,
+                Command::View(ViewCommand::ToggleEndocardium),
             ),
             (
                 "Epicardium",
                 view.shows_epicardium,
-                Command::ToggleEpicardium,
+                Command::View(ViewCommand::ToggleEpicardium),
             ),
             (
                 "Edges",
                 Some(view.shows_wireframe),
-                Command::ToggleWireframe,
+                Command::View(ViewCommand::ToggleWireframe),
             ),
             (
                 "Vertices",
                 Some(view.shows_vertices),
-                Command::ToggleVertices,
+                Command::View(ViewCommand::ToggleVertices),
             ),
-            ("Medial atoms", Some(view.shows_atoms), Command::ToggleAtoms),
+            (
+                "Medial atoms",
+                Some(view.shows_atoms),
+                Command::Wall(WallCommand::ToggleAtoms),
+            ),
             (
                 "Spokes of the atoms",
                 Some(view.shows_spokes),
-                Command::ToggleSpokes,
+                Command::Wall(WallCommand::ToggleSpokes),
             ),
             (
                 "Patch outlines",
                 Some(view.shows_patches),
-                Command::TogglePatches,
+                Command::Wall(WallCommand::TogglePatches),
             ),
             (
                 "ANV and MP of the patch",
                 Some(view.shows_direction),
-                Command::ToggleDirection,
+                Command::Wall(WallCommand::ToggleDirection),
             ),
             (
                 "Free rotation",
                 Some(view.free_camera),
-                Command::ToggleFreeCamera,
+                Command::View(ViewCommand::ToggleFreeCamera),
             ),
         ] {
             let mut on = shown.unwrap_or(false);
@@ -211,7 +215,7 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
             ("Flat shading", Shading::Flat),
         ] {
             if choice_ui(ui, name, view.shading == shading) {
-                commands.push(Command::SetShading(shading));
+                commands.push(Command::View(ViewCommand::SetShading(shading)));
             }
         }
     });
@@ -220,18 +224,18 @@ fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command
 /// What a term of the method means, with its section in Taimouri's dissertation.
 fn display_hint(command: &Command) -> Option<&'static str> {
     match command {
-        Command::ToggleAtoms => Some(
+        Command::Wall(WallCommand::ToggleAtoms) => Some(
             "A disc for each medial sphere, the sphere inscribed in the wall at an endocardial \
              vertex (Taimouri, 4.2)",
         ),
-        Command::ToggleSpokes => Some(
+        Command::Wall(WallCommand::ToggleSpokes) => Some(
             "Lines from the centre of a medial sphere to its points of contact with the wall \
              (Taimouri, 4.2)",
         ),
-        Command::TogglePatches => {
+        Command::Wall(WallCommand::TogglePatches) => {
             Some("Outlines of regional wall-thickening abnormalities (Taimouri, 4.6.2)")
         }
-        Command::ToggleDirection => {
+        Command::Wall(WallCommand::ToggleDirection) => {
             Some("ANV: average normal vector; MP: mean position (Taimouri, 4.4.1)")
         }
         _ => None,
@@ -290,7 +294,9 @@ mod tests {
 
     #[test]
     fn tabs_become_a_menu_where_they_do_not_fit() {
-        let wanted = [Command::SetViewMode(ViewMode::SideBySide)];
+        let wanted = [Command::View(ViewCommand::SetViewMode(
+            ViewMode::SideBySide,
+        ))];
         assert_eq!(clicked(800.0, &["Side by side"]), wanted);
         assert_eq!(clicked(360.0, &["View: 3D view", "Side by side"]), wanted);
     }
@@ -298,13 +304,15 @@ mod tests {
     #[test]
     fn a_surface_that_is_not_there_cannot_be_shown() {
         let commands = clicked(800.0, &["Epicardium", "Endocardium"]);
-        assert_eq!(commands, [Command::ToggleEndocardium]);
+        assert_eq!(commands, [Command::View(ViewCommand::ToggleEndocardium)]);
     }
 
     #[test]
     fn a_difference_can_be_chosen_where_there_is_one() {
         let names = ["Colour: Tissue", Quantity::Contribution.name()];
-        let wanted = [Command::SetQuantity(Quantity::Contribution)];
+        let wanted = [Command::View(ViewCommand::SetQuantity(
+            Quantity::Contribution,
+        ))];
         assert_eq!(clicked(800.0, &names), wanted);
         let names = ["Colour: Tissue", Quantity::CarriedDistance.name()];
         assert_eq!(clicked(800.0, &names), []);
@@ -313,6 +321,9 @@ mod tests {
     #[test]
     fn the_quantity_is_chosen_from_a_menu() {
         let commands = clicked(800.0, &["Colour: Tissue", "Area ratio"]);
-        assert_eq!(commands, [Command::SetQuantity(Quantity::AreaRatio)]);
+        assert_eq!(
+            commands,
+            [Command::View(ViewCommand::SetQuantity(Quantity::AreaRatio))]
+        );
     }
 }

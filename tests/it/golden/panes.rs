@@ -2,7 +2,10 @@
 
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::App;
-use cardiomorph::panes::{Command, Pane, ThemeChoice, ViewMode};
+use cardiomorph::panes::{
+    BeatCommand, Command, Pane, ThemeChoice, TransportCommand, ViewCommand, ViewMode, WallCommand,
+    WindowCommand,
+};
 use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 use cardiomorph::ui::theme::space;
 use egui::{Rect, pos2, vec2};
@@ -64,8 +67,10 @@ fn compare_pane(
     let [above, below] = BARS;
     let gap = space::PANE_GAP;
     let window = [width + 2.0 * gap, above + height + 2.0 * gap + below];
-    let mut all: Vec<Command> = PANES.map(Command::TogglePane).to_vec();
-    all.push(Command::ShowPane(pane));
+    let mut all: Vec<Command> = PANES
+        .map(|pane| Command::Window(WindowCommand::TogglePane(pane)))
+        .to_vec();
+    all.push(Command::Window(WindowCommand::ShowPane(pane)));
     all.extend_from_slice(commands);
     let mut harness = window_after(window, theme, all, ready);
     let place = Rect::from_min_size(pos2(gap, above + gap), vec2(width, height));
@@ -138,7 +143,9 @@ fn settings_of_metric_and_maps_look_as_they_did() {
 
 #[test]
 fn a_patch_looks_as_it_did() {
-    let commands = [Command::SelectPart(Some(WallPart::Patch(0)))];
+    let commands = [Command::Wall(WallCommand::SelectPart(Some(
+        WallPart::Patch(0),
+    )))];
     let size = [300.0, 420.0];
     compare_pane("patch", Pane::Patch, size, LIGHT, &commands, wall_is_known);
 }
@@ -151,7 +158,9 @@ fn a_verdict_looks_as_it_did() {
 
 #[test]
 fn the_bulls_eye_looks_as_it_did() {
-    let commands = [Command::SelectPart(Some(WallPart::Patch(0)))];
+    let commands = [Command::Wall(WallCommand::SelectPart(Some(
+        WallPart::Patch(0),
+    )))];
     let (pane, size) = (Pane::BullsEye, [300.0, 320.0]);
     compare_pane("bulls_eye", pane, size, DARK, &commands, wall_is_known);
 }
@@ -159,9 +168,11 @@ fn the_bulls_eye_looks_as_it_did() {
 #[test]
 fn the_bulls_eye_with_a_colour_for_each_segment_looks_as_it_did() {
     let commands = [
-        Command::ToggleBullsEyeSegments,
-        Command::SetBullsEye(BullsEyeQuantity::Thickening),
-        Command::SelectPart(Some(WallPart::Segment(Segment::new(8).unwrap()))),
+        Command::Wall(WallCommand::ToggleBullsEyeSegments),
+        Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Thickening)),
+        Command::Wall(WallCommand::SelectPart(Some(WallPart::Segment(
+            Segment::new(8).unwrap(),
+        )))),
     ];
     let (name, pane, size) = ("bulls_eye_segments", Pane::BullsEye, [300.0, 320.0]);
     compare_pane(name, pane, size, LIGHT, &commands, wall_is_known);
@@ -170,8 +181,8 @@ fn the_bulls_eye_with_a_colour_for_each_segment_looks_as_it_did() {
 #[test]
 fn atoms_and_the_outline_of_a_patch_look_as_they_did() {
     let commands = [
-        Command::ToggleAtoms,
-        Command::SelectPart(Some(WallPart::Patch(0))),
+        Command::Wall(WallCommand::ToggleAtoms),
+        Command::Wall(WallCommand::SelectPart(Some(WallPart::Patch(0)))),
     ];
     let size = [420.0, 360.0];
     compare_pane(
@@ -186,7 +197,9 @@ fn atoms_and_the_outline_of_a_patch_look_as_they_did() {
 
 #[test]
 fn the_thickness_ratio_looks_as_it_did() {
-    let commands = [Command::SetQuantity(Quantity::ThicknessRatio)];
+    let commands = [Command::View(ViewCommand::SetQuantity(
+        Quantity::ThicknessRatio,
+    ))];
     let (name, size) = ("thickness_ratio", [420.0, 360.0]);
     compare_pane(name, Pane::Viewport, size, LIGHT, &commands, wall_is_known);
 }
@@ -194,12 +207,12 @@ fn the_thickness_ratio_looks_as_it_did() {
 #[test]
 fn a_motion_on_another_subject_looks_as_it_did() {
     let commands = [
-        Command::TransportMotion {
+        Command::Transport(TransportCommand::TransportMotion {
             from: SUBJECT,
             onto: 2,
-        },
-        Command::TogglePlay,
-        Command::SetPosition(FRAME as f64 + 0.5),
+        }),
+        Command::Beat(BeatCommand::TogglePlay),
+        Command::Beat(BeatCommand::SetPosition(FRAME as f64 + 0.5)),
     ];
     let (name, size) = ("transport", [480.0, 320.0]);
     compare_pane(name, Pane::Viewport, size, DARK, &commands, |app| {
@@ -211,9 +224,9 @@ fn a_motion_on_another_subject_looks_as_it_did() {
 #[test]
 fn the_difference_of_two_hearts_looks_as_it_did() {
     let commands = [
-        Command::SetViewMode(ViewMode::SideBySide),
-        Command::CompareWith(Some(2)),
-        Command::SetQuantity(Quantity::Contribution),
+        Command::View(ViewCommand::SetViewMode(ViewMode::SideBySide)),
+        Command::Beat(BeatCommand::CompareWith(Some(2))),
+        Command::View(ViewCommand::SetQuantity(Quantity::Contribution)),
     ];
     let (name, size) = ("difference", [480.0, 320.0]);
     compare_pane(name, Pane::Viewport, size, LIGHT, &commands, |app| {

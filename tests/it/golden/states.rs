@@ -1,9 +1,9 @@
 //! Panes and sheets in states that the built-in cohort does not bring about, from views made by hand.
 
-use cardiomorph::engine::{PoseMapParams, Topic};
-use cardiomorph::study::Notice;
 use cardiomorph::app::*;
+use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::panes::*;
+use cardiomorph::study::Notice;
 use cardiomorph::ui::*;
 use egui::{Ui, pos2};
 use egui_kittest::Harness;

@@ -1,6 +1,6 @@
 //! The whole window, once in each theme.
 
-use cardiomorph::panes::{Command, ThemeChoice, ViewMode};
+use cardiomorph::panes::{Command, ThemeChoice, ViewCommand, ViewMode};
 
 use super::{compare, on_reference_driver, window_after};
 
@@ -10,7 +10,7 @@ fn compare_window(name: &str, theme: ThemeChoice, mode: ViewMode) {
     if !on_reference_driver() {
         return;
     }
-    let commands = vec![Command::SetViewMode(mode)];
+    let commands = vec![Command::View(ViewCommand::SetViewMode(mode))];
     let mut harness = window_after([1280.0, 800.0], theme, commands, |_| true);
     compare(&harness.render().unwrap(), &format!("windows/{name}"));
 }

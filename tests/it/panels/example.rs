@@ -4,8 +4,8 @@ use std::f64::consts::{PI, TAU};
 
 use cardiomorph::analysis::deformations::DeformationMapParams;
 use cardiomorph::engine::PoseMapParams;
-use cardiomorph::study::LabelRole;
 use cardiomorph::panes::*;
+use cardiomorph::study::LabelRole;
 
 /// What panels show.
 pub struct Example {

@@ -1,7 +1,7 @@
 //! Nothing overlaps and nothing is cut off: a law over all widths of all panels.
 
-use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::app::*;
+use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::panes::*;
 use cardiomorph::ui::*;
 use egui::{Rect, Shape, Ui, epaint::ClippedShape};

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use cardiomorph::app::*;
+use cardiomorph::panes::*;
 use cardiomorph::picture::Quantity;
 use cardiomorph::report::SubjectRow;
 use cardiomorph::study::LabelRole;
 use cardiomorph::ui::theme::colours;
-use cardiomorph::app::*;
-use cardiomorph::panes::*;
 use cardiomorph::ui::*;
 use cardiomorph::units::LengthUnit;
 use egui::{Frame, Margin, Rect, Stroke, Ui, UiBuilder, pos2, vec2};

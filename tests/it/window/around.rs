@@ -1,6 +1,7 @@
 //! What lies around a heart: errors, stated frames, views, panes, sheets, tables.
 
 use super::*;
+use cardiomorph::panes::{BeatCommand, EditCommand, FileCommand, ViewCommand, WindowCommand};
 
 #[test]
 fn a_broken_file_let_go_over_the_window_gives_its_error_and_leaves_the_study_open() {
@@ -31,12 +32,15 @@ fn a_frame_stated_as_end_systole_is_measured_again_and_taken_back() {
     let mut harness = mapped_window();
     let before = harness.state().state().measures_of(0).unwrap().clone();
     let stated = (before.end_systole.unwrap() + 2) % 8;
-    give(&mut harness, Command::StateEndSystole(Some(stated)));
+    give(
+        &mut harness,
+        Command::Beat(BeatCommand::StateEndSystole(Some(stated))),
+    );
     wait(&mut harness, "new measures", |app| {
         app.state().measures_of(0).unwrap().end_systole == Some(stated)
     });
     assert!(harness.state().state().measures_of(0).unwrap().ef < before.ef);
-    give(&mut harness, Command::Undo);
+    give(&mut harness, Command::Edit(EditCommand::Undo));
     wait(&mut harness, "the old measures", |app| {
         app.state().measures_of(0) == Some(&before)
     });
@@ -50,7 +54,7 @@ fn the_views_show_one_two_and_all_hearts() {
         (ViewMode::AllFrames, 8),
         (ViewMode::Single, 1),
     ] {
-        give(&mut harness, Command::SetViewMode(mode));
+        give(&mut harness, Command::View(ViewCommand::SetViewMode(mode)));
         wait(&mut harness, "the hearts", |app| {
             app.hearts_on_screen().len() == count
         });
@@ -62,10 +66,13 @@ fn panes_close_and_come_back() {
     let mut harness = cohort_window();
     harness.run();
     assert!(harness.query_by_label("Pose map").is_some() || harness.state().busy());
-    give(&mut harness, Command::TogglePane(Pane::Measures));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::TogglePane(Pane::Measures)),
+    );
     harness.run_steps(2);
     assert!(harness.query_by_label("Ejection fraction").is_none());
-    give(&mut harness, Command::ResetLayout);
+    give(&mut harness, Command::Window(WindowCommand::ResetLayout));
     harness.run_steps(2);
     assert!(harness.query_by_label("Ejection fraction").is_some());
 }
@@ -100,7 +107,10 @@ fn tables_are_written_by_a_job() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = mapped_window();
     let path: PathBuf = folder.path().join("report");
-    give(&mut harness, Command::ExportTables(Some(path.clone())));
+    give(
+        &mut harness,
+        Command::File(FileCommand::ExportTables(Some(path.clone()))),
+    );
     wait(&mut harness, "the tables", |app| {
         app.state().message.starts_with("Wrote")
     });

@@ -5,6 +5,7 @@ use cardiomorph::engine::{InBetweens, PoseMapParams, Topic, Transfer};
 use cardiomorph::picture::Quantity;
 
 use super::*;
+use cardiomorph::panes::{BeatCommand, EditCommand, TransportCommand, ViewCommand, WorkCommand};
 
 /// Takes what is at `from` and lets it go at `onto`, as a person does: in several steps.
 fn drag(harness: &mut Harness<'_, App>, from: egui::Pos2, onto: egui::Pos2) {
@@ -36,7 +37,7 @@ fn carried(app: &App) -> bool {
 #[test]
 fn the_slider_runs_through_computed_poses_and_says_so() {
     let mut harness = cohort_window();
-    give(&mut harness, Command::SetPosition(2.4));
+    give(&mut harness, Command::Beat(BeatCommand::SetPosition(2.4)));
     assert!(
         shows(&harness, "linear interpolation"),
         "until the pose is computed"
@@ -67,17 +68,23 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
     harness.key_press(egui::Key::Period);
     harness.run();
     assert_eq!(harness.state().state().document.position, 2.5);
-    give(&mut harness, Command::SetPosition(3.0));
+    give(&mut harness, Command::Beat(BeatCommand::SetPosition(3.0)));
     harness.run();
     assert!(!shows(&harness, "interpolated"));
     // Another number of poses is another question; none at all is one too.
-    give(&mut harness, Command::SetInBetweens(1));
-    give(&mut harness, Command::SetPosition(2.4));
+    give(
+        &mut harness,
+        Command::Transport(TransportCommand::SetInBetweens(1)),
+    );
+    give(&mut harness, Command::Beat(BeatCommand::SetPosition(2.4)));
     wait(&mut harness, "one pose per interval", |app| {
         let beat = app.state().in_betweens_of(0);
         beat.is_some_and(|beat| beat.positions().len() == 8)
     });
-    give(&mut harness, Command::SetInBetweens(0));
+    give(
+        &mut harness,
+        Command::Transport(TransportCommand::SetInBetweens(0)),
+    );
     harness.run();
     assert!(shows(&harness, "linear interpolation"));
     assert!(!harness.state().busy());
@@ -86,12 +93,12 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
 #[test]
 fn playing_finds_the_poses_of_the_heart_on_screen() {
     let mut harness = cohort_window();
-    give(&mut harness, Command::SelectSubject(4));
+    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(4)));
     assert!(
         harness.state().state().in_betweens_of(4).is_none(),
         "nothing moves yet"
     );
-    give(&mut harness, Command::TogglePlay);
+    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
     wait(&mut harness, "the poses between frames", |app| {
         app.state()
             .in_betweens_of(4)
@@ -107,23 +114,32 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
         ..BuiltInParams::default()
     }));
     wait_for_heart(&mut harness);
-    give(&mut harness, Command::Cancel(Topic::of::<PoseMapParams>()));
-    give(&mut harness, Command::SetPosition(0.5));
+    give(
+        &mut harness,
+        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+    );
+    give(&mut harness, Command::Beat(BeatCommand::SetPosition(0.5)));
     harness.step();
     let works = |app: &App| app.works_on(Topic::of::<InBetweens>());
     assert!(works(harness.state()));
     let begin = Instant::now();
-    give(&mut harness, Command::Cancel(Topic::of::<InBetweens>()));
+    give(
+        &mut harness,
+        Command::Work(WorkCommand::Cancel(Topic::of::<InBetweens>())),
+    );
     wait(&mut harness, "the end of the work", |app| !works(app));
     assert!(begin.elapsed() < Duration::from_secs(2));
-    give(&mut harness, Command::SetPosition(4.5));
+    give(&mut harness, Command::Beat(BeatCommand::SetPosition(4.5)));
     harness.run_steps(3);
     assert!(
         !works(harness.state()),
         "another interval does not begin it again"
     );
     assert!(shows(&harness, "linear interpolation"));
-    give(&mut harness, Command::Retry(Topic::of::<InBetweens>()));
+    give(
+        &mut harness,
+        Command::Work(WorkCommand::Retry(Topic::of::<InBetweens>())),
+    );
     harness.step();
     assert!(works(harness.state()));
 }
@@ -168,8 +184,8 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     assert_eq!(state.document.view_mode, ViewMode::SideBySide);
     assert!(state.play.playing, "it plays beside the original");
     wait(&mut harness, "the carried beat", carried);
-    give(&mut harness, Command::TogglePlay);
-    give(&mut harness, Command::SetPosition(3.0));
+    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut harness, Command::Beat(BeatCommand::SetPosition(3.0)));
     harness.run();
     assert!(shows(&harness, "Motion of P07 on N03"));
     assert!(shows(&harness, "transported motion · frame 3 (0–7)"));
@@ -185,7 +201,10 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     );
     assert!(shows(&harness, "Difference from own motion, mm"));
     // Without colours the bar goes; undo brings them, and then the view before, back.
-    give(&mut harness, Command::SetQuantity(Quantity::Tissue));
+    give(
+        &mut harness,
+        Command::View(ViewCommand::SetQuantity(Quantity::Tissue)),
+    );
     harness.run();
     assert!(!shows(&harness, "Difference from own motion, mm"));
     harness.get_by_label("Show own motion").click();
@@ -193,7 +212,7 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     assert_eq!(harness.state().state().document.carried, None);
     assert!(!shows(&harness, "Motion of P07 on N03"));
     for _ in 0..8 {
-        give(&mut harness, Command::Undo);
+        give(&mut harness, Command::Edit(EditCommand::Undo));
     }
     harness.run();
     assert_eq!(harness.state().state().document.view_mode, ViewMode::Single);
@@ -216,7 +235,10 @@ fn a_subject_let_go_on_a_picture_plays_on_that_heart() {
     });
     assert!(shows(&harness, "transport from P02 is being computed") || carried(harness.state()));
     // By keyboard: the beat of the selected heart on the one beside it, there and back.
-    give(&mut harness, Command::StopTransport);
+    give(
+        &mut harness,
+        Command::Transport(TransportCommand::StopTransport),
+    );
     harness.key_press(egui::Key::T);
     harness.run_steps(3);
     assert_eq!(harness.state().state().document.carrying(), beat);
@@ -229,12 +251,24 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
         ..BuiltInParams::default()
     }));
     wait_for_heart(&mut harness);
-    give(&mut harness, Command::Cancel(Topic::of::<PoseMapParams>()));
-    give(&mut harness, Command::SetInBetweens(0));
-    give(&mut harness, Command::TransportMotion { from: 9, onto: 3 });
-    give(&mut harness, Command::TogglePlay);
+    give(
+        &mut harness,
+        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+    );
+    give(
+        &mut harness,
+        Command::Transport(TransportCommand::SetInBetweens(0)),
+    );
+    give(
+        &mut harness,
+        Command::Transport(TransportCommand::TransportMotion { from: 9, onto: 3 }),
+    );
+    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
     assert!(harness.state().busy());
-    give(&mut harness, Command::Cancel(Topic::of::<Transfer>()));
+    give(
+        &mut harness,
+        Command::Work(WorkCommand::Cancel(Topic::of::<Transfer>())),
+    );
     wait(&mut harness, "the end of the work", |app| !app.busy());
     wait(&mut harness, "both hearts", |app| {
         app.hearts_on_screen().len() == 2
@@ -264,8 +298,14 @@ fn two_hearts_show_where_they_differ() {
         "The contribution to the distance needs two subjects side by side"
     ));
     assert!(!shows(&harness, "relative to the mean"));
-    give(&mut harness, Command::SetViewMode(ViewMode::SideBySide));
-    give(&mut harness, Command::CompareWith(Some(12)));
+    give(
+        &mut harness,
+        Command::View(ViewCommand::SetViewMode(ViewMode::SideBySide)),
+    );
+    give(
+        &mut harness,
+        Command::Beat(BeatCommand::CompareWith(Some(12))),
+    );
     wait(&mut harness, "the difference", |app| {
         app.state().answers.difference().is_some() && app.hearts_on_screen().len() == 2
     });
@@ -287,7 +327,7 @@ fn two_hearts_show_where_they_differ() {
         "densities lie about 1, not {mean}"
     );
     // At another frame the old one stays until the new one is there.
-    give(&mut harness, Command::SetPosition(3.0));
+    give(&mut harness, Command::Beat(BeatCommand::SetPosition(3.0)));
     assert!(harness.state().state().answers.difference().is_some());
     wait(&mut harness, "the next difference", |app| {
         app.state()
@@ -295,7 +335,10 @@ fn two_hearts_show_where_they_differ() {
             .difference()
             .is_some_and(|now| *now != at_rest)
     });
-    give(&mut harness, Command::SetViewMode(ViewMode::Single));
+    give(
+        &mut harness,
+        Command::View(ViewCommand::SetViewMode(ViewMode::Single)),
+    );
     harness.run();
     assert!(shows(
         &harness,

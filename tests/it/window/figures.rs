@@ -1,6 +1,9 @@
 //! Figures of the window: written as files, taken up again from a picture.
 
 use super::*;
+use cardiomorph::panes::{
+    BeatCommand, EditCommand, FileCommand, TransportCommand, ViewCommand, WallCommand,
+};
 
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel};
@@ -18,24 +21,26 @@ fn arranged_window() -> Harness<'static, App> {
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::SelectPose {
+        Command::Beat(BeatCommand::SelectPose {
             subject: PATCHED,
             frame: 3,
             play: false,
-        },
+        }),
     );
     let mut settings = harness.state().state().document.thickening;
     settings.thickening.border = 0.5;
     for command in [
-        Command::SetThickening(settings),
-        Command::SetInBetweens(0),
-        Command::ToggleAtoms,
-        Command::ToggleEpicardium,
-        Command::SetQuantity(Quantity::AreaRatio),
-        Command::SetColourLimits(Some([0.7, 1.4])),
-        Command::ViewFrom(cardiomorph::picture::AnatomicalView::Lateral),
-        Command::SelectPart(Some(WallPart::Patch(0))),
-        Command::SetBullsEye(BullsEyeQuantity::Ratio),
+        Command::Wall(WallCommand::SetThickening(settings)),
+        Command::Transport(TransportCommand::SetInBetweens(0)),
+        Command::Wall(WallCommand::ToggleAtoms),
+        Command::View(ViewCommand::ToggleEpicardium),
+        Command::View(ViewCommand::SetQuantity(Quantity::AreaRatio)),
+        Command::View(ViewCommand::SetColourLimits(Some([0.7, 1.4]))),
+        Command::View(ViewCommand::ViewFrom(
+            cardiomorph::picture::AnatomicalView::Lateral,
+        )),
+        Command::Wall(WallCommand::SelectPart(Some(WallPart::Patch(0)))),
+        Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Ratio)),
     ] {
         give(&mut harness, command);
     }
@@ -76,19 +81,19 @@ fn a_patch_figure_dropped_on_the_window_restores_the_view_that_it_shows() {
     let mut harness = arranged_window();
     written(
         &mut harness,
-        Command::ExportPatchFigure(Some(path.clone())),
+        Command::File(FileCommand::ExportPatchFigure(Some(path.clone()))),
         &path,
     );
     let shown = document(&harness);
     for command in [
-        Command::SelectSubject(2),
-        Command::ToggleAtoms,
-        Command::ToggleWireframe,
-        Command::SetQuantity(Quantity::Tissue),
-        Command::FitView,
-        Command::ResetThickening,
-        Command::SetBullsEye(BullsEyeQuantity::Thickening),
-        Command::SetViewMode(ViewMode::AllFrames),
+        Command::Beat(BeatCommand::SelectSubject(2)),
+        Command::Wall(WallCommand::ToggleAtoms),
+        Command::View(ViewCommand::ToggleWireframe),
+        Command::View(ViewCommand::SetQuantity(Quantity::Tissue)),
+        Command::View(ViewCommand::FitView),
+        Command::Wall(WallCommand::ResetThickening),
+        Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Thickening)),
+        Command::View(ViewCommand::SetViewMode(ViewMode::AllFrames)),
     ] {
         give(&mut harness, command);
     }
@@ -116,12 +121,12 @@ fn a_patch_figure_dropped_on_the_window_restores_the_view_that_it_shows() {
     wait_for_verdicts(&mut harness);
     written(
         &mut harness,
-        Command::ExportPatchFigure(Some(again.clone())),
+        Command::File(FileCommand::ExportPatchFigure(Some(again.clone()))),
         &again,
     );
     let other = differing(&path, &again);
     assert!(other < 1e-3, "{other} of all pixels differ");
-    give(&mut harness, Command::Undo);
+    give(&mut harness, Command::Edit(EditCommand::Undo));
     assert_eq!(document(&harness), changed, "one step of undo");
 }
 
@@ -172,7 +177,7 @@ fn f2_asks_for_a_place_and_svg_and_pdf_are_written_by_their_endings() {
         let path = folder.path().join(name);
         written(
             &mut harness,
-            Command::ExportPatchFigure(Some(path.clone())),
+            Command::File(FileCommand::ExportPatchFigure(Some(path.clone()))),
             &path,
         );
         assert!(std::fs::read(&path).unwrap().starts_with(start), "{name}");
@@ -181,7 +186,7 @@ fn f2_asks_for_a_place_and_svg_and_pdf_are_written_by_their_endings() {
     let wrong = folder.path().join("a.docx");
     give(
         &mut harness,
-        Command::ExportPatchFigure(Some(wrong.clone())),
+        Command::File(FileCommand::ExportPatchFigure(Some(wrong.clone()))),
     );
     let card = harness.state().state().errors[0].clone();
     assert!(
@@ -210,7 +215,10 @@ fn asking_window() -> (Harness<'static, App>, Dialog) {
     });
     let mut harness = window(options);
     wait_for_heart(&mut harness);
-    give(&mut harness, Command::SelectSubject(PATCHED));
+    give(
+        &mut harness,
+        Command::Beat(BeatCommand::SelectSubject(PATCHED)),
+    );
     wait_for_verdicts(&mut harness);
     (harness, Dialog { asked, answer })
 }
@@ -240,19 +248,25 @@ fn shown_in(path: &Path) -> (String, f64) {
 fn a_figure_holds_the_subject_of_its_command_while_another_one_is_clicked() {
     let folder = tempfile::tempdir().unwrap();
     for (command, name) in [
-        (Command::ExportPatchFigure(None), "P05_patch.png"),
-        (Command::ExportFigure(None), "P05_frame_2.png"),
+        (
+            Command::File(FileCommand::ExportPatchFigure(None)),
+            "P05_patch.png",
+        ),
+        (
+            Command::File(FileCommand::ExportFigure(None)),
+            "P05_frame_2.png",
+        ),
     ] {
         let (mut harness, dialog) = asking_window();
-        give(&mut harness, Command::SetPosition(2.0));
+        give(&mut harness, Command::Beat(BeatCommand::SetPosition(2.0)));
         give(&mut harness, command);
         let asked = question(&mut harness, &dialog);
         let PathQuestion::SaveFigure { suggested, .. } = asked else {
             panic!("{asked:?}");
         };
         assert_eq!(suggested, name);
-        give(&mut harness, Command::SelectSubject(15));
-        give(&mut harness, Command::SetPosition(5.0));
+        give(&mut harness, Command::Beat(BeatCommand::SelectSubject(15)));
+        give(&mut harness, Command::Beat(BeatCommand::SetPosition(5.0)));
         wait(&mut harness, "P07 on screen", |app| {
             app.hearts_on_screen()[0].0 == 15
         });
@@ -267,8 +281,12 @@ fn a_figure_holds_the_subject_of_its_command_while_another_one_is_clicked() {
 fn a_figure_asked_for_right_after_a_click_waits_for_the_clicked_subject() {
     let (mut harness, dialog) = asking_window();
     // In one frame, before anything of P07 is drawn or measured.
-    harness.state_mut().push(Command::SelectSubject(15));
-    harness.state_mut().push(Command::ExportPatchFigure(None));
+    harness
+        .state_mut()
+        .push(Command::Beat(BeatCommand::SelectSubject(15)));
+    harness
+        .state_mut()
+        .push(Command::File(FileCommand::ExportPatchFigure(None)));
     let asked = question(&mut harness, &dialog);
     let PathQuestion::SaveFigure { suggested, .. } = asked else {
         panic!("{asked:?}");
@@ -285,9 +303,15 @@ fn a_figure_asked_for_right_after_a_click_waits_for_the_clicked_subject() {
 #[test]
 fn a_figure_whose_subject_is_left_before_it_is_drawn_is_refused_by_name() {
     let (mut harness, _dialog) = asking_window();
-    harness.state_mut().push(Command::SelectSubject(15));
-    harness.state_mut().push(Command::ExportFigure(None));
-    harness.state_mut().push(Command::SelectSubject(2));
+    harness
+        .state_mut()
+        .push(Command::Beat(BeatCommand::SelectSubject(15)));
+    harness
+        .state_mut()
+        .push(Command::File(FileCommand::ExportFigure(None)));
+    harness
+        .state_mut()
+        .push(Command::Beat(BeatCommand::SelectSubject(2)));
     wait(&mut harness, "a card", |app| !app.state().errors.is_empty());
     let card = harness.state().state().errors[0].clone();
     assert_eq!(card.title, "There is no figure of P07");
@@ -296,12 +320,15 @@ fn a_figure_whose_subject_is_left_before_it_is_drawn_is_refused_by_name() {
 #[test]
 fn tables_hold_the_study_of_their_command_while_another_one_is_opened() {
     let (mut harness, dialog) = asking_window();
-    give(&mut harness, Command::ExportTables(None));
+    give(&mut harness, Command::File(FileCommand::ExportTables(None)));
     assert_eq!(question(&mut harness, &dialog), PathQuestion::SaveTables);
     let (folder, manifest) = cohort_on_disk();
     let text = std::fs::read_to_string(&manifest).unwrap();
     std::fs::write(&manifest, text.replace("\"P05\"", "\"Q05\"")).unwrap();
-    give(&mut harness, Command::Open(vec![manifest]));
+    give(
+        &mut harness,
+        Command::File(FileCommand::Open(vec![manifest])),
+    );
     wait(&mut harness, "the other study", |app| {
         app.state().document.study().subjects[PATCHED].id == "Q05"
     });

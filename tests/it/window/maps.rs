@@ -1,6 +1,7 @@
 //! Maps of deformations, the spatiotemporal plot, and their settings: from a click to what every view shows.
 
 use super::*;
+use cardiomorph::panes::{BeatCommand, EditCommand, MapCommand, WindowCommand, WorkCommand};
 
 use cardiomorph::analysis::embedding::MapMethod;
 use cardiomorph::analysis::metrics::MetricKind;
@@ -16,7 +17,7 @@ fn with_deformations() -> Harness<'static, App> {
 }
 
 fn shown(harness: &mut Harness<'_, App>, pane: Pane) {
-    give(harness, Command::ShowPane(pane));
+    give(harness, Command::Window(WindowCommand::ShowPane(pane)));
     harness.run();
 }
 
@@ -65,7 +66,7 @@ fn a_click_on_a_deformation_plays_that_heart() {
     wait(&mut harness, "that heart", |app| {
         app.hearts_on_screen().first().map(|heart| heart.0) == Some(wanted)
     });
-    give(&mut harness, Command::TogglePlay);
+    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
 }
 
 #[test]
@@ -95,7 +96,7 @@ fn a_click_on_a_curve_through_time_plays_that_heart() {
     harness.step();
     assert_eq!(subject(&harness), lonely);
     assert!(harness.state().state().play.playing);
-    give(&mut harness, Command::TogglePlay);
+    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
 }
 
 #[test]
@@ -104,7 +105,10 @@ fn a_changed_setting_keeps_the_old_maps_until_new_ones_move_in_and_undo_takes_it
     let before = harness.state().state().deformations().unwrap().clone();
     let mut settings = harness.state().state().document.deformation_map;
     settings.neighbours = Some(9);
-    give(&mut harness, Command::SetDeformationMap(settings));
+    give(
+        &mut harness,
+        Command::Map(MapCommand::SetDeformationMap(settings)),
+    );
     assert!(
         harness.state().state().deformations().is_some(),
         "the old map stays"
@@ -112,7 +116,7 @@ fn a_changed_setting_keeps_the_old_maps_until_new_ones_move_in_and_undo_takes_it
     wait(&mut harness, "another map", |app| {
         app.state().deformations().unwrap().embedding.neighbours == Some(9)
     });
-    give(&mut harness, Command::Undo);
+    give(&mut harness, Command::Edit(EditCommand::Undo));
     wait(&mut harness, "the map before", |app| {
         app.state().deformations().unwrap().embedding.neighbours == before.embedding.neighbours
             && !app.busy()
@@ -151,7 +155,7 @@ fn points_move_to_their_new_places_and_then_rest() {
     settings.neighbours = Some(4);
     harness
         .state_mut()
-        .push(Command::SetDeformationMap(settings));
+        .push(Command::Map(MapCommand::SetDeformationMap(settings)));
     let begin = Instant::now();
     while harness.state().state().deformations() == Some(&shown_before) {
         assert!(begin.elapsed() < Duration::from_secs(30), "no other map");
@@ -202,14 +206,20 @@ fn the_panel_changes_the_metric_and_the_way_back_is_one_undo() {
     assert_eq!(kind(&harness), MetricKind::Rigid);
     harness.get_by_label_contains("Rigid: ignores position and turning");
     wait(&mut harness, "the rigid map", |app| !app.busy());
-    give(&mut harness, Command::ResetMaps);
+    give(&mut harness, Command::Map(MapCommand::ResetMaps));
     assert_eq!(kind(&harness), MetricKind::QuasiConformal);
-    give(&mut harness, Command::Undo);
+    give(&mut harness, Command::Edit(EditCommand::Undo));
     assert_eq!(kind(&harness), MetricKind::Rigid);
     // The palette reaches both without the panel.
-    give(&mut harness, Command::SetMetric(MetricKind::Isometric));
+    give(
+        &mut harness,
+        Command::Map(MapCommand::SetMetric(MetricKind::Isometric)),
+    );
     assert_eq!(kind(&harness), MetricKind::Isometric);
-    give(&mut harness, Command::SetMapMethod(MapMethod::ISOMAP));
+    give(
+        &mut harness,
+        Command::Map(MapCommand::SetMapMethod(MapMethod::ISOMAP)),
+    );
     wait(&mut harness, "the map by Isomap", |app| !app.busy());
     assert_eq!(
         harness.state().state().document.map.method,
@@ -247,10 +257,13 @@ fn a_stopped_map_of_poses_stops_the_map_of_deformations_and_both_come_back() {
     let before = harness.state().state().deformations().unwrap().clone();
     let mut other = harness.state().state().document.map;
     other.distances.metric.mu *= 2.0;
-    give(&mut harness, Command::SetPoseMap(other));
+    give(&mut harness, Command::Map(MapCommand::SetPoseMap(other)));
     assert!(harness.state().busy());
     harness.get_by_label("Deformation of N01, normal");
-    give(&mut harness, Command::Cancel(Topic::of::<PoseMapParams>()));
+    give(
+        &mut harness,
+        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+    );
     wait(&mut harness, "the end of the work", |app| !app.busy());
     harness.get_by_label("Stopped; the previous map is shown");
     assert_eq!(harness.state().state().deformations(), Some(&before));

@@ -2,6 +2,7 @@
 
 use super::*;
 use cardiomorph::engine::MedialMapParams;
+use cardiomorph::panes::{BeatCommand, WindowCommand, WorkCommand};
 
 use cardiomorph::analysis::medial_map::MedialMap;
 
@@ -12,7 +13,10 @@ fn medial_map(app: &App) -> Option<&Arc<MedialMap>> {
 /// A window with the map in front.
 fn medial_window() -> Harness<'static, App> {
     let mut harness = cohort_window();
-    give(&mut harness, Command::ShowPane(Pane::MedialMap));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+    );
     wait(&mut harness, "the medial map", |app| {
         medial_map(app).is_some() && !app.busy()
     });
@@ -31,7 +35,10 @@ fn the_medial_map_is_made_when_it_is_seen_and_says_how_far_it_can_be_trusted() {
     let mut harness = mapped_window();
     wait(&mut harness, "rest", |app| !app.busy());
     assert!(medial_map(harness.state()).is_none(), "nobody looks at it");
-    give(&mut harness, Command::ShowPane(Pane::MedialMap));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+    );
     wait(&mut harness, "the medial map", |app| {
         medial_map(app).is_some() && !app.busy()
     });
@@ -78,16 +85,19 @@ fn a_click_on_a_step_selects_its_heart_and_the_frame_at_which_it_begins() {
     wait(&mut harness, "that heart", |app| {
         app.hearts_on_screen().first().map(|heart| heart.0) == Some(subject)
     });
-    give(&mut harness, Command::TogglePlay);
+    give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
 }
 
 #[test]
 fn a_stopped_medial_map_stays_stopped_until_it_is_asked_for_again() {
     let mut harness = cohort_window();
-    give(&mut harness, Command::ShowPane(Pane::MedialMap));
     give(
         &mut harness,
-        Command::Cancel(Topic::of::<MedialMapParams>()),
+        Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+    );
+    give(
+        &mut harness,
+        Command::Work(WorkCommand::Cancel(Topic::of::<MedialMapParams>())),
     );
     wait(&mut harness, "rest", |app| !app.busy());
     assert!(medial_map(harness.state()).is_none());
@@ -104,11 +114,11 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::SelectPose {
+        Command::Beat(BeatCommand::SelectPose {
             subject: 2,
             frame: 1,
             play: false,
-        },
+        }),
     );
     wait(&mut harness, "rest", |app| !app.busy());
     assert!(
@@ -117,7 +127,10 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
             .is_none(),
         "nobody looks at it"
     );
-    give(&mut harness, Command::ShowPane(Pane::Thickness));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Thickness)),
+    );
     wait(&mut harness, "three poses", |app| !app.busy());
     for way in [
         "Medial spheres, ED ",
@@ -135,7 +148,7 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
         assert_eq!(compared, !way.starts_with("Medial"), "{said}");
     }
     // The next frame is measured, too; what was known stays.
-    give(&mut harness, Command::StepFrame(1));
+    give(&mut harness, Command::Beat(BeatCommand::StepFrame(1)));
     wait(&mut harness, "another pose", |app| !app.busy());
     let row = harness.get_by_label_contains("Laplace field lines, ED ");
     let said = row.accesskit_node().label().unwrap_or_default();
@@ -159,8 +172,14 @@ fn a_blood_pool_alone_has_neither_medial_map_nor_thickness_and_is_told_why() {
     std::fs::write(&manifest, hollow.join("\n")).unwrap();
     let mut harness = window(AppOptions::opening(vec![manifest]));
     wait_for_heart(&mut harness);
-    give(&mut harness, Command::ShowPane(Pane::MedialMap));
-    give(&mut harness, Command::ShowPane(Pane::Thickness));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+    );
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Thickness)),
+    );
     wait(&mut harness, "rest", |app| !app.busy());
     harness.get_by_label_contains("0 poses of 0 subjects whose wall can be assessed");
     assert!(

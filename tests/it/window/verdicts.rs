@@ -2,6 +2,9 @@
 
 use super::*;
 use cardiomorph::engine::{ClassesSettings, DeformationMapSettings};
+use cardiomorph::panes::{
+    BeatCommand, EditCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
+};
 
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
 use cardiomorph::io::{MeshFormat, write_study};
@@ -30,7 +33,7 @@ fn judged_window() -> Harness<'static, App> {
 }
 
 fn select(harness: &mut Harness<'_, App>, subject: usize) {
-    give(harness, Command::SelectSubject(subject));
+    give(harness, Command::Beat(BeatCommand::SelectSubject(subject)));
     wait(harness, "the wall", |app| {
         matches!(app.state().wall_of(subject), Some((Ok(_), true)))
             && app.hearts_on_screen()[0].0 == subject
@@ -49,7 +52,10 @@ fn told_in_row(harness: &Harness<'_, App>, id: &str) -> Option<String> {
 fn the_built_in_cohort_is_judged_in_table_and_pane() {
     let mut harness = judged_window();
     select(&mut harness, PATCHED);
-    give(&mut harness, Command::ShowPane(Pane::Verdict));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+    );
     harness.run_steps(2);
     let found = verdict(harness.state(), PATCHED).clone();
     assert_eq!(found.finding, Finding::Patch);
@@ -89,7 +95,10 @@ fn the_built_in_cohort_is_judged_in_table_and_pane() {
 #[test]
 fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     let mut harness = judged_window();
-    give(&mut harness, Command::ShowPane(Pane::Verdict));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+    );
     let normal = (0..9)
         .find(|&subject| verdict(harness.state(), subject).finding == Finding::Nothing)
         .unwrap();
@@ -98,7 +107,10 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     settings.thickening.border = 0.9;
     settings.thickening.core = 0.85;
     settings.thickening.still = 1.0;
-    give(&mut harness, Command::SetThickening(settings));
+    give(
+        &mut harness,
+        Command::Wall(WallCommand::SetThickening(settings)),
+    );
     select(&mut harness, normal);
     wait(&mut harness, "verdicts", judged);
     let state = harness.state().state();
@@ -132,7 +144,10 @@ fn state_id(harness: &Harness<'_, App>, subject: usize) -> String {
 fn a_heart_alike_is_selected_from_the_pane() {
     let mut harness = judged_window();
     select(&mut harness, PATCHED);
-    give(&mut harness, Command::ShowPane(Pane::Verdict));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+    );
     harness.run_steps(2);
     let found = verdict(harness.state(), PATCHED).clone();
     assert_eq!(
@@ -147,7 +162,7 @@ fn a_heart_alike_is_selected_from_the_pane() {
     harness.get_by_label(&name).click();
     harness.run_steps(3);
     assert_eq!(harness.state().state().document.subject, alike);
-    give(&mut harness, Command::Undo);
+    give(&mut harness, Command::Edit(EditCommand::Undo));
     assert_eq!(harness.state().state().document.subject, PATCHED);
 }
 
@@ -161,7 +176,10 @@ fn the_table_is_sorted_and_searched_by_verdict() {
         .iter()
         .position(|c| *c == CohortColumn::Verdict);
     assert_eq!((sorting.column, sorting.descending), (column, false));
-    give(&mut harness, Command::SortCohort(column.unwrap()));
+    give(
+        &mut harness,
+        Command::View(ViewCommand::SortCohort(column.unwrap())),
+    );
     harness.run_steps(2);
     // From the surest patch down: the first row is above all others.
     let rows: Vec<(f32, String)> = (harness.get_all_by_role(egui::accesskit::Role::ListBoxOption))
@@ -176,7 +194,10 @@ fn the_table_is_sorted_and_searched_by_verdict() {
         first.1 != "no finding" && first.1 != "not assessed",
         "{rows:?}"
     );
-    give(&mut harness, Command::SetSearch("patch".to_owned()));
+    give(
+        &mut harness,
+        Command::View(ViewCommand::SetSearch("patch".to_owned())),
+    );
     harness.run_steps(2);
     let shown = harness.get_all_by_role(egui::accesskit::Role::ListBoxOption);
     for node in shown {
@@ -193,14 +214,19 @@ fn judging_can_be_cancelled_and_asked_for_again() {
         ..BuiltInParams::default()
     }));
     wait_for_heart(&mut harness);
-    give(&mut harness, Command::ShowPane(Pane::Verdict));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+    );
     // The maps come first: nobody has to wait for them here.
     for kind in [
         Topic::of::<PoseMapParams>(),
         Topic::of::<DeformationMapSettings>(),
         Topic::of::<ClassesSettings>(),
     ] {
-        harness.state_mut().push(Command::Cancel(kind));
+        harness
+            .state_mut()
+            .push(Command::Work(WorkCommand::Cancel(kind)));
     }
     let begin = Instant::now();
     while harness.query_by_label("Cancel classification").is_none() {
@@ -228,14 +254,17 @@ fn other_thresholds_ask_for_other_verdicts_while_those_before_stay() {
     let mut settings = harness.state().state().document.thickening;
     settings.thickening.border = 0.6;
     settings.thickening.core = 0.3;
-    give(&mut harness, Command::SetThickening(settings));
+    give(
+        &mut harness,
+        Command::Wall(WallCommand::SetThickening(settings)),
+    );
     let state = harness.state().state();
     let (shown, of_today) = state.verdicts().unwrap();
     assert!(Arc::ptr_eq(shown, &before) && !of_today);
     wait(&mut harness, "the new verdicts", judged);
     let (shown, _) = harness.state().state().verdicts().unwrap();
     assert_ne!(**shown, *before, "a wider border makes larger patches");
-    give(&mut harness, Command::Undo);
+    give(&mut harness, Command::Edit(EditCommand::Undo));
     wait(&mut harness, "the verdicts of before", judged);
     assert_eq!(**harness.state().state().verdicts().unwrap().0, *before);
 }
@@ -287,7 +316,10 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
     wait(&mut harness, "verdicts", |app| {
         matches!(app.state().verdicts(), Some((_, true)))
     });
-    give(&mut harness, Command::ShowPane(Pane::Verdict));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+    );
     harness.run_steps(2);
     assert_eq!(
         told_in_row(&harness, "blurred").as_deref(),
@@ -301,7 +333,7 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
             >= 1
     );
     // The other heart is judged, by a rule that says that it is none of this cohort.
-    give(&mut harness, Command::SelectSubject(1));
+    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(1)));
     harness.run_steps(2);
     harness.get_by_label_contains("Uncalibrated score: ");
     harness

@@ -1,6 +1,7 @@
 //! The middle of the wall in the window: atoms, patches, thresholds, the bull's-eye.
 
 use super::*;
+use cardiomorph::panes::{BeatCommand, EditCommand, WallCommand, WindowCommand};
 
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::FoundWall;
@@ -21,11 +22,11 @@ fn patched_window() -> Harness<'static, App> {
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::SelectPose {
+        Command::Beat(BeatCommand::SelectPose {
             subject: PATCHED,
             frame: 3,
             play: false,
-        },
+        }),
     );
     wait(&mut harness, "the wall", |app| {
         matches!(wall(app), Some((Ok(_), true))) && app.hearts_on_screen()[0].0 == PATCHED
@@ -63,7 +64,7 @@ fn keys_show_and_hide_atoms_and_patches_and_step_the_quantities() {
     let document = &harness.state().state().document;
     assert_eq!(document.quantity, Quantity::ThicknessRatio);
     for _ in 0..6 {
-        give(&mut harness, Command::Undo);
+        give(&mut harness, Command::Edit(EditCommand::Undo));
     }
     assert!(!visible(&harness).atoms && visible(&harness).patches);
 }
@@ -72,7 +73,10 @@ fn keys_show_and_hide_atoms_and_patches_and_step_the_quantities() {
 fn a_row_of_the_table_selects_its_patch_and_turns_the_heart_to_it() {
     let mut harness = patched_window();
     assert!(patches(harness.state()) > 0, "the heart has a patch");
-    give(&mut harness, Command::ShowPane(Pane::Patch));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Patch)),
+    );
     harness.run_steps(2);
     let look = harness.state().state().document.look;
     harness.get_by_label_contains("Patch 1: ").click();
@@ -80,7 +84,7 @@ fn a_row_of_the_table_selects_its_patch_and_turns_the_heart_to_it() {
     let document = &harness.state().state().document;
     assert_eq!(document.part, Some(WallPart::Patch(0)));
     assert_ne!(document.look, look);
-    give(&mut harness, Command::Undo);
+    give(&mut harness, Command::Edit(EditCommand::Undo));
     let document = &harness.state().state().document;
     assert_eq!((document.part, document.look), (None, look));
 }
@@ -98,7 +102,9 @@ fn a_threshold_finds_other_patches_while_the_ones_before_stay_on_screen() {
     let mut settings = harness.state().state().document.thickening;
     settings.thickening.border = 0.8;
     settings.thickening.core = 0.5;
-    harness.state_mut().push(Command::SetThickening(settings));
+    harness
+        .state_mut()
+        .push(Command::Wall(WallCommand::SetThickening(settings)));
     while !matches!(wall(harness.state()), Some((_, false))) {
         harness.step();
     }
@@ -107,7 +113,7 @@ fn a_threshold_finds_other_patches_while_the_ones_before_stay_on_screen() {
         matches!(wall(app), Some((Ok(_), true)))
     });
     assert!(share(harness.state()) > before);
-    give(&mut harness, Command::Undo);
+    give(&mut harness, Command::Edit(EditCommand::Undo));
     harness.run_steps(2);
     assert_eq!(share(harness.state()), before);
 }
@@ -115,7 +121,10 @@ fn a_threshold_finds_other_patches_while_the_ones_before_stay_on_screen() {
 #[test]
 fn a_segment_of_the_bulls_eye_is_selected_everywhere() {
     let mut harness = patched_window();
-    give(&mut harness, Command::ShowPane(Pane::BullsEye));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::BullsEye)),
+    );
     harness.run_steps(2);
     // The apex is in the middle, above the colour bar.
     let area = harness.get_by_label("Bull's-eye map").rect();
@@ -124,7 +133,7 @@ fn a_segment_of_the_bulls_eye_is_selected_everywhere() {
     harness.run_steps(2);
     let apex = WallPart::Segment(Segment::new(17).unwrap());
     assert_eq!(harness.state().state().document.part, Some(apex));
-    give(&mut harness, Command::SelectSubject(2));
+    give(&mut harness, Command::Beat(BeatCommand::SelectSubject(2)));
     let document = &harness.state().state().document;
     assert_eq!(document.part, Some(apex), "every heart has that segment");
 }
@@ -150,7 +159,10 @@ fn a_blood_pool_alone_is_not_assessed_and_says_why() {
         harness.state().state().errors.is_empty(),
         "that is no error"
     );
-    give(&mut harness, Command::ShowPane(Pane::Patch));
+    give(
+        &mut harness,
+        Command::Window(WindowCommand::ShowPane(Pane::Patch)),
+    );
     harness.run_steps(2);
     assert!(harness.get_all_by_label("Not assessed").count() >= 1);
 }

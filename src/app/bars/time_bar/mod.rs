@@ -6,7 +6,7 @@ use egui::{
 };
 
 use crate::panes::beat_axis::BeatAxis;
-use crate::panes::command::Command;
+use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::shortcuts::hint;
 use crate::ui::controls::{choice_ui, chooser_ui, focus_ring, icon_button_ui};
 use crate::ui::marks::{Icon, icon};
@@ -57,9 +57,9 @@ pub fn time_bar_ui(ui: &mut Ui, view: &TimeBarView, commands: &mut Vec<Command>)
             frame_buttons_ui(ui, commands);
             if width > 620.0 {
                 speed_ui(ui, view.speed, commands);
-                let name = hint(ui.ctx(), "Loop", &Command::ToggleLoop);
+                let name = hint(ui.ctx(), "Loop", &Command::Beat(BeatCommand::ToggleLoop));
                 if icon_button_ui(ui, Icon::Loop, "Loop", &name, view.looping).clicked() {
-                    commands.push(Command::ToggleLoop);
+                    commands.push(Command::Beat(BeatCommand::ToggleLoop));
                 }
             }
         });
@@ -97,9 +97,9 @@ fn play_button_ui(ui: &mut Ui, playing: bool, commands: &mut Vec<Command>) {
         colours.on_accent,
     );
     focus_ring(ui, &response);
-    let text = hint(ui.ctx(), name, &Command::TogglePlay);
+    let text = hint(ui.ctx(), name, &Command::Beat(BeatCommand::TogglePlay));
     if response.on_hover_text(text).clicked() {
-        commands.push(Command::TogglePlay);
+        commands.push(Command::Beat(BeatCommand::TogglePlay));
     }
 }
 
@@ -109,9 +109,9 @@ fn frame_buttons_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
         (-1, "Previous frame", Icon::StepBack),
         (1, "Next frame", Icon::StepForward),
     ] {
-        let text = hint(ui.ctx(), name, &Command::StepFrame(step));
+        let text = hint(ui.ctx(), name, &Command::Beat(BeatCommand::StepFrame(step)));
         if icon_button_ui(ui, symbol, name, &text, false).clicked() {
-            commands.push(Command::StepFrame(step));
+            commands.push(Command::Beat(BeatCommand::StepFrame(step)));
         }
     }
 }
@@ -121,7 +121,7 @@ fn speed_ui(ui: &mut Ui, speed: f32, commands: &mut Vec<Command>) {
         for choice in SPEEDS {
             let chosen = (choice - speed).abs() < 1e-3;
             if choice_ui(ui, &speed_text(choice), chosen) {
-                commands.push(Command::SetSpeed(choice));
+                commands.push(Command::Beat(BeatCommand::SetSpeed(choice)));
             }
         }
     });
@@ -185,9 +185,15 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
     if let Some(pointer) = response.interact_pointer_pos() {
         let share = f64::from(egui::remap_clamp(pointer.x, rail.x_range(), 0.0..=1.0));
         if response.clicked() {
-            commands.push(Command::SetPosition(snapped(view, share, rail.width())));
+            commands.push(Command::Beat(BeatCommand::SetPosition(snapped(
+                view,
+                share,
+                rail.width(),
+            ))));
         } else if response.dragged() {
-            commands.push(Command::SetPosition(position_within(view.axis, share)));
+            commands.push(Command::Beat(BeatCommand::SetPosition(position_within(
+                view.axis, share,
+            ))));
         }
     }
     keys(ui, &response, commands);
@@ -244,7 +250,7 @@ fn keys(ui: &Ui, response: &Response, commands: &mut Vec<Command>) {
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     for (key, step) in [(Key::ArrowLeft, -1), (Key::ArrowRight, 1)] {
         if ui.input(|input| input.key_pressed(key) && input.modifiers.is_none()) {
-            commands.push(Command::StepFrame(step));
+            commands.push(Command::Beat(BeatCommand::StepFrame(step)));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What the time bar does under the pointer.
 
 use super::*;
+use crate::panes::BeatCommand;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 fn harness() -> Harness<'static, Vec<Command>> {
@@ -42,10 +43,10 @@ fn buttons_push_what_they_say() {
     assert_eq!(
         harness.into_state(),
         [
-            Command::TogglePlay,
-            Command::StepFrame(1),
-            Command::StepFrame(-1),
-            Command::ToggleLoop
+            Command::Beat(BeatCommand::TogglePlay),
+            Command::Beat(BeatCommand::StepFrame(1)),
+            Command::Beat(BeatCommand::StepFrame(-1)),
+            Command::Beat(BeatCommand::ToggleLoop)
         ]
     );
 }
@@ -62,14 +63,17 @@ fn a_click_near_a_frame_lands_on_it_and_a_drag_moves_freely() {
     harness.drag_at(near);
     harness.drop_at(near);
     harness.run();
-    assert_eq!(harness.state().last(), Some(&Command::SetPosition(2.0)));
+    assert_eq!(
+        harness.state().last(),
+        Some(&Command::Beat(BeatCommand::SetPosition(2.0)))
+    );
     harness.drag_at(near);
     harness.step();
     harness.hover_at(near + vec2(30.0, 0.0));
     harness.step();
     harness.drop_at(near + vec2(30.0, 0.0));
     harness.run();
-    let Some(Command::SetPosition(position)) = harness.state().last() else {
+    let Some(Command::Beat(BeatCommand::SetPosition(position))) = harness.state().last() else {
         panic!("no position");
     };
     assert!(*position > 2.05 && *position < 2.5, "{position}");
@@ -89,7 +93,7 @@ fn a_click_near_a_pose_between_frames_lands_on_it() {
         harness.drag_at(at);
         harness.drop_at(at);
         harness.run();
-        let wanted = Command::SetPosition(position);
+        let wanted = Command::Beat(BeatCommand::SetPosition(position));
         assert_eq!(harness.state().last(), Some(&wanted));
     }
 }

@@ -7,7 +7,7 @@ use egui::{
     UiBuilder, pos2, vec2,
 };
 
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, ViewCommand};
 use crate::picture::Tick;
 use crate::ui::style::{note, note_font};
 use crate::ui::theme::{colours, line, space};
@@ -232,13 +232,13 @@ fn limits_form_ui(ui: &mut Ui, view: &ColourBarView, commands: &mut Vec<Command>
             .add_enabled(limits.is_ok(), Button::new("Apply"))
             .clicked();
         if ui.button("Default range").clicked() {
-            commands.push(Command::SetColourLimits(None));
+            commands.push(Command::View(ViewCommand::SetColourLimits(None)));
             ui.close();
         }
     });
     ui.data_mut(|data| data.insert_temp(id, typed));
     if let (true, Ok(limits)) = (done, limits) {
-        commands.push(Command::SetColourLimits(Some(limits)));
+        commands.push(Command::View(ViewCommand::SetColourLimits(Some(limits))));
         ui.data_mut(|data| data.remove::<[String; 2]>(id));
         ui.close();
     }

@@ -3,7 +3,7 @@
 use egui::{Align2, Color32, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use glam::{Quat, Vec3};
 
-use crate::panes::command::Command;
+use crate::panes::commands::{Command, ViewCommand};
 use crate::picture::AnatomicalView;
 use crate::ui::style::note_font;
 use crate::ui::theme::{Colours, colours, line};
@@ -63,7 +63,7 @@ pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Com
             None => nearest,
         };
         if let Some(face) = chosen {
-            commands.push(Command::ViewFrom(face.view));
+            commands.push(Command::View(ViewCommand::ViewFrom(face.view)));
         }
     }
     let hint = match pointed {

@@ -12,7 +12,7 @@ pub use scale_bar::ScaleBarView;
 
 use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
 
-use crate::panes::command::Command;
+use crate::panes::commands::Command;
 use crate::study::LabelRole;
 use crate::ui::marks::role_mark;
 use crate::ui::style::{note, note_font, title_font};
@@ -158,6 +158,7 @@ fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, view: &ViewportOverlayView) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::panes::ViewCommand;
     use crate::picture::AnatomicalView;
     use egui_kittest::{Harness, kittest::Queryable as _};
 
@@ -202,7 +203,7 @@ mod tests {
         harness.run();
         harness.get_by_label("Orientation cube").click();
         harness.run();
-        let wanted = Command::ViewFrom(AnatomicalView::Anterior);
+        let wanted = Command::View(ViewCommand::ViewFrom(AnatomicalView::Anterior));
         assert_eq!(harness.into_state(), [wanted]);
     }
 
@@ -221,7 +222,9 @@ mod tests {
         harness.run();
         assert_eq!(
             harness.into_state(),
-            [Command::SetColourLimits(Some([0.0, 8.5]))]
+            [Command::View(ViewCommand::SetColourLimits(Some([
+                0.0, 8.5
+            ])))]
         );
     }
 }

@@ -1,11 +1,14 @@
 //! What commands do to the state, without a window.
 
-use super::apply::{Effect, Moment, apply};
-use super::export::FigureKind;
-use super::state::State;
-use super::testing::{state_of, subject_with_frames};
+use super::{Effect, Moment, apply};
+use crate::app::export::FigureKind;
+use crate::app::state::State;
+use crate::app::testing::{state_of, subject_with_frames};
 use crate::engine::{PoseMapParams, Topic};
-use crate::panes::{Command, ViewMode};
+use crate::panes::{
+    BeatCommand, Command, EditCommand, FileCommand, ViewCommand, ViewMode, WindowCommand,
+    WorkCommand,
+};
 use crate::picture::Quantity;
 use crate::render::Camera;
 use crate::study::Revision;
@@ -32,18 +35,18 @@ fn give(state: &mut State, command: Command) -> Vec<Effect> {
 #[test]
 fn a_point_of_the_map_selects_its_heart_and_frame_and_plays() {
     let mut state = two_hearts();
-    let pose = Command::SelectPose {
+    let pose = Command::Beat(BeatCommand::SelectPose {
         subject: 1,
         frame: 3,
         play: true,
-    };
+    });
     give(&mut state, pose);
     assert_eq!((state.document.subject, state.document.frame()), (1, 3));
     assert!(state.play.playing);
-    give(&mut state, Command::Undo);
+    give(&mut state, Command::Edit(EditCommand::Undo));
     assert_eq!((state.document.subject, state.document.frame()), (0, 0));
     assert!(!state.play.playing);
-    give(&mut state, Command::Redo);
+    give(&mut state, Command::Edit(EditCommand::Redo));
     assert_eq!((state.document.subject, state.document.frame()), (1, 3));
 }
 
@@ -51,15 +54,21 @@ fn a_point_of_the_map_selects_its_heart_and_frame_and_plays() {
 fn a_pose_that_does_not_exist_changes_nothing() {
     let mut state = two_hearts();
     let before = state.document.clone();
-    let pose = Command::SelectPose {
+    let pose = Command::Beat(BeatCommand::SelectPose {
         subject: 9,
         frame: 0,
         play: true,
-    };
+    });
     give(&mut state, pose);
-    give(&mut state, Command::SelectSubject(9));
-    give(&mut state, Command::SetPosition(f64::NAN));
-    give(&mut state, Command::StateEndSystole(Some(99)));
+    give(&mut state, Command::Beat(BeatCommand::SelectSubject(9)));
+    give(
+        &mut state,
+        Command::Beat(BeatCommand::SetPosition(f64::NAN)),
+    );
+    give(
+        &mut state,
+        Command::Beat(BeatCommand::StateEndSystole(Some(99))),
+    );
     assert_eq!(state.document, before);
     assert!(!state.history.can_undo());
 }
@@ -67,30 +76,30 @@ fn a_pose_that_does_not_exist_changes_nothing() {
 #[test]
 fn frames_step_around_the_beat() {
     let mut state = two_hearts();
-    give(&mut state, Command::StepFrame(-1));
+    give(&mut state, Command::Beat(BeatCommand::StepFrame(-1)));
     assert_eq!(state.document.position, 7.0);
-    give(&mut state, Command::StepFrame(1));
+    give(&mut state, Command::Beat(BeatCommand::StepFrame(1)));
     assert_eq!(state.document.position, 0.0);
-    give(&mut state, Command::SetPosition(2.4));
-    give(&mut state, Command::StepFrame(1));
+    give(&mut state, Command::Beat(BeatCommand::SetPosition(2.4)));
+    give(&mut state, Command::Beat(BeatCommand::StepFrame(1)));
     assert_eq!(state.document.position, 3.0);
-    give(&mut state, Command::SetPosition(2.4));
-    give(&mut state, Command::StepFrame(-1));
+    give(&mut state, Command::Beat(BeatCommand::SetPosition(2.4)));
+    give(&mut state, Command::Beat(BeatCommand::StepFrame(-1)));
     assert_eq!(state.document.position, 2.0);
 }
 
 #[test]
 fn playing_leaves_no_steps_of_undo() {
     let mut state = two_hearts();
-    give(&mut state, Command::SelectSubject(1));
-    give(&mut state, Command::TogglePlay);
+    give(&mut state, Command::Beat(BeatCommand::SelectSubject(1)));
+    give(&mut state, Command::Beat(BeatCommand::TogglePlay));
     let subject = state.document.selected().unwrap().clone();
     for _ in 0..100 {
         let (position, _) = state.play.advance(&subject, state.document.position, 0.016);
         state.document.position = position;
     }
-    give(&mut state, Command::TogglePlay);
-    give(&mut state, Command::Undo);
+    give(&mut state, Command::Beat(BeatCommand::TogglePlay));
+    give(&mut state, Command::Edit(EditCommand::Undo));
     assert_eq!(state.document.subject, 0);
     assert!(!state.history.can_undo());
 }
@@ -104,13 +113,16 @@ fn a_camera_drag_is_one_step_and_two_drags_are_two() {
                 half_height: (drag * 20 + step) as f32,
                 ..Camera::default()
             };
-            give(&mut state, Command::SetCamera { camera, drag: true });
+            give(
+                &mut state,
+                Command::View(ViewCommand::SetCamera { camera, drag: true }),
+            );
         }
         state.history.end_drag();
     }
-    give(&mut state, Command::Undo);
+    give(&mut state, Command::Edit(EditCommand::Undo));
     assert_eq!(state.document.look.half_height, Some(20.0));
-    give(&mut state, Command::Undo);
+    give(&mut state, Command::Edit(EditCommand::Undo));
     assert_eq!(state.document.look.half_height, None);
     assert!(!state.history.can_undo());
 }
@@ -119,13 +131,16 @@ fn a_camera_drag_is_one_step_and_two_drags_are_two() {
 fn a_stated_phase_is_an_edit_that_can_be_taken_back() {
     let mut state = two_hearts();
     let before = state.document.study().revision;
-    give(&mut state, Command::StateEndSystole(Some(5)));
+    give(
+        &mut state,
+        Command::Beat(BeatCommand::StateEndSystole(Some(5))),
+    );
     assert_eq!(state.phases_of(0).1, Some(5));
     assert_ne!(state.document.study().revision, before);
-    give(&mut state, Command::GoToEndSystole);
+    give(&mut state, Command::Beat(BeatCommand::GoToEndSystole));
     assert_eq!(state.document.frame(), 5);
-    give(&mut state, Command::Undo);
-    give(&mut state, Command::Undo);
+    give(&mut state, Command::Edit(EditCommand::Undo));
+    give(&mut state, Command::Edit(EditCommand::Undo));
     assert_eq!(state.phases_of(0).1, None);
     assert_eq!(state.document.study().revision, before);
 }
@@ -136,21 +151,21 @@ fn hundred_changes_of_many_kinds_are_taken_back_one_by_one() {
     let mut seen = vec![state.document.clone()];
     for step in 0..120 {
         let command = match step % 5 {
-            0 => Command::ToggleWireframe,
-            1 => Command::NextQuantity,
-            2 => Command::SelectSubject((step / 5 + 1) % 2),
-            3 => Command::SortCohort(1),
-            _ => Command::SetViewMode(if (step / 5) % 2 == 0 {
+            0 => Command::View(ViewCommand::ToggleWireframe),
+            1 => Command::View(ViewCommand::NextQuantity),
+            2 => Command::Beat(BeatCommand::SelectSubject((step / 5 + 1) % 2)),
+            3 => Command::View(ViewCommand::SortCohort(1)),
+            _ => Command::View(ViewCommand::SetViewMode(if (step / 5) % 2 == 0 {
                 ViewMode::AllFrames
             } else {
                 ViewMode::Single
-            }),
+            })),
         };
         apply(&mut state, command, &moment(step as f64 * 10.0));
         seen.push(state.document.clone());
     }
     for document in seen.iter().rev().skip(1) {
-        give(&mut state, Command::Undo);
+        give(&mut state, Command::Edit(EditCommand::Undo));
         assert_eq!(state.document, *document);
     }
 }
@@ -164,7 +179,7 @@ fn opening_another_study_can_be_taken_back() {
     other.revision = Revision(2);
     state.show_study(std::sync::Arc::new(other), Default::default());
     assert_eq!(state.document.study().subjects.len(), 1);
-    give(&mut state, Command::Undo);
+    give(&mut state, Command::Edit(EditCommand::Undo));
     assert_eq!(state.document.study().subjects.len(), 2);
 }
 
@@ -173,21 +188,33 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
     let mut state = two_hearts();
     let path = std::path::PathBuf::from("figure.png");
     assert_eq!(
-        give(&mut state, Command::ExportFigure(Some(path.clone()))),
+        give(
+            &mut state,
+            Command::File(FileCommand::ExportFigure(Some(path.clone())))
+        ),
         [Effect::WriteFigure(FigureKind::View, path)]
     );
     assert_eq!(
-        give(&mut state, Command::Cancel(Topic::of::<PoseMapParams>())),
+        give(
+            &mut state,
+            Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>()))
+        ),
         [Effect::Stop(Topic::of::<PoseMapParams>())]
     );
     let picture = std::path::PathBuf::from("P07_patch.png");
     assert_eq!(
-        give(&mut state, Command::Open(vec![picture.clone()])),
+        give(
+            &mut state,
+            Command::File(FileCommand::Open(vec![picture.clone()]))
+        ),
         [Effect::ReadPicture(picture)]
     );
-    assert_eq!(give(&mut state, Command::Open(Vec::new())), []);
     assert_eq!(
-        give(&mut state, Command::ToggleFullScreen),
+        give(&mut state, Command::File(FileCommand::Open(Vec::new()))),
+        []
+    );
+    assert_eq!(
+        give(&mut state, Command::Window(WindowCommand::ToggleFullScreen)),
         [Effect::SetFullScreen(true)]
     );
     assert!(!state.history.can_undo());
@@ -196,20 +223,29 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
 #[test]
 fn sheets_lie_over_the_window_one_at_a_time() {
     let mut state = two_hearts();
-    give(&mut state, Command::ToggleShortcuts);
-    give(&mut state, Command::TogglePalette);
+    give(&mut state, Command::Window(WindowCommand::ToggleShortcuts));
+    give(&mut state, Command::Window(WindowCommand::TogglePalette));
     assert!(state.sheets.palette && !state.sheets.shortcuts);
-    give(&mut state, Command::TogglePalette);
+    give(&mut state, Command::Window(WindowCommand::TogglePalette));
     assert_eq!(state.sheets, Default::default());
 }
 
 #[test]
 fn limits_that_are_no_range_go_back_to_the_fixed_one() {
     let mut state = two_hearts();
-    give(&mut state, Command::SetQuantity(Quantity::Displacement));
-    give(&mut state, Command::SetColourLimits(Some([0.0, 9.0])));
+    give(
+        &mut state,
+        Command::View(ViewCommand::SetQuantity(Quantity::Displacement)),
+    );
+    give(
+        &mut state,
+        Command::View(ViewCommand::SetColourLimits(Some([0.0, 9.0]))),
+    );
     assert_eq!(state.document.limits(), Some([0.0, 9.0]));
-    give(&mut state, Command::SetColourLimits(Some([4.0, 4.0])));
+    give(
+        &mut state,
+        Command::View(ViewCommand::SetColourLimits(Some([4.0, 4.0]))),
+    );
     assert_eq!(state.document.limits(), None);
 }
 
@@ -220,14 +256,17 @@ fn stepping_through_subjects_follows_the_table() {
         subject_with_frames("a", 3),
         subject_with_frames("b", 3),
     ]);
-    give(&mut state, Command::SortCohort(1));
+    give(&mut state, Command::View(ViewCommand::SortCohort(1)));
     for expected in [1, 2, 0] {
-        give(&mut state, Command::StepSubject(1));
+        give(&mut state, Command::Beat(BeatCommand::StepSubject(1)));
         assert_eq!(state.document.subject, expected);
     }
-    give(&mut state, Command::StepSubject(-1));
+    give(&mut state, Command::Beat(BeatCommand::StepSubject(-1)));
     assert_eq!(state.document.subject, 2);
-    give(&mut state, Command::SetSearch("a".to_owned()));
-    give(&mut state, Command::StepSubject(1));
+    give(
+        &mut state,
+        Command::View(ViewCommand::SetSearch("a".to_owned())),
+    );
+    give(&mut state, Command::Beat(BeatCommand::StepSubject(1)));
     assert_eq!(state.document.subject, 1);
 }

@@ -1,44 +1,51 @@
 //! Commands that choose a heart and a place in its beat.
 
-use crate::panes::Command;
+use crate::panes::BeatCommand;
 
-use super::apply::{Moment, change};
-use super::document::position_at_phase;
-use super::play::SPEEDS;
-use super::state::State;
-use super::undo::Gesture;
-use super::views::visible_subjects;
+use super::change::{Moment, change};
+use crate::app::document::position_at_phase;
+use crate::app::play::SPEEDS;
+use crate::app::state::State;
+use crate::app::undo::Gesture;
+use crate::app::views::visible_subjects;
 
 /// Carries out a command about subjects or time.
-pub fn apply(state: &mut State, command: &Command, moment: &Moment) {
-    match *command {
-        Command::SelectPose {
+pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
+    match command {
+        BeatCommand::SelectPose {
             subject,
             frame,
             play,
         } => select_pose(state, moment, subject, frame, play),
-        Command::SelectSubject(subject) if subject < state.document.study().subjects.len() => {
-            change(state, moment, None, |d| d.select_subject(subject));
+        BeatCommand::SelectSubject(subject) => {
+            if subject < state.document.study().subjects.len() {
+                change(state, moment, None, |d| d.select_subject(subject));
+            }
         }
-        Command::StepSubject(step) => step_subject(state, moment, step),
-        Command::CompareWith(subject) => {
+        BeatCommand::StepSubject(step) => step_subject(state, moment, step),
+        BeatCommand::CompareWith(subject) => {
             change(state, moment, None, |d| d.compare_with = subject);
         }
-        Command::SetPosition(position) => {
+        BeatCommand::SetPosition(position) => {
             state.play.playing = false;
             move_to(state, moment, position);
         }
-        Command::StepFrame(step) => step_frame(state, moment, step),
-        Command::GoToEndDiastole => go_to(state, moment, state.phases_of(state.document.subject).0),
-        Command::GoToEndSystole => go_to(state, moment, state.phases_of(state.document.subject).1),
-        Command::StateEndDiastole(frame) => state_phase(state, moment, frame, true),
-        Command::StateEndSystole(frame) => state_phase(state, moment, frame, false),
-        Command::TogglePlay => toggle_play(state),
-        Command::SetSpeed(speed) if speed.is_finite() => {
-            state.play.speed = speed.clamp(*SPEEDS.start(), *SPEEDS.end());
+        BeatCommand::StepFrame(step) => step_frame(state, moment, step),
+        BeatCommand::GoToEndDiastole => {
+            go_to(state, moment, state.phases_of(state.document.subject).0)
         }
-        Command::ToggleLoop => state.play.repeat = !state.play.repeat,
-        _ => {}
+        BeatCommand::GoToEndSystole => {
+            go_to(state, moment, state.phases_of(state.document.subject).1)
+        }
+        BeatCommand::StateEndDiastole(frame) => state_phase(state, moment, frame, true),
+        BeatCommand::StateEndSystole(frame) => state_phase(state, moment, frame, false),
+        BeatCommand::TogglePlay => toggle_play(state),
+        BeatCommand::SetSpeed(speed) => {
+            if speed.is_finite() {
+                state.play.speed = speed.clamp(*SPEEDS.start(), *SPEEDS.end());
+            }
+        }
+        BeatCommand::ToggleLoop => state.play.repeat = !state.play.repeat,
     }
 }
 

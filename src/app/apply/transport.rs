@@ -1,32 +1,36 @@
 //! Commands that play one heart's beat on another, and those about poses between frames.
 
 use crate::engine::{InBetweens, Topic, Transfer};
-use crate::panes::{Command, ViewMode};
+use crate::panes::{TransportCommand, ViewMode};
 use crate::picture::Quantity;
 
-use super::apply::{Effect, Moment, change};
-use super::document::CarriedBeat;
-use super::errors::push_card;
-use super::state::State;
-use super::undo::Gesture;
+use super::change::{Moment, change};
+use super::effect::Effect;
+use crate::app::document::CarriedBeat;
+use crate::app::errors::push_card;
+use crate::app::state::State;
+use crate::app::undo::Gesture;
 
 /// Carries out a command about carried beats or poses between frames.
-pub fn apply(state: &mut State, command: &Command, moment: &Moment) -> Vec<Effect> {
-    match *command {
-        Command::TransportMotion { from, onto } => return carry(state, moment, from, onto),
-        Command::TransportToOther => {
+pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> Vec<Effect> {
+    match command {
+        TransportCommand::TransportMotion { from, onto } => {
+            return carry(state, moment, from, onto);
+        }
+        TransportCommand::TransportToOther => {
             if let Some(onto) = state.document.compared() {
                 return carry(state, moment, state.document.subject, onto);
             }
         }
-        Command::StopTransport => change(state, moment, None, |document| document.carried = None),
-        Command::SetInBetweens(count) => {
+        TransportCommand::StopTransport => {
+            change(state, moment, None, |document| document.carried = None)
+        }
+        TransportCommand::SetInBetweens(count) => {
             change(state, moment, None, |document| document.in_betweens = count);
             // Whoever chooses a number wants them, even if they were stopped before.
             return vec![Effect::Retry(Topic::of::<InBetweens>())];
         }
-        Command::StepPose(step) => step_pose(state, moment, step),
-        _ => {}
+        TransportCommand::StepPose(step) => step_pose(state, moment, step),
     }
     Vec::new()
 }
@@ -113,6 +117,7 @@ mod tests {
     use crate::app::in_betweens::{BeatMemo, geodesic_params};
     use crate::app::testing::{state_of, subject_with_frames};
     use crate::mesh::phantom;
+    use crate::panes::{BeatCommand, Command, EditCommand, ViewCommand};
     use crate::study::{MeshSequence, Revision, Subject, SurfaceKind, SurfaceSequence};
     use crate::units::LengthUnit;
 
@@ -145,30 +150,39 @@ mod tests {
         let mut state = three_hearts();
         let before = state.document.clone();
         let beat = CarriedBeat { from: 1, onto: 0 };
-        let effects = give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
+        let effects = give(
+            &mut state,
+            Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
+        );
         assert_eq!(effects, []);
         assert_eq!(state.document.carrying(), Some(beat));
         assert_eq!(state.document.subject, 1);
         assert_eq!(state.document.quantity, Quantity::CarriedDistance);
         assert!(state.play.playing);
-        let again = give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
+        let again = give(
+            &mut state,
+            Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
+        );
         assert_eq!(again, [Effect::Retry(Topic::of::<Transfer>())]);
-        give(&mut state, Command::Undo);
+        give(&mut state, Command::Edit(EditCommand::Undo));
         assert_eq!(state.document, before);
-        give(&mut state, Command::Redo);
+        give(&mut state, Command::Edit(EditCommand::Redo));
         assert_eq!(state.document.carrying(), Some(beat));
     }
 
     #[test]
     fn whatever_shows_other_hearts_ends_the_carried_beat() {
         for command in [
-            Command::StopTransport,
-            Command::SelectSubject(0),
-            Command::SetViewMode(ViewMode::Single),
-            Command::CompareWith(Some(2)),
+            Command::Transport(TransportCommand::StopTransport),
+            Command::Beat(BeatCommand::SelectSubject(0)),
+            Command::View(ViewCommand::SetViewMode(ViewMode::Single)),
+            Command::Beat(BeatCommand::CompareWith(Some(2))),
         ] {
             let mut state = three_hearts();
-            give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
+            give(
+                &mut state,
+                Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
+            );
             give(&mut state, command.clone());
             assert_eq!(state.document.carried, None, "{command:?}");
             assert_eq!(state.document.quantity, Quantity::Tissue, "{command:?}");
@@ -178,8 +192,14 @@ mod tests {
     #[test]
     fn colours_can_be_chosen_beside_a_carried_beat() {
         let mut state = three_hearts();
-        give(&mut state, Command::TransportMotion { from: 1, onto: 0 });
-        give(&mut state, Command::SetQuantity(Quantity::Tissue));
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
+        );
+        give(
+            &mut state,
+            Command::View(ViewCommand::SetQuantity(Quantity::Tissue)),
+        );
         assert!(state.document.carrying().is_some());
         assert_eq!(state.document.quantity, Quantity::Tissue);
     }
@@ -188,20 +208,32 @@ mod tests {
     fn a_heart_that_does_not_correspond_is_refused_in_words() {
         let mut state = three_hearts();
         let before = state.document.clone();
-        give(&mut state, Command::TransportMotion { from: 0, onto: 2 });
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::TransportMotion { from: 0, onto: 2 }),
+        );
         assert_eq!(state.document, before);
         let card = &state.errors[0];
         assert_eq!(card.title, "The motion of a cannot be transported to c");
         assert!(card.message.contains("42 vertices") && card.message.contains("162 vertices"));
-        give(&mut state, Command::TransportMotion { from: 0, onto: 0 });
-        give(&mut state, Command::TransportMotion { from: 0, onto: 7 });
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::TransportMotion { from: 0, onto: 0 }),
+        );
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::TransportMotion { from: 0, onto: 7 }),
+        );
         assert_eq!(state.document, before);
     }
 
     #[test]
     fn the_beat_beside_is_chosen_without_a_pointer() {
         let mut state = three_hearts();
-        give(&mut state, Command::TransportToOther);
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::TransportToOther),
+        );
         let beat = CarriedBeat { from: 0, onto: 1 };
         assert_eq!(state.document.carrying(), Some(beat));
     }
@@ -211,7 +243,10 @@ mod tests {
         let mut state = three_hearts();
         let params = geodesic_params(&state.document).unwrap();
         let subject = Arc::clone(state.document.selected().unwrap());
-        give(&mut state, Command::StepPose(1));
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::StepPose(1)),
+        );
         assert_eq!(
             state.document.position, 1.0,
             "without in-betweens, frame by frame"
@@ -225,22 +260,40 @@ mod tests {
             stopped: false,
         }];
         for position in [1.25, 1.5, 1.75, 2.0] {
-            give(&mut state, Command::StepPose(1));
+            give(
+                &mut state,
+                Command::Transport(TransportCommand::StepPose(1)),
+            );
             assert_eq!(state.document.position, position);
         }
-        give(&mut state, Command::StepPose(-1));
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::StepPose(-1)),
+        );
         assert_eq!(state.document.position, 1.75);
-        give(&mut state, Command::SetPosition(1.3));
-        give(&mut state, Command::StepPose(-1));
+        give(&mut state, Command::Beat(BeatCommand::SetPosition(1.3)));
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::StepPose(-1)),
+        );
         assert_eq!(state.document.position, 1.25);
-        give(&mut state, Command::SetPosition(0.0));
-        give(&mut state, Command::StepPose(-1));
+        give(&mut state, Command::Beat(BeatCommand::SetPosition(0.0)));
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::StepPose(-1)),
+        );
         assert_eq!(
             state.document.position, 7.75,
             "before the first frame comes the last interval"
         );
-        give(&mut state, Command::SetInBetweens(0));
-        give(&mut state, Command::StepPose(1));
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::SetInBetweens(0)),
+        );
+        give(
+            &mut state,
+            Command::Transport(TransportCommand::StepPose(1)),
+        );
         assert_eq!(state.document.position, 0.0);
     }
 }

@@ -1,27 +1,31 @@
 //! Commands about the middle of the wall, its patches and the bull's-eye.
 
 use crate::engine::ThickeningSettings;
-use crate::panes::Command;
+use crate::panes::WallCommand;
 
-use super::apply::{Moment, change};
-use super::look::{Direction, Look};
-use super::state::State;
-use super::undo::Gesture;
+use super::change::{Moment, change};
+use crate::app::look::{Direction, Look};
+use crate::app::state::State;
+use crate::app::undo::Gesture;
 
 /// Carries out a command about atoms, patches or the bull's-eye.
-pub fn apply(state: &mut State, command: &Command, moment: &Moment) {
-    let gesture = matches!(command, Command::SetThickening(_)).then_some(Gesture::Threshold);
+pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
+    let gesture = matches!(command, WallCommand::SetThickening(_)).then_some(Gesture::Threshold);
     change(state, moment, gesture, |d| {
         let visible = &mut d.visibility;
-        match *command {
-            Command::ToggleAtoms => visible.atoms = !visible.atoms,
-            Command::ToggleSpokes => visible.spokes = !visible.spokes,
-            Command::TogglePatches => visible.patches = !visible.patches,
-            Command::ToggleDirection => visible.direction = !visible.direction,
-            Command::SetThickening(settings) if is_usable(&settings) => d.thickening = settings,
-            Command::ResetThickening => d.thickening = ThickeningSettings::default(),
-            Command::SelectPart(part) => d.part = part,
-            Command::ShowPatch { patch, camera } => {
+        match command {
+            WallCommand::ToggleAtoms => visible.atoms = !visible.atoms,
+            WallCommand::ToggleSpokes => visible.spokes = !visible.spokes,
+            WallCommand::TogglePatches => visible.patches = !visible.patches,
+            WallCommand::ToggleDirection => visible.direction = !visible.direction,
+            WallCommand::SetThickening(settings) => {
+                if is_usable(&settings) {
+                    d.thickening = settings;
+                }
+            }
+            WallCommand::ResetThickening => d.thickening = ThickeningSettings::default(),
+            WallCommand::SelectPart(part) => d.part = part,
+            WallCommand::ShowPatch { patch, camera } => {
                 d.part = Some(crate::picture::WallPart::Patch(patch));
                 visible.patches = true;
                 if camera.half_height.is_finite() && camera.half_height > 0.0 {
@@ -32,10 +36,9 @@ pub fn apply(state: &mut State, command: &Command, moment: &Moment) {
                     };
                 }
             }
-            Command::SetBullsEye(quantity) => d.bulls_eye = quantity,
-            Command::NextBullsEye => d.bulls_eye = d.bulls_eye.next(),
-            Command::ToggleBullsEyeSegments => d.bulls_eye_segments = !d.bulls_eye_segments,
-            _ => {}
+            WallCommand::SetBullsEye(quantity) => d.bulls_eye = quantity,
+            WallCommand::NextBullsEye => d.bulls_eye = d.bulls_eye.next(),
+            WallCommand::ToggleBullsEyeSegments => d.bulls_eye_segments = !d.bulls_eye_segments,
         }
     });
 }
@@ -50,6 +53,7 @@ mod tests {
     use crate::analysis::segments::Segment;
     use crate::app::apply::apply;
     use crate::app::testing::{state_of, subject_with_frames};
+    use crate::panes::{BeatCommand, Command, EditCommand};
     use crate::picture::WallPart;
     use crate::study::Revision;
 
@@ -76,10 +80,14 @@ mod tests {
         for border in [0.3, 0.35, 0.5] {
             let mut settings = before;
             settings.thickening.border = border;
-            give(&mut state, Command::SetThickening(settings), true);
+            give(
+                &mut state,
+                Command::Wall(WallCommand::SetThickening(settings)),
+                true,
+            );
         }
         assert_eq!(state.document.thickening.thickening.border, 0.5);
-        give(&mut state, Command::Undo, false);
+        give(&mut state, Command::Edit(EditCommand::Undo), false);
         assert_eq!(state.document.thickening, before);
     }
 
@@ -89,7 +97,11 @@ mod tests {
         let before = state.document.thickening;
         let mut settings = before;
         settings.thickening.border = 0.1;
-        give(&mut state, Command::SetThickening(settings), false);
+        give(
+            &mut state,
+            Command::Wall(WallCommand::SetThickening(settings)),
+            false,
+        );
         assert_eq!(state.document.thickening, before);
     }
 
@@ -97,17 +109,29 @@ mod tests {
     fn another_heart_keeps_the_segment_and_lets_the_patch_go() {
         let mut state = state();
         let segment = WallPart::Segment(Segment::new(7).unwrap());
-        give(&mut state, Command::SelectPart(Some(segment)), false);
-        give(&mut state, Command::SelectSubject(1), false);
+        give(
+            &mut state,
+            Command::Wall(WallCommand::SelectPart(Some(segment))),
+            false,
+        );
+        give(
+            &mut state,
+            Command::Beat(BeatCommand::SelectSubject(1)),
+            false,
+        );
         assert_eq!(state.document.part, Some(segment));
         give(
             &mut state,
-            Command::SelectPart(Some(WallPart::Patch(0))),
+            Command::Wall(WallCommand::SelectPart(Some(WallPart::Patch(0)))),
             false,
         );
-        give(&mut state, Command::SelectSubject(0), false);
+        give(
+            &mut state,
+            Command::Beat(BeatCommand::SelectSubject(0)),
+            false,
+        );
         assert_eq!(state.document.part, None);
-        give(&mut state, Command::Undo, false);
+        give(&mut state, Command::Edit(EditCommand::Undo), false);
         assert_eq!(state.document.part, Some(WallPart::Patch(0)));
     }
 }

@@ -1,0 +1,44 @@
+//! What a command asks for beyond the state: files, jobs, the window itself.
+
+use std::path::PathBuf;
+
+use crate::app::export::FigureKind;
+use crate::engine::{OpenSource, Topic};
+use crate::panes::{Pane, ThemeChoice};
+
+/// What must be done outside the state.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Effect {
+    /// Ask for files.
+    ChooseFiles,
+    /// Ask for a folder.
+    ChooseFolder,
+    /// Ask where a picture goes.
+    ChooseFigure(FigureKind),
+    /// Ask where tables go.
+    ChooseTables,
+    /// Read or make a study.
+    Open(OpenSource),
+    /// Write a picture.
+    WriteFigure(FigureKind, PathBuf),
+    /// Read the view that a picture carries.
+    ReadPicture(PathBuf),
+    /// Write all tables.
+    WriteTables(PathBuf),
+    /// Stop background work.
+    Stop(Topic),
+    /// Begin stopped or failed work again.
+    Retry(Topic),
+    /// Light or dark.
+    SetTheme(ThemeChoice),
+    /// Show or hide a tile.
+    TogglePane(Pane),
+    /// Open a tile, or bring it before other tabs.
+    ShowPane(Pane),
+    /// Put all tiles back.
+    ResetLayout,
+    /// Full screen or window.
+    SetFullScreen(bool),
+    /// Close the window.
+    Quit,
+}

@@ -1,0 +1,23 @@
+//! Commands about metric and maps.
+
+use crate::analysis::deformations::DeformationMapParams;
+use crate::app::state::State;
+use crate::engine::PoseMapParams;
+use crate::panes::MapCommand;
+
+use super::change::{Moment, change};
+
+/// Carries out a command about how poses and deformations are compared and mapped.
+pub fn apply(state: &mut State, command: MapCommand, moment: &Moment) {
+    change(state, moment, None, |d| match command {
+        MapCommand::SetPoseMap(params) => d.map = params,
+        MapCommand::SetMetric(kind) => d.map.distances.metric.kind = kind,
+        MapCommand::SetMapMethod(method) => d.map.method = method,
+        MapCommand::SetDeformationMap(params) => d.deformation_map = params,
+        MapCommand::ResetMaps => {
+            d.map = PoseMapParams::default();
+            d.deformation_map = DeformationMapParams::default();
+        }
+        MapCommand::ToggleClusters => d.shows_clusters = !d.shows_clusters,
+    });
+}

@@ -1,0 +1,52 @@
+//! The one place where commands change the state: a file for each kind of command.
+
+mod beat;
+mod change;
+mod effect;
+mod map;
+#[cfg(test)]
+mod tests;
+mod transport;
+mod view;
+mod wall;
+mod window;
+
+pub use change::{Moment, change};
+pub use effect::Effect;
+
+use crate::panes::{Command, EditCommand};
+
+use crate::app::document::Document;
+use crate::app::state::State;
+
+/// Carries out one command; what reaches beyond the state comes back as effects.
+pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> {
+    match command {
+        Command::Edit(EditCommand::Undo) => {
+            let step = state.history.undo(&state.document);
+            restore(state, step);
+        }
+        Command::Edit(EditCommand::Redo) => {
+            let step = state.history.redo(&state.document);
+            restore(state, step);
+        }
+        Command::Beat(command) => beat::apply(state, command, moment),
+        Command::View(command) => view::apply(state, command, moment),
+        Command::Map(command) => map::apply(state, command, moment),
+        Command::Wall(command) => wall::apply(state, command, moment),
+        Command::Transport(command) => return transport::apply(state, command, moment),
+        Command::File(command) => return window::apply_file(state, command).into_iter().collect(),
+        Command::Work(command) => return window::apply_work(state, command).into_iter().collect(),
+        Command::Window(command) => {
+            return window::apply_window(state, command).into_iter().collect();
+        }
+    }
+    Vec::new()
+}
+
+fn restore(state: &mut State, step: Option<Document>) {
+    if let Some(document) = step {
+        state.document = document;
+        state.play.playing = false;
+    }
+}

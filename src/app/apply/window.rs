@@ -1,0 +1,102 @@
+//! Commands that reach beyond the study: files, background work, panes, sheets.
+
+use std::path::PathBuf;
+
+use crate::app::export::FigureKind;
+use crate::app::saved_views::is_picture;
+use crate::app::settings::remember_recent;
+use crate::app::state::{Sheets, State};
+use crate::engine::OpenSource;
+use crate::panes::{FileCommand, WindowCommand, WorkCommand};
+
+use super::effect::Effect;
+
+/// Carries out a command about what is opened or exported. Nothing is exported where nothing is open.
+pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
+    let is_open = state.document.selected().is_some();
+    match command {
+        FileCommand::ChooseFiles => Some(Effect::ChooseFiles),
+        FileCommand::ChooseFolder => Some(Effect::ChooseFolder),
+        FileCommand::Open(paths) if paths.is_empty() => None,
+        FileCommand::Open(mut paths) => {
+            if is_picture(&paths) {
+                return paths.pop().map(Effect::ReadPicture);
+            }
+            remember_recent(&mut state.recent, &paths);
+            Some(Effect::Open(OpenSource::Paths(paths)))
+        }
+        FileCommand::OpenBuiltIn => Some(Effect::Open(OpenSource::BuiltIn(state.built_in))),
+        FileCommand::ExportFigure(path) => figure(FigureKind::View, path, is_open),
+        FileCommand::ExportPatchFigure(path) => figure(FigureKind::Patch, path, is_open),
+        FileCommand::ExportTables(Some(folder)) => Some(Effect::WriteTables(folder)),
+        FileCommand::ExportTables(None) => is_open.then_some(Effect::ChooseTables),
+        FileCommand::Quit => Some(Effect::Quit),
+    }
+}
+
+fn figure(kind: FigureKind, path: Option<PathBuf>, is_open: bool) -> Option<Effect> {
+    match path {
+        Some(path) => Some(Effect::WriteFigure(kind, path)),
+        None => is_open.then_some(Effect::ChooseFigure(kind)),
+    }
+}
+
+/// Carries out a command about background work; error cards go by their place.
+pub fn apply_work(state: &mut State, command: WorkCommand) -> Option<Effect> {
+    match command {
+        WorkCommand::Retry(topic) => {
+            state.errors.retain(|card| card.retry != Some(topic));
+            Some(Effect::Retry(topic))
+        }
+        WorkCommand::Cancel(topic) => Some(Effect::Stop(topic)),
+        WorkCommand::DismissError(index) => {
+            if index < state.errors.len() {
+                state.errors.remove(index);
+            }
+            None
+        }
+    }
+}
+
+/// Carries out a command about the window itself. Sheets lie over it one at a time.
+pub fn apply_window(state: &mut State, command: WindowCommand) -> Option<Effect> {
+    let before = state.sheets;
+    match command {
+        WindowCommand::SetTheme(theme) => {
+            state.theme = theme;
+            return Some(Effect::SetTheme(theme));
+        }
+        WindowCommand::TogglePane(pane) => return Some(Effect::TogglePane(pane)),
+        WindowCommand::ShowPane(pane) => return Some(Effect::ShowPane(pane)),
+        WindowCommand::ResetLayout => return Some(Effect::ResetLayout),
+        WindowCommand::ToggleFullScreen => {
+            state.full_screen = !state.full_screen;
+            return Some(Effect::SetFullScreen(state.full_screen));
+        }
+        WindowCommand::TogglePalette => {
+            state.sheets = Sheets {
+                palette: !before.palette,
+                ..Sheets::default()
+            };
+        }
+        WindowCommand::ToggleShortcuts => {
+            state.sheets = Sheets {
+                shortcuts: !before.shortcuts,
+                ..Sheets::default()
+            };
+        }
+        WindowCommand::ToggleLoadReport => {
+            state.sheets = Sheets {
+                load_report: !before.load_report,
+                ..Sheets::default()
+            };
+        }
+        WindowCommand::ToggleAbout => {
+            state.sheets = Sheets {
+                about: !before.about,
+                ..Sheets::default()
+            };
+        }
+    }
+    None
+}

@@ -1,0 +1,86 @@
+//! One thing that can be done, with its name, menu and key: menus, palette and the sheet of keys read the tables of actions.
+
+use egui::{Key, KeyboardShortcut, Modifiers};
+
+use super::Command;
+
+/// A menu of the bar; also the group in the sheet of shortcuts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Menu {
+    /// Opening and leaving.
+    File,
+    /// Undo and selection.
+    Edit,
+    /// What is seen, and from where.
+    View,
+    /// Playback and analyses.
+    Analysis,
+    /// What leaves the program.
+    Export,
+    /// How it is used.
+    Help,
+}
+
+impl Menu {
+    /// All menus in the order of the bar.
+    pub const ALL: [Self; 6] = [
+        Self::File,
+        Self::Edit,
+        Self::View,
+        Self::Analysis,
+        Self::Export,
+        Self::Help,
+    ];
+
+    /// The title in the menu bar.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::File => "File",
+            Self::Edit => "Edit",
+            Self::View => "View",
+            Self::Analysis => "Analysis",
+            Self::Export => "Export",
+            Self::Help => "Help",
+        }
+    }
+}
+
+/// One thing that can be done.
+#[derive(Clone, Debug)]
+pub struct Action {
+    /// Sentence case; ends in `…` when it asks for more.
+    pub name: &'static str,
+    /// Its menu.
+    pub menu: Menu,
+    /// Groups of a menu are divided by a line.
+    pub group: u8,
+    /// The key that does it.
+    pub shortcut: Option<KeyboardShortcut>,
+    /// What it does.
+    pub command: Command,
+}
+
+pub(super) const NONE: Modifiers = Modifiers::NONE;
+pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
+pub(super) const SHIFT: Modifiers = Modifiers::SHIFT;
+
+/// A row of a table of actions.
+pub(super) const fn action(
+    menu: Menu,
+    group: u8,
+    name: &'static str,
+    shortcut: Option<(Modifiers, Key)>,
+    command: Command,
+) -> Action {
+    let shortcut = match shortcut {
+        Some((modifiers, key)) => Some(KeyboardShortcut::new(modifiers, key)),
+        None => None,
+    };
+    Action {
+        name,
+        menu,
+        group,
+        shortcut,
+        command,
+    }
+}

@@ -1,0 +1,58 @@
+//! Commands about the selected subject and the place in its beat.
+
+use super::Command;
+use super::action::{Action, Menu, NONE, SHIFT, action};
+use egui::Key;
+
+/// Commands about the selected subject and the place in its beat.
+#[derive(Clone, Debug, PartialEq)]
+pub enum BeatCommand {
+    /// Show a subject at a frame and, from a map, play its motion.
+    SelectPose {
+        /// Index into the study's subjects.
+        subject: usize,
+        /// Frame of its sequence.
+        frame: usize,
+        /// Whether to play on from there.
+        play: bool,
+    },
+    /// Show a subject, keeping the phase.
+    SelectSubject(usize),
+    /// The next subject of the table, or the one before for −1.
+    StepSubject(i32),
+    /// The second subject of the side-by-side view.
+    CompareWith(Option<usize>),
+    /// Move to a position in the cycle, counted in frames; fractions lie between poses.
+    SetPosition(f64),
+    /// Whole frames forward or back.
+    StepFrame(i32),
+    /// Jump to end-diastole.
+    GoToEndDiastole,
+    /// Jump to end-systole.
+    GoToEndSystole,
+    /// Set the end-diastole of the selected subject; `None` takes it from the volume curve.
+    StateEndDiastole(Option<usize>),
+    /// Set the end-systole of the selected subject; `None` takes it from the volume curve.
+    StateEndSystole(Option<usize>),
+    /// Play or pause.
+    TogglePlay,
+    /// Speed relative to the recorded motion: 1 is real time.
+    SetSpeed(f32),
+    /// Whether playing starts over.
+    ToggleLoop,
+}
+
+/// Those that need no more than a name: one line each, a table is read as a table.
+#[rustfmt::skip]
+pub(super) static ACTIONS: &[Action] = &[
+    action(Menu::Edit, 1, "Next subject", Some((NONE, Key::Tab)), Command::Beat(BeatCommand::StepSubject(1))),
+    action(Menu::Edit, 1, "Previous subject", Some((SHIFT, Key::Tab)), Command::Beat(BeatCommand::StepSubject(-1))),
+    action(Menu::Analysis, 0, "Play or pause", Some((NONE, Key::Space)), Command::Beat(BeatCommand::TogglePlay)),
+    action(Menu::Analysis, 0, "Loop", None, Command::Beat(BeatCommand::ToggleLoop)),
+    action(Menu::Analysis, 0, "Next frame", Some((NONE, Key::ArrowRight)), Command::Beat(BeatCommand::StepFrame(1))),
+    action(Menu::Analysis, 0, "Previous frame", Some((NONE, Key::ArrowLeft)), Command::Beat(BeatCommand::StepFrame(-1))),
+    action(Menu::Analysis, 0, "Go to end-diastole", Some((SHIFT, Key::ArrowLeft)), Command::Beat(BeatCommand::GoToEndDiastole)),
+    action(Menu::Analysis, 0, "Go to end-systole", Some((SHIFT, Key::ArrowRight)), Command::Beat(BeatCommand::GoToEndSystole)),
+    action(Menu::Analysis, 1, "End-diastole from the volume curve", None, Command::Beat(BeatCommand::StateEndDiastole(None))),
+    action(Menu::Analysis, 1, "End-systole from the volume curve", None, Command::Beat(BeatCommand::StateEndSystole(None))),
+];

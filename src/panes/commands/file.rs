@@ -1,0 +1,39 @@
+//! Commands about files: what is opened and what is exported.
+
+use super::Command;
+use super::action::{Action, CTRL, Menu, NONE, SHIFT, action};
+use egui::Key;
+use std::path::PathBuf;
+
+/// Commands about files: what is opened and what is exported.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FileCommand {
+    /// Ask for files to open.
+    ChooseFiles,
+    /// Ask for a folder to open.
+    ChooseFolder,
+    /// Open these.
+    Open(Vec<PathBuf>),
+    /// Open the cohort that ships inside.
+    OpenBuiltIn,
+    /// Write a figure of the 3D view; `None` asks where.
+    ExportFigure(Option<PathBuf>),
+    /// Write the figure of the patch: heart, bull's-eye, table, verdict; `None` asks where.
+    ExportPatchFigure(Option<PathBuf>),
+    /// Write all tables; `None` asks where.
+    ExportTables(Option<PathBuf>),
+    /// Leave the program.
+    Quit,
+}
+
+/// Those that need no more than a name: one line each, a table is read as a table.
+#[rustfmt::skip]
+pub(super) static ACTIONS: &[Action] = &[
+    action(Menu::File, 0, "Open files…", Some((CTRL, Key::O)), Command::File(FileCommand::ChooseFiles)),
+    action(Menu::File, 0, "Open folder…", Some((CTRL.plus(SHIFT), Key::O)), Command::File(FileCommand::ChooseFolder)),
+    action(Menu::File, 0, "Open the built-in cohort", None, Command::File(FileCommand::OpenBuiltIn)),
+    action(Menu::File, 2, "Quit", Some((CTRL, Key::Q)), Command::File(FileCommand::Quit)),
+    action(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), Command::File(FileCommand::ExportPatchFigure(None))),
+    action(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), Command::File(FileCommand::ExportFigure(None))),
+    action(Menu::Export, 0, "Tables…", Some((CTRL, Key::E)), Command::File(FileCommand::ExportTables(None))),
+];

@@ -1,0 +1,92 @@
+//! Everything that the user can ask for: panes push commands, the parts of `app` that are named here apply them.
+//!
+//! A command, its name, its key and its place in the menus stand in one file; menus, palette and keys read the tables.
+
+mod action;
+mod beat;
+mod edit;
+mod file;
+mod map;
+mod pane;
+mod theme_choice;
+mod transport;
+mod view;
+mod view_mode;
+mod wall;
+mod window;
+mod work;
+
+use std::sync::LazyLock;
+
+pub use action::{Action, Menu};
+pub use beat::BeatCommand;
+pub use edit::EditCommand;
+pub use file::FileCommand;
+pub use map::MapCommand;
+pub use pane::Pane;
+pub use theme_choice::ThemeChoice;
+pub use transport::TransportCommand;
+pub use view::ViewCommand;
+pub use view_mode::ViewMode;
+pub use wall::WallCommand;
+pub use window::WindowCommand;
+pub use work::WorkCommand;
+
+/// One request of the user.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Command {
+    /// The selected subject and the place in its beat; applied by `app::apply_beat`.
+    Beat(BeatCommand),
+    /// What is seen, and from where; applied by `app::apply_view`.
+    View(ViewCommand),
+    /// Metric and maps; applied by `app::apply_map`.
+    Map(MapCommand),
+    /// The wall and its patches; applied by `app::apply_wall`.
+    Wall(WallCommand),
+    /// Transported motions and interpolated poses; applied by `app::apply_transport`.
+    Transport(TransportCommand),
+    /// Undo and redo.
+    Edit(EditCommand),
+    /// What is opened and exported; applied by `app::apply_window`.
+    File(FileCommand),
+    /// Work in the background; applied by `app::apply_window`.
+    Work(WorkCommand),
+    /// Theme, panes, sheets; applied by `app::apply_window`.
+    Window(WindowCommand),
+}
+
+/// All actions that need no more than a name, by menu and group.
+pub static ACTIONS: LazyLock<Vec<&'static Action>> = LazyLock::new(|| {
+    let tables = [
+        file::ACTIONS,
+        edit::ACTIONS,
+        beat::ACTIONS,
+        view::ACTIONS,
+        wall::ACTIONS,
+        transport::ACTIONS,
+        map::ACTIONS,
+        window::ACTIONS,
+    ];
+    let mut actions: Vec<&Action> = tables.into_iter().flatten().collect();
+    // Stable: within a group the order of the tables stays.
+    actions.sort_by_key(|action| (action.menu, action.group));
+    actions
+});
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::HashSet;
+
+    #[test]
+    fn no_two_actions_share_a_name_or_a_key() {
+        let mut names = HashSet::new();
+        let mut keys = HashSet::new();
+        for action in ACTIONS.iter() {
+            assert!(names.insert(action.name), "{}", action.name);
+            if let Some(shortcut) = action.shortcut {
+                assert!(keys.insert(format!("{shortcut:?}")), "{}", action.name);
+            }
+        }
+    }
+}

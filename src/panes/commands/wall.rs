@@ -1,0 +1,57 @@
+//! Commands about the wall: medial atoms, patches, segments, the bull's-eye.
+
+use super::Command;
+use super::action::{Action, Menu, NONE, action};
+use crate::engine::ThickeningSettings;
+use crate::picture::BullsEyeQuantity;
+use crate::picture::WallPart;
+use crate::render::Camera;
+use egui::Key;
+
+/// Commands about the wall: medial atoms, patches, segments, the bull's-eye.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WallCommand {
+    /// Show or hide atoms of the medial surface.
+    ToggleAtoms,
+    /// Show or hide spokes from the atoms to the wall.
+    ToggleSpokes,
+    /// Show or hide the borders of patches.
+    TogglePatches,
+    /// Show or hide ANV and MP.
+    ToggleDirection,
+    /// Thresholds of patches.
+    SetThickening(ThickeningSettings),
+    /// Settings of patches as they were at the start.
+    ResetThickening,
+    /// Select a patch of this subject or a segment of every subject.
+    SelectPart(Option<WallPart>),
+    /// Select a patch and look at it.
+    ShowPatch {
+        /// Its place in the list.
+        patch: usize,
+        /// From where, in the axes of the heart.
+        camera: Camera,
+    },
+    /// What the bull's-eye shows.
+    SetBullsEye(BullsEyeQuantity),
+    /// The next thing that the bull's-eye can show.
+    NextBullsEye,
+    /// One colour for each segment, or every place its own.
+    ToggleBullsEyeSegments,
+}
+
+/// Those that need no more than a name: one line each, a table is read as a table.
+#[rustfmt::skip]
+pub(super) static ACTIONS: &[Action] = &[
+    action(Menu::View, 2, "Medial atoms", Some((NONE, Key::M)), Command::Wall(WallCommand::ToggleAtoms)),
+    action(Menu::View, 2, "Spokes of the atoms", None, Command::Wall(WallCommand::ToggleSpokes)),
+    action(Menu::View, 2, "Patch outlines", Some((NONE, Key::P)), Command::Wall(WallCommand::TogglePatches)),
+    action(Menu::View, 2, "ANV and MP of the patch", None, Command::Wall(WallCommand::ToggleDirection)),
+    action(Menu::View, 3, "Next bull's-eye quantity", Some((NONE, Key::B)), Command::Wall(WallCommand::NextBullsEye)),
+    action(Menu::View, 3, "Bull's-eye: PT of this pose", None, Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Ratio))),
+    action(Menu::View, 3, "Bull's-eye: thickening", None, Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Thickening))),
+    action(Menu::View, 3, "Bull's-eye: displacement", None, Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Displacement))),
+    action(Menu::View, 3, "Bull's-eye: area ratio", None, Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::AreaRatio))),
+    action(Menu::View, 3, "Bull's-eye: segment values", None, Command::Wall(WallCommand::ToggleBullsEyeSegments)),
+    action(Menu::Analysis, 3, "Reset patch thresholds", None, Command::Wall(WallCommand::ResetThickening)),
+];
