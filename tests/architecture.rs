@@ -41,17 +41,24 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "units", "progress", "mesh", "study", "analysis", "report", "engine", "render",
         ],
     ),
+    ("ui", &["study"]),
     (
-        "ui",
+        "document",
         &[
-            "units", "study", "analysis", "report", "engine", "picture", "render",
+            "units", "mesh", "study", "analysis", "io", "engine", "render", "picture",
+        ],
+    ),
+    (
+        "panes",
+        &[
+            "units", "study", "analysis", "report", "engine", "picture", "render", "ui", "document",
         ],
     ),
     (
         "app",
         &[
             "units", "progress", "mesh", "study", "analysis", "io", "report", "engine", "render",
-            "picture", "ui",
+            "picture", "ui", "panes", "document",
         ],
     ),
     (
@@ -122,7 +129,7 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
 
 /// Words from outside with the only rooms that may say them.
 const FENCED: &[(&str, &[&str])] = &[
-    ("egui::", &["ui", "app"]),
+    ("egui::", &["ui", "panes", "app"]),
     ("eframe::", &["app"]),
     ("wgpu::", &["render", "app"]),
     ("std::fs", &["io", "engine", "cli"]),

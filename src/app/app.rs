@@ -4,7 +4,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::{Context, Ui};
+use egui::{Context, ThemePreference, Ui};
+
+use crate::document::ThemeChoice;
 
 use crate::engine::{OpenSource, Topic, Wake};
 use crate::panes::{Command, FileCommand};
@@ -22,10 +24,10 @@ use super::layout::Layout;
 use super::paint;
 use super::pictures::Pictures;
 use super::settings::Settings;
-use super::state::State;
 use super::times::Times;
 use super::viewport::Viewport;
 use super::views::{BullsEyeData, CohortData, DeformationData, MapData, MedialMapData};
+use crate::document::state::State;
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -112,7 +114,7 @@ impl App {
         let ctx = cc.egui_ctx.clone();
         let settings = Settings::load(cc.storage);
         ui::install(&ctx);
-        ui::choose(&ctx, settings.theme);
+        choose_theme(&ctx, settings.theme);
         if let Some(device) = &cc.wgpu_render_state {
             paint::install(device);
         }
@@ -277,7 +279,7 @@ impl App {
             }
             Effect::Stop(kind) => self.background.stop(kind),
             Effect::Retry(kind) => self.background.retry(kind),
-            Effect::SetTheme(theme) => ui::choose(ctx, theme),
+            Effect::SetTheme(theme) => choose_theme(ctx, theme),
             Effect::TogglePane(pane) => {
                 // A tab behind another one is brought forward first.
                 let seen = self.layout.seen().contains(&pane);
@@ -378,6 +380,15 @@ impl App {
             ctx.request_repaint();
         }
     }
+}
+
+/// Follows a choice of theme.
+fn choose_theme(ctx: &Context, choice: ThemeChoice) {
+    ctx.set_theme(match choice {
+        ThemeChoice::System => ThemePreference::System,
+        ThemeChoice::Dark => ThemePreference::Dark,
+        ThemeChoice::Light => ThemePreference::Light,
+    });
 }
 
 /// After a click the keys belong to the window again, unless the click went into a text: Space

@@ -9,10 +9,10 @@ use crate::picture::reference_frame;
 
 use super::asks::{Asks, Seen};
 use super::dialogs::{AskPaths, Dialogs};
-use super::document::OpeningReport;
 use super::errors::{push_card, push_failure, push_open_errors};
 use super::saved_views::SavedViews;
-use super::state::State;
+use crate::document::document::OpeningReport;
+use crate::document::state::State;
 
 /// Engine and dialogs of one window.
 pub struct Background {

@@ -1,6 +1,6 @@
 //! Cards that say what went wrong, until they are dismissed.
 
-use crate::app::ErrorCard;
+use crate::document::ErrorCard;
 use crate::engine::{FailedWork, Topic};
 use crate::io::OpenError;
 

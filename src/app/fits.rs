@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use egui::Rect;
 
-use crate::panes::ViewMode;
+use crate::document::ViewMode;
 use crate::render::Camera;
 
-use super::look::Look;
 use super::pictures::Heart;
+use crate::document::viewpoint::Look;
 
 /// Room left and right, above and below a fitted heart, in points: name and scale stand there.
 const ROOM: [f32; 2] = [24.0, 46.0];

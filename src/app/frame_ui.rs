@@ -15,13 +15,13 @@ use super::bars;
 use super::layout::Layout;
 use super::panes::{Panes, tab_containers};
 use super::sheets;
-use super::state::State;
 use super::viewport::Viewport;
 use super::views::{
     BeatData, BullsEyeData, CohortData, DeformationData, MapData, MedialMapData, PatchData,
     StatusData, ThicknessData, VerdictData, action_state, activity_rows, measures_view,
     menu_bar_view, metric_panel_view, report_entries,
 };
+use crate::document::state::State;
 
 /// Height of the bar with the menus.
 const MENU_HEIGHT: f32 = 34.0;

@@ -25,9 +25,9 @@ use crate::ui::{pane_header_ui, tab_ui};
 
 use super::corners::corner_masks;
 use super::layout::PaneTile;
-use super::state::State;
 use super::viewport::Viewport;
 use super::views::{BeatData, CohortData, viewport_header_view};
+use crate::document::state::State;
 
 /// Everything the panes of one frame need.
 pub struct Panes<'a> {

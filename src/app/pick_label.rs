@@ -12,8 +12,8 @@ use crate::render::{GeometryPose, VertexScalars, pick};
 use crate::study::Subject;
 use crate::ui::theme::{colours, line, radius, space, type_size};
 
-use super::play::pose_in;
 use super::shown_heart::Cell;
+use crate::document::play::pose_in;
 
 /// A vertex of a heart, named so that it stays the same while the beat plays.
 #[derive(Clone)]
@@ -173,7 +173,7 @@ fn number(prepared: &PreparedSubject, quantity: Quantity, value: f64) -> String 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::subject_with_frames;
+    use crate::document::testing::subject_with_frames;
 
     #[test]
     fn a_vertex_says_its_surface_and_its_number_with_unit() {

@@ -11,7 +11,7 @@ use crate::picture::{CohortLimits, HeartFrame, PreparedMedial, PreparedSubject, 
 use crate::render::Camera;
 use crate::study::{Study, Subject};
 
-use super::in_betweens::BeatInBetweens;
+use crate::document::in_betweens::BeatInBetweens;
 
 /// Bytes of a vertex at a frame: position, normal and colour values on both sides of the graphics card.
 const BYTES_OF_A_VERTEX: usize = 40;
@@ -248,7 +248,7 @@ impl<'a> Pictures<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::{study_of, subject_with_frames};
+    use crate::document::testing::{study_of, subject_with_frames};
     use crate::engine::StoreOptions;
     use std::time::{Duration, Instant};
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use egui::Rect;
 
-use crate::panes::ViewMode;
+use crate::document::ViewMode;
 use crate::picture::{
     HeartExtras, HeartMedial, MedialSettings, PatchLook, PreparedMedial, Quantity, SceneSettings,
     SurfaceScalars,
@@ -13,9 +13,9 @@ use crate::render::Camera;
 use crate::study::Subject;
 
 use super::pictures::{Heart, Pictures, ShownMedial};
-use super::stage::OnStage;
-use super::state::State;
 use super::views::overlay_view::OverlayData;
+use crate::document::VisiblePose;
+use crate::document::state::State;
 
 /// A heart on screen: it stays until the next one is ready.
 #[derive(Clone)]
@@ -78,7 +78,7 @@ pub fn shown_heart(
     pictures: Pictures<'_>,
     numbers: &mut MadeNumbers,
     reference_frames: &[usize],
-    place: &OnStage,
+    place: &VisiblePose,
 ) -> Option<ShownHeart> {
     let origin = if place.carried {
         state.document.subject
@@ -163,7 +163,7 @@ impl MadeNumbers {
     fn of(
         &mut self,
         state: &State,
-        place: &OnStage,
+        place: &VisiblePose,
         heart: &Arc<Heart>,
         medial: Option<&ShownMedial>,
     ) -> Option<Arc<SurfaceScalars>> {

@@ -5,8 +5,9 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
+use crate::document::ViewMode;
 use crate::panes::{
-    BeatCommand, Command, SubjectTarget, ViewCommand, ViewMode, WallCommand, dragged_subject,
+    BeatCommand, Command, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
     subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
@@ -21,11 +22,12 @@ use super::fits::Fits;
 use super::paint::{HeartPaint, pixels};
 use super::pick_label::{Picked, picked, picked_ui};
 use super::pictures::{Heart, Pictures};
-use super::play::pose_in;
+use super::places::places;
 use super::shown_heart::{Cell, MadeNumbers, ShownHeart, shown_heart};
-use super::stage::{on_stage, places};
-use super::state::State;
 use super::views::phase_name;
+use crate::document::play::pose_in;
+use crate::document::state::State;
+use crate::document::visible_poses;
 
 /// The hearts on screen and what was worked out for them.
 #[derive(Default)]
@@ -53,7 +55,7 @@ impl Viewport {
         let study = state.document.study();
         let mut ready = Vec::new();
         let mut complete = true;
-        for place in on_stage(state) {
+        for place in visible_poses(state) {
             let numbers = &mut self.numbers;
             match shown_heart(state, pictures, numbers, reference_frames, &place) {
                 Some(heart) => ready.push(heart),

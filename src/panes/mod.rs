@@ -31,7 +31,7 @@ pub use cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict, visib
 pub use cohort::{CohortView, cohort_table_ui};
 pub use commands::{
     ACTIONS, Action, BeatCommand, Command, EditCommand, FileCommand, MapCommand, Menu, Pane,
-    ThemeChoice, TransportCommand, ViewCommand, ViewMode, WallCommand, WindowCommand, WorkCommand,
+    TransportCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
 };
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};
 pub use deformation_map::{

@@ -8,6 +8,6 @@ mod shortcut_sheet;
 
 pub use about::about_ui;
 pub use command_palette::{CommandPaletteView, command_palette_ui};
-pub use error_cards::{ErrorCard, error_cards_ui};
+pub use error_cards::error_cards_ui;
 pub use load_report::{ReportSubject, load_report_ui};
 pub use shortcut_sheet::shortcut_sheet_ui;

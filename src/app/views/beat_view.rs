@@ -2,9 +2,9 @@
 
 use crate::analysis::measures::FrameMeasures;
 use crate::app::TimeBarView;
-use crate::app::document::phase_of;
-use crate::app::in_betweens::{BetweenWords, between_words, geodesic_params};
-use crate::app::state::State;
+use crate::document::document::phase_of;
+use crate::document::in_betweens::{BetweenWords, between_words, geodesic_params};
+use crate::document::state::State;
 use crate::panes::{BeatAxis, Curve, CurveKind, CurvesView, MeasuresView};
 use crate::report::SubjectRow;
 

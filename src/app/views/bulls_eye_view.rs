@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::app::document::nearest_frame;
-use crate::app::state::State;
 use crate::app::views::overlay_view::phase_name;
+use crate::document::document::nearest_frame;
+use crate::document::state::State;
 use crate::engine::SubjectThickening;
 use crate::panes::{BullsEyePatch, BullsEyeView, WallState};
 use crate::picture::{

@@ -4,10 +4,11 @@ use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::app::document::Sorting;
-use crate::app::state::State;
 use crate::app::views::verdict_view::cohort_verdict;
-use crate::panes::{CohortColumn, CohortRow, CohortSort, CohortView, ViewMode, visible_rows};
+use crate::document::ViewMode;
+use crate::document::document::Sorting;
+use crate::document::state::State;
+use crate::panes::{CohortColumn, CohortRow, CohortSort, CohortView, visible_rows};
 use crate::study::{Revision, Severity, Subject};
 
 /// What rows are made from: measures and verdicts as long as they are the same ones.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::DeformationMap;
-use crate::app::state::State;
+use crate::document::state::State;
 use crate::engine::{DeformationMapSettings, Interrupted, PoseMapParams, Showing, Topic};
 use crate::panes::{
     ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, MapState, MapSubject,
@@ -235,7 +235,7 @@ fn classifiers(classes: &Classes) -> Vec<ClassifierView> {
 mod tests {
     use super::*;
     use crate::analysis::embedding::Embedding;
-    use crate::app::testing::{study_of, subject_with_frames};
+    use crate::document::testing::{study_of, subject_with_frames};
 
     fn map(places: [[f64; 2]; 4]) -> DeformationMap {
         DeformationMap {

@@ -1,7 +1,7 @@
 //! The strip above the 3D view.
 
-use crate::app::differences::hindrance;
-use crate::app::state::State;
+use crate::document::differences::hindrance;
+use crate::document::state::State;
 use crate::panes::ViewportHeaderView;
 use crate::study::{Subject, SurfaceKind};
 

@@ -2,8 +2,8 @@
 //! changes.
 
 use crate::analysis::measures::SubjectMeasures;
-use crate::app::document::phase_of;
-use crate::app::state::State;
+use crate::document::document::phase_of;
+use crate::document::state::State;
 use crate::engine::{PoseMap, Showing};
 use crate::panes::{
     MapSubject, POSE_MAP, PoseMapView, PosePhase, SPACE_TIME, ScatterData, ScatterPoint,

@@ -1,8 +1,8 @@
 //! The medial map: from the latest map, kept until it or the study changes.
 
 use crate::analysis::medial_map::{MedialMap, MedialPose};
-use crate::app::document::phase_of;
-use crate::app::state::State;
+use crate::document::document::phase_of;
+use crate::document::state::State;
 use crate::engine::Showing;
 use crate::panes::{
     MEDIAL_MAP, MapSubject, MedialMapView, PosePhase, ScatterData, ScatterPoint, ScatterView,

@@ -2,7 +2,7 @@
 
 use crate::app::MenuBarView;
 use crate::app::layout::{Layout, PANES};
-use crate::app::state::State;
+use crate::document::state::State;
 use crate::panes::ActionState;
 
 /// Which actions can be done now and which switches are on.

@@ -1,15 +1,16 @@
 //! What lies over a heart in the 3D view: its name, colour bar, scale bar and orientation cube.
 
-use crate::app::carried::{CarryingState, carried_title};
-use crate::app::differences::hindrance;
-use crate::app::document::nearest_frame;
-use crate::app::in_betweens::{BetweenWords, between_words};
-use crate::app::stage::OnStage;
-use crate::app::state::State;
 use crate::app::views::beat_view::straight_because;
 use crate::app::views::patch_words::patch_note;
+use crate::document::ViewMode;
+use crate::document::VisiblePose;
+use crate::document::differences::hindrance;
+use crate::document::document::nearest_frame;
+use crate::document::in_betweens::{BetweenWords, between_words};
+use crate::document::state::State;
+use crate::document::transported::{CarryingState, carried_title};
 use crate::panes::{
-    ColourBarView, Command, CubeView, PatchNote, ScaleBarView, TransportCommand, ViewMode,
+    ColourBarView, Command, CubeView, PatchNote, ScaleBarView, TransportCommand,
     ViewportOverlayView,
 };
 use crate::picture::{
@@ -33,7 +34,7 @@ pub struct OverlayData {
 
 impl OverlayData {
     /// Names a heart; in the grid of all phases, the whole beat.
-    pub fn of(state: &State, cell: &OnStage) -> Self {
+    pub fn of(state: &State, cell: &VisiblePose) -> Self {
         let Some(subject) = state.subject(cell.subject) else {
             return Self::default();
         };
@@ -72,7 +73,12 @@ impl OverlayData {
     }
 
     /// Names the heart that plays a carried beat, or will.
-    fn beside_its_origin(state: &State, cell: &OnStage, from: &Subject, onto: &Subject) -> Self {
+    fn beside_its_origin(
+        state: &State,
+        cell: &VisiblePose,
+        from: &Subject,
+        onto: &Subject,
+    ) -> Self {
         let role = state.document.study().role(onto);
         let own = (
             "Show own motion",
@@ -159,7 +165,7 @@ fn from_id(state: &State, subject: usize) -> &str {
 }
 
 /// Why colours that were chosen are not there; said once, at the selected heart.
-fn missing_colours(state: &State, cell: &OnStage) -> Option<&'static str> {
+fn missing_colours(state: &State, cell: &VisiblePose) -> Option<&'static str> {
     let document = &state.document;
     if document.bar_quantity() == Quantity::ThicknessRatio || document.visibility.atoms {
         let untold = matches!(state.wall_of(cell.subject), Some((Err(_), _)));

@@ -2,8 +2,8 @@
 
 use crate::analysis::thickening::Patch;
 use crate::app::shown_heart::ShownHeart;
-use crate::app::state::State;
 use crate::app::views::patch_words::standing_note;
+use crate::document::state::State;
 use crate::engine::{Showing, SubjectThickening};
 use crate::panes::{PatchLine, PatchPanelView, WallState};
 use crate::picture::{

@@ -2,7 +2,7 @@
 
 use crate::analysis::thickening::Thickening;
 use crate::analysis::verdicts::Finding;
-use crate::app::state::State;
+use crate::document::state::State;
 use crate::panes::PatchNote;
 use crate::picture::{
     PatchStanding, WallPart, area_text, part_name, patch_heading, percent, segment_words,

@@ -1,7 +1,7 @@
 //! The load report: what was read of every subject, what was assumed, and what could not be read.
 
 use crate::app::ReportSubject;
-use crate::app::state::State;
+use crate::document::state::State;
 use crate::study::Subject;
 
 /// All entries: the study as a whole, what could not be read, then subject by subject.
@@ -60,8 +60,8 @@ fn summary(subject: &Subject) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::document::OpeningReport;
-    use crate::app::testing::{study_of, subject_with_frames};
+    use crate::document::document::OpeningReport;
+    use crate::document::testing::{study_of, subject_with_frames};
     use crate::io::OpenError;
     use crate::study::Notice;
 

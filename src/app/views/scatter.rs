@@ -3,12 +3,11 @@
 use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
-use crate::app::play::pose_at;
-use crate::app::state::State;
+use crate::document::ViewMode;
+use crate::document::play::pose_at;
+use crate::document::state::State;
 use crate::engine::{Interrupted, Showing};
-use crate::panes::{
-    MapState, MapSubject, MapWords, ScatterPoint, ScatterView, ViewMode, places_between,
-};
+use crate::panes::{MapState, MapSubject, MapWords, ScatterPoint, ScatterView, places_between};
 use crate::study::{Revision, Study};
 
 /// A shared value that is equal only to itself, or to nothing where both are absent.

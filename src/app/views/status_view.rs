@@ -1,7 +1,7 @@
 //! The status bar and the activity list: what runs, how far it is, what was done.
 
-use crate::app::state::State;
 use crate::app::{StatusBarView, StatusJob};
+use crate::document::state::State;
 use crate::engine::{Activity, ActivityState, Topic};
 use crate::panes::{WorkItem, WorkState};
 use crate::study::Severity;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::thickness_methods::{ThicknessMethod, ThicknessSpread};
-use crate::app::state::State;
+use crate::document::state::State;
 use crate::engine::{FrameThickness, Showing, ThicknessWay, WayAnswer};
 use crate::panes::{Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip};
 use crate::picture::nice_ceiling;

@@ -3,8 +3,8 @@
 use crate::analysis::verdicts::{
     Familiarity, Finding, RuleQuality, RuleSource, Verdict, VerdictParams, Verdicts,
 };
-use crate::app::state::State;
 use crate::app::views::evidence::evidence;
+use crate::document::state::State;
 use crate::engine::{Interrupted, Showing};
 use crate::panes::{
     ClassifierReport, ClassifierResult, CohortVerdict, SimilarSubject, TrainingDistance,

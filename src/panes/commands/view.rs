@@ -2,7 +2,7 @@
 
 use super::Command;
 use super::action::{Action, Menu, NONE, action};
-use super::view_mode::ViewMode;
+use crate::document::ViewMode;
 use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
 use crate::picture::figure::SavedView;

@@ -3,7 +3,7 @@
 use super::Command;
 use super::action::{Action, CTRL, Menu, NONE, action};
 use super::pane::Pane;
-use super::theme_choice::ThemeChoice;
+use crate::document::ThemeChoice;
 use egui::Key;
 
 /// Commands about the window itself: theme, panes, sheets.

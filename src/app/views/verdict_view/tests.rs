@@ -3,7 +3,7 @@
 use super::*;
 use crate::analysis::classification::Accuracy;
 use crate::analysis::verdicts::{Features, NotAssessed};
-use crate::app::testing::{state_of, subject_with_frames};
+use crate::document::testing::{state_of, subject_with_frames};
 use std::sync::Arc;
 
 fn verdict(finding: Finding, probability: f64) -> Verdict {

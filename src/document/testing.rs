@@ -6,8 +6,8 @@ use crate::mesh::phantom;
 use crate::study::{MeshSequence, Revision, Study, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
 
-use super::document::{OpeningReport, StudyRef};
-use super::state::State;
+use crate::document::document::{OpeningReport, StudyRef};
+use crate::document::state::State;
 
 /// A heart of one small sphere that contracts over `frames` frames.
 pub fn subject_with_frames(id: &str, frames: usize) -> Subject {

@@ -8,18 +8,18 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::MedialMap;
 use crate::analysis::transport::Reference;
-use crate::app::ErrorCard;
+use crate::document::ErrorCard;
+use crate::document::ThemeChoice;
 use crate::engine::{PoseMap, Showing};
-use crate::panes::ThemeChoice;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Study, Subject};
 
-use super::answers::{Answers, FoundWall};
-use super::carried::{CarriedHeart, transport_params};
-use super::document::{Document, OpeningReport, StudyRef};
-use super::in_betweens::{BeatInBetweens, geodesic_params};
-use super::play::PlayClock;
-use super::undo::History;
+use crate::document::answers::{Answers, FoundWall};
+use crate::document::document::{Document, OpeningReport, StudyRef};
+use crate::document::in_betweens::{BeatInBetweens, geodesic_params};
+use crate::document::play::PlayClock;
+use crate::document::transported::{CarriedHeart, transport_params};
+use crate::document::undo::History;
 
 /// Which sheets lie over the window.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -59,7 +59,7 @@ pub struct State {
     pub message: String,
     /// How finely the built-in cohort is made.
     pub built_in: BuiltInParams,
-    pub(super) last_opening: u64,
+    pub(crate) last_opening: u64,
 }
 
 impl Default for State {
@@ -194,7 +194,7 @@ impl State {
     }
 
     /// An answer, unless it is about a study that is not on screen any more.
-    pub(super) fn of_this_study<'a, T>(&self, answer: Option<&'a T>) -> Option<&'a T> {
+    pub(crate) fn of_this_study<'a, T>(&self, answer: Option<&'a T>) -> Option<&'a T> {
         answer.filter(|_| self.answers.opening == self.document.study.opening)
     }
 

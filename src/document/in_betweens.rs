@@ -6,8 +6,8 @@ use crate::analysis::geodesics::{GeodesicParams, GeodesicPath};
 use crate::mesh::Point3;
 use crate::study::Subject;
 
-use super::document::Document;
-use super::play::is_between;
+use crate::document::document::Document;
+use crate::document::play::is_between;
 
 /// Beats whose in-betweens are kept: the hearts side by side, and those looked at before.
 const MOST_BEATS: usize = 6;
@@ -202,9 +202,9 @@ pub fn between_words(
 }
 
 #[cfg(test)]
-pub(super) mod tests {
+pub(crate) mod tests {
     use super::*;
-    use crate::app::testing::subject_with_frames;
+    use crate::document::testing::subject_with_frames;
 
     /// Paths with `count` poses within every interval, on the straight line.
     pub fn straight_paths(subject: &Subject, count: usize) -> Vec<Arc<GeodesicPath>> {

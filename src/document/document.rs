@@ -3,14 +3,14 @@
 use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
+use crate::document::ViewMode;
 use crate::engine::{PoseMapParams, ThickeningSettings};
 use crate::io::OpenError;
-use crate::panes::ViewMode;
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
 use crate::render::Shading;
 use crate::study::{Notice, Revision, Study, Subject};
 
-use super::look::Look;
+use crate::document::viewpoint::Look;
 
 /// Poses between two frames until the user says otherwise.
 const IN_BETWEENS: u16 = 3;
@@ -336,7 +336,7 @@ pub fn position_at_phase(subject: &Subject, phase: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::{study_of, study_ref, subject_with_frames};
+    use crate::document::testing::{study_of, study_ref, subject_with_frames};
     use crate::units::Seconds;
 
     #[test]

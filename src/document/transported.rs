@@ -7,7 +7,7 @@ use crate::analysis::transport::TransportParams;
 use crate::mesh::Point3;
 use crate::study::{MeshSequence, Revision, Subject};
 
-use super::document::{CarriedBeat, Document, phase_of, position_at_phase};
+use crate::document::document::{CarriedBeat, Document, phase_of, position_at_phase};
 
 /// How the carrying of a beat stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -115,7 +115,7 @@ fn pose_between(subject: &Subject, position: f64) -> Option<Vec<Point3>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::subject_with_frames;
+    use crate::document::testing::subject_with_frames;
 
     #[test]
     fn a_beat_carried_to_its_own_heart_is_nowhere_away_from_it() {

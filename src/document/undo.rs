@@ -2,7 +2,7 @@
 
 use std::collections::VecDeque;
 
-use super::document::Document;
+use crate::document::document::Document;
 
 /// How many steps can be taken back.
 const MOST_STEPS: usize = 200;
@@ -112,7 +112,7 @@ impl History {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::{study_of, study_ref, subject_with_frames};
+    use crate::document::testing::{study_of, study_ref, subject_with_frames};
 
     fn document(position: f64) -> Document {
         let mut document = Document::new(study_ref(study_of(vec![subject_with_frames("a", 3)])));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::verdicts::{NotAssessed, Verdict, Verdicts};
 use crate::picture::{PatchLook, PatchStanding};
 
-use super::state::State;
+use crate::document::state::State;
 
 impl State {
     /// The verdicts on the study on screen, and whether they are of its state and thresholds of today; those
@@ -36,7 +36,7 @@ impl State {
 mod tests {
     use super::*;
     use crate::analysis::verdicts::{Features, Finding, RuleSource};
-    use crate::app::testing::{state_of, subject_with_frames};
+    use crate::document::testing::{state_of, subject_with_frames};
     use crate::engine::Showing;
 
     fn verdicts(findings: &[Option<Finding>]) -> Arc<Verdicts> {

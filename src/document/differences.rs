@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseId};
-use crate::panes::ViewMode;
+use crate::document::ViewMode;
 use crate::study::Subject;
 
-use super::document::{Document, nearest_frame, phase_of, position_at_phase};
+use crate::document::document::{Document, nearest_frame, phase_of, position_at_phase};
 
 /// Which poses were compared, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -66,7 +66,7 @@ fn both_hearts(document: &Document) -> Option<(&Arc<Subject>, usize, &Arc<Subjec
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::{study_of, study_ref, subject_with_frames};
+    use crate::document::testing::{study_of, study_ref, subject_with_frames};
 
     fn document() -> Document {
         let mut document = Document::new(study_ref(study_of(vec![

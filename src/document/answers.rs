@@ -9,8 +9,8 @@ use crate::analysis::medial_map::MedialMap;
 use crate::analysis::verdicts::Verdicts;
 use crate::engine::{FrameThickness, Interrupted, PoseMap, Showing, SubjectThickening};
 
-use super::carried::{CarriedHeart, CarryingState};
-use super::in_betweens::BeatInBetweens;
+use crate::document::in_betweens::BeatInBetweens;
+use crate::document::transported::{CarriedHeart, CarryingState};
 
 /// How a wall thickens, or why that cannot be told.
 pub type FoundWall = Result<Arc<SubjectThickening>, String>;
@@ -19,28 +19,28 @@ pub type FoundWall = Result<Arc<SubjectThickening>, String>;
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
     /// Which opening of a study they are about; subjects' indices mean the same within one.
-    pub(super) opening: u64,
-    pub(super) measures: Option<Showing<Vec<SubjectMeasures>>>,
-    pub(super) map: Option<Showing<PoseMap>>,
-    pub(super) deformations: Option<Showing<DeformationMap>>,
-    pub(super) medial_map: Option<Showing<MedialMap>>,
-    pub(super) classes: Option<Showing<Classes>>,
-    pub(super) verdicts: Option<Showing<Verdicts>>,
+    pub(crate) opening: u64,
+    pub(crate) measures: Option<Showing<Vec<SubjectMeasures>>>,
+    pub(crate) map: Option<Showing<PoseMap>>,
+    pub(crate) deformations: Option<Showing<DeformationMap>>,
+    pub(crate) medial_map: Option<Showing<MedialMap>>,
+    pub(crate) classes: Option<Showing<Classes>>,
+    pub(crate) verdicts: Option<Showing<Verdicts>>,
     /// Of the subjects on screen.
-    pub(super) walls: Vec<WallAnswer>,
+    pub(crate) walls: Vec<WallAnswer>,
     /// Of the selected subject, by frame.
-    pub(super) thickness: Vec<(usize, Showing<FrameThickness>)>,
+    pub(crate) thickness: Vec<(usize, Showing<FrameThickness>)>,
     /// Of the beats on screen.
-    pub(super) in_betweens: Vec<InBetweensAnswer>,
-    pub(super) carried: Option<CarriedHeart>,
-    pub(super) carrying: CarryingState,
+    pub(crate) in_betweens: Vec<InBetweensAnswer>,
+    pub(crate) carried: Option<CarriedHeart>,
+    pub(crate) carrying: CarryingState,
     /// Where the poses side by side differ: one number per vertex, one list for all poses.
-    pub(super) difference: Option<Arc<Vec<Vec<f32>>>>,
+    pub(crate) difference: Option<Arc<Vec<Vec<f32>>>>,
 }
 
 /// What is known of a wall on screen.
 #[derive(Clone, Debug)]
-pub(super) struct WallAnswer {
+pub(crate) struct WallAnswer {
     pub subject: usize,
     pub showing: Showing<SubjectThickening>,
     /// With whether it is the answer to the settings of today; else it is the one before.
@@ -75,7 +75,7 @@ impl WallAnswer {
 
 /// What is known of the poses between the frames of a beat on screen.
 #[derive(Clone, Debug)]
-pub(super) struct InBetweensAnswer {
+pub(crate) struct InBetweensAnswer {
     pub subject: usize,
     /// As far as they are computed.
     pub beat: Option<Arc<BeatInBetweens>>,
@@ -95,18 +95,18 @@ impl Answers {
     }
 
     /// Whether poses are still to be measured: between one and the next nothing may run.
-    pub(super) fn measures_on(&self) -> bool {
+    pub(crate) fn measures_on(&self) -> bool {
         let mut poses = self.thickness.iter().map(|(_, showing)| showing);
         poses.clone().all(|showing| !showing.stopped()) && poses.any(Showing::computing)
     }
 
     /// How the wall of a subject on screen stands.
-    pub(super) fn wall(&self, subject: usize) -> Option<&WallAnswer> {
+    pub(crate) fn wall(&self, subject: usize) -> Option<&WallAnswer> {
         self.walls.iter().find(|wall| wall.subject == subject)
     }
 
     /// How the poses between the frames of a subject on screen stand.
-    pub(super) fn in_betweens(&self, subject: usize) -> Option<&InBetweensAnswer> {
+    pub(crate) fn in_betweens(&self, subject: usize) -> Option<&InBetweensAnswer> {
         let mut beats = self.in_betweens.iter();
         beats.find(|beat| beat.subject == subject)
     }

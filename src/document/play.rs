@@ -4,7 +4,7 @@ use crate::picture::PreparedSubject;
 use crate::render::GeometryPose;
 use crate::study::Subject;
 
-use super::document::{phase_of, position_at_phase};
+use crate::document::document::{phase_of, position_at_phase};
 
 /// Length of a beat whose input does not say it: 60 beats a minute.
 const ASSUMED_BEAT_S: f64 = 1.0;
@@ -123,7 +123,7 @@ pub fn is_between(position: f64) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::subject_with_frames;
+    use crate::document::testing::subject_with_frames;
     use crate::units::Seconds;
 
     #[test]
