@@ -21,13 +21,17 @@ use super::dialogs::{Answer, AskPaths, Question, system_dialogs};
 use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
-use super::paint;
-use super::pictures::Pictures;
 use super::settings::Settings;
 use super::times::Times;
-use super::viewport::Viewport;
-use super::views::{BullsEyeData, CohortData, DeformationData, MapData, MedialMapData};
 use crate::document::state::State;
+use crate::panes::bulls_eye::data::BullsEyeData;
+use crate::panes::cohort::view::CohortData;
+use crate::panes::deformation_map::view::DeformationData;
+use crate::panes::medial_map::view::MedialMapData;
+use crate::panes::pose_map::view::MapData;
+use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::paint;
+use crate::panes::viewport::pictures::Pictures;
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);

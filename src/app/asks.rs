@@ -10,10 +10,10 @@ use crate::engine::{
 use crate::panes::Pane;
 
 use super::asks_beats::BeatAsks;
-use super::views::enough_subjects;
 use crate::document::answers::{Answers, WallAnswer};
 use crate::document::state::State;
 use crate::document::visible_poses;
+use crate::panes::deformation_map::view::enough_subjects;
 
 /// What of the window is looked at: work for panes that nobody sees waits.
 #[derive(Clone, Debug, Default)]

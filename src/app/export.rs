@@ -22,11 +22,11 @@ use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
 
-use super::shown_heart::ShownHeart;
-use super::viewport::Viewport;
 use crate::document::document::nearest_frame;
 use crate::document::play::pose_in;
 use crate::document::state::State;
+use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::shown_heart::ShownHeart;
 
 /// Which figure is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

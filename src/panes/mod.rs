@@ -2,6 +2,7 @@
 
 pub(crate) mod action_state;
 pub(crate) mod activity;
+pub(crate) mod beat;
 pub(crate) mod beat_axis;
 pub(crate) mod bulls_eye;
 pub(crate) mod cohort;

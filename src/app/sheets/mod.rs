@@ -4,6 +4,7 @@ mod about;
 mod command_palette;
 mod error_cards;
 mod load_report;
+pub(crate) mod report_view;
 mod shortcut_sheet;
 
 pub use about::about_ui;

@@ -12,10 +12,10 @@ use crate::picture::{
 use crate::render::Camera;
 use crate::study::Subject;
 
-use super::pictures::{Heart, Pictures, ShownMedial};
-use super::views::overlay_view::OverlayData;
 use crate::document::VisiblePose;
 use crate::document::state::State;
+use crate::panes::viewport::overlay_view::OverlayData;
+use crate::panes::viewport::pictures::{Heart, Pictures, ShownMedial};
 
 /// A heart on screen: it stays until the next one is ready.
 #[derive(Clone)]

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::app::views::verdict_view::cohort_verdict;
 use crate::document::ViewMode;
 use crate::document::document::Sorting;
 use crate::document::state::State;
+use crate::panes::verdict::view::cohort_verdict;
 use crate::panes::{CohortColumn, CohortRow, CohortSort, CohortView, visible_rows};
 use crate::study::{Revision, Severity, Subject};
 

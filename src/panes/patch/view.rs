@@ -1,10 +1,10 @@
 //! Patches of the selected heart: the table, from where each is seen, what is not assessed and why.
 
 use crate::analysis::thickening::Patch;
-use crate::app::shown_heart::ShownHeart;
-use crate::app::views::patch_words::standing_note;
 use crate::document::state::State;
 use crate::engine::{Showing, SubjectThickening};
+use crate::panes::patch::words::standing_note;
+use crate::panes::viewport::shown_heart::ShownHeart;
 use crate::panes::{PatchLine, PatchPanelView, WallState};
 use crate::picture::{
     PatchStanding, WallPart, extent_words, facing_patch, patch_heading, segment_words,

@@ -1,7 +1,5 @@
 //! What lies over a heart in the 3D view: its name, colour bar, scale bar and orientation cube.
 
-use crate::app::views::beat_view::straight_because;
-use crate::app::views::patch_words::patch_note;
 use crate::document::ViewMode;
 use crate::document::VisiblePose;
 use crate::document::differences::hindrance;
@@ -9,6 +7,8 @@ use crate::document::document::nearest_frame;
 use crate::document::in_betweens::{BetweenWords, between_words};
 use crate::document::state::State;
 use crate::document::transported::{CarryingState, carried_title};
+use crate::panes::beat::straight_because;
+use crate::panes::patch::words::patch_note;
 use crate::panes::{
     ColourBarView, Command, CubeView, PatchNote, ScaleBarView, TransportCommand,
     ViewportOverlayView,

@@ -3,9 +3,9 @@
 use crate::analysis::verdicts::{
     Familiarity, Finding, RuleQuality, RuleSource, Verdict, VerdictParams, Verdicts,
 };
-use crate::app::views::evidence::evidence;
 use crate::document::state::State;
 use crate::engine::{Interrupted, Showing};
+use crate::panes::verdict::evidence_rows::evidence;
 use crate::panes::{
     ClassifierReport, ClassifierResult, CohortVerdict, SimilarSubject, TrainingDistance,
     VerdictMark, VerdictPanelView, VerdictReport, VerdictState,

@@ -10,7 +10,9 @@ use crate::panes::{
 };
 use crate::study::Study;
 
-use super::scatter::{Details, Shared, details, left_out, map_state, plane, scatter_view};
+use crate::panes::scatter_map::from_state::{
+    Details, Shared, details, left_out, map_state, plane, scatter_view,
+};
 
 /// Points of the medial map.
 #[derive(Debug, Default)]

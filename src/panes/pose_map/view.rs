@@ -11,7 +11,9 @@ use crate::panes::{
 };
 use crate::study::Study;
 
-use super::scatter::{Details, Shared, details, left_out, map_state, plane, scatter_view};
+use crate::panes::scatter_map::from_state::{
+    Details, Shared, details, left_out, map_state, plane, scatter_view,
+};
 
 /// Points and subjects of the map of poses.
 #[derive(Debug, Default)]

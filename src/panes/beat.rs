@@ -1,7 +1,6 @@
 //! The beat of the selected heart: time bar, volume curves and measures.
 
 use crate::analysis::measures::FrameMeasures;
-use crate::app::TimeBarView;
 use crate::document::document::phase_of;
 use crate::document::in_betweens::{BetweenWords, between_words, geodesic_params};
 use crate::document::state::State;
@@ -11,12 +10,12 @@ use crate::report::SubjectRow;
 /// Numbers of the selected heart's beat.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BeatData {
-    frame_shares: Vec<f64>,
-    endo_volumes: Vec<f64>,
-    epi_volumes: Vec<f64>,
-    in_betweens: Vec<f64>,
-    between: BetweenWords,
-    note: String,
+    pub(crate) frame_shares: Vec<f64>,
+    pub(crate) endo_volumes: Vec<f64>,
+    pub(crate) epi_volumes: Vec<f64>,
+    pub(crate) in_betweens: Vec<f64>,
+    pub(crate) between: BetweenWords,
+    pub(crate) note: String,
 }
 
 impl BeatData {
@@ -59,29 +58,6 @@ impl BeatData {
     pub fn axis(&self) -> BeatAxis<'_> {
         BeatAxis {
             frame_shares: &self.frame_shares,
-        }
-    }
-
-    /// What the time bar shows.
-    pub fn time_bar<'a>(&'a self, state: &State) -> TimeBarView<'a> {
-        let document = &state.document;
-        let (end_diastole, end_systole) = state.phases_of(document.subject);
-        let time = document.selected().and_then(|subject| {
-            let count = subject.sequence.frame_count();
-            subject.timing.time_at(document.position, count)
-        });
-        TimeBarView {
-            playing: state.play.playing,
-            speed: state.play.speed,
-            looping: state.play.repeat,
-            position: document.position,
-            axis: self.axis(),
-            end_diastole,
-            end_systole,
-            time_ms: time.map(|time| 1e3 * time.0),
-            between: self.between.short,
-            in_betweens: &self.in_betweens,
-            note: &self.note,
         }
     }
 

@@ -17,17 +17,17 @@ use crate::picture::{
 use crate::render::{Camera, ViewId};
 use crate::ui::theme::{colours, line, radius, type_size};
 
-use super::camera_drag::camera_command;
-use super::fits::Fits;
-use super::paint::{HeartPaint, pixels};
-use super::pick_label::{Picked, picked, picked_ui};
-use super::pictures::{Heart, Pictures};
-use super::places::places;
-use super::shown_heart::{Cell, MadeNumbers, ShownHeart, shown_heart};
-use super::views::phase_name;
 use crate::document::play::pose_in;
 use crate::document::state::State;
 use crate::document::visible_poses;
+use crate::panes::viewport::camera_drag::camera_command;
+use crate::panes::viewport::fits::Fits;
+use crate::panes::viewport::overlay_view::phase_name;
+use crate::panes::viewport::paint::{HeartPaint, pixels};
+use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
+use crate::panes::viewport::pictures::{Heart, Pictures};
+use crate::panes::viewport::places::places;
+use crate::panes::viewport::shown_heart::{Cell, MadeNumbers, ShownHeart, shown_heart};
 
 /// The hearts on screen and what was worked out for them.
 #[derive(Default)]

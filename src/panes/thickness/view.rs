@@ -8,7 +8,7 @@ use crate::engine::{FrameThickness, Showing, ThicknessWay, WayAnswer};
 use crate::panes::{Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip};
 use crate::picture::nice_ceiling;
 
-use super::overlay_view::phase_name;
+use crate::panes::viewport::overlay_view::phase_name;
 
 /// What the pane shows.
 #[derive(Clone, Debug, Default, PartialEq)]

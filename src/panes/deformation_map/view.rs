@@ -12,7 +12,9 @@ use crate::panes::{
 };
 use crate::study::Study;
 
-use super::scatter::{Details, Shared, details, map_state, plane, scatter_view};
+use crate::panes::scatter_map::from_state::{
+    Details, Shared, details, map_state, plane, scatter_view,
+};
 
 /// Fewer deformations have no neighbourhoods.
 pub const FEWEST_DEFORMATIONS: usize = 4;

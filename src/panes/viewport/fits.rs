@@ -7,8 +7,8 @@ use egui::Rect;
 use crate::document::ViewMode;
 use crate::render::Camera;
 
-use super::pictures::Heart;
 use crate::document::viewpoint::Look;
+use crate::panes::viewport::pictures::Heart;
 
 /// Room left and right, above and below a fitted heart, in points: name and scale stand there.
 const ROOM: [f32; 2] = [24.0, 46.0];

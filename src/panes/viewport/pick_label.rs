@@ -12,8 +12,8 @@ use crate::render::{GeometryPose, VertexScalars, pick};
 use crate::study::Subject;
 use crate::ui::theme::{colours, line, radius, space, type_size};
 
-use super::shown_heart::Cell;
 use crate::document::play::pose_in;
+use crate::panes::viewport::shown_heart::Cell;
 
 /// A vertex of a heart, named so that it stays the same while the beat plays.
 #[derive(Clone)]

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::app::views::overlay_view::phase_name;
 use crate::document::document::nearest_frame;
 use crate::document::state::State;
 use crate::engine::SubjectThickening;
+use crate::panes::viewport::overlay_view::phase_name;
 use crate::panes::{BullsEyePatch, BullsEyeView, WallState};
 use crate::picture::{
     BullsEyeScale, CohortLimits, PatchStanding, PolarMap, PolarValues, WallPart, part_name, percent,
