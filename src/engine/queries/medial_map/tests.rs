@@ -76,7 +76,7 @@ fn a_heart_without_wall_is_left_out_with_its_reason() {
         ..Study::clone(&study)
     });
     let said = refusal(&store(), &alone, &query(MapMethod::Smacof));
-    assert!(said.starts_with("0 poses of 0 hearts"), "{said}");
+    assert!(said.starts_with("0 poses of 0 subjects"), "{said}");
 }
 
 #[test]
