@@ -128,6 +128,7 @@ const FENCED: &[(&str, &[&str])] = &[
     ("wgpu::", &["render", "app"]),
     ("std::fs", &["io", "engine", "cli"]),
     ("std::thread", &["engine"]),
+    ("Workers::", &["engine"]), // threads by another name
     ("Instant::now", &["engine", "app"]),
     ("println!", &["cli"]),
     ("super::super", &[]), // would leave the room unseen

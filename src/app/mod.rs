@@ -6,6 +6,7 @@ mod answers;
     reason = "the room's main type carries the room's name"
 )]
 mod app;
+mod app_options;
 mod apply;
 mod asks;
 mod asks_beats;
@@ -13,6 +14,7 @@ mod background;
 mod bars;
 mod camera_drag;
 mod carried;
+mod chosen_files;
 mod corners;
 mod dialogs;
 mod differences;
@@ -45,7 +47,8 @@ mod viewport;
 mod views;
 
 pub use answers::{Answers, FoundWall};
-pub use app::{App, AppOptions};
+pub use app::App;
+pub use app_options::AppOptions;
 pub use background::Background;
 pub use bars::*;
 pub use carried::{CarriedHeart, CarryingState};

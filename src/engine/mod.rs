@@ -38,4 +38,4 @@ pub use store::{
 };
 pub use tables::{AnalysisTables, TableSettings};
 pub use wall_tables::{TablesError, Unassessed};
-pub use workers::{Workers, configure_threads};
+pub use workers::configure_threads;
