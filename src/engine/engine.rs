@@ -169,13 +169,13 @@ impl Engine {
         if let Some(opened) = finished(&mut self.opening) {
             match opened {
                 Ok(opened) => self.opened = Some(opened),
-                Err(error) => self.tell(Topic::OPENING, "Opening failed", Arc::new(error)),
+                Err(error) => self.report(Topic::OPENING, "Opening failed", Arc::new(error)),
             }
         }
         if let Some(exported) = finished(&mut self.export) {
             match exported {
                 Ok(files) => self.exported = Some(files),
-                Err(error) => self.tell(Topic::EXPORT, "Nothing was exported", Arc::new(error)),
+                Err(error) => self.report(Topic::EXPORT, "Nothing was exported", Arc::new(error)),
             }
         }
     }
@@ -200,8 +200,8 @@ impl Engine {
         self.store.running()
     }
 
-    fn tell(&self, topic: Topic, title: &'static str, error: SharedError) {
-        self.store.tell(FailedWork {
+    fn report(&self, topic: Topic, title: &'static str, error: SharedError) {
+        self.store.report(FailedWork {
             topic,
             title,
             error,
