@@ -135,7 +135,7 @@ impl App {
         if let Some(reason) = refused.as_ref().filter(|_| refused != self.refused) {
             super::errors::push_card(
                 &mut self.state.errors,
-                "The heart could not be drawn",
+                "The 3D view could not be drawn",
                 reason,
                 None,
             );

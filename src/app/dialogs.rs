@@ -16,8 +16,8 @@ fn readable() -> Vec<&'static str> {
     extensions
 }
 
-/// An answer this quick was given by no person: no dialog could be shown.
-const TOO_QUICK: Duration = Duration::from_millis(150);
+/// An empty answer that comes sooner was not given by a person: no dialog could be shown.
+const MIN_ANSWER_TIME: Duration = Duration::from_millis(150);
 
 /// What is asked. What a file will hold is fixed before its place is asked for: while a dialog is open, the
 /// window goes on, and another subject may be selected.
@@ -95,7 +95,7 @@ impl Dialogs {
         let job = engine.spawn_aside(move |_| {
             let asked = Instant::now();
             let paths = ask_paths(&question.about_paths());
-            if paths.is_none() && asked.elapsed() < TOO_QUICK {
+            if paths.is_none() && asked.elapsed() < MIN_ANSWER_TIME {
                 return Err(NoDialog);
             }
             Ok(paths.and_then(|paths| question.answer(paths)))

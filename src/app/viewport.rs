@@ -18,7 +18,7 @@ use crate::ui::theme::{colours, line, radius, type_size};
 
 use super::camera_drag::camera_command;
 use super::fits::Fits;
-use super::paint::{HeartPaint, pixels};
+use super::paint::{ScenePaint, pixels};
 use super::pick_label::{Picked, picked, picked_ui};
 use super::pictures::{Heart, Pictures};
 use super::play::pose_in;
@@ -212,7 +212,7 @@ impl Viewport {
             if !self.has_device {
                 continue;
             }
-            let paint = HeartPaint {
+            let paint = ScenePaint {
                 view: ViewId(place as u32),
                 views: cells.len() as u32,
                 scene,
