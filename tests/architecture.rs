@@ -43,16 +43,23 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     ("ui", &["study"]),
     (
+        "document",
+        &[
+            "units", "mesh", "study", "analysis", "io", "engine", "render", "picture",
+        ],
+    ),
+    (
         "panes",
         &[
-            "units", "study", "analysis", "report", "engine", "picture", "render", "ui",
+            "units", "mesh", "study", "analysis", "report", "engine", "picture", "render", "ui",
+            "document",
         ],
     ),
     (
         "app",
         &[
             "units", "progress", "mesh", "study", "analysis", "io", "report", "engine", "render",
-            "picture", "ui", "panes",
+            "picture", "ui", "panes", "document",
         ],
     ),
     (
@@ -125,11 +132,11 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
 const FENCED: &[(&str, &[&str])] = &[
     ("egui::", &["ui", "panes", "app"]),
     ("eframe::", &["app"]),
-    ("wgpu::", &["render", "app"]),
+    ("wgpu::", &["render", "panes"]),
     ("std::fs", &["io", "engine", "cli"]),
     ("std::thread", &["engine"]),
     ("Workers::", &["engine"]), // threads by another name
-    ("Instant::now", &["engine", "app"]),
+    ("Instant::now", &["engine", "panes", "app"]),
     ("println!", &["cli"]),
     ("super::super", &[]), // would leave the room unseen
 ];

@@ -4,7 +4,9 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::{Context, Ui};
+use egui::{Context, ThemePreference, Ui};
+
+use crate::document::ThemeChoice;
 
 use crate::engine::{OpenSource, Topic, Wake};
 use crate::panes::{Command, FileCommand};
@@ -17,13 +19,17 @@ use super::background::{Background, reference_frames};
 use super::chosen_files::{ChosenFiles, Exporting};
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
-use super::paint;
-use super::pictures::Pictures;
 use super::settings::Settings;
-use super::state::State;
 use super::times::Times;
-use super::viewport::Viewport;
-use super::views::{BullsEyeData, CohortData, DeformationData, MapData, MedialMapData};
+use crate::document::state::State;
+use crate::panes::bulls_eye::data::BullsEyeData;
+use crate::panes::cohort::view::CohortData;
+use crate::panes::deformation_map::view::DeformationData;
+use crate::panes::medial_map::view::MedialMapData;
+use crate::panes::pose_map::view::MapData;
+use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::paint;
+use crate::panes::viewport::pictures::Pictures;
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -61,7 +67,7 @@ impl App {
         let ctx = cc.egui_ctx.clone();
         let settings = Settings::load(cc.storage);
         ui::install(&ctx);
-        ui::choose(&ctx, settings.theme);
+        choose_theme(&ctx, settings.theme);
         if let Some(device) = &cc.wgpu_render_state {
             paint::install(device);
         }
@@ -201,7 +207,7 @@ impl App {
             Effect::WriteTables(folder) => files.ask_for_tables(&mut exporting, Some(folder)),
             Effect::Stop(kind) => self.background.stop(kind),
             Effect::Retry(kind) => self.background.retry(kind),
-            Effect::SetTheme(theme) => ui::choose(ctx, theme),
+            Effect::SetTheme(theme) => choose_theme(ctx, theme),
             Effect::TogglePane(pane) => {
                 // A tab behind another one is brought forward first.
                 let seen = self.layout.seen().contains(&pane);
@@ -261,6 +267,15 @@ impl App {
             ctx.request_repaint();
         }
     }
+}
+
+/// Follows a choice of theme.
+fn choose_theme(ctx: &Context, choice: ThemeChoice) {
+    ctx.set_theme(match choice {
+        ThemeChoice::System => ThemePreference::System,
+        ThemeChoice::Dark => ThemePreference::Dark,
+        ThemeChoice::Light => ThemePreference::Light,
+    });
 }
 
 /// After a click the keys belong to the window again, unless the click went into a text: Space

@@ -8,9 +8,9 @@ use crate::io::Opened;
 use crate::picture::reference_frame;
 
 use super::asks::{Asks, Seen};
-use super::document::OpeningReport;
 use super::errors::{push_card, push_failure, push_open_errors};
-use super::state::State;
+use crate::document::document::OpeningReport;
+use crate::document::state::State;
 
 /// The engine of one window, and what is asked of its store.
 pub struct Background {

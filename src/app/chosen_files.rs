@@ -11,8 +11,8 @@ use super::dialogs::{Answer, AskPaths, Dialogs, NoDialog, Question};
 use super::errors::push_card;
 use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
 use super::saved_views::{self, SavedViews};
-use super::state::State;
-use super::viewport::Viewport;
+use crate::document::state::State;
+use crate::panes::viewport::hearts::Viewport;
 
 /// A figure that was asked for before the selected subject was on screen and its wall measured.
 struct WaitingFigure {

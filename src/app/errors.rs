@@ -1,6 +1,6 @@
 //! Error cards, shown until they are dismissed.
 
-use crate::app::ErrorCard;
+use crate::document::ErrorCard;
 use crate::engine::{FailedWork, Topic};
 use crate::io::OpenError;
 

@@ -8,11 +8,11 @@ use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
+use crate::document::ViewMode;
 use crate::engine::{
     AnalysisTables, DeformationMapSettings, Engine, ExportFile, Interrupted, TableSettings,
     ThickeningSettings, VerdictSettings, distance_words,
 };
-use crate::panes::ViewMode;
 use crate::picture::figure::{
     FigureOrder, FigureSubject, FigureView, PatchOrder, rendered_figure, rendered_patch_figure,
 };
@@ -22,11 +22,11 @@ use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
 
-use super::document::nearest_frame;
-use super::play::pose_in;
-use super::shown_heart::ShownHeart;
-use super::state::State;
-use super::viewport::Viewport;
+use crate::document::document::nearest_frame;
+use crate::document::play::pose_in;
+use crate::document::state::State;
+use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::shown_heart::ShownHeart;
 
 /// Which figure is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

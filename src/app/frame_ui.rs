@@ -15,13 +15,20 @@ use super::bars;
 use super::layout::Layout;
 use super::panes::{Panes, tab_containers};
 use super::sheets;
-use super::state::State;
-use super::viewport::Viewport;
-use super::views::{
-    BeatData, BullsEyeData, CohortData, DeformationData, MapData, MedialMapData, PatchData,
-    StatusData, ThicknessData, VerdictData, action_state, activity_rows, measures_view,
-    menu_bar_view, metric_panel_view, report_entries,
-};
+use crate::app::bars::menu_view::{action_state, menu_bar_view};
+use crate::app::bars::status_view::{StatusData, activity_rows};
+use crate::app::sheets::report_view::report_entries;
+use crate::document::state::State;
+use crate::panes::beat::{BeatData, measures_view};
+use crate::panes::bulls_eye::data::BullsEyeData;
+use crate::panes::cohort::view::CohortData;
+use crate::panes::deformation_map::view::{DeformationData, metric_panel_view};
+use crate::panes::medial_map::view::MedialMapData;
+use crate::panes::patch::view::PatchData;
+use crate::panes::pose_map::view::MapData;
+use crate::panes::thickness::view::ThicknessData;
+use crate::panes::verdict::view::VerdictData;
+use crate::panes::viewport::hearts::Viewport;
 
 /// Height of the bar with the menus.
 const MENU_HEIGHT: f32 = 34.0;
@@ -99,7 +106,7 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
                     .corner_radius(radius::PANE)
                     .show(ui, |ui| {
                         ui.set_min_size(ui.available_size());
-                        bars::time_bar_ui(ui, &beat.time_bar(state), drawing.commands);
+                        bars::time_bar_ui(ui, &bars::time_bar_view(&beat, state), drawing.commands);
                     });
             });
     }

@@ -6,18 +6,19 @@ use std::sync::Arc;
 
 use glam::{Quat, Vec3};
 
+use crate::document::ViewMode;
 use crate::engine::{Engine, Job};
 use crate::io::read_head;
-use crate::panes::{Command, ViewCommand, ViewMode};
+use crate::panes::{Command, ViewCommand};
 use crate::picture::figure::SavedView;
 use crate::picture::page::{PageFormat, VIEW_KEY, png_text};
 use crate::render::Shading;
 
 use super::apply::{Moment, change};
-use super::document::Visibility;
 use super::errors::push_card;
-use super::look::{Direction, Look};
-use super::state::State;
+use crate::document::document::Visibility;
+use crate::document::state::State;
+use crate::document::viewpoint::{Direction, Look};
 
 /// Settings stand before the pixels: further into a picture there is nothing to look for.
 const MAX_HEAD_BYTES: u64 = 1 << 20;
@@ -125,7 +126,7 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::{state_of, subject_with_frames};
+    use crate::document::testing::{state_of, subject_with_frames};
     use crate::picture::figure::SavedCamera;
     use crate::picture::{BullsEyeQuantity, Quantity, SceneSettings, WallPart};
     use crate::study::Revision;

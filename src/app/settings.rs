@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use crate::panes::ThemeChoice;
+use crate::document::ThemeChoice;
 
 use super::layout::Layout;
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod action_state;
 pub(crate) mod activity;
+pub(crate) mod beat;
 pub(crate) mod beat_axis;
 pub(crate) mod bulls_eye;
 pub(crate) mod cohort;
@@ -31,7 +32,7 @@ pub use cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict, visib
 pub use cohort::{CohortView, cohort_table_ui};
 pub use commands::{
     ACTIONS, Action, BeatCommand, Command, EditCommand, FileCommand, MapCommand, Menu, Pane,
-    ThemeChoice, TransportCommand, ViewCommand, ViewMode, WallCommand, WindowCommand, WorkCommand,
+    TransportCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
 };
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};
 pub use deformation_map::{

@@ -9,9 +9,9 @@ use std::process::Command as Program;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
+use cardiomorph::document::{ThemeChoice, ViewMode};
 use cardiomorph::panes::{
-    BeatCommand, Command, Pane, ThemeChoice, TransportCommand, ViewCommand, ViewMode, WallCommand,
-    WindowCommand,
+    BeatCommand, Command, Pane, TransportCommand, ViewCommand, WallCommand, WindowCommand,
 };
 use cardiomorph::picture::Quantity;
 use cardiomorph::study::built_in::BuiltInParams;

@@ -295,7 +295,7 @@ mod tests {
             harness.key_press(Key::Enter);
         });
         let side_by_side = Command::View(ViewCommand::SetViewMode(
-            crate::panes::commands::ViewMode::SideBySide,
+            crate::document::ViewMode::SideBySide,
         ));
         assert_eq!(
             commands,

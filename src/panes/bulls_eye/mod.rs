@@ -1,5 +1,6 @@
 //! The bull's-eye: the polar map of 17 AHA segments, anterior up and septum left, linked with all views.
 
+pub(crate) mod data;
 mod draw;
 mod layout;
 #[cfg(test)]

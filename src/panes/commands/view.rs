@@ -1,7 +1,7 @@
 //! Commands about what is seen, and from where.
 
 use super::action::{Menu, NONE, Row, row};
-use super::view_mode::ViewMode;
+use crate::document::ViewMode;
 use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
 use crate::picture::figure::SavedView;

@@ -2,7 +2,7 @@
 
 use super::action::{CTRL, Menu, NONE, Row, row};
 use super::pane::Pane;
-use super::theme_choice::ThemeChoice;
+use crate::document::ThemeChoice;
 use egui::Key;
 
 /// Commands about the window itself: theme, panes, sheets.

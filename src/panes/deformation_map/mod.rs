@@ -5,6 +5,7 @@ mod classes;
 mod map;
 #[cfg(test)]
 mod tests;
+pub(crate) mod view;
 
 pub use classes::{ClassesView, ClassifierView};
 pub use map::{DEFORMATION_MAP, DeformationMapView, deformation_map_ui, deformation_note};

@@ -3,6 +3,7 @@
 mod map;
 #[cfg(test)]
 mod tests;
+pub(crate) mod view;
 
 pub use map::{
     MEDIAL_MAP, MedialMapView, medial_facts, medial_map_choosers_ui, medial_map_header_ui,

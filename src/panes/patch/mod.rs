@@ -4,6 +4,8 @@ mod settings;
 mod table;
 #[cfg(test)]
 mod tests;
+pub(crate) mod view;
+pub(crate) mod words;
 
 use egui::{Margin, RichText, ScrollArea, Ui};
 

@@ -3,6 +3,7 @@
 mod strips;
 #[cfg(test)]
 mod tests;
+pub(crate) mod view;
 
 use egui::{Margin, ScrollArea, Ui};
 

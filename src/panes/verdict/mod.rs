@@ -1,10 +1,12 @@
 //! The verdict on the selected subject, its evidence, the most similar subjects, and the classifier.
 
 mod evidence;
+pub(crate) mod evidence_rows;
 mod found;
 mod rule;
 #[cfg(test)]
 mod tests;
+pub(crate) mod view;
 
 use egui::{Margin, RichText, ScrollArea, Ui};
 

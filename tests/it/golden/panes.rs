@@ -2,9 +2,9 @@
 
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::App;
+use cardiomorph::document::{ThemeChoice, ViewMode};
 use cardiomorph::panes::{
-    BeatCommand, Command, Pane, ThemeChoice, TransportCommand, ViewCommand, ViewMode, WallCommand,
-    WindowCommand,
+    BeatCommand, Command, Pane, TransportCommand, ViewCommand, WallCommand, WindowCommand,
 };
 use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 use cardiomorph::ui::theme::space;

@@ -4,7 +4,7 @@ use super::*;
 use cardiomorph::panes::{BeatCommand, EditCommand, WallCommand, WindowCommand};
 
 use cardiomorph::analysis::segments::Segment;
-use cardiomorph::app::FoundWall;
+use cardiomorph::document::FoundWall;
 use cardiomorph::picture::BullsEyeQuantity;
 use cardiomorph::picture::{Quantity, WallPart};
 use egui::Key;
