@@ -135,6 +135,7 @@ const FENCED: &[(&str, &[&str])] = &[
     ("wgpu::", &["render", "panes"]),
     ("std::fs", &["io", "engine", "cli"]),
     ("std::thread", &["engine"]),
+    ("Workers::", &["engine"]), // threads by another name
     ("Instant::now", &["engine", "panes", "app"]),
     ("println!", &["cli"]),
     ("super::super", &[]), // would leave the room unseen

@@ -10,15 +10,13 @@ use crate::document::ThemeChoice;
 
 use crate::engine::{OpenSource, Topic, Wake};
 use crate::panes::{Command, FileCommand};
-use crate::study::Subject;
-use crate::study::built_in::BuiltInParams;
 use crate::ui::{self};
 
+use super::app_options::AppOptions;
 use super::apply::{Effect, Moment, apply};
 use super::asks::Seen;
 use super::background::{Background, reference_frames};
-use super::dialogs::{Answer, AskPaths, Question, system_dialogs};
-use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
+use super::chosen_files::{ChosenFiles, Exporting};
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::settings::Settings;
@@ -35,68 +33,19 @@ const BAR_PERIOD: Duration = Duration::from_millis(100);
 /// Longest step of the play clock: a beat that was held up goes on where it was.
 const LONGEST_STEP_S: f64 = 0.25;
 
-/// What the window begins with.
-#[derive(Clone)]
-pub struct AppOptions {
-    /// What is opened first; nothing if `None`.
-    pub open: Option<OpenSource>,
-    /// How finely the built-in cohort is made when it is asked for.
-    pub built_in: BuiltInParams,
-    /// When the program began, for the times that it can print.
-    pub started: Instant,
-    /// Who is asked for files and folders.
-    pub ask_paths: AskPaths,
-}
-
-impl AppOptions {
-    /// Opens `paths`, or the built-in cohort if there are none.
-    pub fn opening(paths: Vec<PathBuf>) -> Self {
-        Self {
-            open: Some(OpenSource::paths_or_built_in(paths)),
-            built_in: BuiltInParams::default(),
-            started: Instant::now(),
-            ask_paths: system_dialogs(),
-        }
-    }
-
-    /// Opens a built-in cohort of another size.
-    pub fn built_in(params: BuiltInParams) -> Self {
-        Self {
-            open: Some(OpenSource::BuiltIn(params)),
-            built_in: params,
-            ..Self::opening(Vec::new())
-        }
-    }
-
-    /// Opens nothing.
-    pub fn empty() -> Self {
-        Self {
-            open: None,
-            ..Self::opening(Vec::new())
-        }
-    }
-}
-
-/// A figure that was asked for before the selected subject was on screen and its wall measured.
-struct WaitingFigure {
-    kind: FigureKind,
-    /// Where it goes; asked for if `None`.
-    path: Option<PathBuf>,
-    subject: Arc<Subject>,
-}
-
 /// The window.
 pub struct App {
     state: State,
     layout: Layout,
+    // Stands before the engine: dropped first, which lets go of its work.
+    files: ChosenFiles,
     background: Background,
     memo: Memo,
     adapter: String,
     times: Times,
     queue: Vec<Command>,
     played_at_s: Option<f64>,
-    waiting_figure: Option<WaitingFigure>,
-    /// What the driver refused, so that it is told once.
+    /// What the driver refused, so that it has one card.
     refused: Option<String>,
 }
 
@@ -114,7 +63,7 @@ impl App {
             paint::install(device);
         }
         let wake: Wake = Arc::new(move || ctx.request_repaint());
-        let mut background = Background::start(&wake, options.ask_paths)?;
+        let mut background = Background::start(&wake)?;
         let mut state = State {
             theme: settings.theme,
             recent: settings.recent,
@@ -132,6 +81,7 @@ impl App {
         Ok(Self {
             state,
             layout: settings.layout,
+            files: ChosenFiles::new(options.ask_paths),
             background,
             memo,
             adapter: cc
@@ -142,7 +92,6 @@ impl App {
             times: Times::new(options.started),
             queue: Vec::new(),
             played_at_s: None,
-            waiting_figure: None,
             refused: None,
         })
     }
@@ -180,11 +129,11 @@ impl App {
         self.memo.get()
     }
 
-    fn tell_refusal(&mut self, refused: Option<String>) {
+    fn report_refusal(&mut self, refused: Option<String>) {
         if let Some(reason) = refused.as_ref().filter(|_| refused != self.refused) {
             super::errors::push_card(
                 &mut self.state.errors,
-                "The heart could not be drawn",
+                "The 3D view could not be drawn",
                 reason,
                 None,
             );
@@ -199,27 +148,8 @@ impl App {
             // What the pointer holds is a subject of the study before.
             egui::DragAndDrop::clear_payload(ctx);
         }
-        match self.background.dialogs.poll() {
-            Some(Ok(Answer::Open(paths))) => {
-                self.queue.push(Command::File(FileCommand::Open(paths)))
-            }
-            Some(Ok(Answer::Figure(figure, path))) => self.write_figure(*figure, path),
-            Some(Ok(Answer::Tables(tables, folder))) => {
-                tables.write(&mut self.background.engine, folder);
-            }
-            Some(Err(problem)) => super::errors::push_card(
-                &mut self.state.errors,
-                "No file dialog",
-                problem.to_string(),
-                None,
-            ),
-            None => {}
-        }
-        match self.background.saved_views.poll() {
-            Some(Ok(command)) => self.queue.push(command),
-            Some(Err(reason)) => super::saved_views::refuse(&mut self.state, reason),
-            None => {}
-        }
+        let chosen = (self.files).poll(&mut self.state, &mut self.background.engine);
+        self.queue.extend(chosen);
         let dropped: Vec<PathBuf> = ctx.input(|input| {
             let files = input.raw.dropped_files.iter();
             files.map(|file| file.path().to_owned()).collect()
@@ -255,24 +185,18 @@ impl App {
     }
 
     fn perform(&mut self, ctx: &Context, effect: Effect) {
-        let dialogs = &mut self.background.dialogs;
+        let (files, mut exporting) = self.exporting(ctx);
         match effect {
-            Effect::ChooseFiles => dialogs.ask(Question::Files),
-            Effect::ChooseFolder => dialogs.ask(Question::Folder),
-            Effect::ChooseFigure(kind) => self.ask_for_figure(ctx, kind, None),
-            Effect::ChooseTables => {
-                if let Some(tables) = TableExport::now(&self.state) {
-                    dialogs.ask(Question::Tables(Box::new(tables)));
-                }
-            }
+            Effect::ChooseFiles => files.ask_for_files(exporting.engine),
+            Effect::ChooseFolder => files.ask_for_folder(exporting.engine),
+            Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
+            Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::Open(source) => self.background.open(source),
-            Effect::WriteFigure(kind, path) => self.ask_for_figure(ctx, kind, Some(path)),
-            Effect::ReadPicture(path) => self.background.saved_views.read(path),
-            Effect::WriteTables(folder) => {
-                if let Some(tables) = TableExport::now(&self.state) {
-                    tables.write(&mut self.background.engine, folder);
-                }
+            Effect::WriteFigure(kind, path) => {
+                files.ask_for_figure(&mut exporting, kind, Some(path));
             }
+            Effect::ReadPicture(path) => files.read_view(exporting.engine, path),
+            Effect::WriteTables(folder) => files.ask_for_tables(&mut exporting, Some(folder)),
             Effect::Stop(kind) => self.background.stop(kind),
             Effect::Retry(kind) => self.background.retry(kind),
             Effect::SetTheme(theme) => choose_theme(ctx, theme),
@@ -290,56 +214,15 @@ impl App {
         }
     }
 
-    /// Fixes what a figure shows at the moment it is asked for, then asks where it goes if that is not known.
-    fn ask_for_figure(&mut self, ctx: &Context, kind: FigureKind, path: Option<PathBuf>) {
-        let dark = ctx.global_style().visuals.dark_mode;
-        match (
-            FigureExport::now(&self.state, &self.viewport().borrow_mut(), dark, kind),
-            path,
-        ) {
-            (Ok(figure), Some(path)) => self.write_figure(figure, path),
-            (Ok(figure), None) => {
-                let question = Question::Figure(Box::new(figure));
-                self.background.dialogs.ask(question);
-            }
-            (Err(NoFigure::Refused(reason)), _) => {
-                let title = "There is no patch figure of this heart";
-                super::errors::push_card(&mut self.state.errors, title, reason, None);
-            }
-            (Err(NoFigure::NotYet), path) => {
-                let subject = self.state.document.selected().map(Arc::clone);
-                self.waiting_figure = subject.map(|subject| {
-                    self.state.message = format!("The figure waits for {}", subject.id);
-                    WaitingFigure {
-                        kind,
-                        path,
-                        subject,
-                    }
-                });
-            }
-        }
-    }
-
-    /// Takes the figure that waits for its subject, once that is on screen; never of another subject.
-    fn take_waiting_figure(&mut self, ctx: &Context) {
-        let Some(waiting) = self.waiting_figure.take() else {
-            return;
+    /// What exports are made from, beside those who ask for their place.
+    fn exporting(&mut self, ctx: &Context) -> (&mut ChosenFiles, Exporting<'_>) {
+        let exporting = Exporting {
+            state: &mut self.state,
+            viewport: self.memo.get(),
+            engine: &mut self.background.engine,
+            dark: ctx.global_style().visuals.dark_mode,
         };
-        let selected = self.state.document.selected();
-        if selected.is_some_and(|selected| Arc::ptr_eq(selected, &waiting.subject)) {
-            self.ask_for_figure(ctx, waiting.kind, waiting.path);
-            return;
-        }
-        let title = format!("There is no figure of {}", waiting.subject.id);
-        let reason = "another subject was selected before this one was drawn and measured";
-        super::errors::push_card(&mut self.state.errors, title, reason, None);
-    }
-
-    fn write_figure(&mut self, figure: FigureExport, path: PathBuf) {
-        if let Err(reason) = figure.write(&mut self.background.engine, path) {
-            let title = "The figure could not be written";
-            super::errors::push_card(&mut self.state.errors, title, reason, None);
-        }
+        (&mut self.files, exporting)
     }
 
     /// Moves the beat on by the time since the last frame.
@@ -393,9 +276,10 @@ impl eframe::App for App {
         // another study, in whose table a row is another subject.
         self.apply_queue(ctx);
         self.take_in(ctx);
-        self.tell_refusal(frame.wgpu_render_state().and_then(paint::failure));
+        self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
-        self.take_waiting_figure(ctx);
+        let (files, mut exporting) = self.exporting(ctx);
+        files.take_waiting_figure(&mut exporting);
         self.play(ctx);
         let seen = Seen {
             panes: self.layout.seen(),

@@ -5,11 +5,13 @@
     reason = "the room's main type carries the room's name"
 )]
 mod app;
+mod app_options;
 mod apply;
 mod asks;
 mod asks_beats;
 mod background;
 mod bars;
+mod chosen_files;
 mod corners;
 mod dialogs;
 mod errors;
@@ -23,7 +25,8 @@ mod sheets;
 mod start;
 mod times;
 
-pub use app::{App, AppOptions};
+pub use app::App;
+pub use app_options::AppOptions;
 pub use background::Background;
 pub use bars::*;
 pub use dialogs::{AskPaths, PathQuestion};

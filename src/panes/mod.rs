@@ -1,6 +1,7 @@
 //! A folder a pane: what it wants to know, and how it is drawn. Panes draw prepared views and push commands.
 
 pub(crate) mod action_state;
+pub(crate) mod actions;
 pub(crate) mod activity;
 pub(crate) mod beat;
 pub(crate) mod beat_axis;
@@ -28,13 +29,14 @@ pub(crate) mod verdict_marks;
 pub(crate) mod viewport;
 
 pub use action_state::ActionState;
+pub use actions::ALL_ACTIONS;
 pub use activity::{WorkItem, WorkState, activity_ui};
 pub use beat_axis::BeatAxis;
 pub use bulls_eye::{BullsEyePatch, BullsEyeView, bulls_eye_ui};
 pub use cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict, visible_rows};
 pub use cohort::{CohortView, cohort_table_ui};
 pub use commands::{
-    ACTIONS, Action, BeatCommand, Command, EditCommand, FileCommand, MapCommand, Menu, Pane,
+    Action, BeatCommand, Command, EditCommand, FileCommand, MapCommand, Menu, Pane,
     TransportCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
 };
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};

@@ -136,24 +136,24 @@ impl Row for ComparisonRow {
         percentage(
             "linear_rule_percent",
             "Accuracy of the linear classifier on distances, leave-one-out",
-            |row| percent(row.linear_rule.share),
+            |row| percent(row.linear_classifier.share),
         ),
         percentage("linear_rule_standard_error", ERROR, |row| {
-            percent(row.linear_rule.standard_error)
+            percent(row.linear_classifier.standard_error)
         }),
         percentage("linear_rule_baseline", PERMUTED, |row| {
-            percent(row.linear_rule.baseline)
+            percent(row.linear_classifier.baseline)
         }),
         percentage(
             "plane_rule_percent",
             "Accuracy of the classifier on the 2-D embedding, leave-one-out",
-            |row| percent(row.plane_rule.share),
+            |row| percent(row.plane_classifier.share),
         ),
         percentage("plane_rule_standard_error", ERROR, |row| {
-            percent(row.plane_rule.standard_error)
+            percent(row.plane_classifier.standard_error)
         }),
         percentage("plane_rule_baseline", PERMUTED, |row| {
-            percent(row.plane_rule.baseline)
+            percent(row.plane_classifier.baseline)
         }),
         percentage("tau_percent", "Cluster agreement τ", |row| {
             percent(row.tau.share)

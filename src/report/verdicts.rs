@@ -2,7 +2,7 @@
 
 use super::column::{Cell, Column, Digits, Unit};
 use super::table::Row;
-use crate::analysis::verdicts::{Feature, Features, RuleSource, Verdict, Verdicts};
+use crate::analysis::verdicts::{ClassifierSource, Feature, Features, Verdict, Verdicts};
 use crate::study::Study;
 
 /// What the classifier and the patch detection say of one subject together.
@@ -64,14 +64,14 @@ impl VerdictRow {
     pub fn of_study(study: &Study, verdicts: &Verdicts) -> Vec<Self> {
         let subjects = study.subjects.iter().zip(&verdicts.subjects);
         subjects
-            .map(|(subject, found)| {
+            .map(|(subject, assessed)| {
                 let unassessed = Self {
                     subject: subject.id.clone(),
                     label: subject.label.clone(),
                     ..Self::default()
                 };
-                match found {
-                    Ok(verdict) => unassessed.with(study, verdict, verdicts.rule),
+                match assessed {
+                    Ok(verdict) => unassessed.with(study, verdict, verdicts.classifier),
                     Err(reason) => Self {
                         reason: Some(reason.to_string()),
                         ..unassessed
@@ -81,7 +81,7 @@ impl VerdictRow {
             .collect()
     }
 
-    fn with(self, study: &Study, verdict: &Verdict, rule: RuleSource) -> Self {
+    fn with(self, study: &Study, verdict: &Verdict, classifier: ClassifierSource) -> Self {
         let names = |others: &[usize]| {
             let subjects = others.iter().filter_map(|&other| study.subjects.get(other));
             subjects.map(|subject| subject.id.clone()).collect()
@@ -90,9 +90,9 @@ impl VerdictRow {
             abnormal: Some(verdict.abnormal),
             probability: Some(verdict.probability),
             finding: Some(verdict.finding.key()),
-            calibrated: Some(match rule {
-                RuleSource::Cohort { .. } => true,
-                RuleSource::Uncalibrated { .. } => false,
+            calibrated: Some(match classifier {
+                ClassifierSource::Cohort { .. } => true,
+                ClassifierSource::Uncalibrated { .. } => false,
             }),
             alike_normal: names(&verdict.alike_normal),
             alike_abnormal: names(&verdict.alike_abnormal),

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use super::{SourceFile, source_files};
 
 /// Rooms in which cycles remain to be broken.
-const NOT_YET_STRICT: &[&str] = &[];
+const NOT_YET_STRICT: &[&str] = &["document", "panes"];
 
 /// Path of a module from the root of the crate.
 type Module = Vec<String>;

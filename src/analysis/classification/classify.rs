@@ -1,4 +1,4 @@
-//! All that is said of classes, from distances, a map and labels.
+//! How well classes are separated, from distances, a map and labels.
 
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -9,19 +9,19 @@ use crate::analysis::embedding::{Embedding, EmbeddingError, classical_mds};
 use crate::analysis::pose_distances::DistanceMatrix;
 use crate::progress::{Progress, Stopped};
 
-use super::linear_rule::{LinearRule, Scratch, labelled_rows};
+use super::linear_classifier::{LinearClassifier, Scratch, labelled_rows};
 use super::nearest::NearestCases;
 use super::{Accuracy, Classes, k_means, tau};
 
-/// Coordinates of the classical scaling that the linear rule sees at most: enough for what varies in a
+/// Coordinates of the classical scaling that the linear classifier sees at most: enough for what varies in a
 /// beat, few enough for cohorts of some dozens.
 pub const MAX_COMPONENTS: usize = 10;
 /// Share of the largest eigenvalue below which a coordinate is round-off.
 const MIN_COMPONENT: f64 = 1e-9;
 /// Coordinates from here on are refused: their squares would not be numbers.
 const TOO_LARGE: f64 = 1e150;
-/// τ, nearest neighbour, linear rule on the distances, linear rule in the plane.
-const RULES: usize = 4;
+/// τ, nearest neighbour, linear classifier on the distances, linear classifier in the plane.
+const CRITERIA: usize = 4;
 
 /// Settings; [`ClassesParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,7 +32,7 @@ pub struct ClassesParams {
     pub restarts: u16,
     /// Permutations of the labels for the baselines.
     pub permutations: u32,
-    /// Share of the mean variance in the covariance of the linear rules.
+    /// Share of the mean variance in the covariance of the linear classifiers.
     pub shrinkage: f64,
     /// Seed of the starts and of the permutations.
     pub seed: u64,
@@ -94,13 +94,13 @@ impl ClassesParams {
     }
 }
 
-/// Why nothing can be said.
+/// Why classes cannot be compared.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ClassifyError {
     /// It was asked to stop.
     #[error(transparent)]
     Stopped(#[from] Stopped),
-    /// The coordinates for the linear rule cannot be computed.
+    /// The coordinates for the linear classifier cannot be computed.
     #[error(transparent)]
     Embedding(EmbeddingError),
     /// Distances, map and labels are not of the same rows.
@@ -125,16 +125,16 @@ pub enum ClassifyError {
     },
 }
 
-/// Tells classes apart by clusters, neighbours and linear rules, each beside chance.
+/// Separation of classes by clusters, neighbours and linear classifiers, each with its permutation mean.
 ///
 /// `labels` names the class of each row of the distances and of the map; rows without one are clustered,
 /// and otherwise left out. Clusters are those of [`k_means()`](super::k_means()) in the plane, τ is by the best match
-/// ([`tau()`]), the nearest neighbour is by the distances ([`leave_one_out_nearest`](super::leave_one_out_nearest)). The linear rule on the
+/// ([`tau()`]), the nearest neighbour is by the distances ([`leave_one_out_nearest`](super::leave_one_out_nearest)). The linear classifier on the
 /// distances is [`leave_one_out_linear`](super::leave_one_out_linear) on the leading coordinates of their classical scaling: at
 /// most [`MAX_COMPONENTS`], and fewer than half the cases; the one in the plane takes the map as it is.
 /// Both see coordinates made from all cases, though of no label: the baseline does, too.
 ///
-/// The baseline of each: the mean share of right answers over permutations of the labels, and how many of
+/// The baseline of each: the mean accuracy over permutations of the labels, and how many of
 /// these do as well as the labels as they are. Clusters, neighbours and coordinates stay.
 ///
 /// # Errors
@@ -170,12 +170,12 @@ pub fn classify(
     if classes.names.len() < 2 {
         return Ok(classes);
     }
-    let rules = Rules::new(distances, plane, &classes, params.shrinkage, progress)?;
-    let [tau, nearest, linear, in_plane] = rules.beside_chance(&params, progress)?;
+    let criteria = Criteria::new(distances, plane, &classes, params.shrinkage, progress)?;
+    let [tau, nearest, linear, in_plane] = criteria.accuracies(&params, progress)?;
     classes.tau = Some(tau);
     classes.nearest_neighbour = Some(nearest);
-    classes.linear_rule = Some(linear);
-    classes.plane_rule = Some(in_plane);
+    classes.linear_classifier = Some(linear);
+    classes.plane_classifier = Some(in_plane);
     Ok(classes)
 }
 
@@ -215,24 +215,24 @@ fn named(labels: &[Option<&str>]) -> (Vec<String>, Vec<Option<usize>>) {
     )
 }
 
-/// All rules, prepared for any labels of the same cases.
-struct Rules {
+/// All criteria, prepared for any labels of the same cases.
+struct Criteria {
     clusters: Vec<usize>,
     nearest: NearestCases,
-    linear: LinearRule,
-    in_plane: LinearRule,
+    linear: LinearClassifier,
+    in_plane: LinearClassifier,
     classes: Vec<usize>,
 }
 
 #[derive(Default)]
-struct RuleScratch {
+struct CriteriaScratch {
     votes: Vec<usize>,
     linear: Scratch,
     labels: Vec<usize>,
     optional: Vec<Option<usize>>,
 }
 
-impl Rules {
+impl Criteria {
     fn new(
         distances: &DistanceMatrix,
         plane: &Embedding,
@@ -252,15 +252,15 @@ impl Rules {
                 .map(|&row| classes.clustering.clusters[row])
                 .collect(),
             nearest: NearestCases::new(distances, &rows),
-            linear: LinearRule::new(&components, width, shrinkage),
-            in_plane: LinearRule::new(&in_plane, plane.dimensions, shrinkage),
+            linear: LinearClassifier::new(&components, width, shrinkage),
+            in_plane: LinearClassifier::new(&in_plane, plane.dimensions, shrinkage),
             classes: own,
         })
     }
 
-    /// Right answers of each rule with the labels of `scratch`.
-    fn correct(&self, scratch: &mut RuleScratch) -> [usize; RULES] {
-        let RuleScratch {
+    /// Correct cases of each criterion with the labels of `scratch`.
+    fn correct(&self, scratch: &mut CriteriaScratch) -> [usize; CRITERIA] {
+        let CriteriaScratch {
             votes,
             linear,
             labels,
@@ -276,20 +276,20 @@ impl Rules {
         ]
     }
 
-    fn beside_chance(
+    fn accuracies(
         &self,
         params: &ClassesParams,
         progress: &Progress,
-    ) -> Result<[Accuracy; RULES], Stopped> {
-        let mut scratch = RuleScratch {
+    ) -> Result<[Accuracy; CRITERIA], Stopped> {
+        let mut scratch = CriteriaScratch {
             labels: self.classes.clone(),
-            ..RuleScratch::default()
+            ..CriteriaScratch::default()
         };
         let correct = self.correct(&mut scratch);
         progress.expect_steps(params.permutations as usize);
         let permuted = (0..params.permutations)
             .into_par_iter()
-            .map_init(RuleScratch::default, |scratch, number| {
+            .map_init(CriteriaScratch::default, |scratch, number| {
                 progress.step()?;
                 let mut random = ChaCha8Rng::seed_from_u64(params.seed);
                 // Streams of their own, and others than those of the starts of k-means.
@@ -299,13 +299,16 @@ impl Rules {
                 Ok(self.correct(scratch))
             })
             .collect::<Result<Vec<_>, Stopped>>()?;
-        Ok(std::array::from_fn(|rule| {
+        Ok(std::array::from_fn(|criterion| {
             let of = self.classes.len();
-            let sum: usize = permuted.iter().map(|correct| correct[rule]).sum();
-            let as_good = permuted.iter().filter(|p| p[rule] >= correct[rule]).count();
+            let sum: usize = permuted.iter().map(|correct| correct[criterion]).sum();
+            let as_good = permuted
+                .iter()
+                .filter(|p| p[criterion] >= correct[criterion])
+                .count();
             let count = f64::from(params.permutations);
             Accuracy {
-                correct: correct[rule],
+                correct: correct[criterion],
                 of,
                 baseline: sum as f64 / (count * of as f64),
                 p_value: (1.0 + as_good as f64) / (1.0 + count),

@@ -83,9 +83,9 @@ pub enum ExperimentError {
     /// Settings of the map of deformations.
     #[error(transparent)]
     Deformations(#[from] DeformationParamError),
-    /// Settings of the rules.
+    /// Settings of the classifiers.
     #[error(transparent)]
-    Rules(#[from] ClassesParamError),
+    Classes(#[from] ClassesParamError),
     /// Settings of the search for patches.
     #[error(transparent)]
     Thickening(#[from] ThickeningParamError),

@@ -9,9 +9,9 @@ use crate::analysis::classification::Accuracy;
 use crate::progress::{Progress, Stopped};
 use crate::study::{LabelRole, Study};
 
+use super::classifier::{Calibration, Classifier, LeftOut, leave_one_out};
 use super::params::CheckedVerdictParams;
-use super::result::{Examined, NotAssessed, RuleQuality};
-use super::rule::{Calibration, LeftOut, Rule, leave_one_out};
+use super::result::{ClassifierQuality, Examined, NotAssessed};
 use super::score::auc;
 
 /// The subjects that can be classified, and which of them have labels that count.
@@ -25,29 +25,29 @@ pub(super) struct Cohort {
 }
 
 /// A classifier with its leave-one-out results on the subjects that it was trained on.
-pub(super) struct Learnt {
-    pub rule: Rule,
+pub(super) struct Trained {
+    pub classifier: Classifier,
     pub calibration: Calibration,
-    /// Subjects that it was made of, ascending.
+    /// Subjects of the training set, ascending.
     pub seen: Vec<usize>,
     pub left_out: LeftOut,
-    pub quality: RuleQuality,
+    pub quality: ClassifierQuality,
 }
 
 impl Cohort {
-    pub fn new(study: &Study, hearts: &[Result<Examined, NotAssessed>]) -> Self {
+    pub fn new(study: &Study, examined: &[Result<Examined, NotAssessed>]) -> Self {
         let with_role = |role: LabelRole| -> Vec<usize> {
-            (hearts.iter().enumerate())
-                .filter(|(index, found)| {
-                    found.is_ok() && study.role(&study.subjects[*index]) == role
+            (examined.iter().enumerate())
+                .filter(|(index, subject)| {
+                    subject.is_ok() && study.role(&study.subjects[*index]) == role
                 })
                 .map(|(index, _)| index)
                 .collect()
         };
         Self {
-            rows: (hearts.iter())
-                .map(|heart| match heart {
-                    Ok(heart) => heart.features.of_rule(),
+            rows: (examined.iter())
+                .map(|subject| match subject {
+                    Ok(subject) => subject.features.model_features(),
                     Err(_) => Vec::new(),
                 })
                 .collect(),
@@ -61,14 +61,14 @@ impl Cohort {
     }
 
     /// The classifier of the labelled subjects; `None` if they are too few.
-    pub fn learn(
+    pub fn train(
         &self,
         params: &CheckedVerdictParams,
         progress: &Progress,
-    ) -> Result<Option<Learnt>, Stopped> {
-        let least = params.min_labelled as usize;
+    ) -> Result<Option<Trained>, Stopped> {
+        let min_count = params.min_labelled as usize;
         // With fewer labels a classifier would be fitted to single subjects.
-        if self.normal.len().min(self.abnormal.len()) < least {
+        if self.normal.len().min(self.abnormal.len()) < min_count {
             return Ok(None);
         }
         let mut seen = [self.normal.as_slice(), &self.abnormal].concat();
@@ -84,8 +84,8 @@ impl Cohort {
         let left_out = leave_one_out(&rows, &labels, params.ridge, progress)?;
         progress.step()?;
         let quality = quality(&rows, &labels, &left_out, params, progress)?;
-        Ok(Some(Learnt {
-            rule: Rule::new(&rows, &labels, params.ridge, None),
+        Ok(Some(Trained {
+            classifier: Classifier::new(&rows, &labels, params.ridge, None),
             calibration: Calibration::new(&left_out.scores, &labels),
             seen,
             left_out,
@@ -94,7 +94,7 @@ impl Cohort {
     }
 }
 
-fn right(probabilities: &[f64], labels: &[bool]) -> usize {
+fn correct_count(probabilities: &[f64], labels: &[bool]) -> usize {
     (probabilities.iter().zip(labels))
         .filter(|(p, label)| (**p > 0.5) == **label)
         .count()
@@ -107,10 +107,10 @@ fn quality(
     left_out: &LeftOut,
     params: &CheckedVerdictParams,
     progress: &Progress,
-) -> Result<RuleQuality, Stopped> {
+) -> Result<ClassifierQuality, Stopped> {
     let measured = |labels: &[bool], left_out: &LeftOut| {
         (
-            right(&left_out.probabilities, labels),
+            correct_count(&left_out.probabilities, labels),
             auc(&left_out.scores, labels),
         )
     };
@@ -123,7 +123,7 @@ fn quality(
             random.set_stream(u64::from(permutation));
             let mut labels = labels.to_vec();
             labels.shuffle(&mut random);
-            // The whole procedure again, leave-one-out included: its optimism is part of what chance gives.
+            // The whole procedure again, leave-one-out included: its optimism is part of the permutation mean.
             let left_out = leave_one_out(rows, &labels, params.ridge, progress)?;
             Ok(measured(&labels, &left_out))
         })
@@ -143,15 +143,15 @@ fn quality(
         .map(|(correct, _)| *correct as f64)
         .sum::<f64>()
         / count;
-    Ok(RuleQuality {
+    Ok(ClassifierQuality {
         accuracy: Accuracy {
             correct,
             of: labels.len(),
             baseline: mean_correct / labels.len() as f64,
             p_value: at_least(&|found| found.0 >= correct),
         },
-        false_alarms: wrong(false),
-        missed: wrong(true),
+        false_positives: wrong(false),
+        false_negatives: wrong(true),
         auc: area,
         auc_baseline: permuted.iter().map(|(_, area)| area).sum::<f64>() / count,
         auc_p_value: at_least(&|found| found.1 >= area),

@@ -76,7 +76,7 @@ impl Feature {
 
     /// The three that the classifier reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
     /// evidence: see [`verdicts`](super::verdicts()) for both measured side by side.
-    pub const OF_RULE: [Self; 3] = [Self::StillShare, Self::Median, Self::RelativeSpread];
+    pub const MODEL_FEATURES: [Self; 3] = [Self::StillShare, Self::Median, Self::RelativeSpread];
 
     /// In words.
     pub fn name(self) -> &'static str {
@@ -166,9 +166,9 @@ impl Features {
             .find(|&feature| self.get(feature).is_some_and(|value| !value.is_finite()))
     }
 
-    /// What the classifier reads, in the order of [`Feature::OF_RULE`]; these are always known.
-    pub(super) fn of_rule(&self) -> Vec<f64> {
-        (Feature::OF_RULE.into_iter())
+    /// What the classifier reads, in the order of [`Feature::MODEL_FEATURES`]; these are always known.
+    pub(super) fn model_features(&self) -> Vec<f64> {
+        (Feature::MODEL_FEATURES.into_iter())
             .map(|feature| self.get(feature).unwrap_or(0.0))
             .collect()
     }

@@ -67,7 +67,7 @@ impl VerdictParams {
     /// If a number is out of range or not a number.
     pub fn check(self) -> Result<CheckedVerdictParams, VerdictParamError> {
         let ranges = [
-            // Below, separable classes have no finite rule; above, there is no rule but the mean.
+            // Below, separable classes have no finite solution; above, only the mean is left.
             ("ridge", self.ridge, 1e-3, 1e3),
             // With one of a class nothing is left of it when that one is left out.
             (

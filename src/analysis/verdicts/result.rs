@@ -5,10 +5,10 @@ use crate::analysis::thickening::Extent;
 
 use super::features::Features;
 
-/// What verdicts read of one subject.
+/// What a verdict needs of one subject.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Examined {
-    /// What the classifier reads, and what else describes the subject.
+    /// Model features, and what else describes the subject.
     pub features: Features,
     /// What the whole wall does.
     pub extent: Extent,
@@ -88,50 +88,50 @@ impl Finding {
     }
 }
 
-/// How near a subject lies to those that the classifier was made of, by the classifier's standardised features.
+/// How near a subject lies to the training set, by the classifier's standardised features.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Familiarity {
-    /// Distance to the nearest subject that the classifier has seen, itself left out.
+    /// Distance to the nearest subject of the training set, itself left out.
     pub distance: f64,
-    /// Median of the same distance among the subjects that it has seen.
+    /// Median of the same distance within the training set.
     pub usual: f64,
-    /// Share of these that lie at least as far from the others: near 0, the subject is unlike any that was seen.
+    /// Share of the training set that lies at least as far from the others: near 0, the subject is unlike all of it.
     pub as_far: f64,
 }
 
 /// The verdict on one subject.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// What was found.
+    /// Its kind.
     pub finding: Finding,
     /// Whether the probability is above one half.
     pub abnormal: bool,
-    /// That the subject counts as abnormal, if either were as likely beforehand. By a classifier that was made without it where
-    /// it has a label; not calibrated where [`Verdicts::rule`] says so.
+    /// Predicted probability that the subject is abnormal, for equal priors; leave-one-out where it has a label, and
+    /// an uncalibrated score where [`Verdicts::classifier`] says so.
     pub probability: f64,
-    /// What the classifier saw, and what else describes the subject.
+    /// Model features, and what else describes the subject.
     pub features: Features,
-    /// Share of the wall in patches, 0..=1, whatever was found: a part that thickens little is no finding by itself.
+    /// Share of the wall in patches, 0..=1, whatever the finding: a region of low thickening is no finding by itself.
     pub patched: f64,
     /// The three most alike subjects with a normal label, nearest first, by the classifier's standardised features.
     pub alike_normal: Vec<usize>,
     /// The three most alike with an abnormal label.
     pub alike_abnormal: Vec<usize>,
-    /// How near it lies to what the classifier has seen; `None` for a classifier that has seen nothing.
+    /// How near it lies to the training set; `None` for default thresholds, which have none.
     pub familiarity: Option<Familiarity>,
 }
 
 /// Where the classifier comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RuleSource {
-    /// From the labelled subjects, each left out in turn.
+pub enum ClassifierSource {
+    /// Trained on the labelled subjects, leave-one-out.
     Cohort {
         /// Assessed subjects with a normal label.
         normal: usize,
         /// And with an abnormal one.
         abnormal: usize,
     },
-    /// Fixed beforehand, since too few subjects with a label could be assessed: the number is an order, no probability.
+    /// Default thresholds, since too few subjects with a label could be assessed: the number is an uncalibrated score.
     Uncalibrated {
         /// Assessed subjects with a normal label.
         normal: usize,
@@ -140,19 +140,19 @@ pub enum RuleSource {
     },
 }
 
-/// How good the classifier is on the subjects with labels, each left out in turn.
+/// Accuracy of the classifier on the labelled subjects, leave-one-out.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RuleQuality {
+pub struct ClassifierQuality {
     /// Accuracy beside that with permuted labels. Both classes weigh alike in the classifier: where one is much more
     /// frequent, always saying that one may be right as often.
     pub accuracy: Accuracy,
-    /// Normal subjects called abnormal.
-    pub false_alarms: usize,
-    /// Abnormal subjects called normal.
-    pub missed: usize,
-    /// Area under the ROC curve: chance that an abnormal subject has a higher score than a normal one.
+    /// Normal subjects classified as abnormal.
+    pub false_positives: usize,
+    /// Abnormal subjects classified as normal.
+    pub false_negatives: usize,
+    /// Area under the ROC curve: probability that an abnormal subject has a higher score than a normal one.
     pub auc: f64,
-    /// Its mean where labels are permuted. Leaving out pulls it below one half.
+    /// Its permutation mean; leave-one-out pulls it below one half.
     pub auc_baseline: f64,
     /// Share of permutations at least as good, those labels that are one of them.
     pub auc_p_value: f64,
@@ -164,7 +164,7 @@ pub struct Verdicts {
     /// One per subject, in their order.
     pub subjects: Vec<Result<Verdict, NotAssessed>>,
     /// Where the classifier comes from.
-    pub rule: RuleSource,
-    /// How good it is; `None` where it was not trained.
-    pub quality: Option<RuleQuality>,
+    pub classifier: ClassifierSource,
+    /// Its accuracy; `None` where it was not trained.
+    pub quality: Option<ClassifierQuality>,
 }

@@ -1,4 +1,4 @@
-//! How well scores tell two classes apart.
+//! How well scores separate two classes.
 
 /// Area under the ROC curve: the chance that a positive case has a higher score than a negative one, a draw
 /// counting half (Mann and Whitney's U over the number of pairs); one half where a class is empty.

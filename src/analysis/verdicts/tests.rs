@@ -117,7 +117,7 @@ fn study(labels: &[Option<&str>]) -> Study {
     }
 }
 
-fn judged(hearts: &[Heart], labels: &[Option<&str>]) -> Verdicts {
+fn classified(hearts: &[Heart], labels: &[Option<&str>]) -> Verdicts {
     let hearts: Vec<_> = hearts.iter().map(input).collect();
     let params = VerdictParams {
         permutations: 19,
@@ -146,12 +146,12 @@ fn assessed(verdicts: &Verdicts, subject: usize) -> &Verdict {
 }
 
 #[test]
-fn hearts_with_a_patch_are_told_from_well_ones_with_and_without_labels() {
+fn subjects_with_a_patch_are_classified_with_and_without_labels() {
     let (hearts, labels) = cohort();
-    let found = judged(&hearts, &labels);
+    let found = classified(&hearts, &labels);
     assert_eq!(
-        found.rule,
-        RuleSource::Cohort {
+        found.classifier,
+        ClassifierSource::Cohort {
             normal: 7,
             abnormal: 7
         }
@@ -166,7 +166,11 @@ fn hearts_with_a_patch_are_told_from_well_ones_with_and_without_labels() {
     let quality = found.quality.unwrap();
     assert_eq!((quality.accuracy.correct, quality.accuracy.of), (14, 14));
     assert_eq!(
-        (quality.false_alarms, quality.missed, quality.auc),
+        (
+            quality.false_positives,
+            quality.false_negatives,
+            quality.auc
+        ),
         (0, 0, 1.0)
     );
     assert!(quality.accuracy.baseline < 0.7 && quality.auc_baseline < 0.7);
@@ -193,7 +197,7 @@ fn hearts_with_a_patch_are_told_from_well_ones_with_and_without_labels() {
 #[test]
 fn features_are_what_was_built_in() {
     let (hearts, labels) = cohort();
-    let found = judged(&hearts, &labels);
+    let found = classified(&hearts, &labels);
     let of = |subject: usize, feature| assessed(&found, subject).features.get(feature).unwrap();
     assert_eq!(of(0, Feature::StillShare), 0.0);
     assert!((of(0, Feature::Median) - 0.42).abs() < 0.01);
@@ -228,9 +232,9 @@ fn without_enough_labels_the_fixed_rule_speaks_and_says_so() {
                 Some("abnormal"),
             ]),
         }
-        let found = judged(&hearts, &labels);
+        let found = classified(&hearts, &labels);
         assert!(
-            matches!(found.rule, RuleSource::Uncalibrated { .. }),
+            matches!(found.classifier, ClassifierSource::Uncalibrated { .. }),
             "{case}"
         );
         assert!(found.quality.is_none() && assessed(&found, 3).familiarity.is_none());
@@ -248,7 +252,7 @@ fn without_enough_labels_the_fixed_rule_speaks_and_says_so() {
 #[test]
 fn a_heart_unlike_any_that_was_seen_is_said_to_be_so() {
     let (hearts, labels) = cohort();
-    let found = judged(&hearts, &labels);
+    let found = classified(&hearts, &labels);
     let [near, far] = [14, 16].map(|index| assessed(&found, index).familiarity.unwrap());
     assert!(
         far.distance > 2.0 * near.distance && far.usual == near.usual,
@@ -258,11 +262,11 @@ fn a_heart_unlike_any_that_was_seen_is_said_to_be_so() {
 }
 
 #[test]
-fn labels_that_have_nothing_to_do_with_the_hearts_give_no_rule_worth_having() {
+fn labels_that_have_nothing_to_do_with_the_hearts_give_a_useless_classifier() {
     let hearts: Vec<Heart> = (0..12).map(well).collect();
     // Neither more nor less thickening than the others, nor more or less spread.
     let labels = [0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0].map(|i| Some(["normal", "abnormal"][i]));
-    let quality = judged(&hearts, &labels).quality.unwrap();
+    let quality = classified(&hearts, &labels).quality.unwrap();
     assert!(quality.accuracy.p_value > 0.05, "{quality:?}");
     assert!((quality.accuracy.share() - quality.accuracy.baseline).abs() < 0.35);
 }
@@ -273,7 +277,7 @@ fn equal_hearts_are_neither_normal_nor_abnormal() {
     let labels: Vec<_> = (0..10)
         .map(|i| Some(["normal", "abnormal"][i % 2]))
         .collect();
-    let found = judged(&hearts, &labels);
+    let found = classified(&hearts, &labels);
     for index in 0..10 {
         let p = assessed(&found, index).probability;
         assert!((p - 0.5).abs() < 0.2, "{p}");
@@ -322,8 +326,8 @@ fn what_cannot_be_told_is_not_assessed_and_takes_no_part() {
         "{noisy}"
     );
     assert_eq!(
-        found.rule,
-        RuleSource::Cohort {
+        found.classifier,
+        ClassifierSource::Cohort {
             normal: 5,
             abnormal: 6
         }

@@ -4,21 +4,21 @@ use crate::analysis::thickening::Extent;
 use crate::progress::Progress;
 use crate::study::Study;
 
-use super::cohort::{Cohort, Learnt};
+use super::classifier::Standard;
+use super::cohort::{Cohort, Trained};
 use super::error::VerdictError;
 use super::features::{Feature, Features, VerdictInput, wall_volume_ratio};
 use super::likeness::{alike, familiarity, usual_distances};
 use super::logistic::sigmoid;
 use super::params::CheckedVerdictParams;
-use super::result::{Examined, Finding, NotAssessed, RuleSource, Verdict, Verdicts};
-use super::rule::Standard;
+use super::result::{ClassifierSource, Examined, Finding, NotAssessed, Verdict, Verdicts};
 
 /// Thickening of remote myocardium, in standard deviations of averaged noise, or of the least that counts as
 /// thickening: nearer to noise nothing is reported.
 const SURE: f64 = 3.0;
 /// ln PT that counts as thickening at all, PT = 1.1.
 const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
-/// Still share at which the uncalibrated rule is undecided: between the most of 20 normal subjects (5.0 %) and the
+/// Still share at which the uncalibrated classifier is undecided: between the most of 20 normal subjects (5.0 %) and the
 /// least of the built-in patches (5.9 %).
 const STILL_LIMIT: f64 = 0.055;
 /// How far from there it is for odds of e to one.
@@ -33,9 +33,9 @@ const ALIKE: usize = 3;
 ///
 /// 1. A subject is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
 ///    noise of thickening is a third of what remote myocardium does or more.
-/// 2. The rest is classified by a logistic classifier on [`Feature::OF_RULE`], standardised, both classes
-///    weighing alike, trained from the subjects whose label counts as normal or abnormal. What is said of a labelled
-///    subject comes from a classifier that has not seen it, calibrated by the scores of the others. With too few labels
+/// 2. The rest is classified by a logistic classifier on [`Feature::MODEL_FEATURES`], standardised, both classes
+///    weighing alike, trained on the subjects whose label counts as normal or abnormal. The verdict on a labelled
+///    subject comes from a classifier trained without it, calibrated by the scores of the others. With too few labels
 ///    a fixed classifier stands in: the akinetic share of the wall beside 5.5 %.
 /// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::Reach`] is small: then
 ///    hypokinesia is global.
@@ -65,34 +65,34 @@ const ALIKE: usize = 3;
 /// If the subjects are not those of the study, or on "stop".
 pub fn verdicts(
     study: &Study,
-    hearts: &[Result<Examined, NotAssessed>],
+    examined: &[Result<Examined, NotAssessed>],
     params: &CheckedVerdictParams,
     progress: &Progress,
 ) -> Result<Verdicts, VerdictError> {
-    if hearts.len() != study.subjects.len() {
+    if examined.len() != study.subjects.len() {
         return Err(VerdictError::Count {
-            hearts: hearts.len(),
+            examined: examined.len(),
             subjects: study.subjects.len(),
         });
     }
     progress.expect_steps(params.permutations as usize + 1);
-    let cohort = Cohort::new(study, hearts);
-    let learnt = cohort.learn(params, progress)?;
-    let judged = Classified::new(&cohort, learnt.as_ref());
-    let subjects = (hearts.iter().enumerate())
-        .map(|(index, heart)| match heart {
-            Ok(heart) => Ok(judged.verdict(index, heart)),
+    let cohort = Cohort::new(study, examined);
+    let trained = cohort.train(params, progress)?;
+    let classified = Classification::new(&cohort, trained.as_ref());
+    let subjects = (examined.iter().enumerate())
+        .map(|(index, subject)| match subject {
+            Ok(subject) => Ok(classified.verdict(index, subject)),
             Err(reason) => Err(reason.clone()),
         })
         .collect();
     let (normal, abnormal) = cohort.counts();
     Ok(Verdicts {
         subjects,
-        rule: match learnt {
-            Some(_) => RuleSource::Cohort { normal, abnormal },
-            None => RuleSource::Uncalibrated { normal, abnormal },
+        classifier: match trained {
+            Some(_) => ClassifierSource::Cohort { normal, abnormal },
+            None => ClassifierSource::Uncalibrated { normal, abnormal },
         },
-        quality: learnt.map(|learnt| learnt.quality),
+        quality: trained.map(|trained| trained.quality),
     })
 }
 
@@ -129,65 +129,65 @@ pub fn examine(
 }
 
 /// What is needed for the verdict on each subject.
-struct Classified<'a> {
+struct Classification<'a> {
     cohort: &'a Cohort,
-    learnt: Option<&'a Learnt>,
+    trained: Option<&'a Trained>,
     /// Standardised rows; empty where not assessed.
     standardised: Vec<Vec<f64>>,
     usual: Vec<f64>,
 }
 
-impl<'a> Classified<'a> {
-    fn new(cohort: &'a Cohort, learnt: Option<&'a Learnt>) -> Self {
+impl<'a> Classification<'a> {
+    fn new(cohort: &'a Cohort, trained: Option<&'a Trained>) -> Self {
         let assessed: Vec<&[f64]> = cohort
             .rows
             .iter()
             .filter(|row| !row.is_empty())
             .map(Vec::as_slice)
             .collect();
-        let standard = learnt.map_or_else(
+        let standard = trained.map_or_else(
             // Without a classifier distances between subjects still need a common scale.
             || Standard::new(&assessed),
-            |learnt| learnt.rule.standard.clone(),
+            |trained| trained.classifier.standard.clone(),
         );
         let standardised: Vec<Vec<f64>> = cohort.rows.iter().map(|row| standard.of(row)).collect();
-        let usual = learnt.map_or_else(Vec::new, |learnt| {
-            usual_distances(&standardised, &learnt.seen)
+        let usual = trained.map_or_else(Vec::new, |trained| {
+            usual_distances(&standardised, &trained.seen)
         });
         Self {
             cohort,
-            learnt,
+            trained,
             standardised,
             usual,
         }
     }
 
     fn probability(&self, index: usize, features: &Features) -> f64 {
-        let Some(learnt) = self.learnt else {
+        let Some(trained) = self.trained else {
             // Without labels nothing can be trained; the akinetic share with a default threshold stands in, and is
             // called a score.
             let still = features.get(Feature::StillShare).unwrap_or(0.0);
             return sigmoid((still - STILL_LIMIT) / STILL_SCALE);
         };
-        match learnt.seen.binary_search(&index) {
+        match trained.seen.binary_search(&index) {
             // A subject in the training set gets the leave-one-out result; the whole classifier has seen its label.
-            Ok(place) => learnt.left_out.probabilities[place],
+            Ok(place) => trained.left_out.probabilities[place],
             Err(_) => {
-                let score = learnt.rule.score(&self.cohort.rows[index]);
-                learnt.calibration.probability(score)
+                let score = trained.classifier.score(&self.cohort.rows[index]);
+                trained.calibration.probability(score)
             }
         }
     }
 
-    fn verdict(&self, index: usize, heart: &Examined) -> Verdict {
-        let features = &heart.features;
+    fn verdict(&self, index: usize, subject: &Examined) -> Verdict {
+        let features = &subject.features;
         let probability = self.probability(index, features);
-        // A draw raises no alarm.
+        // At one half the subject counts as normal.
         let abnormal = probability > 0.5;
         let alike = |among: &[usize]| alike(&self.standardised, index, among, ALIKE);
         Verdict {
             finding: if abnormal {
-                failure(features, heart.extent)
+                failure(features, subject.extent)
             } else {
                 Finding::Nothing
             },
@@ -195,11 +195,11 @@ impl<'a> Classified<'a> {
             probability,
             alike_normal: alike(&self.cohort.normal),
             alike_abnormal: alike(&self.cohort.abnormal),
-            familiarity: (self.learnt).and_then(|learnt| {
-                familiarity(&self.standardised, index, &learnt.seen, &self.usual)
+            familiarity: (self.trained).and_then(|trained| {
+                familiarity(&self.standardised, index, &trained.seen, &self.usual)
             }),
             features: features.clone(),
-            patched: heart.patched,
+            patched: subject.patched,
         }
     }
 }

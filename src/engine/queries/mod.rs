@@ -33,7 +33,8 @@ pub use thickening::{
     SubjectThickening, ThickeningQueryError, ThickeningSettings, WallThickening, thickening_words,
 };
 pub use thickness::{
-    FrameThickness, FrameThicknessError, PoseThickness, ThicknessSettings, ThicknessWay, WayAnswer,
+    ComparedMethod, FrameThickness, FrameThicknessError, MethodResult, PoseThickness,
+    ThicknessSettings,
 };
 pub use transfer::{Transfer, TransferError};
-pub use verdicts::{VerdictSettings, VerdictsError, examined, judged};
+pub use verdicts::{VerdictSettings, VerdictsError, examined, verdicts_of};

@@ -17,26 +17,26 @@ use crate::study::{MeshSequence, SequenceError, Study, Subject, SurfaceSequence}
 /// Share of the work that medial spheres take; field lines take most of the rest.
 const MEDIAL_SHARE: f32 = 0.2;
 
-/// Settings of the ways of measuring.
+/// Settings of the methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ThicknessSettings {
     /// How medial spheres are fitted.
     pub medial: MedialParams,
-    /// Slices, chords and voxels of the other ways.
+    /// Slices, chords and voxels of the other methods.
     pub methods: ThicknessParams,
 }
 
-/// A way of telling how thick the wall is.
+/// A method of measuring wall thickness: medial spheres, or one that is compared with them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ThicknessWay {
-    /// Twice the radius of the medial atoms that take part: what the others are compared with.
+pub enum ComparedMethod {
+    /// Twice the radius of the medial atoms that take part: the reference.
     Medial,
-    /// Any of the others.
+    /// Another method, compared with the reference.
     Other(ThicknessMethod),
 }
 
-impl ThicknessWay {
-    /// The words for it.
+impl ComparedMethod {
+    /// Its name in the pane.
     pub fn name(self) -> &'static str {
         match self {
             Self::Medial => "medial spheres",
@@ -45,27 +45,27 @@ impl ThicknessWay {
     }
 }
 
-/// What one way says of the wall at a frame.
+/// Wall thickness at a frame by one method.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WayAnswer {
-    /// Which way.
-    pub way: ThicknessWay,
-    /// Its thicknesses in coordinates, or why it says nothing.
-    pub found: Result<ThicknessSpread, String>,
+pub struct MethodResult {
+    /// The method that measured it.
+    pub method: ComparedMethod,
+    /// Distribution of the thicknesses, in coordinates, or why there are none.
+    pub thickness: Result<ThicknessSpread, String>,
     /// How it differs from twice the medial radius at the same vertices; `None` for that itself, and
-    /// where either says nothing.
+    /// where either has no value.
     pub agreement: Option<Agreement>,
     /// Seconds that it took for this frame; they differ from run to run.
     pub seconds: f64,
 }
 
-/// What all ways say of the wall at a frame.
+/// Wall thickness at a frame by all methods.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameThickness {
-    /// The frame.
+    /// Index of the frame.
     pub frame: usize,
     /// The medial radius first.
-    pub answers: Vec<WayAnswer>,
+    pub results: Vec<MethodResult>,
 }
 
 /// Thickness of one subject's wall at a frame by all methods.
@@ -128,9 +128,9 @@ impl Query for PoseThickness {
         }
         let part = cx.part("fitting medial spheres", 0.0, MEDIAL_SHARE);
         let medial = self.medial(subject, &part)?;
-        let mut answers = vec![WayAnswer {
-            way: ThicknessWay::Medial,
-            found: medial.told.clone(),
+        let mut results = vec![MethodResult {
+            method: ComparedMethod::Medial,
+            thickness: medial.spread.clone(),
             agreement: None,
             seconds: medial.seconds,
         }];
@@ -139,7 +139,7 @@ impl Query for PoseThickness {
             let share =
                 |done: usize| MEDIAL_SHARE + (1.0 - MEDIAL_SHARE) * done as f32 / count as f32;
             let part = cx.part(method.name(), share(place), share(place + 1));
-            answers.push(other(
+            results.push(other(
                 subject,
                 frame,
                 method,
@@ -148,11 +148,11 @@ impl Query for PoseThickness {
                 part.progress(),
             )?);
         }
-        Ok(FrameThickness { frame, answers })
+        Ok(FrameThickness { frame, results })
     }
 
-    fn memory(found: &FrameThickness, memory: &mut Memory) {
-        memory.own(size_of_val(&*found.answers));
+    fn memory(thickness: &FrameThickness, memory: &mut Memory) {
+        memory.own(size_of_val(&*thickness.results));
     }
 
     fn replaces(&self, other: &Self) -> bool {
@@ -169,7 +169,7 @@ impl Query for PoseThickness {
 struct Medial {
     /// Vertex of the inner side and thickness there, of each atom that takes part.
     twice_radius: Vec<(u32, f64)>,
-    told: Result<ThicknessSpread, String>,
+    spread: Result<ThicknessSpread, String>,
     seconds: f64,
 }
 
@@ -191,7 +191,7 @@ impl PoseThickness {
             Err(Interrupted::Failed(failure)) => {
                 return Ok(Medial {
                     twice_radius: Vec::new(),
-                    told: Err(failure.to_string()),
+                    spread: Err(failure.to_string()),
                     seconds: 0.0,
                 });
             }
@@ -200,7 +200,7 @@ impl PoseThickness {
         let spread =
             ThicknessSpread::of(twice_radius.iter().map(|&(_, thickness)| Some(thickness)));
         Ok(Medial {
-            told: spread.ok_or_else(|| "no atom takes part in the analysis".to_owned()),
+            spread: spread.ok_or_else(|| "no atom takes part in the analysis".to_owned()),
             seconds: seconds_of_one(subject, self.frame, &params, cx.progress())?,
             twice_radius,
         })
@@ -251,18 +251,18 @@ fn other(
     params: &CheckedThicknessParams,
     medial: &Medial,
     progress: &Progress,
-) -> Result<WayAnswer, Stopped> {
+) -> Result<MethodResult, Stopped> {
     let begin = Instant::now();
     let map = thickness(subject, frame, method, params, progress);
     let seconds = begin.elapsed().as_secs_f64();
-    let way = ThicknessWay::Other(method);
+    let compared = ComparedMethod::Other(method);
     let map = match map {
         Ok(map) => map,
         Err(ThicknessError::Stopped(stopped)) => return Err(stopped),
         Err(reason) => {
-            return Ok(WayAnswer {
-                way,
-                found: Err(reason.to_string()),
+            return Ok(MethodResult {
+                method: compared,
+                thickness: Err(reason.to_string()),
                 agreement: None,
                 seconds,
             });
@@ -270,12 +270,15 @@ fn other(
     };
     let at_atoms = (medial.twice_radius.iter())
         .map(|&(vertex, _)| map.thickness.get(vertex as usize).copied().flatten());
-    let reference = medial.twice_radius.iter().map(|&(_, told)| Some(told));
+    let reference = medial
+        .twice_radius
+        .iter()
+        .map(|&(_, thickness)| Some(thickness));
     let spread = ThicknessSpread::of(map.thickness.iter().copied());
-    Ok(WayAnswer {
-        way,
+    Ok(MethodResult {
+        method: compared,
         agreement: Agreement::of(at_atoms, reference),
-        found: spread.ok_or_else(|| "it tells the thickness of no vertex".to_owned()),
+        thickness: spread.ok_or_else(|| "no vertex has a thickness".to_owned()),
         seconds,
     })
 }

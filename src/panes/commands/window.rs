@@ -1,7 +1,6 @@
 //! Commands about the window itself: theme, panes, sheets.
 
-use super::Command;
-use super::action::{Action, CTRL, Menu, NONE, action};
+use super::action::{CTRL, Menu, NONE, Row, row};
 use super::pane::Pane;
 use crate::document::ThemeChoice;
 use egui::Key;
@@ -31,23 +30,23 @@ pub enum WindowCommand {
 
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
-pub(super) static ACTIONS: &[Action] = &[
-    action(Menu::File, 1, "Load report", Some((CTRL, Key::L)), Command::Window(WindowCommand::ToggleLoadReport)),
-    action(Menu::View, 4, "Theme: system", None, Command::Window(WindowCommand::SetTheme(ThemeChoice::System))),
-    action(Menu::View, 4, "Theme: dark", None, Command::Window(WindowCommand::SetTheme(ThemeChoice::Dark))),
-    action(Menu::View, 4, "Theme: light", None, Command::Window(WindowCommand::SetTheme(ThemeChoice::Light))),
-    action(Menu::View, 5, "Reset layout", None, Command::Window(WindowCommand::ResetLayout)),
-    action(Menu::View, 6, "Full screen", Some((NONE, Key::F11)), Command::Window(WindowCommand::ToggleFullScreen)),
-    action(Menu::Analysis, 2, "Map of poses", None, Command::Window(WindowCommand::ShowPane(Pane::POSE_MAP))),
-    action(Menu::Analysis, 2, "Map of deformations", None, Command::Window(WindowCommand::ShowPane(Pane::DEFORMATION_MAP))),
-    action(Menu::Analysis, 2, "Spatiotemporal plot (3D)", None, Command::Window(WindowCommand::ShowPane(Pane::SPATIOTEMPORAL))),
-    action(Menu::Analysis, 2, "Medial map", None, Command::Window(WindowCommand::ShowPane(Pane::MEDIAL_MAP))),
-    action(Menu::Analysis, 3, "Metric and maps…", None, Command::Window(WindowCommand::ShowPane(Pane::METRIC))),
-    action(Menu::Analysis, 3, "Patch table and thresholds", None, Command::Window(WindowCommand::ShowPane(Pane::PATCH))),
-    action(Menu::Analysis, 3, "Verdict", None, Command::Window(WindowCommand::ShowPane(Pane::VERDICT))),
-    action(Menu::Analysis, 3, "Bull's-eye", None, Command::Window(WindowCommand::ShowPane(Pane::BULLS_EYE))),
-    action(Menu::Analysis, 3, "Wall thickness by five methods", None, Command::Window(WindowCommand::ShowPane(Pane::THICKNESS))),
-    action(Menu::Help, 0, "Find a command", Some((CTRL, Key::K)), Command::Window(WindowCommand::TogglePalette)),
-    action(Menu::Help, 0, "Keyboard shortcuts", Some((NONE, Key::Questionmark)), Command::Window(WindowCommand::ToggleShortcuts)),
-    action(Menu::Help, 1, "About Cardiomorph", None, Command::Window(WindowCommand::ToggleAbout)),
+pub(super) static ACTIONS: &[Row<WindowCommand>] = &[
+    row(Menu::File, 1, "Load report", Some((CTRL, Key::L)), WindowCommand::ToggleLoadReport),
+    row(Menu::View, 4, "Theme: system", None, WindowCommand::SetTheme(ThemeChoice::System)),
+    row(Menu::View, 4, "Theme: dark", None, WindowCommand::SetTheme(ThemeChoice::Dark)),
+    row(Menu::View, 4, "Theme: light", None, WindowCommand::SetTheme(ThemeChoice::Light)),
+    row(Menu::View, 5, "Reset layout", None, WindowCommand::ResetLayout),
+    row(Menu::View, 6, "Full screen", Some((NONE, Key::F11)), WindowCommand::ToggleFullScreen),
+    row(Menu::Analysis, 2, "Map of poses", None, WindowCommand::ShowPane(Pane::POSE_MAP)),
+    row(Menu::Analysis, 2, "Map of deformations", None, WindowCommand::ShowPane(Pane::DEFORMATION_MAP)),
+    row(Menu::Analysis, 2, "Spatiotemporal plot (3D)", None, WindowCommand::ShowPane(Pane::SPATIOTEMPORAL)),
+    row(Menu::Analysis, 2, "Medial map", None, WindowCommand::ShowPane(Pane::MEDIAL_MAP)),
+    row(Menu::Analysis, 3, "Metric and maps…", None, WindowCommand::ShowPane(Pane::METRIC)),
+    row(Menu::Analysis, 3, "Patch table and thresholds", None, WindowCommand::ShowPane(Pane::PATCH)),
+    row(Menu::Analysis, 3, "Verdict", None, WindowCommand::ShowPane(Pane::VERDICT)),
+    row(Menu::Analysis, 3, "Bull's-eye", None, WindowCommand::ShowPane(Pane::BULLS_EYE)),
+    row(Menu::Analysis, 3, "Wall thickness by five methods", None, WindowCommand::ShowPane(Pane::THICKNESS)),
+    row(Menu::Help, 0, "Find a command", Some((CTRL, Key::K)), WindowCommand::TogglePalette),
+    row(Menu::Help, 0, "Keyboard shortcuts", Some((NONE, Key::Questionmark)), WindowCommand::ToggleShortcuts),
+    row(Menu::Help, 1, "About Cardiomorph", None, WindowCommand::ToggleAbout),
 ];

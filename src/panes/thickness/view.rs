@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::thickness_methods::{ThicknessMethod, ThicknessSpread};
 use crate::document::state::State;
-use crate::engine::{FrameThickness, Showing, ThicknessWay, WayAnswer};
+use crate::engine::{ComparedMethod, FrameThickness, MethodResult, Showing};
 use crate::panes::{Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip};
 use crate::picture::nice_ceiling;
 
@@ -61,9 +61,9 @@ impl ThicknessData {
     }
 }
 
-fn ways() -> impl Iterator<Item = ThicknessWay> {
-    let others = ThicknessMethod::ALL.into_iter().map(ThicknessWay::Other);
-    std::iter::once(ThicknessWay::Medial).chain(others)
+fn ways() -> impl Iterator<Item = ComparedMethod> {
+    let others = ThicknessMethod::ALL.into_iter().map(ComparedMethod::Other);
+    std::iter::once(ComparedMethod::Medial).chain(others)
 }
 
 /// "ED", "ES", "frame 3".
@@ -100,13 +100,13 @@ fn standing(state: &State) -> ThicknessState {
 
 fn row(
     state: &State,
-    way: ThicknessWay,
+    way: ComparedMethod,
     known: &[(usize, &Arc<FrameThickness>)],
     told: Option<&FrameThickness>,
 ) -> ThicknessRow {
     let on_screen = state.document.frame();
     let strips = known.iter().filter_map(|(frame, found)| {
-        let spread = answer(found, way)?.found.as_ref().ok()?;
+        let spread = answer(found, way)?.thickness.as_ref().ok()?;
         Some(ThicknessStrip {
             moment: moment(state, *frame),
             on_screen: *frame == on_screen,
@@ -116,7 +116,7 @@ fn row(
     let told = told.and_then(|found| answer(found, way));
     let agreement = told.and_then(|answer| answer.agreement);
     let mut reasons = known.iter().filter_map(|(_, found)| {
-        let reason = answer(found, way)?.found.as_ref().err()?;
+        let reason = answer(found, way)?.thickness.as_ref().err()?;
         Some(reason.clone())
     });
     ThicknessRow {
@@ -128,16 +128,16 @@ fn row(
             deviation: agreement.deviation,
             pairs: agreement.pairs,
         }),
-        reference: way == ThicknessWay::Medial,
+        reference: way == ComparedMethod::Medial,
         seconds: told
-            .filter(|told| told.found.is_ok())
+            .filter(|told| told.thickness.is_ok())
             .map(|told| told.seconds),
         reason: reasons.next_back(),
     }
 }
 
-fn answer(found: &FrameThickness, way: ThicknessWay) -> Option<&WayAnswer> {
-    found.answers.iter().find(|answer| answer.way == way)
+fn answer(found: &FrameThickness, way: ComparedMethod) -> Option<&MethodResult> {
+    found.results.iter().find(|result| result.method == way)
 }
 
 fn quantiles(spread: &ThicknessSpread) -> [f64; 5] {
@@ -157,23 +157,23 @@ fn sentence_case(name: &str) -> String {
     })
 }
 
-fn hint(way: ThicknessWay) -> &'static str {
+fn hint(way: ComparedMethod) -> &'static str {
     match way {
-        ThicknessWay::Medial => {
+        ComparedMethod::Medial => {
             "Twice the radius of the sphere inscribed in the wall at each endocardial vertex; spheres at the edge of \
              the medial surface, near the base, are left out"
         }
-        ThicknessWay::Other(ThicknessMethod::Nearest) => {
+        ComparedMethod::Other(ThicknessMethod::Nearest) => {
             "Distance from an endocardial vertex to the nearest epicardial point: a lower bound of the other methods"
         }
-        ThicknessWay::Other(ThicknessMethod::Centreline) => {
+        ComparedMethod::Other(ThicknessMethod::Centreline) => {
             "Length of chords across the centreline of short-axis slices: too long where a slice cuts the wall \
              obliquely, as near the apex"
         }
-        ThicknessWay::Other(ThicknessMethod::Laplace) => {
+        ComparedMethod::Other(ThicknessMethod::Laplace) => {
             "Length of the field line of Laplace's equation from endocardium to epicardium"
         }
-        ThicknessWay::Other(ThicknessMethod::VolumeOverArea) => {
+        ComparedMethod::Other(ThicknessMethod::VolumeOverArea) => {
             "Volume of a wall element divided by the mean of its endocardial and epicardial area: one value per element"
         }
     }

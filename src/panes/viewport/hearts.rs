@@ -23,7 +23,7 @@ use crate::document::visible_poses;
 use crate::panes::viewport::camera_drag::camera_command;
 use crate::panes::viewport::fits::Fits;
 use crate::panes::viewport::overlay_view::phase_name;
-use crate::panes::viewport::paint::{HeartPaint, pixels};
+use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
 use crate::panes::viewport::pictures::{Heart, Pictures};
 use crate::panes::viewport::places::places;
@@ -214,7 +214,7 @@ impl Viewport {
             if !self.has_device {
                 continue;
             }
-            let paint = HeartPaint {
+            let paint = ScenePaint {
                 view: ViewId(place as u32),
                 views: cells.len() as u32,
                 scene,

@@ -44,8 +44,8 @@ pub fn adapter_name(state: &RenderState) -> String {
     }
 }
 
-/// One heart of a picture.
-pub struct HeartPaint {
+/// One scene of the 3D view.
+pub struct ScenePaint {
     /// Which of the views side by side.
     pub view: ViewId,
     /// How many views the picture has.
@@ -60,7 +60,7 @@ pub struct HeartPaint {
     pub meter: Arc<AtomicU64>,
 }
 
-impl HeartPaint {
+impl ScenePaint {
     /// The shape that draws this into `rect`.
     pub fn shape(self, rect: Rect) -> Shape {
         Shape::Callback(egui_wgpu::Callback::new_paint_callback(rect, self))
@@ -78,7 +78,7 @@ pub fn pixels(rect: Rect, pixels_per_point: f32) -> [u32; 2] {
     ]
 }
 
-impl CallbackTrait for HeartPaint {
+impl CallbackTrait for ScenePaint {
     fn prepare(
         &self,
         device: &wgpu::Device,

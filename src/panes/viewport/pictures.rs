@@ -62,8 +62,8 @@ impl PartialEq for HeartPicture {
 impl Query for HeartPicture {
     type Answer = Heart;
     type Error = Infallible;
-    const TITLE: &'static str = "Picture of a heart";
-    const FAILURE: Option<&'static str> = Some("A heart cannot be drawn");
+    const TITLE: &'static str = "Picture of a subject";
+    const FAILURE: Option<&'static str> = Some("A subject cannot be drawn");
     const URGENCY: Urgency = Urgency::Interactive;
     const LISTED: bool = false;
 
@@ -164,7 +164,7 @@ impl Query for ColourRanges {
     fn memory(_: &CohortLimits, _: &mut Memory) {}
 }
 
-/// A medial surface on screen: the drawn one, and what was found on it.
+/// A medial surface on screen: the drawn one, and the assessed wall.
 #[derive(Clone, Debug)]
 pub struct ShownMedial {
     /// Ready for drawing.

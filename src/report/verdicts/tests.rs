@@ -98,7 +98,7 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
     let reason = NotAssessed::WallNotResolved { share: 0.61 };
     let verdicts = Verdicts {
         subjects: vec![Ok(verdict), Err(reason.clone())],
-        rule: RuleSource::Cohort {
+        classifier: ClassifierSource::Cohort {
             normal: 9,
             abnormal: 9,
         },

@@ -32,6 +32,7 @@ fn every_subject_is_a_point_and_accuracies_stand_beside_the_permutation_mean() {
     let map = state.deformations().unwrap();
     assert_eq!(map.subjects.len(), 23);
     assert_eq!(map.embedding.len(), 23);
+    assert!(map.embedding.reconstruction_error.is_some());
     let accuracy = state.classes().unwrap().nearest_neighbour.unwrap();
     assert_eq!(accuracy.of, 23);
     let said = format!(
@@ -40,7 +41,6 @@ fn every_subject_is_a_point_and_accuracies_stand_beside_the_permutation_mean() {
     );
     shown(&mut harness, Pane::DEFORMATION_MAP);
     harness.get_by_label_contains(&said);
-    assert!(map.embedding.reconstruction_error.is_some());
     harness.get_by_label("Deformation of N01, normal");
     harness.get_by_label("Deformation of P14, abnormal");
 }

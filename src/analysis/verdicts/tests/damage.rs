@@ -2,7 +2,7 @@
 
 use nalgebra::Rotation3;
 
-use super::{assessed, cohort, ill, input, judged, measured, study};
+use super::{assessed, classified, cohort, ill, input, measured, study};
 use crate::analysis::verdicts::*;
 use crate::mesh::{Point3, Vector3};
 use crate::progress::{Progress, Stopped};
@@ -16,7 +16,7 @@ fn hearts_of_another_study_are_refused() {
     assert_eq!(
         found,
         Err(VerdictError::Count {
-            hearts: 17,
+            examined: 17,
             subjects: 16
         })
     );
@@ -43,7 +43,7 @@ fn the_number_of_threads_changes_no_bit() {
             .num_threads(threads)
             .build()
             .unwrap();
-        pool.install(|| judged(&hearts, &labels))
+        pool.install(|| classified(&hearts, &labels))
     };
     assert_eq!(with(1), with(3));
 }
@@ -51,10 +51,10 @@ fn the_number_of_threads_changes_no_bit() {
 #[test]
 fn the_order_of_subjects_changes_no_verdict() {
     let (mut hearts, mut labels) = cohort();
-    let first = judged(&hearts, &labels);
+    let first = classified(&hearts, &labels);
     hearts.rotate_left(5);
     labels.rotate_left(5);
-    let turned = judged(&hearts, &labels);
+    let turned = classified(&hearts, &labels);
     let count = hearts.len();
     for index in 0..count {
         let [a, b] = [
@@ -86,7 +86,7 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
             .iter_mut()
             .for_each(|normal| *normal = turn * *normal);
     }
-    let verdicts = judged(&[(beat, found), measured(moved)], &[None, None]);
+    let verdicts = classified(&[(beat, found), measured(moved)], &[None, None]);
     for feature in Feature::ALL {
         let [a, b] =
             [0, 1].map(|subject| assessed(&verdicts, subject).features.get(feature).unwrap());

@@ -1,7 +1,7 @@
 //! The content of a patch figure: numbers and words, ready for the layout.
 
 use crate::analysis::thickening::Patch;
-use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
+use crate::analysis::verdicts::{ClassifierSource, Finding, NotAssessed, Verdicts};
 use crate::engine::{SubjectThickening, thickening_words};
 use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues};
 use crate::picture::figure::content::FigureContent;
@@ -69,12 +69,12 @@ impl VerdictLines {
 }
 
 fn evidence(verdicts: &Verdicts, probability: f64) -> String {
-    match verdicts.rule {
-        RuleSource::Uncalibrated { normal, abnormal } => format!(
+    match verdicts.classifier {
+        ClassifierSource::Uncalibrated { normal, abnormal } => format!(
             "Default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a label can be \
              assessed: no probability"
         ),
-        RuleSource::Cohort { normal, abnormal } => {
+        ClassifierSource::Cohort { normal, abnormal } => {
             let mut words = format!(
                 "Predicted probability of abnormal {}, leave-one-out over {normal} normal and {abnormal} abnormal \
                  subjects (this subject was not in the training set)",

@@ -3,13 +3,13 @@
 use crate::numeric::{factorise_positive, solve_lower};
 
 /// Cases as rows of coordinates, all of about the size 1.
-pub(super) struct LinearRule {
+pub(super) struct LinearClassifier {
     width: usize,
     points: Vec<f64>,
     shrinkage: f64,
 }
 
-/// What the rule needs, kept from one set of labels to the next.
+/// Memory of the classifier, kept from one set of labels to the next.
 #[derive(Default)]
 pub(super) struct Scratch {
     means: Vec<f64>,
@@ -19,7 +19,7 @@ pub(super) struct Scratch {
     step: Vec<f64>,
 }
 
-impl LinearRule {
+impl LinearClassifier {
     /// Of `points`, rows of `width` numbers one after the other; the unit of length does not matter.
     pub(super) fn new(points: &[f64], width: usize, shrinkage: f64) -> Self {
         let largest = points.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -35,7 +35,7 @@ impl LinearRule {
         &self.points[case * self.width..][..self.width]
     }
 
-    /// Cases that the rule made without them puts into their class.
+    /// Cases classified correctly by the classifier trained without them.
     ///
     /// The scatter S and the mean of the case's own class, of m cases, are freed of it exactly:
     /// S − m/(m−1) d dᵀ and m̄ − d/(m−1), d = x − m̄. So nothing is summed anew for each case.
@@ -154,9 +154,9 @@ fn solved_norm2(factor: &[f64], d: &mut [f64]) -> f64 {
     d.iter().map(|x| x * x).sum()
 }
 
-/// Cases put into their class by a linear rule made of all others with a label, and cases with a label.
+/// Cases classified correctly by a linear classifier trained on all others with a label, and cases with a label.
 ///
-/// `points` are rows of `width` numbers. The rule takes the class with the least
+/// `points` are rows of `width` numbers. It predicts the class with the least
 /// (x − m̄)ᵀ Σ⁻¹ (x − m̄): linear discriminant analysis with classes that are equally likely beforehand, whatever
 /// their number of cases. Σ = (1 − γ) S + γ (tr S / p) 1 with the pooled scatter S within classes and
 /// the `shrinkage` γ, which makes it regular where there are few cases. A draw is a wrong answer, and
@@ -171,9 +171,9 @@ pub fn leave_one_out_linear(
     shrinkage: f64,
 ) -> (usize, usize) {
     let (cases, classes) = labelled_rows(points, width, labels);
-    let rule = LinearRule::new(&cases, width, shrinkage);
+    let classifier = LinearClassifier::new(&cases, width, shrinkage);
     (
-        rule.correct(&classes, &mut Scratch::default()),
+        classifier.correct(&classes, &mut Scratch::default()),
         classes.len(),
     )
 }
@@ -233,7 +233,7 @@ mod tests {
         assert_eq!(unlabelled, (2, 2));
     }
 
-    /// The rule as it is written down, made anew without each case, with a general solver.
+    /// The classifier as it is defined, trained anew without each case, with a general solver.
     fn by_definition(points: &[f64], width: usize, classes: &[usize], shrinkage: f64) -> usize {
         use nalgebra::{DMatrix, DVector};
         let x = |i: usize| DVector::from_column_slice(&points[i * width..][..width]);
