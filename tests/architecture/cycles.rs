@@ -19,7 +19,6 @@ struct Import {
 
 struct ModuleFile {
     place: String,
-    room: String,
     /// Code without `use` items.
     body: String,
     imports: Vec<Import>,
@@ -158,7 +157,6 @@ impl ModuleFile {
         }
         Self {
             place: file.place.display().to_string(),
-            room: file.room,
             body,
             imports,
         }
