@@ -10,7 +10,7 @@ use crate::document::document::Document;
 use crate::document::play::is_between;
 
 /// Beats whose in-betweens are kept: the hearts side by side, and those looked at before.
-const MOST_BEATS: usize = 6;
+const MAX_BEATS: usize = 6;
 
 /// Number of intervals with a path: every frame leads to the next, and the last to the first where
 /// there are more than two.
@@ -125,7 +125,7 @@ impl BeatMemo {
         if news {
             self.beats.retain(|other| !other.are_of(subject, params));
             self.beats.push(Arc::new(beat));
-            if self.beats.len() > MOST_BEATS {
+            if self.beats.len() > MAX_BEATS {
                 self.beats.remove(0);
             }
         }
@@ -268,14 +268,14 @@ pub(crate) mod tests {
     fn only_the_beats_of_late_are_kept() {
         let mut store = BeatMemo::default();
         let params = GeodesicParams::default();
-        let subjects: Vec<_> = (0..MOST_BEATS + 2)
+        let subjects: Vec<_> = (0..MAX_BEATS + 2)
             .map(|_| Arc::new(subject_with_frames("a", 3)))
             .collect();
         for subject in &subjects {
             store.put(subject, &params, 0, &straight_paths(subject, 1));
         }
         let kept = subjects.iter().filter(|s| store.get(s, &params).is_some());
-        assert_eq!(kept.count(), MOST_BEATS);
+        assert_eq!(kept.count(), MAX_BEATS);
         assert!(store.get(&subjects[0], &params).is_none());
     }
 

@@ -84,7 +84,9 @@ impl ActionState {
             Command::View(ViewCommand::SetQuantity(Quantity::Contribution)) => {
                 self.has_other && self.view_mode == ViewMode::SideBySide
             }
-            Command::View(ViewCommand::SetQuantity(Quantity::CarriedDistance)) => self.transporting,
+            Command::View(ViewCommand::SetQuantity(Quantity::MotionDifference)) => {
+                self.transporting
+            }
             Command::File(FileCommand::ChooseFiles)
             | Command::File(FileCommand::ChooseFolder)
             | Command::File(FileCommand::Open(_))

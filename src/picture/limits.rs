@@ -78,7 +78,7 @@ impl CohortLimits {
         match quantity {
             Quantity::Tissue | Quantity::Displacement => self.displacement,
             // Two beats differ by less than either moves; a round share keeps colours comparable.
-            Quantity::CarriedDistance => ColourLimits {
+            Quantity::MotionDifference => ColourLimits {
                 high: 0.5 * self.displacement.high,
                 ..self.displacement
             },

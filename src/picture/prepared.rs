@@ -41,7 +41,7 @@ impl PreparedSurface {
             Quantity::Tissue
             | Quantity::ThicknessRatio
             | Quantity::Contribution
-            | Quantity::CarriedDistance => None,
+            | Quantity::MotionDifference => None,
             Quantity::Displacement => Some(&self.displacement),
             Quantity::AreaRatio => Some(&self.area_ratio),
         }

@@ -9,7 +9,7 @@ use crate::document::state::State;
 use crate::document::undo::Gesture;
 use crate::panes::cohort::view::visible_subjects;
 
-/// Carries out a command about subjects or time.
+/// Applies a command about subjects or time.
 pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
     match command {
         BeatCommand::SelectPose {

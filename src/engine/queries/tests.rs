@@ -350,11 +350,11 @@ fn distances_after_a_transfer_are_another_answer() {
         in_betweens: 0,
         ..CohortTransportParams::default()
     };
-    let (plain, carried) = (distances(None), distances(Some(straight)));
-    assert_eq!(plain.poses, carried.poses);
+    let (plain, transported) = (distances(None), distances(Some(straight)));
+    assert_eq!(plain.poses, transported.poses);
     // End-diastole of all hearts is one pose then.
     assert!(plain.distances.get(0, 8) > 1e-2);
-    assert!(carried.distances.get(0, 8) < 1e-9);
+    assert!(transported.distances.get(0, 8) < 1e-9);
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn verdict(finding: Finding, probability: f64) -> Verdict {
     }
 }
 
-fn judged(rule: ClassifierSource) -> State {
+fn classified(classifier: ClassifierSource) -> State {
     let ids = ["a", "b", "c"];
     let mut state = state_of(ids.map(|id| subject_with_frames(id, 3)).to_vec());
     let reason = NotAssessed::WallNotResolved { share: 0.61 };
@@ -33,21 +33,21 @@ fn judged(rule: ClassifierSource) -> State {
             Ok(verdict(Finding::Nothing, 0.04)),
             Err(reason),
         ],
-        classifier: rule,
+        classifier,
         quality: None,
     };
     state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
     state
 }
 
-const LEARNT: ClassifierSource = ClassifierSource::Cohort {
+const TRAINED: ClassifierSource = ClassifierSource::Cohort {
     normal: 9,
     abnormal: 14,
 };
 
 #[test]
 fn only_the_finding_of_a_patch_is_called_one() {
-    let mut state = judged(LEARNT);
+    let mut state = classified(TRAINED);
     let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
     assert_eq!(shown.mark, VerdictMark::Patch);
@@ -63,7 +63,7 @@ fn only_the_finding_of_a_patch_is_called_one() {
 
 #[test]
 fn what_is_not_assessed_says_why_in_pane_and_table() {
-    let mut state = judged(LEARNT);
+    let mut state = classified(TRAINED);
     state.document.subject = 2;
     let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "Not assessed");
@@ -76,17 +76,17 @@ fn what_is_not_assessed_says_why_in_pane_and_table() {
 
 #[test]
 fn an_uncalibrated_score_says_so_everywhere() {
-    let state = judged(ClassifierSource::Uncalibrated {
+    let state = classified(ClassifierSource::Uncalibrated {
         normal: 2,
         abnormal: 0,
     });
     let shown = report(&state).unwrap();
     assert!(!shown.calibrated);
     let (verdicts, _) = state.verdicts().unwrap();
-    let rule = classifier_report(verdicts);
-    assert!(rule.source.contains("uncalibrated"), "{}", rule.source);
-    assert!(rule.source.contains("2 normal and 0 abnormal"));
-    assert!(rule.results.is_empty());
+    let report = classifier_report(verdicts);
+    assert!(report.source.contains("uncalibrated"), "{}", report.source);
+    assert!(report.source.contains("2 normal and 0 abnormal"));
+    assert!(report.results.is_empty());
     let words = cohort_verdict(&state, 0).unwrap().words;
     assert!(words.ends_with("uncalibrated score 0.97"), "{words}");
 }
