@@ -16,7 +16,7 @@ use crate::cli::patch_options::PatchOptions;
 use crate::cli::words::{AlignWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch};
 use crate::io::MeshFormat;
 
-/// Analyses the motion of the left ventricle: moving meshes in 3D, maps of poses, measures and figures.
+/// Analyses the motion of the left ventricle: moving meshes in 3D, pose and deformation maps, measures and figures.
 ///
 /// Research software, not for diagnosis. With no command, opens the window on PATH…, or on the
 /// built-in cohort. Exit codes: 0 done, 1 the input is unusable, 2 wrong usage, 3 stopped by Ctrl-C.

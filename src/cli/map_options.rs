@@ -26,7 +26,7 @@ pub struct MapOptions {
     /// Weight of time in the curves of deformations [default: RMS radius over standard deviation of time]
     #[arg(long, value_name = "W", allow_negative_numbers = true)]
     pub time_weight: Option<f64>,
-    /// Nearest neighbours in the map of deformations [default: by the number of subjects]
+    /// Nearest neighbours in the deformation map [default: by the number of subjects]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
     pub neighbours: Option<u16>,
     /// Regularisation of the weights of that map, as a share of the trace

@@ -47,7 +47,7 @@ pub fn hindrance(document: &Document) -> Option<&'static str> {
     };
     if document.visible_transport().is_some() {
         return Some(
-            "For a transported motion, choose the difference from the subject’s own motion",
+            "For a transported motion, choose the difference from the subject's own motion",
         );
     }
     let corresponds = selected.sequence.correspondence() == other.sequence.correspondence();

@@ -181,7 +181,7 @@ pub fn between_words(
         1 => "1 interpolated pose between these frames".to_owned(),
         count => format!("{count} interpolated poses between these frames"),
     };
-    note.push_str(", on the geodesic of the metric of the map");
+    note.push_str(", on the geodesic of the map's metric");
     match path.self_intersections {
         0 => {}
         1 => note.push_str(". 1 pair of faces intersects"),

@@ -102,7 +102,7 @@ impl State {
         self.latest(self.answers.map.as_ref())
     }
 
-    /// The map of deformations of the study on screen.
+    /// The deformation map of the study on screen.
     pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
         self.latest(self.answers.deformations.as_ref())
     }

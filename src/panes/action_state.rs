@@ -57,7 +57,7 @@ pub struct ActionState {
     pub quantity: Quantity,
     /// Which metric compares poses.
     pub metric: MetricKind,
-    /// How distances become the map of poses.
+    /// How distances become the pose map.
     pub map_method: MapMethod,
     /// Poses computed between two frames.
     pub in_betweens: u16,

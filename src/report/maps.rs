@@ -151,7 +151,7 @@ impl Row for PoseRow {
     ];
 }
 
-/// Place of one subject's deformation over the beat on the map of deformations.
+/// Place of one subject's deformation over the beat on the deformation map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DeformationRow {
     /// Pseudonym.

@@ -80,7 +80,7 @@ pub enum ExperimentError {
     /// Settings of distances.
     #[error(transparent)]
     Distances(#[from] PoseDistanceParamError),
-    /// Settings of the map of deformations.
+    /// Settings of the deformation map.
     #[error(transparent)]
     Deformations(#[from] DeformationParamError),
     /// Settings of the classifiers.

@@ -11,7 +11,7 @@ use crate::engine::queries::pose_distances::DistancesError;
 use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
 use crate::study::Study;
 
-/// Share of the time of the classification that the map of deformations takes.
+/// Share of the time of the classification that the deformation map takes.
 const DEFORMATION_MAP_SHARE: f32 = 0.8;
 
 /// Settings of the classification.
@@ -29,7 +29,7 @@ pub enum ClassesError {
     /// A setting is out of range.
     #[error(transparent)]
     Settings(#[from] ClassesParamError),
-    /// There is no map of deformations.
+    /// There is no deformation map.
     #[error(transparent)]
     Deformations(Failure<DeformationsError>),
     /// There are no distances of poses.

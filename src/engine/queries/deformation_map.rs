@@ -8,25 +8,25 @@ use crate::engine::queries::pose_map::{PoseMapError, PoseMapParams, map_words};
 use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
 use crate::study::Study;
 
-/// Share of the time of a map of deformations that its map of poses takes.
+/// Share of the time of a deformation map that its pose map takes.
 const POSE_MAP_SHARE: f32 = 0.95;
 
 /// Settings of the map of whole deformations.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DeformationMapSettings {
-    /// The map of poses on which deformations are curves.
+    /// The pose map on which deformations are curves.
     pub poses: PoseMapParams,
     /// How curves become a map.
     pub map: DeformationMapParams,
 }
 
-/// Why there is no map of deformations.
+/// Why there is no deformation map.
 #[derive(Debug, thiserror::Error)]
 pub enum DeformationsError {
     /// A setting is out of range.
     #[error(transparent)]
     Settings(#[from] DeformationParamError),
-    /// There is no map of poses.
+    /// There is no pose map.
     #[error(transparent)]
     Poses(Failure<PoseMapError>),
     /// The curves cannot be mapped.
@@ -70,7 +70,7 @@ impl Query for DeformationMapSettings {
     }
 }
 
-/// Settings of a map of deformations, as the activity list says them.
+/// Settings of a deformation map, as the activity list says them.
 pub(super) fn deformation_words(settings: &DeformationMapSettings) -> String {
     let DeformationMapParams {
         time_weight,

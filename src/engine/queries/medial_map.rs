@@ -1,4 +1,4 @@
-//! The map of poses of the medial shape space: paths of one subject after the other, then their map.
+//! The pose map of the medial shape space: paths of one subject after the other, then their map.
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::medial_map::{

@@ -32,7 +32,7 @@ pub struct PoseMap {
     pub embedding: Embedding,
 }
 
-/// Why there is no map of poses.
+/// Why there is no pose map.
 #[derive(Debug, thiserror::Error)]
 pub enum PoseMapError {
     /// There are no distances.
@@ -82,7 +82,7 @@ impl Query for PoseMapParams {
     }
 }
 
-/// Settings of a map of poses, as the activity list says them.
+/// Settings of a pose map, as the activity list says them.
 pub(super) fn map_words(params: &PoseMapParams) -> String {
     let method = method_words(params.method);
     format!("{}, {method}", distance_words(&params.distances))

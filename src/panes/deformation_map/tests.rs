@@ -1,4 +1,4 @@
-//! What the map of deformations says beside and below its points.
+//! What the deformation map says beside and below its points.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 

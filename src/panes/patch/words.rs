@@ -23,7 +23,7 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
         (PatchStanding::Abnormal, _) => return String::new(),
         (PatchStanding::NoVerdict, _) => "There is no verdict yet",
         (_, Some(Finding::Nothing)) => {
-            "Verdict: no abnormal patch, the wall thickens as in normal subjects"
+            "Verdict: no regional abnormality; the wall thickens as in normal subjects"
         }
         (_, Some(Finding::GlobalFailure)) => {
             "Verdict: global hypokinesia without a regional abnormality"
