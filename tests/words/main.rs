@@ -123,8 +123,9 @@ mod tests {
         let letter = |c: Option<char>| c.is_some_and(char::is_alphanumeric);
         text.match_indices(words).any(|(at, _)| {
             let (before, after) = (&text[..at], &text[at + words.len()..]);
-            !(letter(words.chars().next()) && part(before.chars().next_back()))
-                && !(letter(words.chars().next_back()) && part(after.chars().next()))
+            let goes_on_before = letter(words.chars().next()) && part(before.chars().next_back());
+            let goes_on_after = letter(words.chars().next_back()) && part(after.chars().next());
+            !goes_on_before && !goes_on_after
         })
     }
 
