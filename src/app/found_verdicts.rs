@@ -35,7 +35,7 @@ impl State {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::analysis::verdicts::{Features, Finding, RuleSource};
+    use crate::analysis::verdicts::{ClassifierSource, Features, Finding};
     use crate::app::testing::{state_of, subject_with_frames};
     use crate::engine::Showing;
 
@@ -55,7 +55,7 @@ mod tests {
         };
         Arc::new(Verdicts {
             subjects: findings.iter().map(verdict).collect(),
-            rule: RuleSource::Uncalibrated {
+            classifier: ClassifierSource::Uncalibrated {
                 normal: 0,
                 abnormal: 0,
             },
@@ -71,7 +71,7 @@ mod tests {
         let found = verdicts(&[
             Some(Finding::Patch),
             Some(Finding::Nothing),
-            Some(Finding::GlobalFailure),
+            Some(Finding::GlobalHypokinesia),
             None,
         ]);
         state.answers.verdicts = Some(Showing::Ready(found));

@@ -1,4 +1,4 @@
-//! The options by which commands say what counts as a patch; defaults are those of the window.
+//! Options for the detection of patches; defaults are those of the window.
 
 use clap::Args;
 
@@ -34,7 +34,7 @@ pub struct PatchOptions {
     /// |ln PT| from pose to pose up to which an atom is akinetic [default: estimated from noise]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub patch_tolerance: Option<f64>,
-    /// Core threshold of a patch: thickening relative to remote myocardium that part of it is below
+    /// Core threshold of a patch: thickening of its core relative to remote myocardium
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().core, allow_negative_numbers = true)]
     pub patch_core: f64,
     /// Core threshold of a patch in ln PT from end-diastole to end-systole, in addition [default: ln 1.1]

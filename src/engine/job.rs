@@ -20,7 +20,7 @@ pub enum JobError<E> {
     #[error(transparent)]
     Failed(E),
     /// A bug of the program; other jobs go on.
-    #[error("the computation hit a bug: {message}")]
+    #[error("internal error: {message}")]
     Panicked {
         /// What the panic said.
         message: String,

@@ -26,11 +26,11 @@ pub use queries::{
     ClassesError, ClassesSettings, Contribution, ContributionError, DeformationMapSettings,
     DeformationsError, DistancesError, FrameThickness, FrameThicknessError, InBetweens,
     InBetweensError, Interval, LookedAt, Measures, MedialBeatError, MedialMapParams,
-    MedialMapQueryError, MedialPaths, MedialSurfaces, NoSubject, PoseMap, PoseMapError,
-    PoseMapParams, PoseThickness, StudyPaths, SubjectThickening, ThickeningQueryError,
-    ThickeningSettings, ThicknessSettings, ThicknessWay, Transfer, TransferError, VerdictSettings,
-    VerdictsError, WallThickening, WayAnswer, distance_words, medial_words, metric_words,
-    thickening_words,
+    MedialMapQueryError, MedialPaths, MedialSurfaces, MethodResult, NoSubject, PoseMap,
+    PoseMapError, PoseMapParams, PoseThickness, StudyPaths, SubjectThickening,
+    ThickeningQueryError, ThickeningSettings, ThicknessMethod, ThicknessSettings, Transfer,
+    TransferError, VerdictSettings, VerdictsError, WallThickening, distance_words, medial_words,
+    metric_words, thickening_words,
 };
 pub use store::{
     Answered, Context, Dependencies, FailedWork, Failure, Interrupted, Memory, Query, SharedError,

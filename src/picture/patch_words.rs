@@ -8,7 +8,7 @@ use crate::report::PatchRow;
 use crate::units::LengthUnit;
 
 /// Share of a patch below which a segment is not named.
-const LEAST_OF_PATCH: f64 = 0.05;
+const MIN_OF_PATCH: f64 = 0.05;
 /// What regions of low thickening are called. They are detected in every heart with heterogeneous thickening; only the
 /// verdict on the whole heart makes them abnormal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -108,7 +108,7 @@ pub fn extent_words(found: &Thickening) -> String {
 /// anteroseptal, apical septal and inferior, apex".
 pub fn segment_words(patch: &Patch) -> String {
     let mut walls: Vec<(&str, Vec<Level>)> = Vec::new();
-    let named = (patch.segments.iter()).filter(|part| part.of_patch >= LEAST_OF_PATCH);
+    let named = (patch.segments.iter()).filter(|part| part.of_patch >= MIN_OF_PATCH);
     for part in named {
         let wall = wall_of(part.segment);
         let level = part.segment.level();

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::analysis::experiments::{
-    MetricComparison, NoiseDeformationResult, PartnerStudy, RuleShare,
+    ClassifierShare, MetricComparison, NoiseDeformationResult, PartnerStudy,
 };
 
 use super::experiments::reference_word;
@@ -32,7 +32,7 @@ pub fn noise_json(result: &NoiseDeformationResult) -> Value {
 
 /// The comparison of metrics, a row per level and method.
 pub fn comparison_json(comparison: &MetricComparison) -> Value {
-    let accuracy = |rule: RuleShare| {
+    let accuracy = |rule: ClassifierShare| {
         json!({
             "accuracy": rule.share,
             "standard_error": rule.standard_error,
@@ -46,8 +46,8 @@ pub fn comparison_json(comparison: &MetricComparison) -> Value {
             "copies": row.copies,
             "labelled": row.labelled,
             "nearest_neighbour": accuracy(row.nearest_neighbour),
-            "linear_rule": accuracy(row.linear_rule),
-            "plane_rule": accuracy(row.plane_rule),
+            "linear_rule": accuracy(row.linear_classifier),
+            "plane_rule": accuracy(row.embedding_classifier),
             "tau": accuracy(row.tau),
         })
     });

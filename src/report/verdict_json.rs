@@ -2,15 +2,15 @@
 
 use serde_json::{Value, json};
 
-use crate::analysis::verdicts::{Feature, RuleSource, VerdictParams, Verdicts};
+use crate::analysis::verdicts::{ClassifierSource, Feature, VerdictParams, Verdicts};
 
 /// `rule` is `"learnt"` for a classifier trained on the labelled subjects, `"fixed"` for default thresholds where they
 /// are too few; `quality` is null then. Counts are subjects; accuracy and AUC are leave-one-out, beside their
 /// permutation means.
 pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
-    let (rule, normal, abnormal) = match verdicts.rule {
-        RuleSource::Cohort { normal, abnormal } => ("learnt", normal, abnormal),
-        RuleSource::Uncalibrated { normal, abnormal } => ("fixed", normal, abnormal),
+    let (rule, normal, abnormal) = match verdicts.classifier {
+        ClassifierSource::Cohort { normal, abnormal } => ("learnt", normal, abnormal),
+        ClassifierSource::Uncalibrated { normal, abnormal } => ("fixed", normal, abnormal),
     };
     let assessed = || {
         verdicts
@@ -22,7 +22,7 @@ pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
         "rule": rule,
         "normal": normal,
         "abnormal": abnormal,
-        "features": Feature::OF_RULE.map(Feature::name),
+        "features": Feature::OF_CLASSIFIER.map(Feature::name),
         "parameters": {
             "ridge": params.ridge,
             "least_labelled": params.min_labelled,
@@ -35,8 +35,8 @@ pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
             "of": quality.accuracy.of,
             "chance": quality.accuracy.baseline,
             "p_value": quality.accuracy.p_value,
-            "false_alarms": quality.false_alarms,
-            "missed": quality.missed,
+            "false_alarms": quality.false_positives,
+            "missed": quality.false_negatives,
             "auc": quality.auc,
             "auc_chance": quality.auc_baseline,
             "auc_p_value": quality.auc_p_value,

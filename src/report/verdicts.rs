@@ -2,7 +2,7 @@
 
 use super::column::{Cell, Column, Digits, Unit};
 use super::table::Row;
-use crate::analysis::verdicts::{Feature, Features, RuleSource, Verdict, Verdicts};
+use crate::analysis::verdicts::{ClassifierSource, Feature, Features, Verdict, Verdicts};
 use crate::study::Study;
 
 /// What the classifier and the patch detection say of one subject together.
@@ -71,7 +71,7 @@ impl VerdictRow {
                     ..Self::default()
                 };
                 match found {
-                    Ok(verdict) => unassessed.with(study, verdict, verdicts.rule),
+                    Ok(verdict) => unassessed.with(study, verdict, verdicts.classifier),
                     Err(reason) => Self {
                         reason: Some(reason.to_string()),
                         ..unassessed
@@ -81,7 +81,7 @@ impl VerdictRow {
             .collect()
     }
 
-    fn with(self, study: &Study, verdict: &Verdict, rule: RuleSource) -> Self {
+    fn with(self, study: &Study, verdict: &Verdict, classifier: ClassifierSource) -> Self {
         let names = |others: &[usize]| {
             let subjects = others.iter().filter_map(|&other| study.subjects.get(other));
             subjects.map(|subject| subject.id.clone()).collect()
@@ -90,9 +90,9 @@ impl VerdictRow {
             abnormal: Some(verdict.abnormal),
             probability: Some(verdict.probability),
             finding: Some(verdict.finding.key()),
-            calibrated: Some(match rule {
-                RuleSource::Cohort { .. } => true,
-                RuleSource::Uncalibrated { .. } => false,
+            calibrated: Some(match classifier {
+                ClassifierSource::Cohort { .. } => true,
+                ClassifierSource::Uncalibrated { .. } => false,
             }),
             alike_normal: names(&verdict.alike_normal),
             alike_abnormal: names(&verdict.alike_abnormal),
@@ -163,70 +163,86 @@ impl Row for VerdictRow {
         ),
         distance(
             "distance_from_seen",
-            "Distance to the nearest subject of the training set, in standardised features",
+            "Distance to training set",
+            "Distance to the nearest subject of the training set, in standard deviations of the model features",
             |row| row.distance_from_seen.into(),
         ),
         distance(
             "usual_distance",
-            "Median of that distance within the training set",
+            "Median distance in training set",
+            "Median over the training set of the distance to its nearest other subject, in standard deviations of the model features",
             |row| row.usual_distance.into(),
         ),
         share(
             "still_share",
-            "Share of the wall with thickening below 10 % (akinetic)",
-            |row| row.features.get(Feature::StillShare).into(),
+            "Akinetic region",
+            "Share of the wall with thickening below 10 % from end-diastole to end-systole (akinetic)",
+            |row| row.features.get(Feature::AkineticShare).into(),
         ),
         ln_pt(
             "median_ln_pt",
-            "Area-weighted median of thickening",
+            "Median thickening",
+            "Area-weighted median over the wall of ln PT from end-diastole to end-systole",
             |row| row.features.get(Feature::Median).into(),
         ),
         ln_pt(
             "spread_ln_pt",
-            "Area-weighted standard deviation of thickening",
+            "SD of thickening",
+            "Area-weighted standard deviation over the wall of ln PT",
             |row| row.features.get(Feature::Spread).into(),
         ),
         distance(
             "relative_spread",
-            "Standard deviation of thickening relative to the remote myocardium",
+            "Thickening heterogeneity",
+            "Standard deviation of ln PT over the wall relative to ln PT of the remote myocardium, which counts as at least ln 1.1",
             |row| row.features.get(Feature::RelativeSpread).into(),
         ),
         ln_pt(
             "weakest_tenth_ln_pt",
-            "Tenth percentile of thickening over the wall",
+            "10th percentile of thickening",
+            "Area-weighted 10th percentile over the wall of ln PT",
             |row| row.features.get(Feature::WeakestTenth).into(),
         ),
-        ln_pt("well_ln_pt", "Thickening of the remote myocardium", |row| {
-            row.features.get(Feature::Well).into()
-        }),
+        ln_pt(
+            "well_ln_pt",
+            "Remote thickening",
+            "ln PT of the remote myocardium from end-diastole to end-systole",
+            |row| row.features.get(Feature::Well).into(),
+        ),
         ln_pt(
             "reach_ln_pt",
-            "Thickening of the remote myocardium plus twice the standard deviation",
+            "Upper range of thickening",
+            "ln PT of the remote myocardium plus twice the standard deviation over the wall",
             |row| row.features.get(Feature::Reach).into(),
         ),
         share(
             "patch_share",
-            "Share of the wall in patches, weighted by detection stability",
+            "Wall in patches",
+            "Share of the wall in patches, each weighted by its detection stability",
             |row| row.features.get(Feature::PatchShare).into(),
         ),
         share(
             "patch_confidence",
-            "Detection stability of the largest patch; 0 without one",
+            "Detection stability",
+            "Detection stability of the largest patch: share of noise redraws in which it is detected again; 0 without a patch",
             |row| row.features.get(Feature::Confidence).into(),
         ),
         distance(
             "patch_relative_thickening",
-            "Ratio of patch to remote thickening (largest patch); 1 without one",
+            "Ratio of patch to remote thickening",
+            "ln PT of the largest patch relative to that of the remote myocardium; 1 without a patch",
             |row| row.features.get(Feature::PatchThickening).into(),
         ),
         distance(
             "patch_compactness",
-            "Compactness of the largest patch, 4π area / border length²; 0 without one",
+            "Compactness",
+            "Compactness of the largest patch, 4π × area / perimeter², at most 1; 0 without a patch",
             |row| row.features.get(Feature::Compactness).into(),
         ),
         distance(
             "pose_distance",
-            "Mean pose distance in the medial shape space, of the largest patch or of all still atoms",
+            "Mean pose distance",
+            "Mean distance between poses in the medial shape space, of the largest patch or, without one, of all akinetic atoms",
             |row| row.features.get(Feature::Closeness).into(),
         ),
         Column::new(
@@ -240,9 +256,9 @@ impl Row for VerdictRow {
         Column::new(
             "gap_sizes",
             "Distance of MP",
-            Unit::Symbol("heart sizes"),
+            Unit::Symbol("× size"),
             Digits::Places(3),
-            "Mean distance of the mean position (MP) from the medial surface, relative to the size of the heart",
+            "Mean distance of the mean position (MP) from the medial surface, relative to the size of the medial surface",
             |row| row.features.get(Feature::Gap).into(),
         ),
     ];
@@ -250,28 +266,38 @@ impl Row for VerdictRow {
 
 const fn share(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&VerdictRow) -> Cell,
 ) -> Column<VerdictRow> {
-    Column::new(key, key, Unit::Share, Digits::Places(0), explanation, cell)
+    Column::new(
+        key,
+        heading,
+        Unit::Share,
+        Digits::Places(0),
+        explanation,
+        cell,
+    )
 }
 
 const fn ln_pt(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&VerdictRow) -> Cell,
 ) -> Column<VerdictRow> {
     let unit = Unit::Symbol("ln PT");
-    Column::new(key, key, unit, Digits::Places(2), explanation, cell)
+    Column::new(key, heading, unit, Digits::Places(2), explanation, cell)
 }
 
 /// Distances and ratios without a unit.
 const fn distance(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&VerdictRow) -> Cell,
 ) -> Column<VerdictRow> {
-    Column::plain(key, key, explanation, cell)
+    Column::plain(key, heading, explanation, cell)
 }
 
 #[cfg(test)]

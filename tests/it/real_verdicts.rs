@@ -77,14 +77,16 @@ fn infarctions_are_told_from_normal_and_from_dilated_hearts() {
         .into_iter()
         .map(|label| (label, group(&study, &found, label)))
         .collect();
-    println!("label: hearts, median PT, no patch / patch / global failure / elsewhere");
+    println!(
+        "label: subjects, median PT, no patch / patch / global hypokinesia / abnormal without a patch"
+    );
     for label in labels {
         let group = &groups[label];
         let counts = [
             Finding::Nothing,
             Finding::Patch,
-            Finding::GlobalFailure,
-            Finding::Elsewhere,
+            Finding::GlobalHypokinesia,
+            Finding::WithoutPatch,
         ]
         .map(|finding| count(group, finding));
         let pt = median(group, Feature::Median).exp();
@@ -129,7 +131,7 @@ fn normal_hearts_of_the_built_in_cohort_have_no_patch_and_ill_ones_have() {
             Abnormality::None => false_patches += usize::from(finding != Finding::Nothing),
             // They are ill, but their walls thicken well.
             Abnormality::Hypertrophic => assert_ne!(finding, Finding::Patch),
-            Abnormality::Dilated => assert_eq!(finding, Finding::GlobalFailure),
+            Abnormality::Dilated => assert_eq!(finding, Finding::GlobalHypokinesia),
             _ => assert_eq!(finding, Finding::Patch),
         }
     }

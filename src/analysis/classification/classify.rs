@@ -9,7 +9,7 @@ use crate::analysis::embedding::{Embedding, EmbeddingError, classical_mds};
 use crate::analysis::pose_distances::DistanceMatrix;
 use crate::progress::{Progress, Stopped};
 
-use super::linear_rule::{LinearRule, Scratch, labelled_rows};
+use super::linear_classifier::{LinearClassifier, Scratch, labelled_rows};
 use super::nearest::NearestCases;
 use super::{Accuracy, Classes, k_means, tau};
 
@@ -21,7 +21,7 @@ const MIN_COMPONENT: f64 = 1e-9;
 /// Coordinates from here on are refused: their squares would not be numbers.
 const TOO_LARGE: f64 = 1e150;
 /// τ, nearest neighbour, linear rule on the distances, linear rule in the plane.
-const RULES: usize = 4;
+const CLASSIFIERS: usize = 4;
 
 /// Settings; [`ClassesParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -170,12 +170,12 @@ pub fn classify(
     if classes.names.len() < 2 {
         return Ok(classes);
     }
-    let rules = Rules::new(distances, plane, &classes, params.shrinkage, progress)?;
+    let rules = Classifiers::new(distances, plane, &classes, params.shrinkage, progress)?;
     let [tau, nearest, linear, in_plane] = rules.beside_chance(&params, progress)?;
     classes.tau = Some(tau);
     classes.nearest_neighbour = Some(nearest);
-    classes.linear_rule = Some(linear);
-    classes.plane_rule = Some(in_plane);
+    classes.linear_classifier = Some(linear);
+    classes.embedding_classifier = Some(in_plane);
     Ok(classes)
 }
 
@@ -216,23 +216,23 @@ fn named(labels: &[Option<&str>]) -> (Vec<String>, Vec<Option<usize>>) {
 }
 
 /// All rules, prepared for any labels of the same cases.
-struct Rules {
+struct Classifiers {
     clusters: Vec<usize>,
     nearest: NearestCases,
-    linear: LinearRule,
-    in_plane: LinearRule,
+    linear: LinearClassifier,
+    in_plane: LinearClassifier,
     classes: Vec<usize>,
 }
 
 #[derive(Default)]
-struct RuleScratch {
+struct ClassifierScratch {
     votes: Vec<usize>,
     linear: Scratch,
     labels: Vec<usize>,
     optional: Vec<Option<usize>>,
 }
 
-impl Rules {
+impl Classifiers {
     fn new(
         distances: &DistanceMatrix,
         plane: &Embedding,
@@ -252,15 +252,15 @@ impl Rules {
                 .map(|&row| classes.clustering.clusters[row])
                 .collect(),
             nearest: NearestCases::new(distances, &rows),
-            linear: LinearRule::new(&components, width, shrinkage),
-            in_plane: LinearRule::new(&in_plane, plane.dimensions, shrinkage),
+            linear: LinearClassifier::new(&components, width, shrinkage),
+            in_plane: LinearClassifier::new(&in_plane, plane.dimensions, shrinkage),
             classes: own,
         })
     }
 
     /// Right answers of each rule with the labels of `scratch`.
-    fn correct(&self, scratch: &mut RuleScratch) -> [usize; RULES] {
-        let RuleScratch {
+    fn correct(&self, scratch: &mut ClassifierScratch) -> [usize; CLASSIFIERS] {
+        let ClassifierScratch {
             votes,
             linear,
             labels,
@@ -280,16 +280,16 @@ impl Rules {
         &self,
         params: &ClassesParams,
         progress: &Progress,
-    ) -> Result<[Accuracy; RULES], Stopped> {
-        let mut scratch = RuleScratch {
+    ) -> Result<[Accuracy; CLASSIFIERS], Stopped> {
+        let mut scratch = ClassifierScratch {
             labels: self.classes.clone(),
-            ..RuleScratch::default()
+            ..ClassifierScratch::default()
         };
         let correct = self.correct(&mut scratch);
         progress.expect_steps(params.permutations as usize);
         let permuted = (0..params.permutations)
             .into_par_iter()
-            .map_init(RuleScratch::default, |scratch, number| {
+            .map_init(ClassifierScratch::default, |scratch, number| {
                 progress.step()?;
                 let mut random = ChaCha8Rng::seed_from_u64(params.seed);
                 // Streams of their own, and others than those of the starts of k-means.

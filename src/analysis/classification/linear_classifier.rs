@@ -3,7 +3,7 @@
 use crate::numeric::{factorise_positive, solve_lower};
 
 /// Cases as rows of coordinates, all of about the size 1.
-pub(super) struct LinearRule {
+pub(super) struct LinearClassifier {
     width: usize,
     points: Vec<f64>,
     shrinkage: f64,
@@ -19,7 +19,7 @@ pub(super) struct Scratch {
     step: Vec<f64>,
 }
 
-impl LinearRule {
+impl LinearClassifier {
     /// Of `points`, rows of `width` numbers one after the other; the unit of length does not matter.
     pub(super) fn new(points: &[f64], width: usize, shrinkage: f64) -> Self {
         let largest = points.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
@@ -171,7 +171,7 @@ pub fn leave_one_out_linear(
     shrinkage: f64,
 ) -> (usize, usize) {
     let (cases, classes) = labelled_rows(points, width, labels);
-    let rule = LinearRule::new(&cases, width, shrinkage);
+    let rule = LinearClassifier::new(&cases, width, shrinkage);
     (
         rule.correct(&classes, &mut Scratch::default()),
         classes.len(),

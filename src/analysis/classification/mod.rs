@@ -2,7 +2,7 @@
 
 mod classify;
 mod k_means;
-mod linear_rule;
+mod linear_classifier;
 mod matching;
 mod nearest;
 mod result;
@@ -11,7 +11,7 @@ pub use classify::{
     CheckedClassesParams, ClassesParamError, ClassesParams, ClassifyError, MAX_COMPONENTS, classify,
 };
 pub use k_means::k_means;
-pub use linear_rule::leave_one_out_linear;
+pub use linear_classifier::leave_one_out_linear;
 pub use matching::{Matching, tau};
 pub use nearest::leave_one_out_nearest;
 pub use result::{Accuracy, Classes, Clustering};

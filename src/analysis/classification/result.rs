@@ -50,7 +50,7 @@ pub struct Classes {
     /// Nearest neighbour by the distances, each row left out in turn.
     pub nearest_neighbour: Option<Accuracy>,
     /// Linear rule on the distances, each row left out in turn.
-    pub linear_rule: Option<Accuracy>,
+    pub linear_classifier: Option<Accuracy>,
     /// Linear rule in the plane of the map, each row left out in turn.
-    pub plane_rule: Option<Accuracy>,
+    pub embedding_classifier: Option<Accuracy>,
 }

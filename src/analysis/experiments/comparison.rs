@@ -88,7 +88,7 @@ impl MetricComparisonParams {
 
 /// How often a rule is right, over the copies of a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct RuleShare {
+pub struct ClassifierShare {
     /// Mean share of right answers, in `0.0..=1.0`.
     pub share: f64,
     /// Standard error of that mean from the scatter between copies; 0 for one.
@@ -109,13 +109,13 @@ pub struct ComparisonRow {
     /// Subjects with a label that took part in the first copy.
     pub labelled: usize,
     /// Nearest neighbour, each subject left out in turn.
-    pub nearest_neighbour: RuleShare,
+    pub nearest_neighbour: ClassifierShare,
     /// Linear rule on the distances, each left out in turn.
-    pub linear_rule: RuleShare,
+    pub linear_classifier: ClassifierShare,
     /// Linear rule in the LLE plane, each left out in turn; for EF alone, on EF.
-    pub plane_rule: RuleShare,
+    pub embedding_classifier: ClassifierShare,
     /// k-means in the LLE plane; for EF alone, on EF.
-    pub tau: RuleShare,
+    pub tau: ClassifierShare,
 }
 
 /// By level, then by method, EF alone last.
@@ -191,7 +191,7 @@ pub fn metric_comparison(
                 let shares: Vec<f64> = found.iter().map(Accuracy::share).collect();
                 let (share, standard_error) = mean_and_error(&shares);
                 let baselines: Vec<f64> = found.iter().map(|a| a.baseline).collect();
-                RuleShare {
+                ClassifierShare {
                     share,
                     standard_error,
                     baseline: mean_and_error(&baselines).0,
@@ -203,8 +203,8 @@ pub fn metric_comparison(
                 copies: copies.len(),
                 labelled: first.of_row.iter().flatten().count(),
                 nearest_neighbour: over(|c| c.nearest_neighbour),
-                linear_rule: over(|c| c.linear_rule),
-                plane_rule: over(|c| c.plane_rule),
+                linear_classifier: over(|c| c.linear_classifier),
+                embedding_classifier: over(|c| c.embedding_classifier),
                 tau: over(|c| c.tau),
             }
         })

@@ -56,8 +56,8 @@ pub enum ExperimentError {
     },
     /// There is nobody else to be nearer than.
     #[error(
-        "all {sequences} sequences that correspond are of one patient, {patient}: whether partners are \
-         near shows beside other patients only"
+        "all {sequences} sequences that correspond are of one patient, {patient}: the rank of a partner \
+         needs sequences of other patients"
     )]
     OnePatient {
         /// How many were looked at.
@@ -85,7 +85,7 @@ pub enum ExperimentError {
     Deformations(#[from] DeformationParamError),
     /// Settings of the rules.
     #[error(transparent)]
-    Rules(#[from] ClassesParamError),
+    Classifiers(#[from] ClassesParamError),
     /// Settings of the search for patches.
     #[error(transparent)]
     Thickening(#[from] ThickeningParamError),

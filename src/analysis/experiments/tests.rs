@@ -171,8 +171,8 @@ fn one_table_tells_the_labels_of_the_built_in_cohort_beside_ef_and_chance() {
         assert_eq!(row.labelled, 23, "{}", row.method);
         for rule in [
             row.nearest_neighbour,
-            row.linear_rule,
-            row.plane_rule,
+            row.linear_classifier,
+            row.embedding_classifier,
             row.tau,
         ] {
             assert!((0.0..=1.0).contains(&rule.share), "{row:?}");

@@ -39,7 +39,9 @@ pub enum GeodesicError {
         expected: usize,
     },
     /// A coordinate is NaN or infinite, or overflows when squared.
-    #[error("vertex {vertex} of the {end} is at ({x}, {y}, {z}), which cannot be computed with")]
+    #[error(
+        "vertex {vertex} of the {end} is at ({x}, {y}, {z}), which is not a finite number of moderate size"
+    )]
     NotFinite {
         /// `start` or `end`.
         end: &'static str,

@@ -6,12 +6,12 @@ use crate::mesh::{CappedSheet, Faces, MeshError, Point3, Sheet, Vector3, sheets}
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum InnerSideError {
     /// The middle of the surface lies in muscle: this is no cup.
-    #[error("the middle of the closed surface lies in the muscle, not in a cavity")]
+    #[error("the centre of the closed surface lies in the myocardium, not in a cavity")]
     NoCavity,
     /// Faces that look to the middle do not make one side with one rim.
     #[error(
-        "the faces that look to the middle make no single cup: \
-         {part:.0} % of their area hangs together, with {loops} rims"
+        "the faces towards the centre form no single cup: \
+         {part:.0} % of their area is connected, with {loops} boundary loops"
     )]
     NoSingleCup {
         /// Share of the largest piece, in percent.

@@ -27,8 +27,8 @@ pub enum UnknownVolume {
     /// The wall's inner side cannot be distinguished from its outer one.
     #[error("wall: {0}; the cavity's volume is not known")]
     InnerSide(#[from] InnerSideError),
-    /// A wall of one sheet is open, so that it encloses no muscle.
-    #[error("wall: one sheet with {loops} open ends encloses no muscle")]
+    /// A wall of one sheet is open, so that it encloses no myocardium.
+    #[error("wall: one sheet with {loops} open ends encloses no myocardium")]
     OpenWall {
         /// Its boundary loops.
         loops: usize,

@@ -8,7 +8,7 @@ use crate::progress::{Progress, Stopped};
 use super::averaged::Averaged;
 use super::diffusion::RegularMesh;
 use super::params::CheckedThickeningParams;
-use super::regions::{WELL_QUANTILE, area_quantile, still_parts};
+use super::regions::{WELL_QUANTILE, akinetic_regions, area_quantile};
 use super::surface::Surface;
 
 /// Share of redraws in which at least half of each part's area lies in a part again.
@@ -37,7 +37,7 @@ pub(super) fn confidences(
         // The reference is redrawn as well: it is estimated from the same noisy values.
         let well = area_quantile(&drawn, &mesh.areas, WELL_QUANTILE);
         let mut again = vec![false; drawn.len()];
-        for part in still_parts(
+        for part in akinetic_regions(
             &drawn,
             well,
             mesh,

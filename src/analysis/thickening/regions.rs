@@ -30,7 +30,7 @@ pub(super) const CORE_AREA: f64 = 0.5;
 /// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `border` of what
 /// remote myocardium does, with the least area together, half of which thickens by less than `core` of it and
 /// less than `still`. By falling area.
-pub(super) fn still_parts(
+pub(super) fn akinetic_regions(
     thickening: &[f64],
     well: f64,
     mesh: &RegularMesh,

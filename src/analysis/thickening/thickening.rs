@@ -12,7 +12,7 @@ use super::detection::smallest_detectable;
 use super::error::ThickeningError;
 use super::params::CheckedThickeningParams;
 use super::patches::{Wall, segments_of};
-use super::regions::{still_parts, tidied};
+use super::regions::{akinetic_regions, tidied};
 use super::result::{Extent, SmallestPatch, Thickening};
 use super::steps::{StepCriteria, steps, thickness_ratios};
 use super::surface::Surface;
@@ -75,7 +75,7 @@ pub fn thickening(
         Vec::new()
     } else {
         let least = found.min_share;
-        still_parts(
+        akinetic_regions(
             &found.thickening,
             found.well,
             mesh,

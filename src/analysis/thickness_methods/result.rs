@@ -4,7 +4,7 @@ use crate::study::SurfaceKind;
 
 /// A way of telling how thick the wall is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum ThicknessMethod {
+pub enum ComparisonMethod {
     /// Distance from a vertex of the inner side to the nearest point of the outer one.
     Nearest,
     /// Chords across the centre line between the contours of short-axis slices.
@@ -15,7 +15,7 @@ pub enum ThicknessMethod {
     VolumeOverArea,
 }
 
-impl ThicknessMethod {
+impl ComparisonMethod {
     /// All of them.
     pub const ALL: [Self; 4] = [
         Self::Nearest,
@@ -39,7 +39,7 @@ impl ThicknessMethod {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ThicknessMap {
     /// How it was found.
-    pub method: ThicknessMethod,
+    pub method: ComparisonMethod,
     /// The surface whose vertices these are.
     pub surface: SurfaceKind,
     /// Per vertex of that surface, in coordinates; `None` where the method says nothing.

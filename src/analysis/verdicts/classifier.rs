@@ -9,7 +9,7 @@ const CALIBRATION_RIDGE: f64 = 1e-6;
 
 /// Standardised features and a logistic classifier on them.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Rule {
+pub(super) struct Classifier {
     pub standard: Standard,
     coefficients: Vec<f64>,
 }
@@ -60,7 +60,7 @@ fn balanced(abnormal: &[bool]) -> [f64; 2] {
     ]
 }
 
-impl Rule {
+impl Classifier {
     /// Of labelled subjects; Newton's method starts from `start` if there is one.
     pub fn new(rows: &[&[f64]], abnormal: &[bool], ridge: f64, start: Option<&Self>) -> Self {
         let standard = Standard::new(rows);
@@ -162,12 +162,12 @@ pub(super) fn leave_one_out(
 ) -> Result<LeftOut, Stopped> {
     // Leaving one out moves the minimum little: started from that of all, Newton's method takes few steps. The
     // problem is convex, so that the start changes no result but for rounding.
-    let whole = Rule::new(rows, abnormal, ridge, None);
+    let whole = Classifier::new(rows, abnormal, ridge, None);
     let scores = (0..rows.len())
         .map(|out| {
             progress.check()?;
             let (others, labels) = (without(rows, out), without(abnormal, out));
-            Ok(Rule::new(&others, &labels, ridge, Some(&whole)).score(rows[out]))
+            Ok(Classifier::new(&others, &labels, ridge, Some(&whole)).score(rows[out]))
         })
         .collect::<Result<Vec<f64>, Stopped>>()?;
     // Likewise for the calibration. Its scores are leave-one-out scores: those of a fit to itself would be too sure.

@@ -9,9 +9,9 @@ use crate::analysis::classification::Accuracy;
 use crate::progress::{Progress, Stopped};
 use crate::study::{LabelRole, Study};
 
+use super::classifier::{Calibration, Classifier, LeftOut, leave_one_out};
 use super::params::CheckedVerdictParams;
-use super::result::{Examined, NotAssessed, RuleQuality};
-use super::rule::{Calibration, LeftOut, Rule, leave_one_out};
+use super::result::{ClassifierQuality, Examined, NotAssessed};
 use super::score::auc;
 
 /// The subjects that can be classified, and which of them have labels that count.
@@ -26,12 +26,12 @@ pub(super) struct Cohort {
 
 /// A classifier with its leave-one-out results on the subjects that it was trained on.
 pub(super) struct Learnt {
-    pub rule: Rule,
+    pub classifier: Classifier,
     pub calibration: Calibration,
     /// Subjects that it was made of, ascending.
     pub seen: Vec<usize>,
     pub left_out: LeftOut,
-    pub quality: RuleQuality,
+    pub quality: ClassifierQuality,
 }
 
 impl Cohort {
@@ -85,7 +85,7 @@ impl Cohort {
         progress.step()?;
         let quality = quality(&rows, &labels, &left_out, params, progress)?;
         Ok(Some(Learnt {
-            rule: Rule::new(&rows, &labels, params.ridge, None),
+            classifier: Classifier::new(&rows, &labels, params.ridge, None),
             calibration: Calibration::new(&left_out.scores, &labels),
             seen,
             left_out,
@@ -107,7 +107,7 @@ fn quality(
     left_out: &LeftOut,
     params: &CheckedVerdictParams,
     progress: &Progress,
-) -> Result<RuleQuality, Stopped> {
+) -> Result<ClassifierQuality, Stopped> {
     let measured = |labels: &[bool], left_out: &LeftOut| {
         (
             right(&left_out.probabilities, labels),
@@ -143,15 +143,15 @@ fn quality(
         .map(|(correct, _)| *correct as f64)
         .sum::<f64>()
         / count;
-    Ok(RuleQuality {
+    Ok(ClassifierQuality {
         accuracy: Accuracy {
             correct,
             of: labels.len(),
             baseline: mean_correct / labels.len() as f64,
             p_value: at_least(&|found| found.0 >= correct),
         },
-        false_alarms: wrong(false),
-        missed: wrong(true),
+        false_positives: wrong(false),
+        false_negatives: wrong(true),
         auc: area,
         auc_baseline: permuted.iter().map(|(_, area)| area).sum::<f64>() / count,
         auc_p_value: at_least(&|found| found.1 >= area),

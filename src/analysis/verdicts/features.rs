@@ -7,7 +7,7 @@ use crate::analysis::thickening::{Patch, Thickening};
 use crate::mesh::{Point3, area};
 
 /// PT from end-diastole to end-systole below which wall counts as still: "roughly equal to one" (4.4).
-const STILL_PT: f64 = 1.1;
+const AKINETIC_PT: f64 = 1.1;
 
 /// What a verdict is made of: one subject's medial surfaces and its thickening.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,7 @@ pub struct VerdictInput<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Feature {
     /// Share of the wall whose thickness grows by less than a tenth from end-diastole to end-systole.
-    StillShare,
+    AkineticShare,
     /// Area-weighted median of thickening, ln PT from end-diastole to end-systole.
     Median,
     /// Area-weighted standard deviation of thickening over the wall, ln PT.
@@ -58,7 +58,7 @@ const COUNT: usize = 14;
 impl Feature {
     /// All of them, in the order of tables.
     pub const ALL: [Self; COUNT] = [
-        Self::StillShare,
+        Self::AkineticShare,
         Self::Median,
         Self::Spread,
         Self::RelativeSpread,
@@ -76,12 +76,12 @@ impl Feature {
 
     /// The three that the classifier reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
     /// evidence: see [`verdicts`](super::verdicts()) for both measured side by side.
-    pub const OF_RULE: [Self; 3] = [Self::StillShare, Self::Median, Self::RelativeSpread];
+    pub const OF_CLASSIFIER: [Self; 3] = [Self::AkineticShare, Self::Median, Self::RelativeSpread];
 
     /// In words.
     pub fn name(self) -> &'static str {
         match self {
-            Self::StillShare => "akinetic share of the wall",
+            Self::AkineticShare => "akinetic share of the wall",
             Self::Median => "median thickening",
             Self::Spread => "thickening heterogeneity",
             Self::RelativeSpread => "heterogeneity relative to remote myocardium",
@@ -97,16 +97,6 @@ impl Feature {
             Self::Gap => "distance of the mean position from the medial surface",
         }
     }
-
-    /// Its unit; empty for a share or ratio.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Median | Self::Spread | Self::WeakestTenth | Self::Well | Self::Reach => "ln PT",
-            Self::NormalSpread => "rad",
-            Self::Gap => "subject sizes",
-            _ => "",
-        }
-    }
 }
 
 /// All features of one subject.
@@ -120,7 +110,7 @@ impl Features {
         let rest = positions(beat, thickening.end_diastole);
         let areas = regular_areas(beat, &rest);
         let values = Weighted::new(&thickening.thickening, &areas);
-        let still = STILL_PT.ln();
+        let still = AKINETIC_PT.ln();
         // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();
         let temporal_consistency = patch.map_or(&thickening.temporal_consistency, |patch| {
@@ -130,7 +120,7 @@ impl Features {
         let spread = values.deviation();
         Self(Feature::ALL.map(|feature| {
             match feature {
-                Feature::StillShare => Some(values.share_below(still)),
+                Feature::AkineticShare => Some(values.share_below(still)),
                 Feature::Median => Some(values.quantile(0.5)),
                 Feature::Spread => Some(spread),
                 // Where hardly anything thickens a ratio to that would be noise.
@@ -166,9 +156,9 @@ impl Features {
             .find(|&feature| self.get(feature).is_some_and(|value| !value.is_finite()))
     }
 
-    /// What the classifier reads, in the order of [`Feature::OF_RULE`]; these are always known.
+    /// What the classifier reads, in the order of [`Feature::OF_CLASSIFIER`]; these are always known.
     pub(super) fn of_rule(&self) -> Vec<f64> {
-        (Feature::OF_RULE.into_iter())
+        (Feature::OF_CLASSIFIER.into_iter())
             .map(|feature| self.get(feature).unwrap_or(0.0))
             .collect()
     }

@@ -2,6 +2,7 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.4–4.7.
 
+mod classifier;
 mod cohort;
 mod error;
 mod features;
@@ -9,7 +10,6 @@ mod likeness;
 mod logistic;
 mod params;
 mod result;
-mod rule;
 mod score;
 #[cfg(test)]
 mod tests;
@@ -23,6 +23,7 @@ pub use error::VerdictError;
 pub use features::{Feature, Features, VerdictInput};
 pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
 pub use result::{
-    Examined, Familiarity, Finding, NotAssessed, RuleQuality, RuleSource, Verdict, Verdicts,
+    ClassifierQuality, ClassifierSource, Examined, Familiarity, Finding, NotAssessed, Verdict,
+    Verdicts,
 };
 pub use verdicts::{examine, verdicts};

@@ -24,8 +24,8 @@ pub enum NotAssessed {
     NoThickening(String),
     /// The wall loses volume that muscle cannot lose.
     #[error(
-        "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, and muscle keeps \
-         nearly all of it; blur hides thickening",
+        "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, but \
+         myocardium is nearly incompressible; blur hides thickening",
         100.0 * share
     )]
     WallNotResolved {
@@ -61,9 +61,9 @@ pub enum Finding {
     /// A part of the wall does not thicken.
     Patch,
     /// The whole wall hardly thickens, or thickens too little without a part that stands out.
-    GlobalFailure,
+    GlobalHypokinesia,
     /// Unlike the normal subjects, but the wall thickens and no part of it is akinetic.
-    Elsewhere,
+    WithoutPatch,
 }
 
 impl Finding {
@@ -72,8 +72,8 @@ impl Finding {
         match self {
             Self::Nothing => "no regional abnormality",
             Self::Patch => "abnormal patch",
-            Self::GlobalFailure => "global hypokinesia",
-            Self::Elsewhere => "abnormal without a patch",
+            Self::GlobalHypokinesia => "global hypokinesia",
+            Self::WithoutPatch => "abnormal without a patch",
         }
     }
 
@@ -82,8 +82,8 @@ impl Finding {
         match self {
             Self::Nothing => "no abnormal patch",
             Self::Patch => "abnormal patch",
-            Self::GlobalFailure => "global failure",
-            Self::Elsewhere => "abnormal without a patch",
+            Self::GlobalHypokinesia => "global failure",
+            Self::WithoutPatch => "abnormal without a patch",
         }
     }
 }
@@ -107,7 +107,7 @@ pub struct Verdict {
     /// Whether the probability is above one half.
     pub abnormal: bool,
     /// That the subject counts as abnormal, if either were as likely beforehand. By a classifier that was made without it where
-    /// it has a label; not calibrated where [`Verdicts::rule`] says so.
+    /// it has a label; not calibrated where [`Verdicts::classifier`] says so.
     pub probability: f64,
     /// What the classifier saw, and what else describes the subject.
     pub features: Features,
@@ -123,7 +123,7 @@ pub struct Verdict {
 
 /// Where the classifier comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RuleSource {
+pub enum ClassifierSource {
     /// From the labelled subjects, each left out in turn.
     Cohort {
         /// Assessed subjects with a normal label.
@@ -142,14 +142,14 @@ pub enum RuleSource {
 
 /// How good the classifier is on the subjects with labels, each left out in turn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RuleQuality {
+pub struct ClassifierQuality {
     /// Accuracy beside that with permuted labels. Both classes weigh alike in the classifier: where one is much more
     /// frequent, always saying that one may be right as often.
     pub accuracy: Accuracy,
     /// Normal subjects called abnormal.
-    pub false_alarms: usize,
+    pub false_positives: usize,
     /// Abnormal subjects called normal.
-    pub missed: usize,
+    pub false_negatives: usize,
     /// Area under the ROC curve: chance that an abnormal subject has a higher score than a normal one.
     pub auc: f64,
     /// Its mean where labels are permuted. Leaving out pulls it below one half.
@@ -164,7 +164,7 @@ pub struct Verdicts {
     /// One per subject, in their order.
     pub subjects: Vec<Result<Verdict, NotAssessed>>,
     /// Where the classifier comes from.
-    pub rule: RuleSource,
+    pub classifier: ClassifierSource,
     /// How good it is; `None` where it was not trained.
-    pub quality: Option<RuleQuality>,
+    pub quality: Option<ClassifierQuality>,
 }

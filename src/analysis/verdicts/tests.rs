@@ -150,8 +150,8 @@ fn hearts_with_a_patch_are_told_from_well_ones_with_and_without_labels() {
     let (hearts, labels) = cohort();
     let found = judged(&hearts, &labels);
     assert_eq!(
-        found.rule,
-        RuleSource::Cohort {
+        found.classifier,
+        ClassifierSource::Cohort {
             normal: 7,
             abnormal: 7
         }
@@ -161,12 +161,16 @@ fn hearts_with_a_patch_are_told_from_well_ones_with_and_without_labels() {
     assert_eq!(findings[7..14], [Finding::Patch; 7]);
     assert_eq!(
         findings[14..],
-        [Finding::Nothing, Finding::Patch, Finding::GlobalFailure]
+        [Finding::Nothing, Finding::Patch, Finding::GlobalHypokinesia]
     );
     let quality = found.quality.unwrap();
     assert_eq!((quality.accuracy.correct, quality.accuracy.of), (14, 14));
     assert_eq!(
-        (quality.false_alarms, quality.missed, quality.auc),
+        (
+            quality.false_positives,
+            quality.false_negatives,
+            quality.auc
+        ),
         (0, 0, 1.0)
     );
     assert!(quality.accuracy.baseline < 0.7 && quality.auc_baseline < 0.7);
@@ -195,7 +199,7 @@ fn features_are_what_was_built_in() {
     let (hearts, labels) = cohort();
     let found = judged(&hearts, &labels);
     let of = |subject: usize, feature| assessed(&found, subject).features.get(feature).unwrap();
-    assert_eq!(of(0, Feature::StillShare), 0.0);
+    assert_eq!(of(0, Feature::AkineticShare), 0.0);
     assert!((of(0, Feature::Median) - 0.42).abs() < 0.01);
     assert_eq!(
         (of(0, Feature::Compactness), of(0, Feature::PatchThickening)),
@@ -203,7 +207,7 @@ fn features_are_what_was_built_in() {
     );
     // A cap of angle a is 1 − cos a of the hemisphere; averaging takes its rim away.
     let cap = 1.0 - radius_rad(4).cos();
-    assert!(of(11, Feature::StillShare) < cap && of(11, Feature::StillShare) > 0.6 * cap);
+    assert!(of(11, Feature::AkineticShare) < cap && of(11, Feature::AkineticShare) > 0.6 * cap);
     assert!(of(11, Feature::Compactness) > 0.7 && of(11, Feature::Confidence) == 1.0);
     assert!(of(11, Feature::NormalSpread) < 0.1 && of(11, Feature::Closeness) < 0.2);
     let reach = of(11, Feature::Well) + 2.0 * of(11, Feature::Spread);
@@ -230,14 +234,14 @@ fn without_enough_labels_the_fixed_rule_speaks_and_says_so() {
         }
         let found = judged(&hearts, &labels);
         assert!(
-            matches!(found.rule, RuleSource::Uncalibrated { .. }),
+            matches!(found.classifier, ClassifierSource::Uncalibrated { .. }),
             "{case}"
         );
         assert!(found.quality.is_none() && assessed(&found, 3).familiarity.is_none());
         for index in 0..17 {
             let expected = match index {
                 0..7 | 14 => Finding::Nothing,
-                16 => Finding::GlobalFailure,
+                16 => Finding::GlobalHypokinesia,
                 _ => Finding::Patch,
             };
             assert_eq!(assessed(&found, index).finding, expected, "{case}: {index}");
@@ -322,8 +326,8 @@ fn what_cannot_be_told_is_not_assessed_and_takes_no_part() {
         "{noisy}"
     );
     assert_eq!(
-        found.rule,
-        RuleSource::Cohort {
+        found.classifier,
+        ClassifierSource::Cohort {
             normal: 5,
             abnormal: 6
         }

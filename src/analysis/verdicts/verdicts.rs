@@ -4,14 +4,14 @@ use crate::analysis::thickening::Extent;
 use crate::progress::Progress;
 use crate::study::Study;
 
+use super::classifier::Standard;
 use super::cohort::{Cohort, Learnt};
 use super::error::VerdictError;
 use super::features::{Feature, Features, VerdictInput, wall_volume_ratio};
 use super::likeness::{alike, familiarity, usual_distances};
 use super::logistic::sigmoid;
 use super::params::CheckedVerdictParams;
-use super::result::{Examined, Finding, NotAssessed, RuleSource, Verdict, Verdicts};
-use super::rule::Standard;
+use super::result::{ClassifierSource, Examined, Finding, NotAssessed, Verdict, Verdicts};
 
 /// Thickening of remote myocardium, in standard deviations of averaged noise, or of the least that counts as
 /// thickening: nearer to noise nothing is reported.
@@ -33,7 +33,7 @@ const ALIKE: usize = 3;
 ///
 /// 1. A subject is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
 ///    noise of thickening is a third of what remote myocardium does or more.
-/// 2. The rest is classified by a logistic classifier on [`Feature::OF_RULE`], standardised, both classes
+/// 2. The rest is classified by a logistic classifier on [`Feature::OF_CLASSIFIER`], standardised, both classes
 ///    weighing alike, trained from the subjects whose label counts as normal or abnormal. What is said of a labelled
 ///    subject comes from a classifier that has not seen it, calibrated by the scores of the others. With too few labels
 ///    a fixed classifier stands in: the akinetic share of the wall beside 5.5 %.
@@ -88,9 +88,9 @@ pub fn verdicts(
     let (normal, abnormal) = cohort.counts();
     Ok(Verdicts {
         subjects,
-        rule: match learnt {
-            Some(_) => RuleSource::Cohort { normal, abnormal },
-            None => RuleSource::Uncalibrated { normal, abnormal },
+        classifier: match learnt {
+            Some(_) => ClassifierSource::Cohort { normal, abnormal },
+            None => ClassifierSource::Uncalibrated { normal, abnormal },
         },
         quality: learnt.map(|learnt| learnt.quality),
     })
@@ -148,7 +148,7 @@ impl<'a> Classified<'a> {
         let standard = learnt.map_or_else(
             // Without a classifier distances between subjects still need a common scale.
             || Standard::new(&assessed),
-            |learnt| learnt.rule.standard.clone(),
+            |learnt| learnt.classifier.standard.clone(),
         );
         let standardised: Vec<Vec<f64>> = cohort.rows.iter().map(|row| standard.of(row)).collect();
         let usual = learnt.map_or_else(Vec::new, |learnt| {
@@ -166,14 +166,14 @@ impl<'a> Classified<'a> {
         let Some(learnt) = self.learnt else {
             // Without labels nothing can be trained; the akinetic share with a default threshold stands in, and is
             // called a score.
-            let still = features.get(Feature::StillShare).unwrap_or(0.0);
+            let still = features.get(Feature::AkineticShare).unwrap_or(0.0);
             return sigmoid((still - STILL_LIMIT) / STILL_SCALE);
         };
         match learnt.seen.binary_search(&index) {
             // A subject in the training set gets the leave-one-out result; the whole classifier has seen its label.
             Ok(place) => learnt.left_out.probabilities[place],
             Err(_) => {
-                let score = learnt.rule.score(&self.cohort.rows[index]);
+                let score = learnt.classifier.score(&self.cohort.rows[index]);
                 learnt.calibration.probability(score)
             }
         }
@@ -209,10 +209,10 @@ fn failure(features: &Features, extent: Extent) -> Finding {
     let reach = features.get(Feature::Reach).unwrap_or(0.0);
     match extent {
         // Nothing thickens: there is no remote myocardium that a region could be compared with.
-        Extent::HardlyAnywhere => Finding::GlobalFailure,
+        Extent::HardlyAnywhere => Finding::GlobalHypokinesia,
         // Before patches: a wall that fails as a whole often has a weakest part, which is no regional finding.
-        _ if reach < REGIONAL_REACH => Finding::GlobalFailure,
+        _ if reach < REGIONAL_REACH => Finding::GlobalHypokinesia,
         Extent::AllButPatches => Finding::Patch,
-        Extent::Everywhere => Finding::Elsewhere,
+        Extent::Everywhere => Finding::WithoutPatch,
     }
 }

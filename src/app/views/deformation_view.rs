@@ -211,13 +211,13 @@ fn classifiers(classes: &Classes) -> Vec<ClassifierView> {
             "Linear classifier",
             "Each subject is classified by a linear classifier on the distances of deformations, \
              trained on all others (leave-one-out)",
-            classes.linear_rule,
+            classes.linear_classifier,
         ),
         row(
             "Classifier on 2-D embedding",
             "Each subject is classified by a straight line on this map, trained on all others \
              (leave-one-out)",
-            classes.plane_rule,
+            classes.embedding_classifier,
         ),
         row(
             "Cluster agreement τ",

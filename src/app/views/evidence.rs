@@ -22,10 +22,10 @@ enum Written {
 }
 
 /// What is shown, in this order: name, what it is, how it is written. The first three are those of
-/// [`Feature::OF_RULE`], the rest are those of the method (4.4–4.7) and what the patch table knows.
+/// [`Feature::OF_CLASSIFIER`], the rest are those of the method (4.4–4.7) and what the patch table knows.
 const SHOWN: [(Feature, &str, &str, Written); 10] = [
     (
-        Feature::StillShare,
+        Feature::AkineticShare,
         "Akinetic region",
         "Share of the wall with thickening below 10 % from end-diastole to end-systole",
         Written::Share,
@@ -117,7 +117,7 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
                 normal: normal.map_or_else(String::new, |range| range_text(written, range)),
                 place: value.and_then(place),
                 band: normal.and_then(|[least, most]| Some([place(least)?, place(most)?])),
-                model_feature: Feature::OF_RULE.contains(&feature),
+                model_feature: Feature::OF_CLASSIFIER.contains(&feature),
             }
         })
         .collect()
@@ -180,6 +180,6 @@ mod tests {
     #[test]
     fn what_the_rule_reads_comes_first() {
         let read = SHOWN.map(|(feature, ..)| feature);
-        assert_eq!(read[..3], Feature::OF_RULE);
+        assert_eq!(read[..3], Feature::OF_CLASSIFIER);
     }
 }

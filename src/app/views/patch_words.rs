@@ -25,7 +25,7 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
         (_, Some(Finding::Nothing)) => {
             "Verdict: no abnormal patch, the wall thickens as in normal subjects"
         }
-        (_, Some(Finding::GlobalFailure)) => {
+        (_, Some(Finding::GlobalHypokinesia)) => {
             "Verdict: global hypokinesia without a regional abnormality"
         }
         _ => "Verdict: no abnormal patch",

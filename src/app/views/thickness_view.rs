@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::analysis::thickness_methods::{ThicknessMethod, ThicknessSpread};
+use crate::analysis::thickness_methods::{ComparisonMethod, ThicknessSpread};
 use crate::app::state::State;
-use crate::engine::{FrameThickness, Showing, ThicknessWay, WayAnswer};
+use crate::engine::{FrameThickness, MethodResult, Showing, ThicknessMethod};
 use crate::panes::{Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip};
 use crate::picture::nice_ceiling;
 
@@ -61,9 +61,11 @@ impl ThicknessData {
     }
 }
 
-fn ways() -> impl Iterator<Item = ThicknessWay> {
-    let others = ThicknessMethod::ALL.into_iter().map(ThicknessWay::Other);
-    std::iter::once(ThicknessWay::Medial).chain(others)
+fn ways() -> impl Iterator<Item = ThicknessMethod> {
+    let others = ComparisonMethod::ALL
+        .into_iter()
+        .map(ThicknessMethod::Other);
+    std::iter::once(ThicknessMethod::Medial).chain(others)
 }
 
 /// "ED", "ES", "frame 3".
@@ -100,7 +102,7 @@ fn standing(state: &State) -> ThicknessState {
 
 fn row(
     state: &State,
-    way: ThicknessWay,
+    way: ThicknessMethod,
     known: &[(usize, &Arc<FrameThickness>)],
     told: Option<&FrameThickness>,
 ) -> ThicknessRow {
@@ -128,7 +130,7 @@ fn row(
             deviation: agreement.deviation,
             pairs: agreement.pairs,
         }),
-        reference: way == ThicknessWay::Medial,
+        reference: way == ThicknessMethod::Medial,
         seconds: told
             .filter(|told| told.found.is_ok())
             .map(|told| told.seconds),
@@ -136,8 +138,8 @@ fn row(
     }
 }
 
-fn answer(found: &FrameThickness, way: ThicknessWay) -> Option<&WayAnswer> {
-    found.answers.iter().find(|answer| answer.way == way)
+fn answer(found: &FrameThickness, way: ThicknessMethod) -> Option<&MethodResult> {
+    found.answers.iter().find(|answer| answer.method == way)
 }
 
 fn quantiles(spread: &ThicknessSpread) -> [f64; 5] {
@@ -157,23 +159,23 @@ fn sentence_case(name: &str) -> String {
     })
 }
 
-fn hint(way: ThicknessWay) -> &'static str {
+fn hint(way: ThicknessMethod) -> &'static str {
     match way {
-        ThicknessWay::Medial => {
+        ThicknessMethod::Medial => {
             "Twice the radius of the sphere inscribed in the wall at each endocardial vertex; spheres at the edge of \
              the medial surface, near the base, are left out"
         }
-        ThicknessWay::Other(ThicknessMethod::Nearest) => {
+        ThicknessMethod::Other(ComparisonMethod::Nearest) => {
             "Distance from an endocardial vertex to the nearest epicardial point: a lower bound of the other methods"
         }
-        ThicknessWay::Other(ThicknessMethod::Centreline) => {
+        ThicknessMethod::Other(ComparisonMethod::Centreline) => {
             "Length of chords across the centreline of short-axis slices: too long where a slice cuts the wall \
              obliquely, as near the apex"
         }
-        ThicknessWay::Other(ThicknessMethod::Laplace) => {
+        ThicknessMethod::Other(ComparisonMethod::Laplace) => {
             "Length of the field line of Laplace's equation from endocardium to epicardium"
         }
-        ThicknessWay::Other(ThicknessMethod::VolumeOverArea) => {
+        ThicknessMethod::Other(ComparisonMethod::VolumeOverArea) => {
             "Volume of a wall element divided by the mean of its endocardial and epicardial area: one value per element"
         }
     }

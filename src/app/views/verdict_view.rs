@@ -1,7 +1,7 @@
 //! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
-    Familiarity, Finding, RuleQuality, RuleSource, Verdict, VerdictParams, Verdicts,
+    ClassifierQuality, ClassifierSource, Familiarity, Finding, Verdict, VerdictParams, Verdicts,
 };
 use crate::app::state::State;
 use crate::app::views::evidence::evidence;
@@ -100,7 +100,7 @@ fn report(state: &State) -> Option<VerdictReport> {
 fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictReport {
     let study = state.document.study();
     let role = (state.document.selected()).map_or(LabelRole::Unknown, |heart| study.role(heart));
-    let calibrated = matches!(verdicts.rule, RuleSource::Cohort { .. });
+    let calibrated = matches!(verdicts.classifier, ClassifierSource::Cohort { .. });
     VerdictReport {
         mark: mark(verdict.finding),
         heading: heading(verdict),
@@ -129,8 +129,8 @@ fn mark(finding: Finding) -> VerdictMark {
     match finding {
         Finding::Nothing => VerdictMark::NoAbnormality,
         Finding::Patch => VerdictMark::Patch,
-        Finding::GlobalFailure => VerdictMark::GlobalHypokinesia,
-        Finding::Elsewhere => VerdictMark::AbnormalWithoutPatch,
+        Finding::GlobalHypokinesia => VerdictMark::GlobalHypokinesia,
+        Finding::WithoutPatch => VerdictMark::AbnormalWithoutPatch,
     }
 }
 
@@ -139,8 +139,8 @@ fn heading(verdict: &Verdict) -> String {
     match verdict.finding {
         Finding::Nothing => "No regional abnormality".to_owned(),
         Finding::Patch => format!("Abnormal patch · {} of the LV", percent(verdict.patched)),
-        Finding::GlobalFailure => "Global hypokinesia".to_owned(),
-        Finding::Elsewhere => "Abnormal without a patch".to_owned(),
+        Finding::GlobalHypokinesia => "Global hypokinesia".to_owned(),
+        Finding::WithoutPatch => "Abnormal without a patch".to_owned(),
     }
 }
 
@@ -154,10 +154,10 @@ fn sentence(verdict: &Verdict) -> String {
         Finding::Patch => {
             "Thickening in part of the wall is far below that of remote myocardium".to_owned()
         }
-        Finding::GlobalFailure => {
+        Finding::GlobalHypokinesia => {
             "Thickening of the whole wall is low, without a regional abnormality".to_owned()
         }
-        Finding::Elsewhere => {
+        Finding::WithoutPatch => {
             "Features differ from those of the normal subjects, without an akinetic region"
                 .to_owned()
         }
@@ -215,7 +215,10 @@ fn similar(state: &State, subject: usize) -> Option<SimilarSubject> {
 
 /// The verdict on one subject in the cohort table.
 pub fn cohort_verdict(state: &State, subject: usize) -> Option<CohortVerdict> {
-    let calibrated = matches!(state.verdicts()?.0.rule, RuleSource::Cohort { .. });
+    let calibrated = matches!(
+        state.verdicts()?.0.classifier,
+        ClassifierSource::Cohort { .. }
+    );
     Some(match state.verdict_of(subject)? {
         Ok(verdict) => {
             let number = if calibrated {
@@ -250,19 +253,19 @@ fn lower_first(text: &str) -> String {
 }
 
 fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
-    let source = match verdicts.rule {
-        RuleSource::Cohort { normal, abnormal } => format!(
+    let source = match verdicts.classifier {
+        ClassifierSource::Cohort { normal, abnormal } => format!(
             "Logistic classifier, trained on the labelled subjects that can be assessed ({normal} normal, {abnormal} \
              abnormal); each of them is classified leave-one-out"
         ),
-        RuleSource::Uncalibrated { normal, abnormal } => format!(
+        ClassifierSource::Uncalibrated { normal, abnormal } => format!(
             "Default thresholds on the share of akinetic wall, uncalibrated: {normal} normal and {abnormal} abnormal \
              subjects can be assessed; training needs {} of each",
             VerdictParams::default().min_labelled
         ),
     };
-    let results = match (verdicts.rule, &verdicts.quality) {
-        (RuleSource::Cohort { normal, abnormal }, Some(quality)) => {
+    let results = match (verdicts.classifier, &verdicts.quality) {
+        (ClassifierSource::Cohort { normal, abnormal }, Some(quality)) => {
             results(quality, normal, abnormal).to_vec()
         }
         _ => Vec::new(),
@@ -270,7 +273,7 @@ fn classifier_report(verdicts: &Verdicts) -> ClassifierReport {
     ClassifierReport { source, results }
 }
 
-fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [ClassifierResult; 4] {
+fn results(quality: &ClassifierQuality, normal: usize, abnormal: usize) -> [ClassifierResult; 4] {
     let accuracy = &quality.accuracy;
     [
         ClassifierResult {
@@ -302,13 +305,13 @@ fn results(quality: &RuleQuality, normal: usize, abnormal: usize) -> [Classifier
         ClassifierResult {
             name: "False positives",
             what: "Subjects of class normal that are classified as abnormal",
-            value: format!("{} of {normal} normal", quality.false_alarms),
+            value: format!("{} of {normal} normal", quality.false_positives),
             permutation_test: String::new(),
         },
         ClassifierResult {
             name: "False negatives",
             what: "Subjects of class abnormal that are classified as normal",
-            value: format!("{} of {abnormal} abnormal", quality.missed),
+            value: format!("{} of {abnormal} abnormal", quality.false_negatives),
             permutation_test: String::new(),
         },
     ]

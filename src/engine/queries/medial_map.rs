@@ -123,7 +123,7 @@ impl Query for MedialMapParams {
         let paths = part
             .get(&paths)
             .map_err(|why| why.map(MedialMapQueryError::Paths))?;
-        let part = cx.part("laying out the map", share, 1.0);
+        let part = cx.part("embedding poses", share, 1.0);
         map_of(&paths, self.method, part.progress())
     }
 

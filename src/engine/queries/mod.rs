@@ -33,7 +33,8 @@ pub use thickening::{
     SubjectThickening, ThickeningQueryError, ThickeningSettings, WallThickening, thickening_words,
 };
 pub use thickness::{
-    FrameThickness, FrameThicknessError, PoseThickness, ThicknessSettings, ThicknessWay, WayAnswer,
+    FrameThickness, FrameThicknessError, MethodResult, PoseThickness, ThicknessMethod,
+    ThicknessSettings,
 };
 pub use transfer::{Transfer, TransferError};
 pub use verdicts::{VerdictSettings, VerdictsError, examined, judged};

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use crate::analysis::medial::{MedialBeat, MedialParamError, MedialParams, medial_beat};
 use crate::analysis::thickness_methods::{
-    Agreement, CheckedThicknessParams, ThicknessError, ThicknessMethod, ThicknessParams,
+    Agreement, CheckedThicknessParams, ComparisonMethod, ThicknessError, ThicknessParams,
     ThicknessSpread, thickness,
 };
 use crate::engine::queries::medial_beat::{MedialSurfaces, medial_words};
@@ -28,14 +28,14 @@ pub struct ThicknessSettings {
 
 /// A way of telling how thick the wall is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ThicknessWay {
+pub enum ThicknessMethod {
     /// Twice the radius of the medial atoms that take part: what the others are compared with.
     Medial,
     /// Any of the others.
-    Other(ThicknessMethod),
+    Other(ComparisonMethod),
 }
 
-impl ThicknessWay {
+impl ThicknessMethod {
     /// The words for it.
     pub fn name(self) -> &'static str {
         match self {
@@ -47,9 +47,9 @@ impl ThicknessWay {
 
 /// What one way says of the wall at a frame.
 #[derive(Clone, Debug, PartialEq)]
-pub struct WayAnswer {
+pub struct MethodResult {
     /// Which way.
-    pub way: ThicknessWay,
+    pub method: ThicknessMethod,
     /// Its thicknesses in coordinates, or why it says nothing.
     pub found: Result<ThicknessSpread, String>,
     /// How it differs from twice the medial radius at the same vertices; `None` for that itself, and
@@ -65,7 +65,7 @@ pub struct FrameThickness {
     /// The frame.
     pub frame: usize,
     /// The medial radius first.
-    pub answers: Vec<WayAnswer>,
+    pub answers: Vec<MethodResult>,
 }
 
 /// Thickness of one subject's wall at a frame by all methods.
@@ -128,14 +128,14 @@ impl Query for PoseThickness {
         }
         let part = cx.part("fitting medial spheres", 0.0, MEDIAL_SHARE);
         let medial = self.medial(subject, &part)?;
-        let mut answers = vec![WayAnswer {
-            way: ThicknessWay::Medial,
+        let mut answers = vec![MethodResult {
+            method: ThicknessMethod::Medial,
             found: medial.told.clone(),
             agreement: None,
             seconds: medial.seconds,
         }];
-        let count = ThicknessMethod::ALL.len();
-        for (place, method) in ThicknessMethod::ALL.into_iter().enumerate() {
+        let count = ComparisonMethod::ALL.len();
+        for (place, method) in ComparisonMethod::ALL.into_iter().enumerate() {
             let share =
                 |done: usize| MEDIAL_SHARE + (1.0 - MEDIAL_SHARE) * done as f32 / count as f32;
             let part = cx.part(method.name(), share(place), share(place + 1));
@@ -200,7 +200,7 @@ impl PoseThickness {
         let spread =
             ThicknessSpread::of(twice_radius.iter().map(|&(_, thickness)| Some(thickness)));
         Ok(Medial {
-            told: spread.ok_or_else(|| "no atom takes part in the analysis".to_owned()),
+            told: spread.ok_or_else(|| "no medial atom can be used".to_owned()),
             seconds: seconds_of_one(subject, self.frame, &params, cx.progress())?,
             twice_radius,
         })
@@ -247,21 +247,21 @@ fn seconds_of_one(
 fn other(
     subject: &Subject,
     frame: usize,
-    method: ThicknessMethod,
+    method: ComparisonMethod,
     params: &CheckedThicknessParams,
     medial: &Medial,
     progress: &Progress,
-) -> Result<WayAnswer, Stopped> {
+) -> Result<MethodResult, Stopped> {
     let begin = Instant::now();
     let map = thickness(subject, frame, method, params, progress);
     let seconds = begin.elapsed().as_secs_f64();
-    let way = ThicknessWay::Other(method);
+    let way = ThicknessMethod::Other(method);
     let map = match map {
         Ok(map) => map,
         Err(ThicknessError::Stopped(stopped)) => return Err(stopped),
         Err(reason) => {
-            return Ok(WayAnswer {
-                way,
+            return Ok(MethodResult {
+                method: way,
                 found: Err(reason.to_string()),
                 agreement: None,
                 seconds,
@@ -272,10 +272,10 @@ fn other(
         .map(|&(vertex, _)| map.thickness.get(vertex as usize).copied().flatten());
     let reference = medial.twice_radius.iter().map(|&(_, told)| Some(told));
     let spread = ThicknessSpread::of(map.thickness.iter().copied());
-    Ok(WayAnswer {
-        way,
+    Ok(MethodResult {
+        method: way,
         agreement: Agreement::of(at_atoms, reference),
-        found: spread.ok_or_else(|| "it tells the thickness of no vertex".to_owned()),
+        found: spread.ok_or_else(|| "no vertex has a thickness by this method".to_owned()),
         seconds,
     })
 }

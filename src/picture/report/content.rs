@@ -1,6 +1,6 @@
 //! The content of the report, as texts.
 
-use crate::analysis::verdicts::{Finding, RuleSource, Verdicts};
+use crate::analysis::verdicts::{ClassifierSource, Finding, Verdicts};
 use crate::picture::patch_words::{percent, probability_words, sentence};
 use crate::picture::report::ReportOrder;
 use crate::report::{NO_VALUE, PatchRow, SubjectRow, VerdictRow};
@@ -79,8 +79,8 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
     };
     let mut parts: Vec<String> = [
         Finding::Patch,
-        Finding::GlobalFailure,
-        Finding::Elsewhere,
+        Finding::GlobalHypokinesia,
+        Finding::WithoutPatch,
         Finding::Nothing,
     ]
     .into_iter()
@@ -101,14 +101,14 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
 
 /// Which classifier the verdicts come from, and its accuracy.
 pub(super) fn classifier(verdicts: &Verdicts) -> String {
-    let (normal, abnormal) = match verdicts.rule {
-        RuleSource::Uncalibrated { normal, abnormal } => {
+    let (normal, abnormal) = match verdicts.classifier {
+        ClassifierSource::Uncalibrated { normal, abnormal } => {
             return format!(
                 "Verdicts by default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a \
                  label can be assessed: the number is an uncalibrated score, not a probability."
             );
         }
-        RuleSource::Cohort { normal, abnormal } => (normal, abnormal),
+        ClassifierSource::Cohort { normal, abnormal } => (normal, abnormal),
     };
     let mut words = format!(
         "Linear classifier, trained on {normal} normal and {abnormal} abnormal subjects with a label; each of them is \
@@ -124,8 +124,8 @@ pub(super) fn classifier(verdicts: &Verdicts) -> String {
             percent(accuracy.share()),
             percent(accuracy.baseline),
             accuracy.p_value,
-            quality.false_alarms,
-            quality.missed,
+            quality.false_positives,
+            quality.false_negatives,
             quality.auc,
             quality.auc_baseline,
             quality.auc_p_value

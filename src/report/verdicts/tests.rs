@@ -53,7 +53,7 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
     let columns = reader.headers().unwrap().clone();
     let row = reader.records().next().unwrap().unwrap();
     let names = [
-        (Feature::StillShare, "still_share"),
+        (Feature::AkineticShare, "still_share"),
         (Feature::Median, "median_ln_pt"),
         (Feature::Spread, "spread_ln_pt"),
         (Feature::RelativeSpread, "relative_spread"),
@@ -98,7 +98,7 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
     let reason = NotAssessed::WallNotResolved { share: 0.61 };
     let verdicts = Verdicts {
         subjects: vec![Ok(verdict), Err(reason.clone())],
-        rule: RuleSource::Cohort {
+        classifier: ClassifierSource::Cohort {
             normal: 9,
             abnormal: 9,
         },

@@ -46,8 +46,8 @@ fn all(classes: &Classes) -> [Accuracy; 4] {
     [
         classes.tau.unwrap(),
         classes.nearest_neighbour.unwrap(),
-        classes.linear_rule.unwrap(),
-        classes.plane_rule.unwrap(),
+        classes.linear_classifier.unwrap(),
+        classes.embedding_classifier.unwrap(),
     ]
 }
 
@@ -128,7 +128,7 @@ fn one_class_or_none_is_clustered_only() {
         )
         .unwrap();
         assert_eq!(classes.tau, None);
-        assert_eq!(classes.plane_rule, None);
+        assert_eq!(classes.embedding_classifier, None);
         assert_eq!(classes.clustering.clusters[..4], [0, 1, 0, 1]);
     }
     let nothing = classify(

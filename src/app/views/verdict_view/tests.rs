@@ -23,7 +23,7 @@ fn verdict(finding: Finding, probability: f64) -> Verdict {
     }
 }
 
-fn judged(rule: RuleSource) -> State {
+fn judged(classifier: ClassifierSource) -> State {
     let ids = ["a", "b", "c"];
     let mut state = state_of(ids.map(|id| subject_with_frames(id, 3)).to_vec());
     let reason = NotAssessed::WallNotResolved { share: 0.61 };
@@ -33,14 +33,14 @@ fn judged(rule: RuleSource) -> State {
             Ok(verdict(Finding::Nothing, 0.04)),
             Err(reason),
         ],
-        rule,
+        classifier,
         quality: None,
     };
     state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
     state
 }
 
-const LEARNT: RuleSource = RuleSource::Cohort {
+const LEARNT: ClassifierSource = ClassifierSource::Cohort {
     normal: 9,
     abnormal: 14,
 };
@@ -76,7 +76,7 @@ fn what_is_not_assessed_says_why_in_pane_and_table() {
 
 #[test]
 fn an_uncalibrated_score_says_so_everywhere() {
-    let state = judged(RuleSource::Uncalibrated {
+    let state = judged(ClassifierSource::Uncalibrated {
         normal: 2,
         abnormal: 0,
     });
@@ -110,15 +110,15 @@ fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
 
 #[test]
 fn accuracy_and_auc_have_permutation_means() {
-    let quality = RuleQuality {
+    let quality = ClassifierQuality {
         accuracy: Accuracy {
             correct: 22,
             of: 23,
             baseline: 0.5,
             p_value: 0.004_975,
         },
-        false_alarms: 0,
-        missed: 1,
+        false_positives: 0,
+        false_negatives: 1,
         auc: 0.984,
         auc_baseline: 0.46,
         auc_p_value: 0.004_975,

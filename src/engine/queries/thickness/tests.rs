@@ -49,11 +49,11 @@ fn all_ways_tell_the_thickness_of_a_shell_and_how_they_differ() {
         let found = ask(&store, &study, &query(frame));
         assert_eq!((found.frame, found.answers.len()), (frame, 5));
         for answer in &found.answers {
-            let name = answer.way.name();
+            let name = answer.method.name();
             let spread = answer.found.as_ref().unwrap();
             // Slices cut a sphere at a slant, more so towards its pole.
-            let slack = match answer.way {
-                ThicknessWay::Other(ThicknessMethod::Centreline) => 0.25,
+            let slack = match answer.method {
+                ThicknessMethod::Other(ComparisonMethod::Centreline) => 0.25,
                 _ => 0.06,
             };
             let off = spread.median / thickness - 1.0;
@@ -61,7 +61,7 @@ fn all_ways_tell_the_thickness_of_a_shell_and_how_they_differ() {
             assert!(spread.low <= spread.quarter && spread.three_quarters <= spread.high);
             assert!(answer.seconds > 0.0, "{name}");
             let Some(agreement) = answer.agreement else {
-                assert_eq!(answer.way, ThicknessWay::Medial);
+                assert_eq!(answer.method, ThicknessMethod::Medial);
                 continue;
             };
             assert!(

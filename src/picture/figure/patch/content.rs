@@ -1,7 +1,7 @@
 //! The content of a patch figure: numbers and words, ready for the layout.
 
 use crate::analysis::thickening::Patch;
-use crate::analysis::verdicts::{Finding, NotAssessed, RuleSource, Verdicts};
+use crate::analysis::verdicts::{ClassifierSource, Finding, NotAssessed, Verdicts};
 use crate::engine::{SubjectThickening, thickening_words};
 use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues};
 use crate::picture::figure::content::FigureContent;
@@ -16,7 +16,7 @@ use crate::report::{Column, PatchRow};
 use crate::study::Subject;
 
 /// Patches in the table; more are counted below it.
-const MOST_ROWS: usize = 4;
+const MAX_ROWS: usize = 4;
 /// Segments without this many words say that the orientation is not known.
 const NO_SEGMENTS: &str = "orientation not known";
 
@@ -69,12 +69,12 @@ impl VerdictLines {
 }
 
 fn evidence(verdicts: &Verdicts, probability: f64) -> String {
-    match verdicts.rule {
-        RuleSource::Uncalibrated { normal, abnormal } => format!(
+    match verdicts.classifier {
+        ClassifierSource::Uncalibrated { normal, abnormal } => format!(
             "Default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a label can be \
              assessed: no probability"
         ),
-        RuleSource::Cohort { normal, abnormal } => {
+        ClassifierSource::Cohort { normal, abnormal } => {
             let mut words = format!(
                 "Predicted probability of abnormal {}, leave-one-out over {normal} normal and {abnormal} abnormal \
                  subjects (this subject was not in the training set)",
@@ -159,12 +159,14 @@ impl PatchContent {
         let rows: Vec<PatchLine> = (thickening.patches.iter())
             .filter(|_| assessed)
             .enumerate()
-            .take(MOST_ROWS)
+            .take(MAX_ROWS)
             .map(|(index, patch)| line(found, subject, index, patch))
             .collect();
         let more = thickening.patches.len().saturating_sub(rows.len());
         let note = match (assessed, more) {
-            (false, _) => "Regions in a wall that is not resolved may be blur or noise".to_owned(),
+            (false, _) => {
+                "In a wall that is not resolved, regions may be due to blur or noise".to_owned()
+            }
             (true, 0) => sentences(&[extent_words(thickening), smallest_words(thickening)]),
             (true, more) => sentences(&[
                 extent_words(thickening),
