@@ -182,11 +182,13 @@ mod tests {
         let mut count = 0;
         for (file, source) in sources() {
             for name in &source.names {
-                let whole = NAMES.iter().find(|(old, _)| name.text == *old);
-                let start = NAME_STARTS
-                    .iter()
-                    .find(|(old, _)| name.text.starts_with(old));
-                if let Some((_, instead)) = whole.or(start) {
+                let whole = (NAMES.iter())
+                    .find(|(old, _, room)| name.text == *old && file.starts_with(room))
+                    .map(|(_, instead, _)| instead);
+                let start = (NAME_STARTS.iter())
+                    .find(|(old, _)| name.text.starts_with(old))
+                    .map(|(_, instead)| instead);
+                if let Some(instead) = whole.or(start) {
                     count += 1;
                     writeln!(wrong, "{file}:{}: {}, say {instead}", name.line, name.text).unwrap();
                 }
