@@ -39,7 +39,7 @@ const CONTRIBUTION: ColourLimits = ColourLimits {
     logarithmic: false,
 };
 
-/// From half to double: a well wall thickens by half, and the scale is even about unchanged.
+/// From half to double: a normal wall thickens by half, and the scale is even about unchanged.
 pub(crate) const THICKNESS_RATIO: ColourLimits = ColourLimits {
     low: 0.5,
     high: 2.0,

@@ -13,14 +13,14 @@ use super::linear_classifier::{LinearClassifier, Scratch, labelled_rows};
 use super::nearest::NearestCases;
 use super::{Accuracy, Classes, k_means, tau};
 
-/// Coordinates of the classical scaling that the linear rule sees at most: enough for what varies in a
+/// Coordinates of the classical scaling that the linear classifier sees at most: enough for what varies in a
 /// beat, few enough for cohorts of some dozens.
 pub const MAX_COMPONENTS: usize = 10;
 /// Share of the largest eigenvalue below which a coordinate is round-off.
 const MIN_COMPONENT: f64 = 1e-9;
 /// Coordinates from here on are refused: their squares would not be numbers.
 const TOO_LARGE: f64 = 1e150;
-/// τ, nearest neighbour, linear rule on the distances, linear rule in the plane.
+/// τ, nearest neighbour, linear classifier on the distances, linear classifier in the plane.
 const CLASSIFIERS: usize = 4;
 
 /// Settings; [`ClassesParams::check`] makes them usable.
@@ -32,7 +32,7 @@ pub struct ClassesParams {
     pub restarts: u16,
     /// Permutations of the labels for the baselines.
     pub permutations: u32,
-    /// Share of the mean variance in the covariance of the linear rules.
+    /// Share of the mean variance in the covariance of the linear classifiers.
     pub shrinkage: f64,
     /// Seed of the starts and of the permutations.
     pub seed: u64,
@@ -100,7 +100,7 @@ pub enum ClassifyError {
     /// It was asked to stop.
     #[error(transparent)]
     Stopped(#[from] Stopped),
-    /// The coordinates for the linear rule cannot be computed.
+    /// The coordinates for the linear classifier cannot be computed.
     #[error(transparent)]
     Embedding(EmbeddingError),
     /// Distances, map and labels are not of the same rows.
@@ -125,16 +125,16 @@ pub enum ClassifyError {
     },
 }
 
-/// Tells classes apart by clusters, neighbours and linear rules, each beside chance.
+/// Classifies by clusters, neighbours and linear classifiers, each beside its permutation mean.
 ///
 /// `labels` names the class of each row of the distances and of the map; rows without one are clustered,
 /// and otherwise left out. Clusters are those of [`k_means()`](super::k_means()) in the plane, τ is by the best match
-/// ([`tau()`]), the nearest neighbour is by the distances ([`leave_one_out_nearest`](super::leave_one_out_nearest)). The linear rule on the
+/// ([`tau()`]), the nearest neighbour is by the distances ([`leave_one_out_nearest`](super::leave_one_out_nearest)). The linear classifier on the
 /// distances is [`leave_one_out_linear`](super::leave_one_out_linear) on the leading coordinates of their classical scaling: at
 /// most [`MAX_COMPONENTS`], and fewer than half the cases; the one in the plane takes the map as it is.
 /// Both see coordinates made from all cases, though of no label: the baseline does, too.
 ///
-/// The baseline of each: the mean share of right answers over permutations of the labels, and how many of
+/// The baseline of each: the mean share of correct answers over permutations of the labels, and how many of
 /// these do as well as the labels as they are. Clusters, neighbours and coordinates stay.
 ///
 /// # Errors
@@ -215,7 +215,7 @@ fn named(labels: &[Option<&str>]) -> (Vec<String>, Vec<Option<usize>>) {
     )
 }
 
-/// All rules, prepared for any labels of the same cases.
+/// All classifiers, prepared for any labels of the same cases.
 struct Classifiers {
     clusters: Vec<usize>,
     nearest: NearestCases,
@@ -258,7 +258,7 @@ impl Classifiers {
         })
     }
 
-    /// Right answers of each rule with the labels of `scratch`.
+    /// Correct answers of each classifier with the labels of `scratch`.
     fn correct(&self, scratch: &mut ClassifierScratch) -> [usize; CLASSIFIERS] {
         let ClassifierScratch {
             votes,

@@ -1,13 +1,13 @@
-//! Accuracy of a classification, and what chance would give.
+//! Accuracy of a classification, and what permuted labels give.
 
-/// How often a rule is right, beside the same rule with permuted labels.
+/// How often a classifier is right, beside the same classifier with permuted labels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
-    /// Cases that the rule puts into their class.
+    /// Cases that the classifier puts into their class.
     pub correct: usize,
     /// Cases with a label.
     pub of: usize,
-    /// Mean share of right answers where the labels are permuted, in `0.0..=1.0`.
+    /// Mean share of correct answers where the labels are permuted, in `0.0..=1.0`.
     pub baseline: f64,
     /// Share of permutations at least as good, the labels as they are counted as one of them:
     /// (1 + number of them) / (1 + number of permutations).
@@ -15,7 +15,7 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// Share of right answers, in `0.0..=1.0`.
+    /// Share of correct answers, in `0.0..=1.0`.
     pub fn share(&self) -> f64 {
         self.correct as f64 / self.of.max(1) as f64
     }
@@ -30,7 +30,7 @@ pub struct Clustering {
     pub inertia: f64,
 }
 
-/// What can be said of classes: by clusters, by neighbours, and by linear rules.
+/// What can be said of classes: by clusters, by neighbours, and by linear classifiers.
 ///
 /// Accuracies are `None` where fewer than two classes have labels.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -49,8 +49,8 @@ pub struct Classes {
     pub tau: Option<Accuracy>,
     /// Nearest neighbour by the distances, each row left out in turn.
     pub nearest_neighbour: Option<Accuracy>,
-    /// Linear rule on the distances, each row left out in turn.
+    /// Linear classifier on the distances, each row left out in turn.
     pub linear_classifier: Option<Accuracy>,
-    /// Linear rule in the plane of the map, each row left out in turn.
+    /// Linear classifier in the plane of the map, each row left out in turn.
     pub embedding_classifier: Option<Accuracy>,
 }

@@ -31,7 +31,7 @@ pub struct MetricComparisonParams {
     pub map: MapMethod,
     /// How curves become a plane.
     pub deformations: DeformationMapParams,
-    /// The rules.
+    /// The classifiers.
     pub classes: ClassesParams,
     /// Of the noise.
     pub seed: u64,
@@ -86,10 +86,10 @@ impl MetricComparisonParams {
     }
 }
 
-/// How often a rule is right, over the copies of a level.
+/// How often a classifier is right, over the copies of a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ClassifierShare {
-    /// Mean share of right answers, in `0.0..=1.0`.
+    /// Mean share of correct answers, in `0.0..=1.0`.
     pub share: f64,
     /// Standard error of that mean from the scatter between copies; 0 for one.
     pub standard_error: f64,
@@ -110,9 +110,9 @@ pub struct ComparisonRow {
     pub labelled: usize,
     /// Nearest neighbour, each subject left out in turn.
     pub nearest_neighbour: ClassifierShare,
-    /// Linear rule on the distances, each left out in turn.
+    /// Linear classifier on the distances, each left out in turn.
     pub linear_classifier: ClassifierShare,
-    /// Linear rule in the LLE plane, each left out in turn; for EF alone, on EF.
+    /// Linear classifier in the LLE plane, each left out in turn; for EF alone, on EF.
     pub embedding_classifier: ClassifierShare,
     /// k-means in the LLE plane; for EF alone, on EF.
     pub tau: ClassifierShare,
@@ -233,7 +233,7 @@ fn by_method(
     )?)
 }
 
-/// The same rules on the one number; subjects without it take no part.
+/// The same classifiers on the one number; subjects without it take no part.
 fn by_ejection_fraction(
     study: &Study,
     params: &MetricComparisonParams,

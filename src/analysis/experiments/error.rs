@@ -83,7 +83,7 @@ pub enum ExperimentError {
     /// Settings of the map of deformations.
     #[error(transparent)]
     Deformations(#[from] DeformationParamError),
-    /// Settings of the rules.
+    /// Settings of the classifiers.
     #[error(transparent)]
     Classifiers(#[from] ClassesParamError),
     /// Settings of the search for patches.

@@ -10,7 +10,7 @@ use crate::units::{Grams, LengthUnit};
 use super::result::{FrameMeasures, PhaseSource, SubjectMeasures};
 use super::volumes::{SubjectGeometry, UnknownVolume};
 
-/// Density of muscle in g/ml, by which its volume becomes a mass.
+/// Density of myocardium in g/ml, by which its volume becomes a mass.
 ///
 /// Source: Taimouri, *Shape Analysis in Shape Space*, 4.1.1 (printed there as g/cm).
 const MUSCLE_DENSITY_G_PER_ML: f64 = 1.05;

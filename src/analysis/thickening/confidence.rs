@@ -54,7 +54,7 @@ pub(super) fn confidences(
                     .map(|atom| mesh.areas[atom])
                     .sum()
             };
-            // Half of the area: a patch that moves by its border is the same patch.
+            // Half of the area: a patch that moves at its outline is the same patch.
             *found += u32::from(2.0 * area(&|atom| again[atom]) >= area(&|_| true));
         }
     }

@@ -25,7 +25,7 @@ const MIN_ATOMS: f64 = 4.0;
 /// hides even the largest.
 ///
 /// A disc in a plane that thickens by 0 where all around thickens as remote myocardium does, averaged as thickening
-/// is, is found where its core and its border hold the areas that a patch needs, the core with noise on top.
+/// is, is detected where its core and its extent hold the areas that a patch needs, the core with noise on top.
 pub(super) fn smallest_detectable(
     found: &Averaged,
     mesh: &RegularMesh,

@@ -1,4 +1,4 @@
-//! What counts as still, as a patch, and as noise.
+//! Settings: what is akinetic, what is a patch, and what is noise.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use crate::analysis::medial_space::RatioForm;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ThickeningParams {
-    /// |ln PT| of a step up to which an atom counts as still (M̂ of 4.4). `None`: as much as noise alone
+    /// |ln PT| of a step up to which an atom is akinetic (M̂ of 4.4). `None`: as much as noise alone
     /// makes of PT = 1, twice its standard deviation, but at least ln 1.05.
     pub tolerance: Option<f64>,
     /// What r̂ of a descriptor is made of.
@@ -39,7 +39,7 @@ pub struct ThickeningParams {
 impl Default for ThickeningParams {
     /// Chosen on the built-in cohort and the labels of ACDC as wholes, not on single subjects. In the cohort (23 subjects, 2,450
     /// vertices) patches thicken by 0.05 to 0.2 of remote myocardium, the apex of normal subjects by 0.3 and that of
-    /// hypertrophic ones by 0.2; the border between is where a patch ends by half. `still` keeps normal
+    /// hypertrophic ones by 0.2; the extent threshold between is where a patch ends by half. `still` keeps normal
     /// subjects of ACDC, which thicken unevenly but everywhere (median PT 1.8), from having patches.
     fn default() -> Self {
         Self {
@@ -87,12 +87,12 @@ pub enum ThickeningParamError {
         /// The largest value that is accepted.
         most: f64,
     },
-    /// The border must take in the core.
+    /// The extent threshold is at least the core threshold.
     #[error("the extent threshold, {border}, must not be below the core threshold, {core}")]
     Order {
-        /// Share of the core.
+        /// Core threshold.
         core: f64,
-        /// Share of the border.
+        /// Extent threshold.
         border: f64,
     },
 }
@@ -101,7 +101,7 @@ impl ThickeningParams {
     /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
-    /// If a number is out of range or not a number, or the border lies below the core.
+    /// If a number is out of range or not a number, or the extent threshold lies below the core threshold.
     pub fn check(self) -> Result<CheckedThickeningParams, ThickeningParamError> {
         let ranges = [
             ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),

@@ -1,4 +1,4 @@
-//! Connected parts of the wall that do not thicken: found by their core, followed to their border.
+//! Connected parts of the wall that do not thicken: found by their core, grown to the extent threshold.
 
 use super::diffusion::RegularMesh;
 use super::neighbours::Neighbours;

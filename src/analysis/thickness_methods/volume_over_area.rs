@@ -32,7 +32,7 @@ pub(super) fn piece(axis: &LongAxis, point: Point3) -> Option<usize> {
 /// V / A of each piece, in coordinates; `None` where a piece has no wall or misses a side.
 ///
 /// Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.1.2: V the volume of a small element of the
-/// muscle, A the average area of its inner and outer surface. Volumes are counted in voxels.
+/// myocardium, A the average area of its inner and outer surface. Volumes are counted in voxels.
 pub(super) fn volume_over_area(
     inner: &TriMesh,
     outer: &TriMesh,

@@ -123,7 +123,7 @@ fn quality(
             random.set_stream(u64::from(permutation));
             let mut labels = labels.to_vec();
             labels.shuffle(&mut random);
-            // The whole procedure again, leave-one-out included: its optimism is part of what chance gives.
+            // The whole procedure again, leave-one-out included: its optimism is part of the permutation mean.
             let left_out = leave_one_out(rows, &labels, params.ridge, progress)?;
             Ok(measured(&labels, &left_out))
         })

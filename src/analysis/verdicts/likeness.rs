@@ -1,4 +1,4 @@
-//! Which subjects are alike, and how far one lies from all that were seen.
+//! Which subjects are alike, and how far one lies from the training set.
 
 use super::result::Familiarity;
 
@@ -17,7 +17,7 @@ pub(super) fn alike(rows: &[Vec<f64>], of: usize, among: &[usize], count: usize)
         .collect()
 }
 
-/// Distance of each of the seen rows to the nearest other one, in rising order.
+/// Distance of each row of the training set to the nearest other one, in rising order.
 pub(super) fn usual_distances(rows: &[Vec<f64>], seen: &[usize]) -> Vec<f64> {
     let mut distances: Vec<f64> = seen
         .iter()
@@ -27,7 +27,7 @@ pub(super) fn usual_distances(rows: &[Vec<f64>], seen: &[usize]) -> Vec<f64> {
     distances
 }
 
-/// How near a row lies to those that were seen; `None` where there are no others.
+/// How near a row lies to the training set; `None` where there are no others.
 pub(super) fn familiarity(
     rows: &[Vec<f64>],
     of: usize,

@@ -22,7 +22,7 @@ pub enum NotAssessed {
     /// There is no wall, there are too few frames …: what the thickening says.
     #[error("{0}")]
     NoThickening(String),
-    /// The wall loses volume that muscle cannot lose.
+    /// The wall loses volume that myocardium cannot lose.
     #[error(
         "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, but \
          myocardium is nearly incompressible; blur hides thickening",
@@ -88,14 +88,14 @@ impl Finding {
     }
 }
 
-/// How near a subject lies to those that the classifier was made of, by the classifier's standardised features.
+/// How near a subject lies to the training set, by the classifier's standardised features.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Familiarity {
-    /// Distance to the nearest subject that the classifier has seen, itself left out.
+    /// Distance to the nearest subject of the training set, itself left out.
     pub distance: f64,
-    /// Median of the same distance among the subjects that it has seen.
+    /// Median of the same distance within the training set.
     pub usual: f64,
-    /// Share of these that lie at least as far from the others: near 0, the subject is unlike any that was seen.
+    /// Share of these that lie at least as far from the others: near 0, the subject is unlike any in the training set.
     pub as_far: f64,
 }
 
@@ -106,18 +106,18 @@ pub struct Verdict {
     pub finding: Finding,
     /// Whether the probability is above one half.
     pub abnormal: bool,
-    /// That the subject counts as abnormal, if either were as likely beforehand. By a classifier that was made without it where
+    /// That the subject is abnormal, if either were as likely beforehand. By a classifier that was trained without it where
     /// it has a label; not calibrated where [`Verdicts::classifier`] says so.
     pub probability: f64,
-    /// What the classifier saw, and what else describes the subject.
+    /// What the classifier reads, and what else describes the subject.
     pub features: Features,
     /// Share of the wall in patches, 0..=1, whatever was found: a part that thickens little is no finding by itself.
     pub patched: f64,
-    /// The three most alike subjects with a normal label, nearest first, by the classifier's standardised features.
+    /// The three most similar subjects with a normal label, nearest first, by the classifier's standardised features.
     pub alike_normal: Vec<usize>,
-    /// The three most alike with an abnormal label.
+    /// The three most similar with an abnormal label.
     pub alike_abnormal: Vec<usize>,
-    /// How near it lies to what the classifier has seen; `None` for a classifier that has seen nothing.
+    /// How near it lies to the training set; `None` for default thresholds, which have none.
     pub familiarity: Option<Familiarity>,
 }
 
@@ -150,7 +150,7 @@ pub struct ClassifierQuality {
     pub false_positives: usize,
     /// Abnormal subjects called normal.
     pub false_negatives: usize,
-    /// Area under the ROC curve: chance that an abnormal subject has a higher score than a normal one.
+    /// Area under the ROC curve: probability that an abnormal subject has a higher score than a normal one.
     pub auc: f64,
     /// Its mean where labels are permuted. Leaving out pulls it below one half.
     pub auc_baseline: f64,

@@ -32,7 +32,7 @@ const ATOMS_SHARE: f32 = 0.8;
 pub struct ThickeningSettings {
     /// How medial spheres are fitted.
     pub medial: MedialParams,
-    /// What counts as still, and as a patch.
+    /// What is akinetic, and what is a patch.
     pub thickening: ThickeningParams,
 }
 
@@ -52,7 +52,7 @@ pub struct SubjectThickening {
     pub beat: Arc<MedialBeat>,
     /// How they thicken, and where they do not.
     pub thickening: Thickening,
-    /// Why its wall carries no verdict, where it is not resolved: what is found in it may be blur or noise.
+    /// Why its wall has no verdict, where it is not resolved: what is found in it may be blur or noise.
     pub not_assessed: Option<NotAssessed>,
     /// The long axis at end-diastole.
     pub axis: Option<LongAxis>,
