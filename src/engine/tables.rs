@@ -13,7 +13,7 @@ use crate::analysis::verdicts::Verdicts;
 use crate::engine::export::ExportFile;
 use crate::engine::queries::{
     ClassesError, ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams,
-    VerdictSettings, distance_words, judged, map_of,
+    VerdictSettings, distance_words, map_of, study_verdicts,
 };
 use crate::engine::store::{Failure, Interrupted, Store};
 use crate::engine::wall_tables::{TablesError, Unassessed, WallTables};
@@ -101,7 +101,7 @@ impl AnalysisTables {
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
         let checked = (settings.verdicts.verdicts.check())
             .map_err(|error| Interrupted::Failed(TablesError::Verdicts(error.into())))?;
-        let verdicts = judged(study, &walls.examined, &checked, &part)
+        let verdicts = study_verdicts(study, &walls.examined, &checked, &part)
             .map_err(|why| why.map(TablesError::Verdicts))?;
         let medial = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
             Ok(map) => Ok(map),

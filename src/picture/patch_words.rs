@@ -90,7 +90,7 @@ pub fn part_name(standing: PatchStanding, index: usize) -> String {
 
 /// How much the wall thickens, in a sentence.
 pub fn extent_words(found: &Thickening) -> String {
-    let remote = percent(found.well.exp() - 1.0);
+    let remote = percent(found.remote.exp() - 1.0);
     match found.extent {
         Extent::HardlyAnywhere => {
             format!(

@@ -23,9 +23,9 @@ pub struct VerdictRow {
     /// Whether the probability is calibrated on the labelled subjects.
     pub calibrated: Option<bool>,
     /// The most similar subjects with a normal label, nearest first.
-    pub alike_normal: Vec<String>,
+    pub similar_normal: Vec<String>,
     /// And with an abnormal label.
-    pub alike_abnormal: Vec<String>,
+    pub similar_abnormal: Vec<String>,
     /// Distance to the nearest subject of the training set.
     pub distance_from_seen: Option<f64>,
     /// Median of the same distance within the training set.
@@ -94,10 +94,10 @@ impl VerdictRow {
                 ClassifierSource::Cohort { .. } => true,
                 ClassifierSource::Uncalibrated { .. } => false,
             }),
-            alike_normal: names(&verdict.alike_normal),
-            alike_abnormal: names(&verdict.alike_abnormal),
-            distance_from_seen: verdict.familiarity.map(|near| near.distance),
-            usual_distance: verdict.familiarity.map(|near| near.usual),
+            similar_normal: names(&verdict.similar_normal),
+            similar_abnormal: names(&verdict.similar_abnormal),
+            distance_from_seen: verdict.training_set_distance.map(|near| near.distance),
+            usual_distance: verdict.training_set_distance.map(|near| near.median),
             features: verdict.features.clone(),
             ..self
         }
@@ -153,13 +153,13 @@ impl Row for VerdictRow {
             "alike_normal",
             "Most similar normal",
             "Most similar subjects with a normal label, nearest first",
-            |row| row.alike_normal.join(" ").into(),
+            |row| row.similar_normal.join(" ").into(),
         ),
         Column::plain(
             "alike_abnormal",
             "Most similar abnormal",
             "Most similar subjects with an abnormal label, nearest first",
-            |row| row.alike_abnormal.join(" ").into(),
+            |row| row.similar_abnormal.join(" ").into(),
         ),
         distance(
             "distance_from_seen",
@@ -201,19 +201,19 @@ impl Row for VerdictRow {
             "weakest_tenth_ln_pt",
             "10th percentile of thickening",
             "Area-weighted 10th percentile over the wall of ln PT",
-            |row| row.features.get(Feature::WeakestTenth).into(),
+            |row| row.features.get(Feature::TenthPercentile).into(),
         ),
         ln_pt(
             "well_ln_pt",
             "Remote thickening",
             "ln PT of the remote myocardium from end-diastole to end-systole",
-            |row| row.features.get(Feature::Well).into(),
+            |row| row.features.get(Feature::Remote).into(),
         ),
         ln_pt(
             "reach_ln_pt",
             "Upper range of thickening",
             "ln PT of the remote myocardium plus twice the standard deviation over the wall",
-            |row| row.features.get(Feature::Reach).into(),
+            |row| row.features.get(Feature::UpperRange).into(),
         ),
         share(
             "patch_share",
@@ -243,7 +243,7 @@ impl Row for VerdictRow {
             "pose_distance",
             "Mean pose distance",
             "Mean distance between poses in the medial shape space, of the largest patch or, without one, of all akinetic atoms",
-            |row| row.features.get(Feature::Closeness).into(),
+            |row| row.features.get(Feature::MeanPoseDistance).into(),
         ),
         Column::new(
             "normal_spread_rad",
@@ -259,7 +259,7 @@ impl Row for VerdictRow {
             Unit::Symbol("× size"),
             Digits::Places(3),
             "Mean distance of the mean position (MP) from the medial surface, relative to the size of the medial surface",
-            |row| row.features.get(Feature::Gap).into(),
+            |row| row.features.get(Feature::MeanPositionDistance).into(),
         ),
     ];
 }

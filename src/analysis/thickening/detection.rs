@@ -32,11 +32,11 @@ pub(super) fn smallest_detectable(
     params: &CheckedThickeningParams,
 ) -> Option<f64> {
     // Where remote myocardium does not thicken, no patch can stand out.
-    if found.hardly_thickens(params) || found.well <= 0.0 {
+    if found.hardly_thickens(params) || found.remote <= 0.0 {
         return None;
     }
     // The core must stay below its limit although noise may lift it.
-    let core = params.core.min(params.still / found.well) - SURE * found.noise / found.well;
+    let core = params.core.min(params.akinetic / found.remote) - SURE * found.noise / found.remote;
     let enough = |area: f64| {
         let profile = Profile::new(area, found.share);
         profile.area_below(core) >= CORE_AREA * found.min_share

@@ -17,14 +17,15 @@ pub struct ThickeningParams {
     /// A patch has a core that thickens over the beat by less than this share of what remote myocardium does …
     pub core: f64,
     /// … and by less than this in ln PT from end-diastole to end-systole: "roughly equal to one".
-    pub still: f64,
+    #[serde(rename = "still")]
+    pub akinetic: f64,
     /// It reaches as far as the wall thickens by less than this share of what remote myocardium does.
     pub border: f64,
     /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
     /// both are doubled where fewer than four poses tell.
     #[serde(rename = "least_share")]
     pub min_share: f64,
-    /// Where even the part that works best thickens by less than this (ln PT from end-diastole to
+    /// Where even remote myocardium thickens by less than this (ln PT from end-diastole to
     /// end-systole), hypokinesia is global and no part of it is called a patch.
     #[serde(rename = "least_thickening")]
     pub min_thickening: f64,
@@ -39,14 +40,14 @@ pub struct ThickeningParams {
 impl Default for ThickeningParams {
     /// Chosen on the built-in cohort and the labels of ACDC as wholes, not on single subjects. In the cohort (23 subjects, 2,450
     /// vertices) patches thicken by 0.05 to 0.2 of remote myocardium, the apex of normal subjects by 0.3 and that of
-    /// hypertrophic ones by 0.2; the extent threshold between is where a patch ends by half. `still` keeps normal
+    /// hypertrophic ones by 0.2; the extent threshold between is where a patch ends by half. `akinetic` keeps normal
     /// subjects of ACDC, which thicken unevenly but everywhere (median PT 1.8), from having patches.
     fn default() -> Self {
         Self {
             tolerance: None,
             ratio: RatioForm::GeometricMean,
             core: 0.2,
-            still: 1.1_f64.ln(),
+            akinetic: 1.1_f64.ln(),
             border: 0.4,
             min_share: 0.02,
             min_thickening: 1.1_f64.ln(),
@@ -106,7 +107,7 @@ impl ThickeningParams {
         let ranges = [
             ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),
             ("core threshold", self.core, 0.0, 1.0),
-            ("akinetic threshold", self.still, 0.0, 2.0),
+            ("akinetic threshold", self.akinetic, 0.0, 2.0),
             ("extent threshold", self.border, 0.0, 1.0),
             ("minimum area of a patch", self.min_share, 0.0, 0.5),
             ("minimum thickening", self.min_thickening, 0.0, 2.0),

@@ -25,11 +25,11 @@ pub(super) struct Cohort {
 }
 
 /// A classifier with its leave-one-out results on the subjects that it was trained on.
-pub(super) struct Learnt {
+pub(super) struct Trained {
     pub classifier: Classifier,
     pub calibration: Calibration,
     /// Subjects that it was made of, ascending.
-    pub seen: Vec<usize>,
+    pub training_set: Vec<usize>,
     pub left_out: LeftOut,
     pub quality: ClassifierQuality,
 }
@@ -61,33 +61,33 @@ impl Cohort {
     }
 
     /// The classifier of the labelled subjects; `None` if they are too few.
-    pub fn learn(
+    pub fn train(
         &self,
         params: &CheckedVerdictParams,
         progress: &Progress,
-    ) -> Result<Option<Learnt>, Stopped> {
+    ) -> Result<Option<Trained>, Stopped> {
         let least = params.min_labelled as usize;
         // With fewer labels a classifier would be fitted to single subjects.
         if self.normal.len().min(self.abnormal.len()) < least {
             return Ok(None);
         }
-        let mut seen = [self.normal.as_slice(), &self.abnormal].concat();
-        seen.sort_unstable();
-        let rows: Vec<&[f64]> = seen
+        let mut training_set = [self.normal.as_slice(), &self.abnormal].concat();
+        training_set.sort_unstable();
+        let rows: Vec<&[f64]> = training_set
             .iter()
             .map(|&index| self.rows[index].as_slice())
             .collect();
-        let labels: Vec<bool> = seen
+        let labels: Vec<bool> = training_set
             .iter()
             .map(|index| self.abnormal.binary_search(index).is_ok())
             .collect();
         let left_out = leave_one_out(&rows, &labels, params.ridge, progress)?;
         progress.step()?;
         let quality = quality(&rows, &labels, &left_out, params, progress)?;
-        Ok(Some(Learnt {
+        Ok(Some(Trained {
             classifier: Classifier::new(&rows, &labels, params.ridge, None),
             calibration: Calibration::new(&left_out.scores, &labels),
-            seen,
+            training_set,
             left_out,
             quality,
         }))

@@ -30,12 +30,12 @@ pub enum Feature {
     /// The same over the thickening of remote myocardium, at least ln 1.1.
     RelativeSpread,
     /// Thickening that a tenth of the wall does not reach, ln PT.
-    WeakestTenth,
-    /// Thickening of the part that works well, ln PT.
-    Well,
+    TenthPercentile,
+    /// Thickening of remote myocardium, ln PT.
+    Remote,
     /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall fails, large where
     /// a part does or none.
-    Reach,
+    UpperRange,
     /// Share of the wall in patches, each times its confidence.
     PatchShare,
     /// Confidence of the largest patch; 0 without one.
@@ -45,11 +45,11 @@ pub enum Feature {
     /// Compactness of the largest patch, 4π area / length of its border², at most 1; 0 without one.
     Compactness,
     /// Mean distance 4.5.1 between poses, of the largest patch or of M̂ (4.7).
-    Closeness,
+    MeanPoseDistance,
     /// Spread of ANV over the poses (4.4.1).
     NormalSpread,
     /// Mean distance of MP from the medial surface (4.4.2).
-    Gap,
+    MeanPositionDistance,
 }
 
 /// How many there are.
@@ -62,16 +62,16 @@ impl Feature {
         Self::Median,
         Self::Spread,
         Self::RelativeSpread,
-        Self::WeakestTenth,
-        Self::Well,
-        Self::Reach,
+        Self::TenthPercentile,
+        Self::Remote,
+        Self::UpperRange,
         Self::PatchShare,
         Self::Confidence,
         Self::PatchThickening,
         Self::Compactness,
-        Self::Closeness,
+        Self::MeanPoseDistance,
         Self::NormalSpread,
-        Self::Gap,
+        Self::MeanPositionDistance,
     ];
 
     /// The three that the classifier reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
@@ -85,16 +85,16 @@ impl Feature {
             Self::Median => "median thickening",
             Self::Spread => "thickening heterogeneity",
             Self::RelativeSpread => "heterogeneity relative to remote myocardium",
-            Self::WeakestTenth => "10th percentile of thickening",
-            Self::Well => "thickening of remote myocardium",
-            Self::Reach => "upper range of thickening",
+            Self::TenthPercentile => "10th percentile of thickening",
+            Self::Remote => "thickening of remote myocardium",
+            Self::UpperRange => "upper range of thickening",
             Self::PatchShare => "share of the wall in patches",
             Self::Confidence => "detection stability of the largest patch",
             Self::PatchThickening => "ratio of patch to remote thickening",
             Self::Compactness => "compactness of the largest patch",
-            Self::Closeness => "mean pose distance",
+            Self::MeanPoseDistance => "mean pose distance",
             Self::NormalSpread => "angular SD of ANV",
-            Self::Gap => "distance of the mean position from the medial surface",
+            Self::MeanPositionDistance => "distance of the mean position from the medial surface",
         }
     }
 }
@@ -110,24 +110,24 @@ impl Features {
         let rest = positions(beat, thickening.end_diastole);
         let areas = regular_areas(beat, &rest);
         let values = Weighted::new(&thickening.thickening, &areas);
-        let still = AKINETIC_PT.ln();
+        let akinetic = AKINETIC_PT.ln();
         // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();
         let temporal_consistency = patch.map_or(&thickening.temporal_consistency, |patch| {
             &patch.temporal_consistency
         });
-        let well = thickening.well;
+        let remote = thickening.remote;
         let spread = values.deviation();
         Self(Feature::ALL.map(|feature| {
             match feature {
-                Feature::AkineticShare => Some(values.share_below(still)),
+                Feature::AkineticShare => Some(values.share_below(akinetic)),
                 Feature::Median => Some(values.quantile(0.5)),
                 Feature::Spread => Some(spread),
                 // Where hardly anything thickens a ratio to that would be noise.
-                Feature::RelativeSpread => Some(spread / well.max(still)),
-                Feature::WeakestTenth => Some(values.quantile(0.1)),
-                Feature::Well => Some(well),
-                Feature::Reach => Some(well + 2.0 * spread),
+                Feature::RelativeSpread => Some(spread / remote.max(akinetic)),
+                Feature::TenthPercentile => Some(values.quantile(0.1)),
+                Feature::Remote => Some(remote),
+                Feature::UpperRange => Some(remote + 2.0 * spread),
                 Feature::PatchShare => Some(
                     // Weighted by detection stability, so that a doubtful patch counts less.
                     (thickening.patches.iter())
@@ -135,12 +135,12 @@ impl Features {
                 ),
                 Feature::Confidence => Some(patch.map_or(0.0, |patch| patch.confidence)),
                 Feature::PatchThickening => {
-                    Some(patch.map_or(1.0, |patch| patch.thickening / well.max(still)))
+                    Some(patch.map_or(1.0, |patch| patch.thickening / remote.max(akinetic)))
                 }
                 Feature::Compactness => Some(patch.map_or(0.0, |patch| compactness(patch, &rest))),
-                Feature::Closeness => temporal_consistency.pose_distance,
+                Feature::MeanPoseDistance => temporal_consistency.pose_distance,
                 Feature::NormalSpread => temporal_consistency.normal_spread_rad,
-                Feature::Gap => temporal_consistency.gap,
+                Feature::MeanPositionDistance => temporal_consistency.gap,
             }
         }))
     }

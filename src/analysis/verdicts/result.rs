@@ -37,13 +37,13 @@ pub enum NotAssessed {
         "the wall is not resolved: noise of thickening, {:.0} %, is not small against the {:.0} % by which remote \
          myocardium thickens",
         100.0 * noise.exp_m1(),
-        100.0 * well.exp_m1()
+        100.0 * remote.exp_m1()
     )]
     Noise {
         /// Standard deviation of averaged thickening, in ln PT.
         noise: f64,
-        /// Thickening of the part that works best, in ln PT.
-        well: f64,
+        /// Thickening of remote myocardium, in ln PT.
+        remote: f64,
     },
     /// A feature is not a finite number.
     #[error("{feature} is not a finite number")]
@@ -90,11 +90,11 @@ impl Finding {
 
 /// How near a subject lies to the training set, by the classifier's standardised features.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Familiarity {
+pub struct TrainingSetDistance {
     /// Distance to the nearest subject of the training set, itself left out.
     pub distance: f64,
     /// Median of the same distance within the training set.
-    pub usual: f64,
+    pub median: f64,
     /// Share of these that lie at least as far from the others: near 0, the subject is unlike any in the training set.
     pub as_far: f64,
 }
@@ -114,11 +114,11 @@ pub struct Verdict {
     /// Share of the wall in patches, 0..=1, whatever was found: a part that thickens little is no finding by itself.
     pub patched: f64,
     /// The three most similar subjects with a normal label, nearest first, by the classifier's standardised features.
-    pub alike_normal: Vec<usize>,
+    pub similar_normal: Vec<usize>,
     /// The three most similar with an abnormal label.
-    pub alike_abnormal: Vec<usize>,
+    pub similar_abnormal: Vec<usize>,
     /// How near it lies to the training set; `None` for default thresholds, which have none.
-    pub familiarity: Option<Familiarity>,
+    pub training_set_distance: Option<TrainingSetDistance>,
 }
 
 /// Where the classifier comes from.

@@ -78,7 +78,7 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
             area.unwrap_or_default(),
             ratio.heading,
             shown(patch.thickening.exp()),
-            shown(thickening.well.exp())
+            shown(thickening.remote.exp())
         ));
     } else {
         for patch in thickening.patches.iter().take(3) {

@@ -1,7 +1,8 @@
 //! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
-    ClassifierQuality, ClassifierSource, Familiarity, Finding, Verdict, VerdictParams, Verdicts,
+    ClassifierQuality, ClassifierSource, Finding, TrainingSetDistance, Verdict, VerdictParams,
+    Verdicts,
 };
 use crate::app::state::State;
 use crate::app::views::evidence::evidence;
@@ -114,9 +115,12 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
             }
             (true, _) => "Leave-one-out: this subject was not in the training set",
         },
-        training_distance: verdict.familiarity.as_ref().map(training_distance),
+        training_distance: verdict
+            .training_set_distance
+            .as_ref()
+            .map(training_distance),
         evidence: evidence(study, verdicts, &verdict.features),
-        similar: [&verdict.alike_normal, &verdict.alike_abnormal].map(|hearts| {
+        similar: [&verdict.similar_normal, &verdict.similar_abnormal].map(|hearts| {
             hearts
                 .iter()
                 .filter_map(|&subject| similar(state, subject))
@@ -164,8 +168,8 @@ fn sentence(verdict: &Verdict) -> String {
     }
 }
 
-fn training_distance(found: &Familiarity) -> TrainingDistance {
-    let times = found.distance / found.usual.max(f64::MIN_POSITIVE);
+fn training_distance(found: &TrainingSetDistance) -> TrainingDistance {
+    let times = found.distance / found.median.max(f64::MIN_POSITIVE);
     let times = if times < 9.95 {
         format!("{times:.1} ×")
     } else {

@@ -37,4 +37,4 @@ pub use thickness::{
     ThicknessSettings,
 };
 pub use transfer::{Transfer, TransferError};
-pub use verdicts::{VerdictSettings, VerdictsError, examined, judged};
+pub use verdicts::{VerdictSettings, VerdictsError, examined, study_verdicts};

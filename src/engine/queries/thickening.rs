@@ -69,7 +69,7 @@ impl SubjectThickening {
     fn own_bytes(&self) -> usize {
         let found = &self.thickening;
         let steps: usize = (found.steps.iter())
-            .map(|step| size_of_val(step) + size_of_val(&*step.pt) + size_of_val(&*step.still))
+            .map(|step| size_of_val(step) + size_of_val(&*step.pt) + size_of_val(&*step.akinetic))
             .sum();
         let patches: usize = (found.patches.iter())
             .map(|patch| {
@@ -206,7 +206,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         tolerance,
         ratio,
         core,
-        still,
+        akinetic,
         border,
         min_share,
         min_thickening,
@@ -221,7 +221,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         RatioForm::Product => "product",
     };
     format!(
-        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core}, akinetic threshold {still:.3}, extent threshold {border}, \
+        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core}, akinetic threshold {akinetic:.3}, extent threshold {border}, \
          minimum area {min_share}, minimum thickening {min_thickening:.3}, averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)

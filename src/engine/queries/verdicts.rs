@@ -70,7 +70,7 @@ impl Query for VerdictSettings {
             })
             .collect::<Result<Vec<_>, Stopped>>()?;
         let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
-        judged(cx.study(), &hearts, &params, part.progress())
+        study_verdicts(cx.study(), &hearts, &params, part.progress())
     }
 
     fn memory(found: &Verdicts, memory: &mut Memory) {
@@ -105,7 +105,7 @@ pub fn examined(
 ///
 /// # Errors
 /// If stopped, or no classifier can be trained.
-pub fn judged(
+pub fn study_verdicts(
     study: &Study,
     hearts: &[Result<Examined, NotAssessed>],
     params: &CheckedVerdictParams,

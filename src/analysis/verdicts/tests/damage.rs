@@ -2,7 +2,7 @@
 
 use nalgebra::Rotation3;
 
-use super::{assessed, cohort, ill, input, judged, measured, study};
+use super::{assessed, classified, cohort, ill, input, measured, study};
 use crate::analysis::verdicts::*;
 use crate::mesh::{Point3, Vector3};
 use crate::progress::{Progress, Stopped};
@@ -43,7 +43,7 @@ fn the_number_of_threads_changes_no_bit() {
             .num_threads(threads)
             .build()
             .unwrap();
-        pool.install(|| judged(&hearts, &labels))
+        pool.install(|| classified(&hearts, &labels))
     };
     assert_eq!(with(1), with(3));
 }
@@ -51,10 +51,10 @@ fn the_number_of_threads_changes_no_bit() {
 #[test]
 fn the_order_of_subjects_changes_no_verdict() {
     let (mut hearts, mut labels) = cohort();
-    let first = judged(&hearts, &labels);
+    let first = classified(&hearts, &labels);
     hearts.rotate_left(5);
     labels.rotate_left(5);
-    let turned = judged(&hearts, &labels);
+    let turned = classified(&hearts, &labels);
     let count = hearts.len();
     for index in 0..count {
         let [a, b] = [
@@ -65,7 +65,7 @@ fn the_order_of_subjects_changes_no_verdict() {
         assert_eq!(a.finding, b.finding);
         let back =
             |others: &[usize]| -> Vec<usize> { others.iter().map(|i| (i + 5) % count).collect() };
-        assert_eq!(back(&b.alike_normal), a.alike_normal);
+        assert_eq!(back(&b.similar_normal), a.similar_normal);
     }
     assert_eq!(first.quality.unwrap().auc, turned.quality.unwrap().auc);
 }
@@ -86,12 +86,15 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
             .iter_mut()
             .for_each(|normal| *normal = turn * *normal);
     }
-    let verdicts = judged(&[(beat, found), measured(moved)], &[None, None]);
+    let verdicts = classified(&[(beat, found), measured(moved)], &[None, None]);
     for feature in Feature::ALL {
         let [a, b] =
             [0, 1].map(|subject| assessed(&verdicts, subject).features.get(feature).unwrap());
         // The subject's size is the largest side of an upright box, which turns do change.
-        let most = if matches!(feature, Feature::Gap | Feature::Closeness) {
+        let most = if matches!(
+            feature,
+            Feature::MeanPositionDistance | Feature::MeanPoseDistance
+        ) {
             0.05
         } else {
             1e-9

@@ -1,9 +1,14 @@
-//! Which subjects are alike, and how far one lies from the training set.
+//! Which subjects are similar, and how far one lies from the training set.
 
-use super::result::Familiarity;
+use super::result::TrainingSetDistance;
 
 /// Rows that are nearest to one of them among some, nearest first; itself is left out.
-pub(super) fn alike(rows: &[Vec<f64>], of: usize, among: &[usize], count: usize) -> Vec<usize> {
+pub(super) fn nearest_rows(
+    rows: &[Vec<f64>],
+    of: usize,
+    among: &[usize],
+    count: usize,
+) -> Vec<usize> {
     let mut others: Vec<(f64, usize)> = (among.iter())
         .filter(|&&other| other != of)
         .map(|&other| (distance(&rows[of], &rows[other]), other))
@@ -18,28 +23,31 @@ pub(super) fn alike(rows: &[Vec<f64>], of: usize, among: &[usize], count: usize)
 }
 
 /// Distance of each row of the training set to the nearest other one, in rising order.
-pub(super) fn usual_distances(rows: &[Vec<f64>], seen: &[usize]) -> Vec<f64> {
-    let mut distances: Vec<f64> = seen
+pub(super) fn nearest_distances(rows: &[Vec<f64>], training_set: &[usize]) -> Vec<f64> {
+    let mut distances: Vec<f64> = training_set
         .iter()
-        .filter_map(|&row| nearest(rows, row, seen))
+        .filter_map(|&row| nearest(rows, row, training_set))
         .collect();
     distances.sort_by(f64::total_cmp);
     distances
 }
 
 /// How near a row lies to the training set; `None` where there are no others.
-pub(super) fn familiarity(
+pub(super) fn training_set_distance(
     rows: &[Vec<f64>],
     of: usize,
-    seen: &[usize],
-    usual: &[f64],
-) -> Option<Familiarity> {
-    let distance = nearest(rows, of, seen)?;
-    let as_far = usual.iter().filter(|&&other| other >= distance).count();
-    Some(Familiarity {
+    training_set: &[usize],
+    nearest_distances: &[f64],
+) -> Option<TrainingSetDistance> {
+    let distance = nearest(rows, of, training_set)?;
+    let as_far = nearest_distances
+        .iter()
+        .filter(|&&other| other >= distance)
+        .count();
+    Some(TrainingSetDistance {
         distance,
-        usual: *usual.get(usual.len() / 2)?,
-        as_far: as_far as f64 / usual.len() as f64,
+        median: *nearest_distances.get(nearest_distances.len() / 2)?,
+        as_far: as_far as f64 / nearest_distances.len() as f64,
     })
 }
 
