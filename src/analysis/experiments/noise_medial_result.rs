@@ -97,12 +97,12 @@ impl MedialNoiseResult {
         vec![
             format!(
                 "{} deformations of medial surfaces like a left ventricle's, {} without and {} with a patch of \
-                 {least} to {most} % of the sheet anywhere on it, in which thickness is constant while the rest \
-                 thickens (r grows by half) and thins over a beat of 8 poses; the patch moves as all of it does.",
+                 {least} to {most} % of the sheet anywhere on it, in which thickness is constant while the other \
+                 atoms thicken (r grows by half) and thin over a beat of 8 poses; the patch moves with the sheet.",
                 2 * params.per_class, params.per_class, params.per_class,
             ),
             format!(
-                "Axes vary by ±{:.0} %, thickness by ±{:.0} %, shortening, inward motion, twist, thickening and pace \
+                "Axes vary by ±{:.0} %, thickness by ±{:.0} %, shortening, inward motion, twist, thickening and timing \
                  of the beat by ±{:.0} %; thickening is uneven within each sheet and least at the apex; sheets lie \
                  within 8 mm and 9° of each other about each axis.",
                 100.0 * sheets.shape_jitter,

@@ -106,5 +106,5 @@ fn a_way_that_does_not_apply_says_why_and_the_rest_goes_on() {
 #[test]
 fn a_frame_that_is_not_there_is_refused_with_its_number() {
     let said = refusal(&store(), &study(&BOTH), &query(7));
-    assert_eq!(said, "frame 7 of a beat of 2 frames");
+    assert_eq!(said, "there is no frame 7 in a sequence of 2 frames");
 }
