@@ -91,8 +91,8 @@ impl AnalysisTables {
             })
             .collect::<Result<Vec<_>, _>>()?;
         let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
-        let (told, without_deformations) = match classified(store, study, deformations, &part) {
-            Ok(told) => (Some(told), None),
+        let (motions, without_deformations) = match classified(store, study, deformations, &part) {
+            Ok(motions) => (Some(motions), None),
             Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
             Err(Interrupted::Failed(failure)) => (None, Some(failure.to_string())),
         };
@@ -117,7 +117,7 @@ impl AnalysisTables {
             maps: (maps.iter())
                 .map(|(word, map)| (*word, &map.embedding))
                 .collect(),
-            deformations: told.as_ref().map(|(map, classes)| (&**map, &**classes)),
+            deformations: motions.as_ref().map(|(map, classes)| (&**map, &**classes)),
             verdicts: &verdicts,
             verdict_params: &checked,
             medial_map: medial.as_ref().map_err(String::as_str),
@@ -130,7 +130,7 @@ impl AnalysisTables {
             measures,
             verdicts: Arc::new(verdicts),
             poses: Arc::clone(&maps[0].1),
-            deformations: told.map(|(map, _)| map),
+            deformations: motions.map(|(map, _)| map),
             tables,
             walls,
             folder,

@@ -126,12 +126,12 @@ impl WallTables {
             Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
             Err(Interrupted::Failed(failure)) => {
                 let reason = failure.to_string();
-                let said = unassessed_wall_json(&subject.id, &reason);
+                let unassessed = unassessed_wall_json(&subject.id, &reason);
                 self.unassessed.push(Unassessed {
                     subject: index,
                     reason,
                 });
-                return Ok(said);
+                return Ok(unassessed);
             }
         };
         let wall = AssessedWall {

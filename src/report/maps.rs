@@ -349,12 +349,12 @@ mod tests {
     #[test]
     fn distances_name_the_metric_by_the_words_of_its_options() {
         let params = PoseDistanceParams::default();
-        let said = distances_json(&study(), &params, "in one sentence");
-        assert_eq!(said["metric"], "quasi-conformal");
-        assert_eq!(said["form"], "additive");
-        assert_eq!(said["in_words"], "in one sentence");
-        assert_eq!(said["transfer"], "none");
-        assert_eq!(said["mu"], params.metric.mu);
+        let written = distances_json(&study(), &params, "in one sentence");
+        assert_eq!(written["metric"], "quasi-conformal");
+        assert_eq!(written["form"], "additive");
+        assert_eq!(written["in_words"], "in one sentence");
+        assert_eq!(written["transfer"], "none");
+        assert_eq!(written["mu"], params.metric.mu);
     }
 
     #[test]

@@ -331,11 +331,11 @@ mod tests {
         // A sphere that shrinks to four fifths loses 1 − 0.8³ of its volume.
         assert!((ef - 0.488).abs() < 1e-9, "{ef}");
         assert_eq!([&row[2], &row[3]], ["0", "1"]);
-        let said = subjects_json(&subjects);
-        assert_eq!(said[0]["id"], "P, \"1\"");
-        assert_eq!(said[0]["ef"], ef);
-        assert_eq!(said[0]["phase_source"], "volume curve");
-        let keys: Vec<&String> = said[0].as_object().unwrap().keys().collect();
+        let written = subjects_json(&subjects);
+        assert_eq!(written[0]["id"], "P, \"1\"");
+        assert_eq!(written[0]["ef"], ef);
+        assert_eq!(written[0]["phase_source"], "volume curve");
+        let keys: Vec<&String> = written[0].as_object().unwrap().keys().collect();
         assert_eq!(keys[..3], ["id", "label", "end_diastole"]);
     }
 }

@@ -79,8 +79,8 @@ pub(super) fn volume_over_area(
     Ok(std::array::from_fn(|piece| {
         let [inside, outside] = areas[piece];
         // The end of the cavity has a cap outside only; there the inner area is nil by nature.
-        let told = volumes[piece] > 0.0 && inside > 0.0 && outside > 0.0;
-        told.then(|| volumes[piece] / (0.5 * (inside + outside)))
+        let measurable = volumes[piece] > 0.0 && inside > 0.0 && outside > 0.0;
+        measurable.then(|| volumes[piece] / (0.5 * (inside + outside)))
     }))
 }
 

@@ -130,7 +130,7 @@ impl Query for PoseThickness {
         let medial = self.medial(subject, &part)?;
         let mut answers = vec![MethodResult {
             method: ThicknessMethod::Medial,
-            found: medial.told.clone(),
+            found: medial.spread.clone(),
             agreement: None,
             seconds: medial.seconds,
         }];
@@ -169,7 +169,7 @@ impl Query for PoseThickness {
 struct Medial {
     /// Vertex of the inner side and thickness there, of each atom that takes part.
     twice_radius: Vec<(u32, f64)>,
-    told: Result<ThicknessSpread, String>,
+    spread: Result<ThicknessSpread, String>,
     seconds: f64,
 }
 
@@ -191,7 +191,7 @@ impl PoseThickness {
             Err(Interrupted::Failed(failure)) => {
                 return Ok(Medial {
                     twice_radius: Vec::new(),
-                    told: Err(failure.to_string()),
+                    spread: Err(failure.to_string()),
                     seconds: 0.0,
                 });
             }
@@ -200,7 +200,7 @@ impl PoseThickness {
         let spread =
             ThicknessSpread::of(twice_radius.iter().map(|&(_, thickness)| Some(thickness)));
         Ok(Medial {
-            told: spread.ok_or_else(|| "no medial atom can be used".to_owned()),
+            spread: spread.ok_or_else(|| "no medial atom can be used".to_owned()),
             seconds: seconds_of_one(subject, self.frame, &params, cx.progress())?,
             twice_radius,
         })
@@ -270,7 +270,10 @@ fn other(
     };
     let at_atoms = (medial.twice_radius.iter())
         .map(|&(vertex, _)| map.thickness.get(vertex as usize).copied().flatten());
-    let reference = medial.twice_radius.iter().map(|&(_, told)| Some(told));
+    let reference = medial
+        .twice_radius
+        .iter()
+        .map(|&(_, thickness)| Some(thickness));
     let spread = ThicknessSpread::of(map.thickness.iter().copied());
     Ok(MethodResult {
         method: way,

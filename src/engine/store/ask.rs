@@ -36,8 +36,8 @@ impl Context<'_> {
                     self.progress.followed();
                     return Ok(answer);
                 }
-                Claim::Failed(failure, hold, told) => {
-                    self.work.set_below(&hold, told);
+                Claim::Failed(failure, hold, reported) => {
+                    self.work.set_below(&hold, reported);
                     return Err(Interrupted::Failed(failure));
                 }
                 Claim::Cancelled(hold) => {

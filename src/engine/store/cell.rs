@@ -69,8 +69,8 @@ impl<A, E: Error + 'static> State<A, E> {
             }
             Self::Idle | Self::Queued(_) | Self::Running(_) => Peek::Idle,
             Self::Done(answer) => Peek::Done(Arc::clone(answer)),
-            Self::Failed(failure, hold, told) if hold.holds() => {
-                Peek::Failed(failure.clone(), hold.clone(), *told)
+            Self::Failed(failure, hold, reported) if hold.holds() => {
+                Peek::Failed(failure.clone(), hold.clone(), *reported)
             }
             Self::Cancelled(hold) if hold.holds() => Peek::Cancelled(hold.clone()),
             Self::Failed(..) | Self::Cancelled(_) => Peek::Idle,
@@ -108,7 +108,7 @@ impl<A, E: Error + 'static> Cell<A, E> {
         let mut state = lock(&self.state);
         let work = match state.peek() {
             Peek::Done(answer) => return Claim::Done(answer),
-            Peek::Failed(failure, hold, told) => return Claim::Failed(failure, hold, told),
+            Peek::Failed(failure, hold, reported) => return Claim::Failed(failure, hold, reported),
             Peek::Cancelled(hold) => return Claim::Cancelled(hold),
             Peek::UnderWay(work) if state.is_run_of(&work) => return Claim::Elsewhere(work),
             Peek::UnderWay(queued) => queued,
@@ -152,9 +152,9 @@ impl<A, E: Error + 'static> Cell<A, E> {
             Err(Interrupted::Failed(failure)) if !work.stopped() => {
                 let ending = Ending::Failed(failure.to_string());
                 if state.is_run_of(work) {
-                    let (hold, told) = below.unwrap_or_else(|| (Hold::new(), false));
-                    to_tell = (tells && !told).then(|| failure.clone());
-                    *state = State::Failed(failure, hold, told || tells);
+                    let (hold, reported) = below.unwrap_or_else(|| (Hold::new(), false));
+                    to_tell = (tells && !reported).then(|| failure.clone());
+                    *state = State::Failed(failure, hold, reported || tells);
                 }
                 ending
             }
@@ -196,8 +196,8 @@ impl<A, E: Error + 'static> Cell<A, E> {
     /// The failure, if no card tells of it yet; from now on one does.
     pub fn tell(&self) -> Option<Failure<E>> {
         match &mut *lock(&self.state) {
-            State::Failed(failure, _, told) if !*told => {
-                *told = true;
+            State::Failed(failure, _, reported) if !*reported => {
+                *reported = true;
                 Some(failure.clone())
             }
             _ => None,

@@ -87,8 +87,8 @@ impl Work {
         lock(&self.below).clone()
     }
 
-    pub fn set_below(&self, hold: &Hold, told: bool) {
-        *lock(&self.below) = Some((hold.clone(), told));
+    pub fn set_below(&self, hold: &Hold, reported: bool) {
+        *lock(&self.below) = Some((hold.clone(), reported));
     }
 
     /// Whether it waits, perhaps through others, for `other`.
