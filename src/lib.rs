@@ -8,6 +8,7 @@ pub mod units;
 pub mod analysis;
 pub mod app;
 pub mod cli;
+pub mod document;
 pub mod engine;
 pub mod io;
 pub mod mesh;

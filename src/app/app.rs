@@ -4,28 +4,28 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use egui::{Context, Ui};
+use egui::{Context, ThemePreference, Ui};
+
+use crate::document::ThemeChoice;
 
 use crate::engine::{OpenSource, Topic, Wake};
 use crate::panes::{Command, FileCommand};
-use crate::study::Subject;
-use crate::study::built_in::BuiltInParams;
 use crate::ui::{self};
 
+use super::app_options::AppOptions;
 use super::apply::{Effect, Moment, apply};
 use super::asks::Seen;
 use super::background::{Background, reference_frames};
-use super::dialogs::{Answer, AskPaths, Question, system_dialogs};
-use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
+use super::chosen_files::{ChosenFiles, Exporting};
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
-use super::paint;
-use super::pictures::Pictures;
 use super::settings::Settings;
-use super::state::State;
 use super::times::Times;
-use super::viewport::Viewport;
-use super::views::{BullsEyeData, CohortData, DeformationData, MapData, MedialMapData};
+use crate::document::state::State;
+use crate::panes::look::{Kept, Memo};
+use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::paint;
+use crate::panes::viewport::pictures::Pictures;
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -33,73 +33,19 @@ const BAR_PERIOD: Duration = Duration::from_millis(100);
 /// Longest step of the play clock: a beat that was held up goes on where it was.
 const LONGEST_STEP_S: f64 = 0.25;
 
-/// What the window begins with.
-#[derive(Clone)]
-pub struct AppOptions {
-    /// What is opened first; nothing if `None`.
-    pub open: Option<OpenSource>,
-    /// How finely the built-in cohort is made when it is asked for.
-    pub built_in: BuiltInParams,
-    /// When the program began, for the times that it can print.
-    pub started: Instant,
-    /// Who is asked for files and folders.
-    pub ask_paths: AskPaths,
-}
-
-impl AppOptions {
-    /// Opens `paths`, or the built-in cohort if there are none.
-    pub fn opening(paths: Vec<PathBuf>) -> Self {
-        Self {
-            open: Some(OpenSource::paths_or_built_in(paths)),
-            built_in: BuiltInParams::default(),
-            started: Instant::now(),
-            ask_paths: system_dialogs(),
-        }
-    }
-
-    /// Opens a built-in cohort of another size.
-    pub fn built_in(params: BuiltInParams) -> Self {
-        Self {
-            open: Some(OpenSource::BuiltIn(params)),
-            built_in: params,
-            ..Self::opening(Vec::new())
-        }
-    }
-
-    /// Opens nothing.
-    pub fn empty() -> Self {
-        Self {
-            open: None,
-            ..Self::opening(Vec::new())
-        }
-    }
-}
-
-/// A figure that was asked for before the selected subject was on screen and its wall measured.
-struct WaitingFigure {
-    kind: FigureKind,
-    /// Where it goes; asked for if `None`.
-    path: Option<PathBuf>,
-    subject: Arc<Subject>,
-}
-
 /// The window.
 pub struct App {
     state: State,
     layout: Layout,
+    // Stands before the engine: dropped first, which lets go of its work.
+    files: ChosenFiles,
     background: Background,
-    viewport: Viewport,
-    cohort: CohortData,
-    map: MapData,
-    deformations: DeformationData,
-    medial_map: MedialMapData,
-    bulls_eye: BullsEyeData,
+    memo: Memo,
     adapter: String,
     times: Times,
     queue: Vec<Command>,
     played_at_s: Option<f64>,
-    waiting_figure: Option<WaitingFigure>,
-    /// What the driver refused, so that it is told once.
+    /// What the driver refused, so that it has one card.
     refused: Option<String>,
 }
 
@@ -112,12 +58,12 @@ impl App {
         let ctx = cc.egui_ctx.clone();
         let settings = Settings::load(cc.storage);
         ui::install(&ctx);
-        ui::choose(&ctx, settings.theme);
+        choose_theme(&ctx, settings.theme);
         if let Some(device) = &cc.wgpu_render_state {
             paint::install(device);
         }
         let wake: Wake = Arc::new(move || ctx.request_repaint());
-        let mut background = Background::start(&wake, options.ask_paths)?;
+        let mut background = Background::start(&wake)?;
         let mut state = State {
             theme: settings.theme,
             recent: settings.recent,
@@ -130,16 +76,14 @@ impl App {
             }
             background.open(source);
         }
+        let memo = Memo::default();
+        memo.put(Viewport::new(cc.wgpu_render_state.is_some()));
         Ok(Self {
             state,
             layout: settings.layout,
+            files: ChosenFiles::new(options.ask_paths),
             background,
-            viewport: Viewport::new(cc.wgpu_render_state.is_some()),
-            cohort: CohortData::default(),
-            map: MapData::default(),
-            deformations: DeformationData::default(),
-            medial_map: MedialMapData::default(),
-            bulls_eye: BullsEyeData::default(),
+            memo,
             adapter: cc
                 .wgpu_render_state
                 .as_ref()
@@ -148,7 +92,6 @@ impl App {
             times: Times::new(options.started),
             queue: Vec::new(),
             played_at_s: None,
-            waiting_figure: None,
             refused: None,
         })
     }
@@ -175,18 +118,22 @@ impl App {
 
     /// Hearts on screen, as subject and place in the beat.
     pub fn hearts_on_screen(&self) -> Vec<(usize, f64)> {
-        self.viewport
-            .shown()
-            .iter()
-            .map(|shown| (shown.index, shown.position))
-            .collect()
+        let viewport = self.viewport();
+        let shown = viewport.borrow_mut();
+        let hearts = shown.shown().iter();
+        hearts.map(|shown| (shown.index, shown.position)).collect()
     }
 
-    fn tell_refusal(&mut self, refused: Option<String>) {
+    /// The 3D view, which its pane draws.
+    fn viewport(&self) -> Kept<Viewport> {
+        self.memo.get()
+    }
+
+    fn report_refusal(&mut self, refused: Option<String>) {
         if let Some(reason) = refused.as_ref().filter(|_| refused != self.refused) {
             super::errors::push_card(
                 &mut self.state.errors,
-                "The heart could not be drawn",
+                "The 3D view could not be drawn",
                 reason,
                 None,
             );
@@ -201,27 +148,8 @@ impl App {
             // What the pointer holds is a subject of the study before.
             egui::DragAndDrop::clear_payload(ctx);
         }
-        match self.background.dialogs.poll() {
-            Some(Ok(Answer::Open(paths))) => {
-                self.queue.push(Command::File(FileCommand::Open(paths)))
-            }
-            Some(Ok(Answer::Figure(figure, path))) => self.write_figure(*figure, path),
-            Some(Ok(Answer::Tables(tables, folder))) => {
-                tables.write(&mut self.background.engine, folder);
-            }
-            Some(Err(problem)) => super::errors::push_card(
-                &mut self.state.errors,
-                "No file dialog",
-                problem.to_string(),
-                None,
-            ),
-            None => {}
-        }
-        match self.background.saved_views.poll() {
-            Some(Ok(command)) => self.queue.push(command),
-            Some(Err(reason)) => super::saved_views::refuse(&mut self.state, reason),
-            None => {}
-        }
+        let chosen = (self.files).poll(&mut self.state, &mut self.background.engine);
+        self.queue.extend(chosen);
         let dropped: Vec<PathBuf> = ctx.input(|input| {
             let files = input.raw.dropped_files.iter();
             files.map(|file| file.path().to_owned()).collect()
@@ -257,27 +185,21 @@ impl App {
     }
 
     fn perform(&mut self, ctx: &Context, effect: Effect) {
-        let dialogs = &mut self.background.dialogs;
+        let (files, mut exporting) = self.exporting(ctx);
         match effect {
-            Effect::ChooseFiles => dialogs.ask(Question::Files),
-            Effect::ChooseFolder => dialogs.ask(Question::Folder),
-            Effect::ChooseFigure(kind) => self.ask_for_figure(ctx, kind, None),
-            Effect::ChooseTables => {
-                if let Some(tables) = TableExport::now(&self.state) {
-                    dialogs.ask(Question::Tables(Box::new(tables)));
-                }
-            }
+            Effect::ChooseFiles => files.ask_for_files(exporting.engine),
+            Effect::ChooseFolder => files.ask_for_folder(exporting.engine),
+            Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
+            Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::Open(source) => self.background.open(source),
-            Effect::WriteFigure(kind, path) => self.ask_for_figure(ctx, kind, Some(path)),
-            Effect::ReadPicture(path) => self.background.saved_views.read(path),
-            Effect::WriteTables(folder) => {
-                if let Some(tables) = TableExport::now(&self.state) {
-                    tables.write(&mut self.background.engine, folder);
-                }
+            Effect::WriteFigure(kind, path) => {
+                files.ask_for_figure(&mut exporting, kind, Some(path));
             }
+            Effect::ReadPicture(path) => files.read_view(exporting.engine, path),
+            Effect::WriteTables(folder) => files.ask_for_tables(&mut exporting, Some(folder)),
             Effect::Stop(kind) => self.background.stop(kind),
             Effect::Retry(kind) => self.background.retry(kind),
-            Effect::SetTheme(theme) => ui::choose(ctx, theme),
+            Effect::SetTheme(theme) => choose_theme(ctx, theme),
             Effect::TogglePane(pane) => {
                 // A tab behind another one is brought forward first.
                 let seen = self.layout.seen().contains(&pane);
@@ -292,68 +214,15 @@ impl App {
         }
     }
 
-    /// Fixes what a figure shows at the moment it is asked for, then asks where it goes if that is not known.
-    fn ask_for_figure(&mut self, ctx: &Context, kind: FigureKind, path: Option<PathBuf>) {
-        let dark = ctx.global_style().visuals.dark_mode;
-        match (
-            FigureExport::now(&self.state, &self.viewport, dark, kind),
-            path,
-        ) {
-            (Ok(figure), Some(path)) => self.write_figure(figure, path),
-            (Ok(figure), None) => {
-                let question = Question::Figure(Box::new(figure));
-                self.background.dialogs.ask(question);
-            }
-            (Err(NoFigure::Refused(reason)), _) => {
-                let title = "There is no patch figure of this heart";
-                super::errors::push_card(&mut self.state.errors, title, reason, None);
-            }
-            (Err(NoFigure::NotYet), path) => {
-                let subject = self.state.document.selected().map(Arc::clone);
-                self.waiting_figure = subject.map(|subject| {
-                    self.state.message = format!("The figure waits for {}", subject.id);
-                    WaitingFigure {
-                        kind,
-                        path,
-                        subject,
-                    }
-                });
-            }
-        }
-    }
-
-    /// Takes the figure that waits for its subject, once that is on screen; never of another subject.
-    fn take_waiting_figure(&mut self, ctx: &Context) {
-        let Some(waiting) = self.waiting_figure.take() else {
-            return;
+    /// What exports are made from, beside those who ask for their place.
+    fn exporting(&mut self, ctx: &Context) -> (&mut ChosenFiles, Exporting<'_>) {
+        let exporting = Exporting {
+            state: &mut self.state,
+            viewport: self.memo.get(),
+            engine: &mut self.background.engine,
+            dark: ctx.global_style().visuals.dark_mode,
         };
-        let selected = self.state.document.selected();
-        if selected.is_some_and(|selected| Arc::ptr_eq(selected, &waiting.subject)) {
-            self.ask_for_figure(ctx, waiting.kind, waiting.path);
-            return;
-        }
-        let title = format!("There is no figure of {}", waiting.subject.id);
-        let reason = "another subject was selected before this one was drawn and measured";
-        super::errors::push_card(&mut self.state.errors, title, reason, None);
-    }
-
-    fn write_figure(&mut self, figure: FigureExport, path: PathBuf) {
-        if let Err(reason) = figure.write(&mut self.background.engine, path) {
-            let title = "The figure could not be written";
-            super::errors::push_card(&mut self.state.errors, title, reason, None);
-        }
-    }
-
-    /// Takes points from an old map to a new one; whoever turns animations off has them there at once.
-    fn move_points(&mut self, ctx: &Context) {
-        let now_s = ctx.input(|input| input.time);
-        let motion = ctx.global_style().animation_time > 0.0;
-        let poses = self.map.refresh(&self.state, now_s, motion);
-        let deformations = self.deformations.refresh(&self.state, now_s, motion);
-        let medial = self.medial_map.refresh(&self.state, now_s, motion);
-        if poses || deformations || medial {
-            ctx.request_repaint();
-        }
+        (&mut self.files, exporting)
     }
 
     /// Moves the beat on by the time since the last frame.
@@ -380,6 +249,15 @@ impl App {
     }
 }
 
+/// Follows a choice of theme.
+fn choose_theme(ctx: &Context, choice: ThemeChoice) {
+    ctx.set_theme(match choice {
+        ThemeChoice::System => ThemePreference::System,
+        ThemeChoice::Dark => ThemePreference::Dark,
+        ThemeChoice::Light => ThemePreference::Light,
+    });
+}
+
 /// After a click the keys belong to the window again, unless the click went into a text: Space
 /// plays and arrows step frames whatever was clicked before.
 fn give_keyboard_back(ctx: &Context) {
@@ -398,9 +276,10 @@ impl eframe::App for App {
         // another study, in whose table a row is another subject.
         self.apply_queue(ctx);
         self.take_in(ctx);
-        self.tell_refusal(frame.wgpu_render_state().and_then(paint::failure));
+        self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
-        self.take_waiting_figure(ctx);
+        let (files, mut exporting) = self.exporting(ctx);
+        files.take_waiting_figure(&mut exporting);
         self.play(ctx);
         let seen = Seen {
             panes: self.layout.seen(),
@@ -410,8 +289,10 @@ impl eframe::App for App {
         let reference_frames = reference_frames(&self.state);
         let store = self.background.engine.store();
         let pictures = Pictures::new(store, self.state.document.study());
-        self.viewport
-            .prepare(&self.state, pictures, &reference_frames);
+        let viewport = self.viewport();
+        let mut viewport = viewport.borrow_mut();
+        viewport.prepare(&self.state, pictures, &reference_frames);
+        drop(viewport);
         store.end_frame();
         if self.background.busy() {
             ctx.request_repaint_after(BAR_PERIOD);
@@ -421,20 +302,11 @@ impl eframe::App for App {
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let begin = Instant::now();
-        self.cohort.refresh(&self.state);
-        self.bulls_eye
-            .refresh(&self.state, self.viewport.cohort_limits());
-        self.move_points(ui.ctx());
         let mut drawing = Drawing {
             state: &self.state,
             layout: &mut self.layout,
             engine: &self.background.engine,
-            viewport: &mut self.viewport,
-            cohort: &self.cohort,
-            map: &self.map,
-            deformations: &self.deformations,
-            medial_map: &self.medial_map,
-            bulls_eye: &self.bulls_eye,
+            memo: &self.memo,
             adapter: &self.adapter,
             meter: self.times.prepare_meter(),
             commands: &mut self.queue,
@@ -443,7 +315,7 @@ impl eframe::App for App {
         if !self.queue.is_empty() {
             ui.ctx().request_repaint();
         }
-        let picture = !self.viewport.shown().is_empty();
+        let picture = !self.viewport().borrow_mut().shown().is_empty();
         if self.times.drawn(picture, self.state.map().is_some()) {
             ui.ctx().request_repaint();
         }

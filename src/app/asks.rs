@@ -9,11 +9,11 @@ use crate::engine::{
 };
 use crate::panes::Pane;
 
-use super::answers::{Answers, WallAnswer};
 use super::asks_beats::BeatAsks;
-use super::stage::on_stage;
-use super::state::State;
-use super::views::enough_subjects;
+use crate::document::answers::{Answers, WallAnswer};
+use crate::document::state::State;
+use crate::document::visible_poses;
+use crate::panes::deformation_map::view::enough_subjects;
 
 /// What of the window is looked at: work for panes that nobody sees waits.
 #[derive(Clone, Debug, Default)]
@@ -55,11 +55,11 @@ impl Asks {
             };
             answers.classes = Some(store.ask(study, &classes));
         }
-        if seen.panes.contains(&Pane::MedialMap) {
+        if seen.panes.contains(&Pane::MEDIAL_MAP) {
             let map = ask_at_rest(store, state, seen, &medial_map_params(state));
             answers.medial_map = Some(map);
         }
-        if seen.panes.contains(&Pane::Thickness) {
+        if seen.panes.contains(&Pane::THICKNESS) {
             answers.thickness = thickness(state, store);
         }
         let verdicts = ask_at_rest(store, state, seen, &verdict_settings(state));
@@ -107,7 +107,10 @@ fn verdict_settings(state: &State) -> VerdictSettings {
 /// The walls of the subjects on screen.
 fn walls(state: &State, store: &Store) -> Vec<WallAnswer> {
     let mut walls: Vec<WallAnswer> = Vec::new();
-    for place in on_stage(state).into_iter().filter(|place| !place.carried) {
+    for place in visible_poses(state)
+        .into_iter()
+        .filter(|place| !place.carried)
+    {
         if walls.iter().all(|wall| wall.subject != place.subject) {
             let query = WallThickening {
                 subject: place.subject,

@@ -4,17 +4,17 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::analysis::geodesics::GeodesicParams;
+use crate::document::ViewMode;
 use crate::engine::{Contribution, InBetweens, Interval, LookedAt, Showing, Store, Transfer};
-use crate::panes::ViewMode;
 use crate::picture::{Quantity, relative_density};
 
-use super::answers::{Answers, InBetweensAnswer};
-use super::carried::{CarriedHeart, CarryingState, transport_params};
-use super::differences::{PosePair, pair_on_screen};
-use super::in_betweens::{BeatInBetweens, BeatMemo, geodesic_params, interval_count};
-use super::play::is_between;
-use super::stage::{OnStage, on_stage};
-use super::state::State;
+use crate::document::answers::{Answers, InBetweensAnswer};
+use crate::document::differences::{PosePair, pair_on_screen};
+use crate::document::in_betweens::{BeatInBetweens, BeatMemo, geodesic_params, interval_count};
+use crate::document::play::is_between;
+use crate::document::state::State;
+use crate::document::transported::{CarriedHeart, CarryingState, transport_params};
+use crate::document::{VisiblePose, visible_poses};
 
 /// Where two poses differ, for all poses of a heart.
 type Density = Arc<Vec<Vec<f32>>>;
@@ -48,7 +48,7 @@ impl BeatAsks {
         store: &Store,
         params: GeodesicParams,
     ) -> Vec<InBetweensAnswer> {
-        let mut places = on_stage(state);
+        let mut places = visible_poses(state);
         if state.document.view_mode == ViewMode::AllFrames {
             places.truncate(1);
         }
@@ -69,7 +69,7 @@ impl BeatAsks {
         state: &State,
         store: &Store,
         params: GeodesicParams,
-        place: &OnStage,
+        place: &VisiblePose,
     ) -> Option<InBetweensAnswer> {
         let (index, study) = (place.subject, state.document.study());
         let subject = state.subject(index)?;

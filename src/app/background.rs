@@ -1,4 +1,4 @@
-//! Everything that runs behind the window: engine, dialogs, saved views; what they bring goes into the state.
+//! The engine behind the window: what it brings goes into the state.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -8,20 +8,14 @@ use crate::io::Opened;
 use crate::picture::reference_frame;
 
 use super::asks::{Asks, Seen};
-use super::dialogs::{AskPaths, Dialogs};
-use super::document::OpeningReport;
 use super::errors::{push_card, push_failure, push_open_errors};
-use super::saved_views::SavedViews;
-use super::state::State;
+use crate::document::document::OpeningReport;
+use crate::document::state::State;
 
-/// Engine and dialogs of one window.
+/// The engine of one window, and what is asked of its store.
 pub struct Background {
     /// Opens, answers, exports.
     pub engine: Engine,
-    /// Asks for files.
-    pub dialogs: Dialogs,
-    /// Reads the views that pictures carry.
-    pub saved_views: SavedViews,
     asks: Asks,
 }
 
@@ -30,14 +24,12 @@ impl Background {
     ///
     /// # Errors
     /// If the operating system refuses one.
-    pub fn start(wake: &Wake, ask_paths: AskPaths) -> std::io::Result<Self> {
+    pub fn start(wake: &Wake) -> std::io::Result<Self> {
         Ok(Self {
             engine: Engine::start(StoreOptions {
                 wake: Arc::clone(wake),
                 ..StoreOptions::default()
             })?,
-            dialogs: Dialogs::start(Arc::clone(wake), ask_paths)?,
-            saved_views: SavedViews::start(Arc::clone(wake))?,
             asks: Asks::default(),
         })
     }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use crate::engine::{Job, Wake, Workers};
+use crate::engine::{Engine, Job};
 use crate::io::openable_extensions;
 
 use super::export::{FigureExport, FigureKind, TableExport};
@@ -16,8 +16,8 @@ fn readable() -> Vec<&'static str> {
     extensions
 }
 
-/// An answer this quick was given by no person: no dialog could be shown.
-const TOO_QUICK: Duration = Duration::from_millis(150);
+/// An empty answer that comes sooner was not given by a person: no dialog could be shown.
+const MIN_ANSWER_TIME: Duration = Duration::from_millis(150);
 
 /// What is asked. What a file will hold is fixed before its place is asked for: while a dialog is open, the
 /// window goes on, and another subject may be selected.
@@ -73,37 +73,29 @@ pub struct NoDialog;
 
 /// The dialog that is open, if one is.
 pub struct Dialogs {
-    // Stands before the thread: dropped first, which lets go of the answer.
     open: Option<Job<Option<Answer>, NoDialog>>,
-    thread: Workers,
-    wake: Wake,
     ask_paths: AskPaths,
 }
 
 impl Dialogs {
-    /// Starts the thread that waits for answers.
-    ///
-    /// # Errors
-    /// If the operating system refuses a thread.
-    pub fn start(wake: Wake, ask_paths: AskPaths) -> std::io::Result<Self> {
-        Ok(Self {
+    /// Asks through `ask_paths`.
+    pub fn new(ask_paths: AskPaths) -> Self {
+        Self {
             open: None,
-            thread: Workers::start("dialog", 1)?,
-            wake,
             ask_paths,
-        })
+        }
     }
 
     /// Asks, unless a dialog is open already.
-    pub fn ask(&mut self, question: Question) {
+    pub fn ask(&mut self, engine: &Engine, question: Question) {
         if self.open.is_some() {
             return;
         }
         let ask_paths = Arc::clone(&self.ask_paths);
-        let job = Job::spawn(&self.thread, Arc::clone(&self.wake), move |_| {
+        let job = engine.spawn_aside(move |_| {
             let asked = Instant::now();
             let paths = ask_paths(&question.about_paths());
-            if paths.is_none() && asked.elapsed() < TOO_QUICK {
+            if paths.is_none() && asked.elapsed() < MIN_ANSWER_TIME {
                 return Err(NoDialog);
             }
             Ok(paths.and_then(|paths| question.answer(paths)))

@@ -1,12 +1,12 @@
-//! Cards that say what went wrong, until they are dismissed.
+//! Error cards, shown until they are dismissed.
 
-use crate::app::ErrorCard;
+use crate::document::ErrorCard;
 use crate::engine::{FailedWork, Topic};
 use crate::io::OpenError;
 
-/// Files that could not be opened have a card each up to this many; more are summed up in one:
+/// Files that could not be opened have a card each up to this many; more are one card:
 /// a folder of a thousand bad files is one mistake.
-const MOST_CARDS: usize = 3;
+const MAX_CARDS: usize = 3;
 
 /// Adds a card, unless the same one is still shown.
 pub fn push_card(
@@ -26,7 +26,7 @@ pub fn push_card(
     }
 }
 
-/// Adds a card for work that went wrong; below the words stands what caused it.
+/// Adds a card for work that failed; its details list the causes.
 pub fn push_failure(cards: &mut Vec<ErrorCard>, failure: &FailedWork) {
     let mut causes = Vec::new();
     let mut source = failure.error.source();
@@ -38,7 +38,7 @@ pub fn push_failure(cards: &mut Vec<ErrorCard>, failure: &FailedWork) {
         title: failure.title.to_owned(),
         message: failure.error.to_string(),
         details: causes.join("\n"),
-        // Where to write is chosen anew.
+        // An export asks for its place again.
         retry: (failure.topic != Topic::EXPORT).then_some(failure.topic),
     };
     if !cards.contains(&card) {
@@ -48,7 +48,7 @@ pub fn push_failure(cards: &mut Vec<ErrorCard>, failure: &FailedWork) {
 
 /// Adds cards for the paths that could not be opened.
 pub fn push_open_errors(cards: &mut Vec<ErrorCard>, errors: &[OpenError]) {
-    if errors.len() <= MOST_CARDS {
+    if errors.len() <= MAX_CARDS {
         for error in errors {
             let title = match &error.subject {
                 Some(subject) => format!("{subject}: {} could not be opened", file_name(error)),
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn a_failure_tells_its_causes_and_how_to_try_again() {
+    fn a_failure_lists_its_causes_and_can_be_retried() {
         let number = u8::try_from(300).unwrap_err();
         let failure = FailedWork {
             topic: Topic::OPENING,
@@ -125,7 +125,7 @@ mod tests {
             ..failure
         };
         push_failure(&mut cards, &export);
-        assert_eq!(cards[1].retry, None, "where to write is chosen anew");
+        assert_eq!(cards[1].retry, None, "an export asks for its place again");
     }
 
     #[derive(Debug, thiserror::Error)]

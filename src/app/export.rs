@@ -8,11 +8,11 @@ use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
+use crate::document::ViewMode;
 use crate::engine::{
     AnalysisTables, DeformationMapSettings, Engine, ExportFile, Interrupted, TableSettings,
     ThickeningSettings, VerdictSettings, distance_words,
 };
-use crate::panes::ViewMode;
 use crate::picture::figure::{
     FigureOrder, FigureSubject, FigureView, PatchOrder, rendered_figure, rendered_patch_figure,
 };
@@ -22,18 +22,18 @@ use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
 
-use super::document::nearest_frame;
-use super::play::pose_in;
-use super::shown_heart::ShownHeart;
-use super::state::State;
-use super::viewport::Viewport;
+use crate::document::document::nearest_frame;
+use crate::document::play::pose_in;
+use crate::document::state::State;
+use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::shown_heart::ShownHeart;
 
 /// Which figure is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum FigureKind {
     /// The 3D view.
     View,
-    /// The heart with its bull's-eye, patches and verdict.
+    /// The subject with its bull's-eye, patches and verdict.
     Patch,
 }
 
@@ -54,7 +54,7 @@ impl FigureKind {
     }
 }
 
-/// A heart, a camera and settings as they were when the figure was asked for: everything that it is drawn from.
+/// A subject, a camera and settings as they were when the figure was asked for: everything that it is drawn from.
 pub struct FigureExport {
     kind: FigureKind,
     study: String,
@@ -111,7 +111,7 @@ impl FigureExport {
             camera: viewport.camera(state, shown),
             bulls_eye: state.document.bulls_eye,
             thickening: state.document.thickening,
-            verdicts: state.verdicts().map(|(told, _)| Arc::clone(told)),
+            verdicts: state.verdicts().map(|(verdicts, _)| Arc::clone(verdicts)),
             shown: shown.clone(),
         })
     }
@@ -194,9 +194,9 @@ fn drawn(
     progress: &Progress,
 ) -> Result<Vec<u8>, String> {
     progress.begin_phase("drawing", 0.0, 0.8);
-    let said = |error: &dyn std::fmt::Display| error.to_string();
-    let fonts = FigureFonts::load().map_err(|error| said(&error))?;
-    let mut headless = Headless::new().map_err(|error| said(&error))?;
+    let message = |error: &dyn std::fmt::Display| error.to_string();
+    let fonts = FigureFonts::load().map_err(|error| message(&error))?;
+    let mut headless = Headless::new().map_err(|error| message(&error))?;
     let shown = &figure.shown;
     let prepared = &shown.heart.prepared;
     let order = FigureOrder {
@@ -228,11 +228,11 @@ fn drawn(
         }
         _ => rendered_figure(&order, &mut headless, &fonts),
     };
-    let finished = finished.map_err(|error| said(&error))?;
+    let finished = finished.map_err(|error| message(&error))?;
     progress.begin_phase("writing", 0.8, 1.0);
-    progress.check().map_err(|stopped| said(&stopped))?;
+    progress.check().map_err(|stopped| message(&stopped))?;
     let bytes = format.file(&finished.page, &finished.settings, &fonts);
-    bytes.map_err(|error| said(&error))
+    bytes.map_err(|error| message(&error))
 }
 
 /// A study and settings as they were when its tables were asked for.

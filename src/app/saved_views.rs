@@ -1,4 +1,4 @@
-//! Views that picture files carry: read off the window's thread, taken up as one step of undo.
+//! Views that picture files contain: read off the window's thread, restored as one step of undo.
 
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
@@ -6,54 +6,41 @@ use std::sync::Arc;
 
 use glam::{Quat, Vec3};
 
-use crate::engine::{Job, Wake, Workers};
+use crate::document::ViewMode;
+use crate::engine::{Engine, Job};
 use crate::io::read_head;
-use crate::panes::{Command, ViewCommand, ViewMode};
+use crate::panes::{Command, ViewCommand};
 use crate::picture::figure::SavedView;
 use crate::picture::page::{PageFormat, VIEW_KEY, png_text};
 use crate::render::Shading;
 
 use super::apply::{Moment, change};
-use super::document::Visibility;
 use super::errors::push_card;
-use super::look::{Direction, Look};
-use super::state::State;
+use crate::document::document::Visibility;
+use crate::document::state::State;
+use crate::document::viewpoint::{Direction, Look};
 
 /// Settings stand before the pixels: further into a picture there is nothing to look for.
-const MOST_HEAD: u64 = 1 << 20;
+const MAX_HEAD_BYTES: u64 = 1 << 20;
 
 /// What a card says where a picture gives no view.
 const FAILED: &str = "The view of the picture could not be restored";
 
 /// Reads picture files, one at a time; a later one takes the place of an earlier.
+#[derive(Default)]
 pub struct SavedViews {
-    // Stands before the thread: dropped first, which stops what still runs.
     reading: Option<Job<SavedView, String>>,
-    thread: Workers,
-    wake: Wake,
 }
 
-/// Whether paths are one picture, from which a view can be taken up, and no study.
+/// Whether paths are one picture, from which a view can be restored, and no study.
 pub fn is_picture(paths: &[PathBuf]) -> bool {
     matches!(paths, [only] if PageFormat::of(only) == Some(PageFormat::Png))
 }
 
 impl SavedViews {
-    /// Starts the thread.
-    ///
-    /// # Errors
-    /// If the operating system refuses it.
-    pub fn start(wake: Wake) -> std::io::Result<Self> {
-        Ok(Self {
-            reading: None,
-            thread: Workers::start("picture reader", 1)?,
-            wake,
-        })
-    }
-
     /// Begins to read a picture.
-    pub fn read(&mut self, path: PathBuf) {
-        let job = Job::spawn(&self.thread, Arc::clone(&self.wake), move |_| {
+    pub fn read(&mut self, engine: &Engine, path: PathBuf) {
+        let job = engine.spawn_aside(move |_| {
             saved_view(&path).map_err(|why| {
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 format!("{name}: {why}")
@@ -74,18 +61,18 @@ impl SavedViews {
 }
 
 fn saved_view(path: &Path) -> Result<SavedView, String> {
-    let head = read_head(path, MOST_HEAD).map_err(|error| error.reason)?;
+    let head = read_head(path, MAX_HEAD_BYTES).map_err(|error| error.reason)?;
     let text = png_text(Cursor::new(head), VIEW_KEY).map_err(|error| error.to_string())?;
     let text = text.ok_or("this picture contains no view of Cardiomorph")?;
     SavedView::read(&text).map_err(|error| error.to_string())
 }
 
-/// Says that there is no view, and why.
+/// Adds a card with the reason why no view is restored.
 pub fn refuse(state: &mut State, reason: String) {
     push_card(&mut state.errors, FAILED, reason, None);
 }
 
-/// Shows what a picture shows, if its heart is open.
+/// Restores the view of a picture, if its subject is open.
 pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
     let study = Arc::clone(state.document.study());
     let subject = match view.find_in(&study) {
@@ -139,7 +126,7 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::app::testing::{state_of, subject_with_frames};
+    use crate::document::testing::{state_of, subject_with_frames};
     use crate::picture::figure::SavedCamera;
     use crate::picture::{BullsEyeQuantity, Quantity, SceneSettings, WallPart};
     use crate::study::Revision;
@@ -202,7 +189,7 @@ mod tests {
     }
 
     #[test]
-    fn a_heart_that_is_not_open_changes_nothing_and_is_named() {
+    fn a_subject_that_is_not_open_changes_nothing_and_is_named() {
         let mut state = state();
         let mut view = view(&state);
         view.subject.frames = 7;

@@ -1,16 +1,17 @@
-//! The window's door: starts the window, or says in one line why there can be none.
+//! Starts the window, or reports in one line why it cannot be opened.
 
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
 use std::sync::{Arc, Mutex, PoisonError};
 
-use super::app::{App, AppOptions};
+use super::app::App;
+use super::app_options::AppOptions;
 
-/// Why no window could be opened. Each says in one line what to install or do.
+/// Why no window could be opened; each message is one line that names what to install or do.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum StartError {
-    /// Neither X11 nor Wayland answers.
+    /// Neither X11 nor Wayland is set up.
     #[error("no display was found: DISPLAY and WAYLAND_DISPLAY are not set")]
     NoDisplay,
     /// A library of the window system is missing, or it refused the window.
@@ -19,22 +20,22 @@ pub enum StartError {
          libx11-6 libx11-xcb1 libxcursor1 libxi6 libxkbcommon-x11-0"
     )]
     WindowSystem {
-        /// What it said.
+        /// Its first line of output.
         reason: String,
     },
-    /// No driver can draw.
+    /// No graphics driver is usable.
     #[error(
         "no graphics driver was found: {reason}; on Debian or Ubuntu: apt-get install \
          libvulkan1 mesa-vulkan-drivers"
     )]
     NoDriver {
-        /// What was tried.
+        /// The message of the graphics library.
         reason: String,
     },
     /// The program itself could not start.
     #[error("the window could not be prepared: {reason}")]
     Preparation {
-        /// Why.
+        /// The error of the preparation.
         reason: String,
     },
 }
@@ -43,21 +44,21 @@ pub enum StartError {
 const FIRST_SIZE: [f32; 2] = [1600.0, 1000.0];
 
 /// Smallest size at which every control can still be reached.
-const LEAST_SIZE: [f32; 2] = [880.0, 560.0];
+const MIN_SIZE: [f32; 2] = [880.0, 560.0];
 
 /// Opens the window on `paths`, or on the built-in cohort if there are none, and returns when it
 /// is closed.
 ///
 /// # Errors
 /// If there is no display, no driver, or a library of the window system is missing. Errors print
-/// as one line; the headless door can then be taken.
+/// as one line; the command line still works then.
 pub fn run_window(paths: Vec<PathBuf>) -> Result<(), StartError> {
     if cfg!(all(unix, not(target_os = "macos"))) && !display_is_named() {
         return Err(StartError::NoDisplay);
     }
     let options = AppOptions::opening(paths);
-    // winit panics where libxkbcommon-x11 is missing; until the window stands, that is an
-    // answer to be shown plainly, and afterwards panics are reported as ever.
+    // winit panics where libxkbcommon-x11 is missing: until the window is open, that panic is caught and
+    // reported as an error; afterwards panics are reported as usual.
     let hook = Arc::new(Mutex::new(Some(std::panic::take_hook())));
     std::panic::set_hook(Box::new(|_| {}));
     let restore = {
@@ -100,7 +101,7 @@ fn native_options() -> eframe::NativeOptions {
             .with_title("Cardiomorph")
             .with_app_id("cardiomorph")
             .with_inner_size(FIRST_SIZE)
-            .with_min_inner_size(LEAST_SIZE)
+            .with_min_inner_size(MIN_SIZE)
             .with_drag_and_drop(true),
         ..Default::default()
     }
@@ -132,7 +133,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn errors_of_the_start_are_one_line_that_says_what_to_install() {
+    fn start_errors_are_one_line() {
         let errors = [
             StartError::NoDisplay,
             StartError::WindowSystem {

@@ -144,18 +144,18 @@ fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
     let head = "| noise | metric | nearest neighbour | linear classifier | classifier on the 2-D embedding | cluster agreement τ |\n|---|---|---|---|---|---|";
     let mut lines = vec![head.to_owned()];
     lines.extend(comparison.rows.iter().map(|row| {
-        let rules = [
+        let accuracies = [
             row.nearest_neighbour,
             row.linear_classifier,
-            row.embedding_classifier,
+            row.plane_classifier,
             row.tau,
         ];
-        let cells = rules.map(|rule| {
+        let cells = accuracies.map(|mean| {
             format!(
                 "{:.0} ± {:.0} ({:.0})",
-                100.0 * rule.share,
-                100.0 * rule.standard_error,
-                100.0 * rule.baseline
+                100.0 * mean.share,
+                100.0 * mean.standard_error,
+                100.0 * mean.baseline
             )
         });
         format!(

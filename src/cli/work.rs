@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
-use crate::engine::{Job, JobError, JobWatch, Workers};
+use crate::engine::{Job, JobError, JobWatch};
 use crate::progress::{Progress, Stopped};
 
 /// Set by Ctrl-C, for all work of this run.
@@ -41,12 +41,11 @@ where
     T: Send + 'static,
     E: Display + Send + 'static,
 {
-    let workers = Workers::start("job", 1).map_err(CliError::unusable)?;
     let (sender, news) = sync_channel::<()>(1);
     let wake = Arc::new(move || {
         sender.try_send(()).ok();
     });
-    let mut job = Job::spawn(&workers, wake, work);
+    let mut job = Job::alone(wake, work).map_err(CliError::unusable)?;
     let mut meter = Meter::default();
     let outcome = loop {
         let waited = news.recv_timeout(TICK);
@@ -63,7 +62,6 @@ where
     };
     meter.clear();
     drop(job);
-    drop(workers);
     match outcome {
         Ok(value) => Ok(value),
         Err(_) if STOP.load(Ordering::SeqCst) => Err(Stopped.into()),

@@ -152,7 +152,7 @@ mod tests {
     use crate::engine::workers::Workers;
 
     #[test]
-    fn the_list_tells_how_work_ended_and_keeps_the_newest() {
+    fn the_list_shows_how_work_ended_and_keeps_the_newest() {
         let pool = Workers::start("job", 1).unwrap();
         let mut log = ActivityLog::default();
         let mut jobs = Vec::new();

@@ -19,6 +19,10 @@ use crate::study::Revision;
 #[error("{0}")]
 pub struct ExportError(String);
 
+/// Threads for work that its owner polls: one for the dialog that may be open for minutes, one for what is read
+/// meanwhile.
+const ASIDE: usize = 2;
+
 /// All background work of one window.
 ///
 /// Calls return at once. Every frame: [`Self::poll`], then ask the [store](Self::store) for what is on screen. Dropping
@@ -35,11 +39,12 @@ pub struct Engine {
     wake: Wake,
     exporter: Workers,
     reader: Workers,
+    aside: Workers,
     store: Arc<Store>,
 }
 
 impl Engine {
-    /// Starts the store, a thread that reads files and one that writes them.
+    /// Starts the store, a thread that reads files, one that writes them, and those for work aside.
     ///
     /// # Errors
     /// If the operating system refuses a thread.
@@ -55,6 +60,7 @@ impl Engine {
             wake: Arc::clone(&options.wake),
             exporter: Workers::start("export", 1)?,
             reader: Workers::start("reader", 1)?,
+            aside: Workers::start("aside", ASIDE)?,
             store: Arc::new(Store::start(options)?),
         })
     }
@@ -122,6 +128,20 @@ impl Engine {
         self.exported.take()
     }
 
+    /// Runs what is neither opened, exported nor asked of the store, such as a dialog of the operating system.
+    ///
+    /// It is not listed; whoever holds the job polls it, and must let go of it before the engine.
+    pub fn spawn_aside<T, E>(
+        &self,
+        work: impl FnOnce(&Progress) -> Result<T, E> + Send + 'static,
+    ) -> Job<T, E>
+    where
+        T: Send + 'static,
+        E: std::fmt::Display + Send + 'static,
+    {
+        Job::spawn(&self.aside, Arc::clone(&self.wake), work)
+    }
+
     /// Stops work of one kind; what was on screen stays, and nothing begins again until [`Self::retry`].
     pub fn cancel(&mut self, topic: Topic) {
         match topic {
@@ -149,13 +169,13 @@ impl Engine {
         if let Some(opened) = finished(&mut self.opening) {
             match opened {
                 Ok(opened) => self.opened = Some(opened),
-                Err(error) => self.tell(Topic::OPENING, "Opening failed", Arc::new(error)),
+                Err(error) => self.report(Topic::OPENING, "Opening failed", Arc::new(error)),
             }
         }
         if let Some(exported) = finished(&mut self.export) {
             match exported {
                 Ok(files) => self.exported = Some(files),
-                Err(error) => self.tell(Topic::EXPORT, "Nothing was exported", Arc::new(error)),
+                Err(error) => self.report(Topic::EXPORT, "Nothing was exported", Arc::new(error)),
             }
         }
     }
@@ -180,8 +200,8 @@ impl Engine {
         self.store.running()
     }
 
-    fn tell(&self, topic: Topic, title: &'static str, error: SharedError) {
-        self.store.tell(FailedWork {
+    fn report(&self, topic: Topic, title: &'static str, error: SharedError) {
+        self.store.report(FailedWork {
             topic,
             title,
             error,

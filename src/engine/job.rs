@@ -132,6 +132,8 @@ fn time_left(elapsed: Duration, fraction: f32) -> Option<Duration> {
 pub struct Job<T, E> {
     watch: Arc<JobWatch>,
     outcome: Receiver<Result<T, JobError<E>>>,
+    /// The thread of a job that runs alone; joined on drop, after the job has been asked to stop.
+    own_thread: Option<Workers>,
 }
 
 impl<T, E> Job<T, E>
@@ -139,10 +141,24 @@ where
     T: Send + 'static,
     E: Display + Send + 'static,
 {
+    /// Runs `work` on a thread of its own called `job-0`; `wake` is called once, after the outcome can be polled.
+    ///
+    /// # Errors
+    /// If the operating system refuses the thread.
+    pub fn alone(
+        wake: Wake,
+        work: impl FnOnce(&Progress) -> Result<T, E> + Send + 'static,
+    ) -> std::io::Result<Self> {
+        let thread = Workers::start("job", 1)?;
+        let mut job = Self::spawn(&thread, wake, work);
+        job.own_thread = Some(thread);
+        Ok(job)
+    }
+
     /// Queues `work` on `workers`; `wake` is called once, after the outcome can be polled.
     ///
     /// Work that was stopped before a thread was free is never begun.
-    pub fn spawn(
+    pub(super) fn spawn(
         workers: &Workers,
         wake: Wake,
         work: impl FnOnce(&Progress) -> Result<T, E> + Send + 'static,
@@ -167,7 +183,11 @@ where
             sender.send(result).ok();
             wake();
         });
-        Self { watch, outcome }
+        Self {
+            watch,
+            outcome,
+            own_thread: None,
+        }
     }
 
     /// Asks the work to stop; what it returns then, perhaps its best so far, can still be polled.
@@ -280,6 +300,14 @@ mod tests {
     }
 
     #[test]
+    fn a_job_alone_has_ended_once_it_is_dropped() {
+        let job: Job<(), Stopped> = Job::alone(Arc::new(|| ()), until_stopped).unwrap();
+        let watch = Arc::clone(job.watch());
+        drop(job);
+        assert_eq!(watch.ending(), Some(&Ending::Stopped));
+    }
+
+    #[test]
     fn a_job_that_was_stopped_in_the_queue_never_begins() {
         let pool = pool();
         let blocker: Job<(), Stopped> = Job::spawn(&pool, Arc::new(|| ()), until_stopped);
@@ -304,10 +332,7 @@ mod tests {
         let mut job: Job<(), Stopped> =
             Job::spawn(&pool, Arc::new(|| ()), |_| panic!("index out of range"));
         let error = wait(&mut job).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "the computation hit a bug: index out of range"
-        );
+        assert_eq!(error.to_string(), "internal error: index out of range");
         let mut next: Job<u32, Stopped> = Job::spawn(&pool, Arc::new(|| ()), |_| Ok(1));
         assert!(matches!(wait(&mut next), Ok(1)), "the thread lives on");
     }

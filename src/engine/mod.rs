@@ -23,14 +23,14 @@ pub use export::{ExportFile, FileBytes, PassingFile, write_files};
 pub use job::{Ending, Job, JobError, JobWatch, Wake};
 pub use open::{OpenSource, open};
 pub use queries::{
-    ClassesError, ClassesSettings, Contribution, ContributionError, DeformationMapSettings,
-    DeformationsError, DistancesError, FrameThickness, FrameThicknessError, InBetweens,
-    InBetweensError, Interval, LookedAt, Measures, MedialBeatError, MedialMapParams,
+    ClassesError, ClassesSettings, ComparedMethod, Contribution, ContributionError,
+    DeformationMapSettings, DeformationsError, DistancesError, FrameThickness, FrameThicknessError,
+    InBetweens, InBetweensError, Interval, LookedAt, Measures, MedialBeatError, MedialMapParams,
     MedialMapQueryError, MedialPaths, MedialSurfaces, MethodResult, NoSubject, PoseMap,
     PoseMapError, PoseMapParams, PoseThickness, StudyPaths, SubjectThickening,
-    ThickeningQueryError, ThickeningSettings, ThicknessMethod, ThicknessSettings, Transfer,
-    TransferError, VerdictSettings, VerdictsError, WallThickening, distance_words, medial_words,
-    metric_words, thickening_words,
+    ThickeningQueryError, ThickeningSettings, ThicknessSettings, Transfer, TransferError,
+    VerdictSettings, VerdictsError, WallThickening, distance_words, medial_words, metric_words,
+    thickening_words,
 };
 pub use store::{
     Answered, Context, Dependencies, FailedWork, Failure, Interrupted, Memory, Query, SharedError,
@@ -38,4 +38,4 @@ pub use store::{
 };
 pub use tables::{AnalysisTables, TableSettings};
 pub use wall_tables::{TablesError, Unassessed};
-pub use workers::{Workers, configure_threads};
+pub use workers::configure_threads;

@@ -13,7 +13,7 @@ use crate::analysis::verdicts::Verdicts;
 use crate::engine::export::ExportFile;
 use crate::engine::queries::{
     ClassesError, ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams,
-    VerdictSettings, distance_words, map_of, study_verdicts,
+    VerdictSettings, distance_words, map_of, verdicts_of,
 };
 use crate::engine::store::{Failure, Interrupted, Store};
 use crate::engine::wall_tables::{TablesError, Unassessed, WallTables};
@@ -34,7 +34,7 @@ const WALLS_SHARE: f32 = 0.99;
 pub struct TableSettings {
     /// How poses and deformations are compared and mapped.
     pub deformations: DeformationMapSettings,
-    /// How walls are assessed, and what is said of them.
+    /// How walls are assessed, and what a verdict is.
     pub verdicts: VerdictSettings,
 }
 
@@ -91,8 +91,8 @@ impl AnalysisTables {
             })
             .collect::<Result<Vec<_>, _>>()?;
         let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
-        let (motions, without_deformations) = match classified(store, study, deformations, &part) {
-            Ok(motions) => (Some(motions), None),
+        let (classes, without_deformations) = match classified(store, study, deformations, &part) {
+            Ok(classes) => (Some(classes), None),
             Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
             Err(Interrupted::Failed(failure)) => (None, Some(failure.to_string())),
         };
@@ -101,7 +101,7 @@ impl AnalysisTables {
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
         let checked = (settings.verdicts.verdicts.check())
             .map_err(|error| Interrupted::Failed(TablesError::Verdicts(error.into())))?;
-        let verdicts = study_verdicts(study, &walls.examined, &checked, &part)
+        let verdicts = verdicts_of(study, &walls.examined, &checked, &part)
             .map_err(|why| why.map(TablesError::Verdicts))?;
         let medial = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
             Ok(map) => Ok(map),
@@ -117,7 +117,7 @@ impl AnalysisTables {
             maps: (maps.iter())
                 .map(|(word, map)| (*word, &map.embedding))
                 .collect(),
-            deformations: motions.as_ref().map(|(map, classes)| (&**map, &**classes)),
+            deformations: classes.as_ref().map(|(map, classes)| (&**map, &**classes)),
             verdicts: &verdicts,
             verdict_params: &checked,
             medial_map: medial.as_ref().map_err(String::as_str),
@@ -130,7 +130,7 @@ impl AnalysisTables {
             measures,
             verdicts: Arc::new(verdicts),
             poses: Arc::clone(&maps[0].1),
-            deformations: motions.map(|(map, _)| map),
+            deformations: classes.map(|(map, _)| map),
             tables,
             walls,
             folder,

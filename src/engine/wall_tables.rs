@@ -1,4 +1,4 @@
-//! Tables of the walls of all hearts, made of one heart after the other.
+//! Tables of the walls of all subjects, made of one heart after the other.
 
 use std::convert::Infallible;
 use std::path::Path;
@@ -45,7 +45,7 @@ pub struct Unassessed {
     pub reason: String,
 }
 
-/// Atoms, patches and segments of all hearts.
+/// Atoms, patches and segments of all subjects.
 #[derive(Debug)]
 pub(super) struct WallTables {
     /// Too long for memory: every atom at every frame of every heart.
@@ -92,7 +92,7 @@ impl WallTables {
         };
         tables.add_atoms(&csv_header::<AtomRow>())?;
         let count = study.subjects.len().max(1) as f32;
-        let mut hearts = Vec::with_capacity(study.subjects.len());
+        let mut subjects = Vec::with_capacity(study.subjects.len());
         for subject in 0..study.subjects.len() {
             let [from, to] = [subject, subject + 1].map(|done| done as f32 / count);
             let part = progress.part("assessing walls", from, to);
@@ -103,16 +103,16 @@ impl WallTables {
             let answer = store.answer(study, &wall, &part);
             tables.examined.push(examined(&answer, &checked)?);
             tables.paths.push(paths_of(&answer)?);
-            hearts.push(tables.add(study, subject, answer, &part)?);
+            subjects.push(tables.add(study, subject, answer, &part)?);
         }
         tables.summary = json!({
             "parameters": thickening_params_json(&thickening.medial, &thickening.thickening),
-            "subjects": hearts,
+            "subjects": subjects,
         });
         Ok(tables)
     }
 
-    /// Adds the rows of one heart, and returns what the summary says of it.
+    /// Adds the rows of one subject, and returns its part of the summary.
     fn add(
         &mut self,
         study: &Study,
@@ -121,28 +121,28 @@ impl WallTables {
         progress: &Progress,
     ) -> Result<Value, Interrupted<TablesError>> {
         let subject = &study.subjects[index];
-        let found = match answer {
-            Ok(found) => found,
+        let answer = match answer {
+            Ok(answer) => answer,
             Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
             Err(Interrupted::Failed(failure)) => {
                 let reason = failure.to_string();
-                let unassessed = unassessed_wall_json(&subject.id, &reason);
+                let json = unassessed_wall_json(&subject.id, &reason);
                 self.unassessed.push(Unassessed {
                     subject: index,
                     reason,
                 });
-                return Ok(unassessed);
+                return Ok(json);
             }
         };
         let wall = AssessedWall {
             subject: &subject.id,
             unit: subject.unit,
-            beat: &found.beat,
-            thickening: &found.thickening,
-            axis: found.axis.as_ref(),
-            segments: &found.segments,
+            beat: &answer.beat,
+            thickening: &answer.thickening,
+            axis: answer.axis.as_ref(),
+            segments: &answer.segments,
         };
-        for frame in 0..found.beat.frames.len() {
+        for frame in 0..answer.beat.frames.len() {
             progress.check()?;
             self.add_atoms(&csv_rows(&AtomRow::of_frame(&wall, frame)))?;
         }

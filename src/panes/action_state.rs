@@ -4,9 +4,10 @@ use std::mem::discriminant;
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
+use crate::document::{ThemeChoice, ViewMode};
 use crate::panes::commands::{
-    BeatCommand, Command, EditCommand, FileCommand, MapCommand, Pane, ThemeChoice,
-    TransportCommand, ViewCommand, ViewMode, WallCommand, WindowCommand,
+    BeatCommand, Command, EditCommand, FileCommand, MapCommand, Pane, TransportCommand,
+    ViewCommand, WallCommand, WindowCommand,
 };
 use crate::picture::{BullsEyeQuantity, Quantity};
 use crate::render::Shading;

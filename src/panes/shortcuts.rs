@@ -29,7 +29,6 @@ pub fn pressed_commands(ctx: &Context) -> Vec<Command> {
     let popup = ctx.any_popup_open();
     let mut by_modifiers: Vec<(&Action, KeyboardShortcut)> = ACTIONS
         .iter()
-        .copied()
         .filter_map(|action| Some((action, action.shortcut?)))
         .filter(|(_, shortcut)| shortcut.logical_key != Key::Tab)
         .collect();

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::analysis::experiments::{
-    ClassifierShare, MetricComparison, NoiseDeformationResult, PartnerStudy,
+    MeanAccuracy, MetricComparison, NoiseDeformationResult, PartnerStudy,
 };
 
 use super::experiments::reference_word;
@@ -32,11 +32,11 @@ pub fn noise_json(result: &NoiseDeformationResult) -> Value {
 
 /// The comparison of metrics, a row per level and method.
 pub fn comparison_json(comparison: &MetricComparison) -> Value {
-    let accuracy = |rule: ClassifierShare| {
+    let accuracy = |mean: MeanAccuracy| {
         json!({
-            "accuracy": rule.share,
-            "standard_error": rule.standard_error,
-            "baseline": rule.baseline,
+            "accuracy": mean.share,
+            "standard_error": mean.standard_error,
+            "baseline": mean.baseline,
         })
     };
     let rows = comparison.rows.iter().map(|row| {
@@ -47,7 +47,7 @@ pub fn comparison_json(comparison: &MetricComparison) -> Value {
             "labelled": row.labelled,
             "nearest_neighbour": accuracy(row.nearest_neighbour),
             "linear_rule": accuracy(row.linear_classifier),
-            "plane_rule": accuracy(row.embedding_classifier),
+            "plane_rule": accuracy(row.plane_classifier),
             "tau": accuracy(row.tau),
         })
     });

@@ -181,13 +181,13 @@ impl Row for ComparisonRow {
             "plane_rule_percent",
             "Classifier on the 2-D embedding",
             "Accuracy of the classifier on the 2-D embedding, leave-one-out",
-            |row| percent(row.embedding_classifier.share),
+            |row| percent(row.plane_classifier.share),
         ),
         percentage("plane_rule_standard_error", "±", ERROR, |row| {
-            percent(row.embedding_classifier.standard_error)
+            percent(row.plane_classifier.standard_error)
         }),
         percentage("plane_rule_baseline", "Permutation mean", PERMUTED, |row| {
-            percent(row.embedding_classifier.baseline)
+            percent(row.plane_classifier.baseline)
         }),
         percentage(
             "tau_percent",

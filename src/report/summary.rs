@@ -72,7 +72,7 @@ pub(super) fn classification_json(classes: &Classes) -> Value {
         "tau": classes.tau.as_ref().map(accuracy_json),
         "nearest_neighbour": classes.nearest_neighbour.as_ref().map(accuracy_json),
         "linear_rule": classes.linear_classifier.as_ref().map(accuracy_json),
-        "plane_rule": classes.embedding_classifier.as_ref().map(accuracy_json),
+        "plane_rule": classes.plane_classifier.as_ref().map(accuracy_json),
         "clusters": classes.clustering.clusters,
         "inertia": classes.clustering.inertia,
     })

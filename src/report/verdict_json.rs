@@ -8,7 +8,7 @@ use crate::analysis::verdicts::{ClassifierSource, Feature, VerdictParams, Verdic
 /// are too few; `quality` is null then. Counts are subjects; accuracy and AUC are leave-one-out, beside their
 /// permutation means.
 pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
-    let (rule, normal, abnormal) = match verdicts.classifier {
+    let (source, normal, abnormal) = match verdicts.classifier {
         ClassifierSource::Cohort { normal, abnormal } => ("learnt", normal, abnormal),
         ClassifierSource::Uncalibrated { normal, abnormal } => ("fixed", normal, abnormal),
     };
@@ -16,13 +16,13 @@ pub fn verdicts_json(verdicts: &Verdicts, params: &VerdictParams) -> Value {
         verdicts
             .subjects
             .iter()
-            .filter_map(|found| found.as_ref().ok())
+            .filter_map(|subject| subject.as_ref().ok())
     };
     json!({
-        "rule": rule,
+        "rule": source,
         "normal": normal,
         "abnormal": abnormal,
-        "features": Feature::OF_CLASSIFIER.map(Feature::name),
+        "features": Feature::MODEL_FEATURES.map(Feature::name),
         "parameters": {
             "ridge": params.ridge,
             "least_labelled": params.min_labelled,

@@ -64,13 +64,13 @@ impl VerdictRow {
     pub fn of_study(study: &Study, verdicts: &Verdicts) -> Vec<Self> {
         let subjects = study.subjects.iter().zip(&verdicts.subjects);
         subjects
-            .map(|(subject, found)| {
+            .map(|(subject, assessed)| {
                 let unassessed = Self {
                     subject: subject.id.clone(),
                     label: subject.label.clone(),
                     ..Self::default()
                 };
-                match found {
+                match assessed {
                     Ok(verdict) => unassessed.with(study, verdict, verdicts.classifier),
                     Err(reason) => Self {
                         reason: Some(reason.to_string()),

@@ -8,7 +8,6 @@ use egui::{
     Stroke, Style, TextStyle, Theme, ThemePreference, vec2,
 };
 
-use crate::panes::commands::ThemeChoice;
 use crate::ui::pointer_steps::PointerSteps;
 use crate::ui::theme::{Colours, MOTION_S, line, radius, space, type_size};
 
@@ -25,26 +24,14 @@ pub fn install(ctx: &Context) {
     }
 }
 
-/// Follows a choice of theme.
-pub fn choose(ctx: &Context, choice: ThemeChoice) {
-    ctx.set_theme(match choice {
-        ThemeChoice::System => ThemePreference::System,
-        ThemeChoice::Dark => ThemePreference::Dark,
-        ThemeChoice::Light => ThemePreference::Light,
-    });
-}
-
 /// [`install`] and a fixed theme.
 pub fn apply(ctx: &Context, dark: bool) {
     install(ctx);
-    choose(
-        ctx,
-        if dark {
-            ThemeChoice::Dark
-        } else {
-            ThemeChoice::Light
-        },
-    );
+    ctx.set_theme(if dark {
+        ThemePreference::Dark
+    } else {
+        ThemePreference::Light
+    });
 }
 
 /// Inter in three weights, before the fonts that come with egui for whatever it lacks.

@@ -11,7 +11,7 @@ use cardiomorph::analysis::medial::{MedialParams, medial_beat, medial_surface};
 use cardiomorph::analysis::segments::long_axis;
 use cardiomorph::analysis::thickening::{ThickeningParams, thickening};
 use cardiomorph::analysis::thickness_methods::{
-    ComparisonMethod, LabelGrid, ThicknessParams, VoxelLabel, laplace_field, thickness,
+    LabelGrid, ThicknessMethod, ThicknessParams, VoxelLabel, laplace_field, thickness,
 };
 use cardiomorph::analysis::verdicts::{
     Examined, NotAssessed, VerdictInput, VerdictParams, examine, verdicts,
@@ -294,10 +294,10 @@ fn laplace(criterion: &mut Criterion) {
         return;
     };
     for (name, method) in [
-        ("laplace", ComparisonMethod::Laplace),
-        ("centreline", ComparisonMethod::Centreline),
-        ("volume_over_area", ComparisonMethod::VolumeOverArea),
-        ("nearest", ComparisonMethod::Nearest),
+        ("laplace", ThicknessMethod::Laplace),
+        ("centreline", ThicknessMethod::Centreline),
+        ("volume_over_area", ThicknessMethod::VolumeOverArea),
+        ("nearest", ThicknessMethod::Nearest),
     ] {
         criterion.bench_function(&format!("thickness_{name}_2500"), |bencher| {
             let Some(study) = built_in_heart(2_500) else {

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use cardiomorph::analysis::measures::{SubjectMeasures, measure_subject};
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::analysis::thickness_methods::{
-    ComparisonMethod, ThicknessParams, mean_wall_thickness, thickness,
+    ThicknessMethod, ThicknessParams, mean_wall_thickness, thickness,
 };
 use cardiomorph::io::{Limits, read_mesh};
 use cardiomorph::mesh::{Faces, TriMesh};
@@ -200,15 +200,9 @@ fn shells_are_as_thick_as_their_equations_say_by_every_method() {
         let side = lowest(&|v| endo.vertices()[v].z.abs());
         let (apex, equator) = ("wall_thickness_apex", "wall_thickness_equator_radial");
         for (method, places) in [
-            (
-                ComparisonMethod::Nearest,
-                vec![(tip, apex), (side, equator)],
-            ),
-            (
-                ComparisonMethod::Laplace,
-                vec![(tip, apex), (side, equator)],
-            ),
-            (ComparisonMethod::Centreline, vec![(side, equator)]),
+            (ThicknessMethod::Nearest, vec![(tip, apex), (side, equator)]),
+            (ThicknessMethod::Laplace, vec![(tip, apex), (side, equator)]),
+            (ThicknessMethod::Centreline, vec![(side, equator)]),
         ] {
             let map = thickness(&shell, 0, method, &params, &Progress::default()).unwrap();
             for (vertex, which) in places {

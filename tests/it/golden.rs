@@ -20,7 +20,8 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use cardiomorph::app::{App, AppOptions};
-use cardiomorph::panes::{BeatCommand, Command, ThemeChoice, WindowCommand};
+use cardiomorph::document::ThemeChoice;
+use cardiomorph::panes::{BeatCommand, Command, WindowCommand};
 use cardiomorph::render::Headless;
 use cardiomorph::study::built_in::BuiltInParams;
 use egui::Rect;

@@ -21,8 +21,9 @@ use std::time::{Duration, Instant};
 
 use cardiomorph::analysis::embedding::Embedding;
 use cardiomorph::app::{App, AppOptions};
+use cardiomorph::document::ViewMode;
 use cardiomorph::engine::{PoseMapParams, Topic};
-use cardiomorph::panes::{BeatCommand, Command, MapCommand, Pane, ViewMode, WorkCommand};
+use cardiomorph::panes::{BeatCommand, Command, MapCommand, Pane, WorkCommand};
 use cardiomorph::study::built_in::BuiltInParams;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};

@@ -1,4 +1,4 @@
-//! All that is said of classes, from distances, a map and labels.
+//! How well classes are separated, from distances, a map and labels.
 
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -21,7 +21,7 @@ const MIN_COMPONENT: f64 = 1e-9;
 /// Coordinates from here on are refused: their squares would not be numbers.
 const TOO_LARGE: f64 = 1e150;
 /// τ, nearest neighbour, linear classifier on the distances, linear classifier in the plane.
-const CLASSIFIERS: usize = 4;
+const CRITERIA: usize = 4;
 
 /// Settings; [`ClassesParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +94,7 @@ impl ClassesParams {
     }
 }
 
-/// Why nothing can be said.
+/// Why classes cannot be compared.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ClassifyError {
     /// It was asked to stop.
@@ -125,7 +125,7 @@ pub enum ClassifyError {
     },
 }
 
-/// Classifies by clusters, neighbours and linear classifiers, each beside its permutation mean.
+/// Separation of classes by clusters, neighbours and linear classifiers, each with its permutation mean.
 ///
 /// `labels` names the class of each row of the distances and of the map; rows without one are clustered,
 /// and otherwise left out. Clusters are those of [`k_means()`](super::k_means()) in the plane, τ is by the best match
@@ -134,7 +134,7 @@ pub enum ClassifyError {
 /// most [`MAX_COMPONENTS`], and fewer than half the cases; the one in the plane takes the map as it is.
 /// Both see coordinates made from all cases, though of no label: the baseline does, too.
 ///
-/// The baseline of each: the mean share of correct answers over permutations of the labels, and how many of
+/// The baseline of each: the mean accuracy over permutations of the labels, and how many of
 /// these do as well as the labels as they are. Clusters, neighbours and coordinates stay.
 ///
 /// # Errors
@@ -170,12 +170,12 @@ pub fn classify(
     if classes.names.len() < 2 {
         return Ok(classes);
     }
-    let rules = Classifiers::new(distances, plane, &classes, params.shrinkage, progress)?;
-    let [tau, nearest, linear, in_plane] = rules.beside_chance(&params, progress)?;
+    let criteria = Criteria::new(distances, plane, &classes, params.shrinkage, progress)?;
+    let [tau, nearest, linear, in_plane] = criteria.accuracies(&params, progress)?;
     classes.tau = Some(tau);
     classes.nearest_neighbour = Some(nearest);
     classes.linear_classifier = Some(linear);
-    classes.embedding_classifier = Some(in_plane);
+    classes.plane_classifier = Some(in_plane);
     Ok(classes)
 }
 
@@ -215,8 +215,8 @@ fn named(labels: &[Option<&str>]) -> (Vec<String>, Vec<Option<usize>>) {
     )
 }
 
-/// All classifiers, prepared for any labels of the same cases.
-struct Classifiers {
+/// All criteria, prepared for any labels of the same cases.
+struct Criteria {
     clusters: Vec<usize>,
     nearest: NearestCases,
     linear: LinearClassifier,
@@ -225,14 +225,14 @@ struct Classifiers {
 }
 
 #[derive(Default)]
-struct ClassifierScratch {
+struct CriteriaScratch {
     votes: Vec<usize>,
     linear: Scratch,
     labels: Vec<usize>,
     optional: Vec<Option<usize>>,
 }
 
-impl Classifiers {
+impl Criteria {
     fn new(
         distances: &DistanceMatrix,
         plane: &Embedding,
@@ -258,9 +258,9 @@ impl Classifiers {
         })
     }
 
-    /// Correct answers of each classifier with the labels of `scratch`.
-    fn correct(&self, scratch: &mut ClassifierScratch) -> [usize; CLASSIFIERS] {
-        let ClassifierScratch {
+    /// Correct cases of each criterion with the labels of `scratch`.
+    fn correct(&self, scratch: &mut CriteriaScratch) -> [usize; CRITERIA] {
+        let CriteriaScratch {
             votes,
             linear,
             labels,
@@ -276,20 +276,20 @@ impl Classifiers {
         ]
     }
 
-    fn beside_chance(
+    fn accuracies(
         &self,
         params: &ClassesParams,
         progress: &Progress,
-    ) -> Result<[Accuracy; CLASSIFIERS], Stopped> {
-        let mut scratch = ClassifierScratch {
+    ) -> Result<[Accuracy; CRITERIA], Stopped> {
+        let mut scratch = CriteriaScratch {
             labels: self.classes.clone(),
-            ..ClassifierScratch::default()
+            ..CriteriaScratch::default()
         };
         let correct = self.correct(&mut scratch);
         progress.expect_steps(params.permutations as usize);
         let permuted = (0..params.permutations)
             .into_par_iter()
-            .map_init(ClassifierScratch::default, |scratch, number| {
+            .map_init(CriteriaScratch::default, |scratch, number| {
                 progress.step()?;
                 let mut random = ChaCha8Rng::seed_from_u64(params.seed);
                 // Streams of their own, and others than those of the starts of k-means.
@@ -299,13 +299,16 @@ impl Classifiers {
                 Ok(self.correct(scratch))
             })
             .collect::<Result<Vec<_>, Stopped>>()?;
-        Ok(std::array::from_fn(|rule| {
+        Ok(std::array::from_fn(|criterion| {
             let of = self.classes.len();
-            let sum: usize = permuted.iter().map(|correct| correct[rule]).sum();
-            let as_good = permuted.iter().filter(|p| p[rule] >= correct[rule]).count();
+            let sum: usize = permuted.iter().map(|correct| correct[criterion]).sum();
+            let as_good = permuted
+                .iter()
+                .filter(|p| p[criterion] >= correct[criterion])
+                .count();
             let count = f64::from(params.permutations);
             Accuracy {
-                correct: correct[rule],
+                correct: correct[criterion],
                 of,
                 baseline: sum as f64 / (count * of as f64),
                 p_value: (1.0 + as_good as f64) / (1.0 + count),

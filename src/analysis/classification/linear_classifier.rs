@@ -9,7 +9,7 @@ pub(super) struct LinearClassifier {
     shrinkage: f64,
 }
 
-/// What the classifier needs, kept from one set of labels to the next.
+/// Memory of the classifier, kept from one set of labels to the next.
 #[derive(Default)]
 pub(super) struct Scratch {
     means: Vec<f64>,
@@ -35,7 +35,7 @@ impl LinearClassifier {
         &self.points[case * self.width..][..self.width]
     }
 
-    /// Cases that the classifier made without them puts into their class.
+    /// Cases classified correctly by the classifier trained without them.
     ///
     /// The scatter S and the mean of the case's own class, of m cases, are freed of it exactly:
     /// S − m/(m−1) d dᵀ and m̄ − d/(m−1), d = x − m̄. So nothing is summed anew for each case.
@@ -154,9 +154,9 @@ fn solved_norm2(factor: &[f64], d: &mut [f64]) -> f64 {
     d.iter().map(|x| x * x).sum()
 }
 
-/// Cases put into their class by a linear classifier made of all others with a label, and cases with a label.
+/// Cases classified correctly by a linear classifier trained on all others with a label, and cases with a label.
 ///
-/// `points` are rows of `width` numbers. The classifier takes the class with the least
+/// `points` are rows of `width` numbers. It predicts the class with the least
 /// (x − m̄)ᵀ Σ⁻¹ (x − m̄): linear discriminant analysis with classes that are equally likely beforehand, whatever
 /// their number of cases. Σ = (1 − γ) S + γ (tr S / p) 1 with the pooled scatter S within classes and
 /// the `shrinkage` γ, which makes it regular where there are few cases. A draw is a wrong answer, and
@@ -171,9 +171,9 @@ pub fn leave_one_out_linear(
     shrinkage: f64,
 ) -> (usize, usize) {
     let (cases, classes) = labelled_rows(points, width, labels);
-    let rule = LinearClassifier::new(&cases, width, shrinkage);
+    let classifier = LinearClassifier::new(&cases, width, shrinkage);
     (
-        rule.correct(&classes, &mut Scratch::default()),
+        classifier.correct(&classes, &mut Scratch::default()),
         classes.len(),
     )
 }
@@ -233,7 +233,7 @@ mod tests {
         assert_eq!(unlabelled, (2, 2));
     }
 
-    /// The classifier as it is written down, made anew without each case, with a general solver.
+    /// The classifier as it is defined, trained anew without each case, with a general solver.
     fn by_definition(points: &[f64], width: usize, classes: &[usize], shrinkage: f64) -> usize {
         use nalgebra::{DMatrix, DVector};
         let x = |i: usize| DVector::from_column_slice(&points[i * width..][..width]);

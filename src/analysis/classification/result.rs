@@ -1,13 +1,13 @@
-//! Accuracy of a classification, and what permuted labels give.
+//! Accuracy of a classification, with its permutation mean.
 
-/// How often a classifier is right, beside the same classifier with permuted labels.
+/// Accuracy of a classifier, with that of the same classifier for permuted labels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
-    /// Cases that the classifier puts into their class.
+    /// Cases that are classified correctly.
     pub correct: usize,
     /// Cases with a label.
     pub of: usize,
-    /// Mean share of correct answers where the labels are permuted, in `0.0..=1.0`.
+    /// Mean accuracy for permuted labels, in `0.0..=1.0`.
     pub baseline: f64,
     /// Share of permutations at least as good, the labels as they are counted as one of them:
     /// (1 + number of them) / (1 + number of permutations).
@@ -15,7 +15,7 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// Share of correct answers, in `0.0..=1.0`.
+    /// Share of cases classified correctly, in `0.0..=1.0`.
     pub fn share(&self) -> f64 {
         self.correct as f64 / self.of.max(1) as f64
     }
@@ -30,7 +30,7 @@ pub struct Clustering {
     pub inertia: f64,
 }
 
-/// What can be said of classes: by clusters, by neighbours, and by linear classifiers.
+/// How well classes are separated: by clusters, by neighbours, and by linear classifiers.
 ///
 /// Accuracies are `None` where fewer than two classes have labels.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -52,5 +52,5 @@ pub struct Classes {
     /// Linear classifier on the distances, each row left out in turn.
     pub linear_classifier: Option<Accuracy>,
     /// Linear classifier in the plane of the map, each row left out in turn.
-    pub embedding_classifier: Option<Accuracy>,
+    pub plane_classifier: Option<Accuracy>,
 }

@@ -31,7 +31,7 @@ pub struct MetricComparisonParams {
     pub map: MapMethod,
     /// How curves become a plane.
     pub deformations: DeformationMapParams,
-    /// The classifiers.
+    /// Settings of the classifiers.
     pub classes: ClassesParams,
     /// Of the noise.
     pub seed: u64,
@@ -86,10 +86,10 @@ impl MetricComparisonParams {
     }
 }
 
-/// How often a classifier is right, over the copies of a level.
+/// Accuracy of a classifier over the copies of a level.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ClassifierShare {
-    /// Mean share of correct answers, in `0.0..=1.0`.
+pub struct MeanAccuracy {
+    /// Mean accuracy, in `0.0..=1.0`.
     pub share: f64,
     /// Standard error of that mean from the scatter between copies; 0 for one.
     pub standard_error: f64,
@@ -109,13 +109,13 @@ pub struct ComparisonRow {
     /// Subjects with a label that took part in the first copy.
     pub labelled: usize,
     /// Nearest neighbour, each subject left out in turn.
-    pub nearest_neighbour: ClassifierShare,
+    pub nearest_neighbour: MeanAccuracy,
     /// Linear classifier on the distances, each left out in turn.
-    pub linear_classifier: ClassifierShare,
+    pub linear_classifier: MeanAccuracy,
     /// Linear classifier in the LLE plane, each left out in turn; for EF alone, on EF.
-    pub embedding_classifier: ClassifierShare,
+    pub plane_classifier: MeanAccuracy,
     /// k-means in the LLE plane; for EF alone, on EF.
-    pub tau: ClassifierShare,
+    pub tau: MeanAccuracy,
 }
 
 /// By level, then by method, EF alone last.
@@ -185,13 +185,13 @@ pub fn metric_comparison(
         .map(|copies| {
             let (&(percent, method, _), first) = copies[0];
             let name = params.methods.get(method).map_or(EF_ALONE, |m| m.name);
-            let over = |rule: fn(&Classes) -> Option<Accuracy>| {
-                let found = copies.iter().filter_map(|(_, classes)| rule(classes));
-                let found: Vec<Accuracy> = found.collect();
-                let shares: Vec<f64> = found.iter().map(Accuracy::share).collect();
+            let over = |accuracy: fn(&Classes) -> Option<Accuracy>| {
+                let accuracies = copies.iter().filter_map(|(_, classes)| accuracy(classes));
+                let accuracies: Vec<Accuracy> = accuracies.collect();
+                let shares: Vec<f64> = accuracies.iter().map(Accuracy::share).collect();
                 let (share, standard_error) = mean_and_error(&shares);
-                let baselines: Vec<f64> = found.iter().map(|a| a.baseline).collect();
-                ClassifierShare {
+                let baselines: Vec<f64> = accuracies.iter().map(|a| a.baseline).collect();
+                MeanAccuracy {
                     share,
                     standard_error,
                     baseline: mean_and_error(&baselines).0,
@@ -204,7 +204,7 @@ pub fn metric_comparison(
                 labelled: first.of_row.iter().flatten().count(),
                 nearest_neighbour: over(|c| c.nearest_neighbour),
                 linear_classifier: over(|c| c.linear_classifier),
-                embedding_classifier: over(|c| c.embedding_classifier),
+                plane_classifier: over(|c| c.plane_classifier),
                 tau: over(|c| c.tau),
             }
         })
@@ -223,12 +223,12 @@ fn by_method(
 ) -> Result<Classes, ExperimentError> {
     let whole = method.compared(study, params.map, &params.deformations, progress)?;
     let labels = labels_of(study, &whole.subjects);
-    let rules = params.classes.check()?;
+    let classes = params.classes.check()?;
     Ok(classify(
         &whole.distances,
         &whole.plane,
         &labels,
-        &rules,
+        &classes,
         progress,
     )?)
 }
@@ -251,8 +251,8 @@ fn by_ejection_fraction(
         ..Embedding::default()
     };
     let labels = labels_of(study, &subjects);
-    let rules = params.classes.check()?;
-    Ok(classify(&distances, &line, &labels, &rules, progress)?)
+    let classes = params.classes.check()?;
+    Ok(classify(&distances, &line, &labels, &classes, progress)?)
 }
 
 fn labels_of<'a>(study: &'a Study, subjects: &[usize]) -> Vec<Option<&'a str>> {

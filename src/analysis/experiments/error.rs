@@ -85,7 +85,7 @@ pub enum ExperimentError {
     Deformations(#[from] DeformationParamError),
     /// Settings of the classifiers.
     #[error(transparent)]
-    Classifiers(#[from] ClassesParamError),
+    Classes(#[from] ClassesParamError),
     /// Settings of the search for patches.
     #[error(transparent)]
     Thickening(#[from] ThickeningParamError),

@@ -29,7 +29,7 @@ mod tests;
 mod transport_study;
 
 pub use comparison::{
-    ClassifierShare, ComparisonRow, MetricComparison, MetricComparisonParams, metric_comparison,
+    ComparisonRow, MeanAccuracy, MetricComparison, MetricComparisonParams, metric_comparison,
 };
 pub use error::ExperimentError;
 pub use interpolation_study::{

@@ -169,14 +169,17 @@ fn one_table_tells_the_labels_of_the_built_in_cohort_beside_ef_and_chance() {
     assert_eq!((table.rows[0].copies, table.rows[2].copies), (1, 2));
     for row in &table.rows {
         assert_eq!(row.labelled, 23, "{}", row.method);
-        for rule in [
+        for accuracy in [
             row.nearest_neighbour,
             row.linear_classifier,
-            row.embedding_classifier,
+            row.plane_classifier,
             row.tau,
         ] {
-            assert!((0.0..=1.0).contains(&rule.share), "{row:?}");
-            assert!(rule.baseline > 0.2 && rule.baseline < 0.8, "{row:?}");
+            assert!((0.0..=1.0).contains(&accuracy.share), "{row:?}");
+            assert!(
+                accuracy.baseline > 0.2 && accuracy.baseline < 0.8,
+                "{row:?}"
+            );
         }
     }
     let progress = Progress::default();

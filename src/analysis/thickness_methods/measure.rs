@@ -11,7 +11,7 @@ use super::laplace_field::field_of;
 use super::nearest::nearest_points;
 use super::volume_over_area::{piece, volume_over_area};
 use super::wall_voxels::WallVoxels;
-use super::{CheckedThicknessParams, ComparisonMethod, ThicknessError, ThicknessMap};
+use super::{CheckedThicknessParams, ThicknessError, ThicknessMap, ThicknessMethod};
 
 /// Thickness at every vertex of the inner side of a subject's wall at a frame.
 ///
@@ -21,16 +21,16 @@ use super::{CheckedThicknessParams, ComparisonMethod, ThicknessError, ThicknessM
 pub fn thickness(
     subject: &Subject,
     frame: usize,
-    method: ComparisonMethod,
+    method: ThicknessMethod,
     params: &CheckedThicknessParams,
     progress: &Progress,
 ) -> Result<ThicknessMap, ThicknessError> {
     let wall = WallPose::of(subject, frame)?;
     let axis = match method {
-        ComparisonMethod::Centreline | ComparisonMethod::VolumeOverArea => {
+        ThicknessMethod::Centreline | ThicknessMethod::VolumeOverArea => {
             Some(long_axis(subject, frame)?)
         }
-        ComparisonMethod::Nearest | ComparisonMethod::Laplace => None,
+        ThicknessMethod::Nearest | ThicknessMethod::Laplace => None,
     };
     let mut thickness = wall.measured(method, axis.as_ref(), params, progress)?;
     for (value, &member) in thickness.iter_mut().zip(&wall.members) {
@@ -76,14 +76,14 @@ impl WallPose {
 
     fn measured(
         &self,
-        method: ComparisonMethod,
+        method: ThicknessMethod,
         axis: Option<&LongAxis>,
         params: &CheckedThicknessParams,
         progress: &Progress,
     ) -> Result<Vec<Option<f64>>, ThicknessError> {
         let settings = params.get();
         match (method, axis) {
-            (ComparisonMethod::Centreline, Some(axis)) => {
+            (ThicknessMethod::Centreline, Some(axis)) => {
                 let counts = [settings.slices, settings.chords].map(usize::from);
                 Ok(centreline(
                     &self.inner,
@@ -93,7 +93,7 @@ impl WallPose {
                     progress,
                 )?)
             }
-            (ComparisonMethod::VolumeOverArea, Some(axis)) => {
+            (ThicknessMethod::VolumeOverArea, Some(axis)) => {
                 let (_, _, spacing) = self.nearest(settings.voxels_across, progress)?;
                 // Volumes are as right as voxels are small; half the side costs less than an equation.
                 let voxels = WallVoxels::new(&self.inner, &self.outer, 0.5 * spacing, progress)?;
@@ -101,7 +101,7 @@ impl WallPose {
                 let at = |&vertex: &Point3| pieces[piece(axis, vertex)?];
                 Ok(self.inner.vertices().iter().map(at).collect())
             }
-            (ComparisonMethod::Laplace, _) => self.laplace(settings.voxels_across, progress),
+            (ThicknessMethod::Laplace, _) => self.laplace(settings.voxels_across, progress),
             _ => {
                 let (_, nearest, _) = self.nearest(settings.voxels_across, progress)?;
                 let away =
@@ -165,9 +165,9 @@ pub fn all_methods(
     params: &CheckedThicknessParams,
     progress: &Progress,
 ) -> Result<Vec<Result<ThicknessMap, ThicknessError>>, Stopped> {
-    let share = 1.0 / ComparisonMethod::ALL.len() as f32;
+    let share = 1.0 / ThicknessMethod::ALL.len() as f32;
     let mut maps = Vec::new();
-    for (place, method) in ComparisonMethod::ALL.into_iter().enumerate() {
+    for (place, method) in ThicknessMethod::ALL.into_iter().enumerate() {
         let from = place as f32 * share;
         let part = progress.part(method.name(), from, from + share);
         let map = thickness(subject, frame, method, params, &part);

@@ -23,6 +23,6 @@ pub use label_grid::{LabelGrid, VoxelLabel};
 pub use laplace_field::{LaplaceField, laplace_field};
 pub use measure::{all_methods, thickness};
 pub use params::{CheckedThicknessParams, ThicknessParams};
-pub use result::{ComparisonMethod, ThicknessMap};
+pub use result::{ThicknessMap, ThicknessMethod};
 pub use spread::{Agreement, ThicknessSpread};
 pub use volume_over_area::mean_wall_thickness;

@@ -4,7 +4,7 @@ use crate::study::SurfaceKind;
 
 /// A way of telling how thick the wall is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum ComparisonMethod {
+pub enum ThicknessMethod {
     /// Distance from a vertex of the inner side to the nearest point of the outer one.
     Nearest,
     /// Chords across the centre line between the contours of short-axis slices.
@@ -15,7 +15,7 @@ pub enum ComparisonMethod {
     VolumeOverArea,
 }
 
-impl ComparisonMethod {
+impl ThicknessMethod {
     /// All of them.
     pub const ALL: [Self; 4] = [
         Self::Nearest,
@@ -39,7 +39,7 @@ impl ComparisonMethod {
 #[derive(Clone, Debug, PartialEq)]
 pub struct ThicknessMap {
     /// How it was found.
-    pub method: ComparisonMethod,
+    pub method: ThicknessMethod,
     /// The surface whose vertices these are.
     pub surface: SurfaceKind,
     /// Per vertex of that surface, in coordinates; `None` where the method gives none.

@@ -45,7 +45,7 @@ fn params(voxels_across: f64) -> CheckedThicknessParams {
     settings.check().unwrap()
 }
 
-fn measured(subject: &Subject, method: ComparisonMethod) -> Result<ThicknessMap, ThicknessError> {
+fn measured(subject: &Subject, method: ThicknessMethod) -> Result<ThicknessMap, ThicknessError> {
     thickness(subject, 0, method, &params(8.0), &Progress::default())
 }
 
@@ -63,8 +63,8 @@ fn nearest_distance_and_field_lines_of_a_half_shell_are_its_thickness() {
     let shell = half_shell();
     // The facets of 64 sides around lie 28 (1 − cos π/64) = 0.03 inside the sphere.
     for (method, tolerance) in [
-        (ComparisonMethod::Nearest, 0.06),
-        (ComparisonMethod::Laplace, 0.16),
+        (ThicknessMethod::Nearest, 0.06),
+        (ThicknessMethod::Laplace, 0.16),
     ] {
         let map = measured(&shell, method).unwrap();
         assert_eq!(map.surface, SurfaceKind::Endocardium);
@@ -90,7 +90,7 @@ fn field_lines_of_closed_spheres_converge_with_the_voxels() {
             let map = thickness(
                 &shell,
                 0,
-                ComparisonMethod::Laplace,
+                ThicknessMethod::Laplace,
                 &params(voxels),
                 &progress,
             )
@@ -132,7 +132,7 @@ fn a_slab_of_voxels_is_as_thick_as_its_voxels_whatever_their_shape() {
 #[test]
 fn chords_of_a_slice_of_a_half_shell_join_its_circles() {
     let shell = half_shell();
-    let map = measured(&shell, ComparisonMethod::Centreline).unwrap();
+    let map = measured(&shell, ThicknessMethod::Centreline).unwrap();
     let inner = shell.sequence.surfaces()[0].frames()[0].vertices();
     for (point, value) in inner.iter().zip(&map.thickness) {
         if point.z < -0.5 && point.z > -17.0 {
@@ -163,7 +163,7 @@ fn chords_between_ellipses_run_across_the_middle_and_not_along_the_rays() {
         moved(&bowl, squeeze(30.0, 15.0)),
         moved(&bowl, squeeze(38.0, 23.0)),
     );
-    let map = measured(&tube, ComparisonMethod::Centreline).unwrap();
+    let map = measured(&tube, ThicknessMethod::Centreline).unwrap();
     let inner = tube.sequence.surfaces()[0].frames()[0].vertices();
     let (mut least, mut at_axes) = (f64::INFINITY, 0);
     for (point, value) in inner
@@ -186,7 +186,7 @@ fn chords_between_ellipses_run_across_the_middle_and_not_along_the_rays() {
 fn volume_over_area_of_a_half_shell_is_its_thickness_in_every_piece() {
     let shell = half_shell();
     // Between two heights V = 384 π h and A = (56 + 40) π h / 2.
-    let map = measured(&shell, ComparisonMethod::VolumeOverArea).unwrap();
+    let map = measured(&shell, ThicknessMethod::VolumeOverArea).unwrap();
     for (point, value) in away_from_rim(&shell, &map) {
         if point.z > -19.99 {
             assert!(
@@ -217,9 +217,9 @@ fn a_wall_given_as_one_closed_surface_is_measured_as_its_two_sides() {
         TriMesh::new(points, faces).unwrap(),
     )]);
     for method in [
-        ComparisonMethod::Nearest,
-        ComparisonMethod::Laplace,
-        ComparisonMethod::Centreline,
+        ThicknessMethod::Nearest,
+        ThicknessMethod::Laplace,
+        ThicknessMethod::Centreline,
     ] {
         let [joined, apart] = [&wall, &half_shell()].map(|heart| measured(heart, method).unwrap());
         assert_eq!(joined.surface, SurfaceKind::Wall);
@@ -253,10 +253,10 @@ fn a_rigid_motion_changes_no_thickness() {
     let after = pair(moved(&inner, to), moved(&outer, to));
     // Voxels lie otherwise: a tenth of one is allowed.
     for (method, tolerance) in [
-        (ComparisonMethod::Nearest, 1e-9),
-        (ComparisonMethod::Centreline, 1e-6),
-        (ComparisonMethod::Laplace, 0.25),
-        (ComparisonMethod::VolumeOverArea, 0.15),
+        (ThicknessMethod::Nearest, 1e-9),
+        (ThicknessMethod::Centreline, 1e-6),
+        (ThicknessMethod::Laplace, 0.25),
+        (ThicknessMethod::VolumeOverArea, 0.15),
     ] {
         let [before, after] = [&still, &after].map(|heart| measured(heart, method).unwrap());
         for ((point, before), (_, after)) in away_from_rim(&still, &before)
@@ -289,7 +289,7 @@ fn methods_agree_on_hearts_of_the_built_in_cohort() {
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
     let shell = half_shell();
-    for method in ComparisonMethod::ALL {
+    for method in ThicknessMethod::ALL {
         let [one, three] = [1, 3].map(|threads| {
             let pool = rayon::ThreadPoolBuilder::new()
                 .num_threads(threads)
@@ -306,19 +306,19 @@ fn hearts_without_a_wall_are_refused_and_damage_does_no_harm() {
     let sphere = || phantom::sphere(2, 20.0);
     let alone = subject(vec![(SurfaceKind::Endocardium, sphere())]);
     assert_eq!(
-        measured(&alone, ComparisonMethod::Nearest),
+        measured(&alone, ThicknessMethod::Nearest),
         Err(ThicknessError::NoSide { missing: "outer" })
     );
     let same = pair(sphere(), sphere());
-    assert!(measured(&same, ComparisonMethod::Laplace).is_err());
+    assert!(measured(&same, ThicknessMethod::Laplace).is_err());
     let closed = pair(sphere(), phantom::sphere(2, 28.0));
     assert!(matches!(
-        measured(&closed, ComparisonMethod::Centreline),
+        measured(&closed, ThicknessMethod::Centreline),
         Err(ThicknessError::Axis(_))
     ));
     let swapped = pair(phantom::sphere(2, 28.0), sphere());
     assert!(matches!(
-        measured(&swapped, ComparisonMethod::Laplace),
+        measured(&swapped, ThicknessMethod::Laplace),
         Err(ThicknessError::NoWall { voxels: 0, .. })
     ));
     let triangle = |z: f64| {
@@ -330,7 +330,7 @@ fn hearts_without_a_wall_are_refused_and_damage_does_no_harm() {
         TriMesh::new(points, Faces::new(3, vec![[0, 1, 2]]).unwrap()).unwrap()
     };
     let flat = pair(triangle(0.0), triangle(2.0));
-    for method in ComparisonMethod::ALL {
+    for method in ThicknessMethod::ALL {
         if let Ok(map) = measured(&flat, method) {
             assert!(map.thickness.iter().flatten().all(|t| t.is_finite()));
         }
@@ -339,7 +339,7 @@ fn hearts_without_a_wall_are_refused_and_damage_does_no_harm() {
         thickness(
             &flat,
             4,
-            ComparisonMethod::Nearest,
+            ThicknessMethod::Nearest,
             &params(8.0),
             &Progress::default()
         ),
@@ -368,7 +368,7 @@ fn every_method_hears_stop() {
     let shell = half_shell();
     let progress = Progress::default();
     progress.stop();
-    for method in ComparisonMethod::ALL {
+    for method in ThicknessMethod::ALL {
         assert_eq!(
             thickness(&shell, 0, method, &params(8.0), &progress),
             Err(ThicknessError::Stopped(Stopped))

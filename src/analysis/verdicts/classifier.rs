@@ -75,7 +75,9 @@ impl Classifier {
             })
             .collect();
         let zeros = vec![0.0; standard.means.len() + 1];
-        let start = start.map_or(zeros.as_slice(), |rule| rule.coefficients.as_slice());
+        let start = start.map_or(zeros.as_slice(), |classifier| {
+            classifier.coefficients.as_slice()
+        });
         Self {
             coefficients: fit(&cases, ridge, start),
             standard,

@@ -28,26 +28,26 @@ pub(super) struct Cohort {
 pub(super) struct Trained {
     pub classifier: Classifier,
     pub calibration: Calibration,
-    /// Subjects that it was made of, ascending.
+    /// Subjects of the training set, ascending.
     pub training_set: Vec<usize>,
     pub left_out: LeftOut,
     pub quality: ClassifierQuality,
 }
 
 impl Cohort {
-    pub fn new(study: &Study, hearts: &[Result<Examined, NotAssessed>]) -> Self {
+    pub fn new(study: &Study, examined: &[Result<Examined, NotAssessed>]) -> Self {
         let with_role = |role: LabelRole| -> Vec<usize> {
-            (hearts.iter().enumerate())
-                .filter(|(index, found)| {
-                    found.is_ok() && study.role(&study.subjects[*index]) == role
+            (examined.iter().enumerate())
+                .filter(|(index, subject)| {
+                    subject.is_ok() && study.role(&study.subjects[*index]) == role
                 })
                 .map(|(index, _)| index)
                 .collect()
         };
         Self {
-            rows: (hearts.iter())
-                .map(|heart| match heart {
-                    Ok(heart) => heart.features.of_rule(),
+            rows: (examined.iter())
+                .map(|subject| match subject {
+                    Ok(subject) => subject.features.model_features(),
                     Err(_) => Vec::new(),
                 })
                 .collect(),
@@ -66,9 +66,9 @@ impl Cohort {
         params: &CheckedVerdictParams,
         progress: &Progress,
     ) -> Result<Option<Trained>, Stopped> {
-        let least = params.min_labelled as usize;
+        let min_count = params.min_labelled as usize;
         // With fewer labels a classifier would be fitted to single subjects.
-        if self.normal.len().min(self.abnormal.len()) < least {
+        if self.normal.len().min(self.abnormal.len()) < min_count {
             return Ok(None);
         }
         let mut training_set = [self.normal.as_slice(), &self.abnormal].concat();
@@ -94,7 +94,7 @@ impl Cohort {
     }
 }
 
-fn right(probabilities: &[f64], labels: &[bool]) -> usize {
+fn correct_count(probabilities: &[f64], labels: &[bool]) -> usize {
     (probabilities.iter().zip(labels))
         .filter(|(p, label)| (**p > 0.5) == **label)
         .count()
@@ -110,7 +110,7 @@ fn quality(
 ) -> Result<ClassifierQuality, Stopped> {
     let measured = |labels: &[bool], left_out: &LeftOut| {
         (
-            right(&left_out.probabilities, labels),
+            correct_count(&left_out.probabilities, labels),
             auc(&left_out.scores, labels),
         )
     };

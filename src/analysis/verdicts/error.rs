@@ -9,10 +9,10 @@ pub enum VerdictError {
     #[error(transparent)]
     Stopped(#[from] Stopped),
     /// Thickening and subjects are not of the same subjects.
-    #[error("thickening of {hearts} subjects does not belong to {subjects} subjects")]
+    #[error("thickening of {examined} subjects does not belong to {subjects} subjects")]
     Count {
         /// Subjects with thickening, or with the reason why there is none.
-        hearts: usize,
+        examined: usize,
         /// Subjects of the study.
         subjects: usize,
     },

@@ -6,7 +6,7 @@ use crate::analysis::medial::MedialBeat;
 use crate::analysis::thickening::{Patch, Thickening};
 use crate::mesh::{Point3, area};
 
-/// PT from end-diastole to end-systole below which a wall is akinetic: "roughly equal to one" (4.4).
+/// PT from end-diastole to end-systole below which wall counts as still: "roughly equal to one" (4.4).
 const AKINETIC_PT: f64 = 1.1;
 
 /// What a verdict is made of: one subject's medial surfaces and its thickening.
@@ -76,7 +76,7 @@ impl Feature {
 
     /// The three that the classifier reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
     /// evidence: see [`verdicts`](super::verdicts()) for both measured side by side.
-    pub const OF_CLASSIFIER: [Self; 3] = [Self::AkineticShare, Self::Median, Self::RelativeSpread];
+    pub const MODEL_FEATURES: [Self; 3] = [Self::AkineticShare, Self::Median, Self::RelativeSpread];
 
     /// In words.
     pub fn name(self) -> &'static str {
@@ -95,6 +95,20 @@ impl Feature {
             Self::MeanPoseDistance => "mean pose distance",
             Self::NormalSpread => "angular SD of ANV",
             Self::MeanPositionDistance => "distance of the mean position from the medial surface",
+        }
+    }
+
+    /// Its unit; empty for a share or ratio.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Median
+            | Self::Spread
+            | Self::TenthPercentile
+            | Self::Remote
+            | Self::UpperRange => "ln PT",
+            Self::NormalSpread => "rad",
+            Self::MeanPositionDistance => "subject sizes",
+            _ => "",
         }
     }
 }
@@ -156,9 +170,9 @@ impl Features {
             .find(|&feature| self.get(feature).is_some_and(|value| !value.is_finite()))
     }
 
-    /// What the classifier reads, in the order of [`Feature::OF_CLASSIFIER`]; these are always known.
-    pub(super) fn of_rule(&self) -> Vec<f64> {
-        (Feature::OF_CLASSIFIER.into_iter())
+    /// What the classifier reads, in the order of [`Feature::MODEL_FEATURES`]; these are always known.
+    pub(super) fn model_features(&self) -> Vec<f64> {
+        (Feature::MODEL_FEATURES.into_iter())
             .map(|feature| self.get(feature).unwrap_or(0.0))
             .collect()
     }

@@ -155,7 +155,7 @@ mod tests {
     }
 
     #[test]
-    fn separable_cases_have_a_finite_rule_that_grows_as_the_penalty_falls() {
+    fn separable_cases_have_a_finite_solution_that_grows_as_the_penalty_falls() {
         let all = cases(
             &[[-1.0, 0.0], [-2.0, 0.0], [1.0, 0.0], [2.0, 0.0]],
             &[0.0, 0.0, 1.0, 1.0],

@@ -7,7 +7,7 @@ pub struct VerdictParams {
     pub ridge: f64,
     /// Fewest assessed subjects of each role from which a classifier is trained.
     pub min_labelled: u32,
-    /// Least share of its volume at end-diastole that the wall still has at end-systole. Myocardium keeps
+    /// Least share of its volume at end-diastole that the wall still has at end-systole. Muscle keeps
     /// nearly all of it; a wall that loses more is blurred, and its thickening hidden.
     pub min_wall_volume: f64,
     /// Permutations of the labels for the baselines.
@@ -67,7 +67,7 @@ impl VerdictParams {
     /// If a number is out of range or not a number.
     pub fn check(self) -> Result<CheckedVerdictParams, VerdictParamError> {
         let ranges = [
-            // Below, separable classes have no finite classifier; above, there is none but the mean.
+            // Below, separable classes have no finite solution; above, only the mean is left.
             ("ridge", self.ridge, 1e-3, 1e3),
             // With one of a class nothing is left of it when that one is left out.
             (

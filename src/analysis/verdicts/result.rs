@@ -5,10 +5,10 @@ use crate::analysis::thickening::Extent;
 
 use super::features::Features;
 
-/// What verdicts read of one subject.
+/// What a verdict needs of one subject.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Examined {
-    /// What the classifier reads, and what else describes the subject.
+    /// Model features, and what else describes the subject.
     pub features: Features,
     /// What the whole wall does.
     pub extent: Extent,
@@ -22,10 +22,10 @@ pub enum NotAssessed {
     /// There is no wall, there are too few frames …: what the thickening says.
     #[error("{0}")]
     NoThickening(String),
-    /// The wall loses volume that myocardium cannot lose.
+    /// The wall loses volume that muscle cannot lose.
     #[error(
-        "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, but \
-         myocardium is nearly incompressible; blur hides thickening",
+        "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, and muscle keeps \
+         nearly all of it; blur hides thickening",
         100.0 * share
     )]
     WallNotResolved {
@@ -95,27 +95,27 @@ pub struct TrainingSetDistance {
     pub distance: f64,
     /// Median of the same distance within the training set.
     pub median: f64,
-    /// Share of these that lie at least as far from the others: near 0, the subject is unlike any in the training set.
+    /// Share of the training set that lies at least as far from the others: near 0, the subject is unlike all of it.
     pub as_far: f64,
 }
 
 /// The verdict on one subject.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// What was found.
+    /// Its kind.
     pub finding: Finding,
     /// Whether the probability is above one half.
     pub abnormal: bool,
-    /// That the subject is abnormal, if either were as likely beforehand. By a classifier that was trained without it where
-    /// it has a label; not calibrated where [`Verdicts::classifier`] says so.
+    /// Predicted probability that the subject is abnormal, for equal priors; leave-one-out where it has a label, and
+    /// an uncalibrated score where [`Verdicts::classifier`] says so.
     pub probability: f64,
-    /// What the classifier reads, and what else describes the subject.
+    /// Model features, and what else describes the subject.
     pub features: Features,
-    /// Share of the wall in patches, 0..=1, whatever was found: a part that thickens little is no finding by itself.
+    /// Share of the wall in patches, 0..=1, whatever the finding: a region of low thickening is no finding by itself.
     pub patched: f64,
-    /// The three most similar subjects with a normal label, nearest first, by the classifier's standardised features.
+    /// The three most alike subjects with a normal label, nearest first, by the classifier's standardised features.
     pub similar_normal: Vec<usize>,
-    /// The three most similar with an abnormal label.
+    /// The three most alike with an abnormal label.
     pub similar_abnormal: Vec<usize>,
     /// How near it lies to the training set; `None` for default thresholds, which have none.
     pub training_set_distance: Option<TrainingSetDistance>,
@@ -124,14 +124,14 @@ pub struct Verdict {
 /// Where the classifier comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ClassifierSource {
-    /// From the labelled subjects, each left out in turn.
+    /// Trained on the labelled subjects, leave-one-out.
     Cohort {
         /// Assessed subjects with a normal label.
         normal: usize,
         /// And with an abnormal one.
         abnormal: usize,
     },
-    /// Fixed beforehand, since too few subjects with a label could be assessed: the number is an order, no probability.
+    /// Default thresholds, since too few subjects with a label could be assessed: the number is an uncalibrated score.
     Uncalibrated {
         /// Assessed subjects with a normal label.
         normal: usize,
@@ -140,19 +140,19 @@ pub enum ClassifierSource {
     },
 }
 
-/// How good the classifier is on the subjects with labels, each left out in turn.
+/// Accuracy of the classifier on the labelled subjects, leave-one-out.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClassifierQuality {
     /// Accuracy beside that with permuted labels. Both classes weigh alike in the classifier: where one is much more
     /// frequent, always saying that one may be right as often.
     pub accuracy: Accuracy,
-    /// Normal subjects called abnormal.
+    /// Normal subjects classified as abnormal.
     pub false_positives: usize,
-    /// Abnormal subjects called normal.
+    /// Abnormal subjects classified as normal.
     pub false_negatives: usize,
     /// Area under the ROC curve: probability that an abnormal subject has a higher score than a normal one.
     pub auc: f64,
-    /// Its mean where labels are permuted. Leaving out pulls it below one half.
+    /// Its permutation mean; leave-one-out pulls it below one half.
     pub auc_baseline: f64,
     /// Share of permutations at least as good, those labels that are one of them.
     pub auc_p_value: f64,
@@ -165,6 +165,6 @@ pub struct Verdicts {
     pub subjects: Vec<Result<Verdict, NotAssessed>>,
     /// Where the classifier comes from.
     pub classifier: ClassifierSource,
-    /// How good it is; `None` where it was not trained.
+    /// Its accuracy; `None` where it was not trained.
     pub quality: Option<ClassifierQuality>,
 }

@@ -68,7 +68,7 @@ fn measured(beat: MedialBeat) -> Heart {
 }
 
 /// A wall that thickens everywhere, subjects differing a little.
-fn remote(number: u32) -> Heart {
+fn healthy(number: u32) -> Heart {
     let amount = 0.42 + 0.011 * f64::from(number);
     heart(move |d| amount * (1.0 + 0.08 * d.x), amount)
 }
@@ -134,8 +134,8 @@ fn input((beat, thickening): &Heart) -> Result<Examined, NotAssessed> {
 
 /// Seven healthy subjects, seven with a patch, and without labels one of each and one that fails as a whole.
 fn cohort() -> (Vec<Heart>, Vec<Option<&'static str>>) {
-    let mut hearts: Vec<Heart> = (0..7).map(remote).chain((0..7).map(ill)).collect();
-    hearts.extend([remote(9), ill(9), failing()]);
+    let mut hearts: Vec<Heart> = (0..7).map(healthy).chain((0..7).map(ill)).collect();
+    hearts.extend([healthy(9), ill(9), failing()]);
     let mut labels = [vec![Some("normal"); 7], vec![Some("abnormal"); 7]].concat();
     labels.extend([None; 3]);
     (hearts, labels)
@@ -146,7 +146,7 @@ fn assessed(verdicts: &Verdicts, subject: usize) -> &Verdict {
 }
 
 #[test]
-fn hearts_with_a_patch_are_told_from_well_ones_with_and_without_labels() {
+fn subjects_with_a_patch_are_classified_with_and_without_labels() {
     let (hearts, labels) = cohort();
     let found = classified(&hearts, &labels);
     assert_eq!(
@@ -264,8 +264,8 @@ fn a_heart_unlike_any_that_was_seen_is_said_to_be_so() {
 }
 
 #[test]
-fn labels_that_have_nothing_to_do_with_the_hearts_give_no_rule_worth_having() {
-    let hearts: Vec<Heart> = (0..12).map(remote).collect();
+fn labels_that_have_nothing_to_do_with_the_hearts_give_a_useless_classifier() {
+    let hearts: Vec<Heart> = (0..12).map(healthy).collect();
     // Neither more nor less thickening than the others, nor more or less spread.
     let labels = [0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0].map(|i| Some(["normal", "abnormal"][i]));
     let quality = classified(&hearts, &labels).quality.unwrap();
@@ -275,7 +275,7 @@ fn labels_that_have_nothing_to_do_with_the_hearts_give_no_rule_worth_having() {
 
 #[test]
 fn equal_hearts_are_neither_normal_nor_abnormal() {
-    let hearts = vec![remote(0); 10];
+    let hearts = vec![healthy(0); 10];
     let labels: Vec<_> = (0..10)
         .map(|i| Some(["normal", "abnormal"][i % 2]))
         .collect();
@@ -291,7 +291,7 @@ fn what_cannot_be_told_is_not_assessed_and_takes_no_part() {
     let (mut hearts, labels) = cohort();
     // A wall that shrinks without thickening has lost half of its volume.
     hearts[3] = heart(|_| 0.02, 0.7);
-    let mut rough = remote(1).0;
+    let mut rough = healthy(1).0;
     for (index, frame) in rough.frames.iter_mut().enumerate() {
         for (atom, place) in frame.atoms.iter_mut().zip(1..) {
             let x = 2.0

@@ -18,7 +18,7 @@ use super::similarity::{nearest_distances, nearest_rows, training_set_distance};
 const SURE: f64 = 3.0;
 /// ln PT that counts as thickening at all, PT = 1.1.
 const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
-/// Akinetic share at which the uncalibrated score is undecided: between the most of 20 normal subjects (5.0 %) and the
+/// Still share at which the uncalibrated classifier is undecided: between the most of 20 normal subjects (5.0 %) and the
 /// least of the built-in patches (5.9 %).
 const AKINETIC_LIMIT: f64 = 0.055;
 /// How far from there it is for odds of e to one.
@@ -26,16 +26,16 @@ const AKINETIC_SCALE: f64 = 0.01;
 /// Reach below which an abnormal subject's hypokinesia is global: all 20 normal subjects reach further, as do
 /// 19 of 20 with infarction and all built-in subjects with a patch, and 15 of 20 dilated ones do not.
 const REGIONAL_REACH: f64 = 0.65;
-/// Most similar subjects that are shown.
+/// Most alike subjects that are shown.
 const ALIKE: usize = 3;
 
 /// Finding and probability of each subject.
 ///
-/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that myocardium cannot lose, and where
+/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
 ///    noise of thickening is a third of what remote myocardium does or more.
-/// 2. The rest is classified by a logistic classifier on [`Feature::OF_CLASSIFIER`], standardised, both classes
-///    weighing alike, trained from the subjects whose label is of class normal or abnormal. What is said of a labelled
-///    subject comes from a classifier that was trained without it, calibrated by the scores of the others. With too few labels
+/// 2. The rest is classified by a logistic classifier on [`Feature::MODEL_FEATURES`], standardised, both classes
+///    weighing alike, trained on the subjects whose label counts as normal or abnormal. The verdict on a labelled
+///    subject comes from a classifier trained without it, calibrated by the scores of the others. With too few labels
 ///    a fixed classifier stands in: the akinetic share of the wall beside 5.5 %.
 /// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::UpperRange`] is small: then
 ///    hypokinesia is global.
@@ -65,23 +65,23 @@ const ALIKE: usize = 3;
 /// If the subjects are not those of the study, or on "stop".
 pub fn verdicts(
     study: &Study,
-    hearts: &[Result<Examined, NotAssessed>],
+    examined: &[Result<Examined, NotAssessed>],
     params: &CheckedVerdictParams,
     progress: &Progress,
 ) -> Result<Verdicts, VerdictError> {
-    if hearts.len() != study.subjects.len() {
+    if examined.len() != study.subjects.len() {
         return Err(VerdictError::Count {
-            hearts: hearts.len(),
+            examined: examined.len(),
             subjects: study.subjects.len(),
         });
     }
     progress.expect_steps(params.permutations as usize + 1);
-    let cohort = Cohort::new(study, hearts);
+    let cohort = Cohort::new(study, examined);
     let trained = cohort.train(params, progress)?;
-    let classified = Classified::new(&cohort, trained.as_ref());
-    let subjects = (hearts.iter().enumerate())
-        .map(|(index, heart)| match heart {
-            Ok(heart) => Ok(classified.verdict(index, heart)),
+    let classified = Classification::new(&cohort, trained.as_ref());
+    let subjects = (examined.iter().enumerate())
+        .map(|(index, subject)| match subject {
+            Ok(subject) => Ok(classified.verdict(index, subject)),
             Err(reason) => Err(reason.clone()),
         })
         .collect();
@@ -106,7 +106,7 @@ pub fn examine(
 ) -> Result<Examined, NotAssessed> {
     let share = wall_volume_ratio(heart.beat, heart.thickening);
     // A wall without volume has no share of it, either.
-    // Myocardium is incompressible: a wall that loses volume is not resolved, and its thickening is an artefact.
+    // Muscle is incompressible: a wall that loses volume was not seen, and its thickening is an artefact.
     if share.is_nan() || share < params.min_wall_volume {
         return Err(NotAssessed::WallNotResolved { share });
     }
@@ -129,7 +129,7 @@ pub fn examine(
 }
 
 /// What is needed for the verdict on each subject.
-struct Classified<'a> {
+struct Classification<'a> {
     cohort: &'a Cohort,
     trained: Option<&'a Trained>,
     /// Standardised rows; empty where not assessed.
@@ -137,7 +137,7 @@ struct Classified<'a> {
     nearest_distances: Vec<f64>,
 }
 
-impl<'a> Classified<'a> {
+impl<'a> Classification<'a> {
     fn new(cohort: &'a Cohort, trained: Option<&'a Trained>) -> Self {
         let assessed: Vec<&[f64]> = cohort
             .rows
@@ -170,7 +170,7 @@ impl<'a> Classified<'a> {
             return sigmoid((akinetic - AKINETIC_LIMIT) / AKINETIC_SCALE);
         };
         match trained.training_set.binary_search(&index) {
-            // A subject in the training set gets the leave-one-out result; the classifier of all subjects was trained with its label.
+            // A subject in the training set gets the leave-one-out result; the whole classifier has seen its label.
             Ok(place) => trained.left_out.probabilities[place],
             Err(_) => {
                 let score = trained.classifier.score(&self.cohort.rows[index]);
@@ -179,15 +179,15 @@ impl<'a> Classified<'a> {
         }
     }
 
-    fn verdict(&self, index: usize, heart: &Examined) -> Verdict {
-        let features = &heart.features;
+    fn verdict(&self, index: usize, subject: &Examined) -> Verdict {
+        let features = &subject.features;
         let probability = self.probability(index, features);
-        // A draw raises no alarm.
+        // At one half the subject counts as normal.
         let abnormal = probability > 0.5;
         let nearest_rows = |among: &[usize]| nearest_rows(&self.standardised, index, among, ALIKE);
         Verdict {
             finding: if abnormal {
-                failure(features, heart.extent)
+                failure(features, subject.extent)
             } else {
                 Finding::Nothing
             },
@@ -204,7 +204,7 @@ impl<'a> Classified<'a> {
                 )
             }),
             features: features.clone(),
-            patched: heart.patched,
+            patched: subject.patched,
         }
     }
 }

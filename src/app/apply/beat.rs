@@ -3,11 +3,11 @@
 use crate::panes::BeatCommand;
 
 use super::change::{Moment, change};
-use crate::app::document::position_at_phase;
-use crate::app::play::SPEEDS;
-use crate::app::state::State;
-use crate::app::undo::Gesture;
-use crate::app::views::visible_subjects;
+use crate::document::document::position_at_phase;
+use crate::document::play::SPEEDS;
+use crate::document::state::State;
+use crate::document::undo::Gesture;
+use crate::panes::cohort::view::visible_subjects;
 
 /// Carries out a command about subjects or time.
 pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {

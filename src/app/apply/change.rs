@@ -1,8 +1,8 @@
 //! How the document changes: as one step of undo, and a drag as one step.
 
-use crate::app::document::Document;
-use crate::app::state::State;
-use crate::app::undo::Gesture;
+use crate::document::document::Document;
+use crate::document::state::State;
+use crate::document::undo::Gesture;
 use crate::study::Revision;
 
 /// What surrounds a command.

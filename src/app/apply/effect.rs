@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use crate::app::export::FigureKind;
+use crate::document::ThemeChoice;
 use crate::engine::{OpenSource, Topic};
-use crate::panes::{Pane, ThemeChoice};
+use crate::panes::Pane;
 
 /// What must be done outside the state.
 #[derive(Clone, Debug, PartialEq)]

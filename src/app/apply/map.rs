@@ -1,7 +1,7 @@
 //! Commands about metric and maps.
 
 use crate::analysis::deformations::DeformationMapParams;
-use crate::app::state::State;
+use crate::document::state::State;
 use crate::engine::PoseMapParams;
 use crate::panes::MapCommand;
 

@@ -16,8 +16,8 @@ pub use effect::Effect;
 
 use crate::panes::{Command, EditCommand};
 
-use crate::app::document::Document;
-use crate::app::state::State;
+use crate::document::document::Document;
+use crate::document::state::State;
 
 /// Carries out one command; what reaches beyond the state comes back as effects.
 pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> {

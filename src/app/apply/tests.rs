@@ -2,12 +2,12 @@
 
 use super::{Effect, Moment, apply};
 use crate::app::export::FigureKind;
-use crate::app::state::State;
-use crate::app::testing::{state_of, subject_with_frames};
+use crate::document::ViewMode;
+use crate::document::state::State;
+use crate::document::testing::{state_of, subject_with_frames};
 use crate::engine::{PoseMapParams, Topic};
 use crate::panes::{
-    BeatCommand, Command, EditCommand, FileCommand, ViewCommand, ViewMode, WindowCommand,
-    WorkCommand,
+    BeatCommand, Command, EditCommand, FileCommand, ViewCommand, WindowCommand, WorkCommand,
 };
 use crate::picture::Quantity;
 use crate::render::Camera;

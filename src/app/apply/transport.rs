@@ -1,15 +1,16 @@
 //! Commands that play one heart's beat on another, and those about poses between frames.
 
+use crate::document::ViewMode;
 use crate::engine::{InBetweens, Topic, Transfer};
-use crate::panes::{TransportCommand, ViewMode};
+use crate::panes::TransportCommand;
 use crate::picture::Quantity;
 
 use super::change::{Moment, change};
 use super::effect::Effect;
-use crate::app::document::CarriedBeat;
 use crate::app::errors::push_card;
-use crate::app::state::State;
-use crate::app::undo::Gesture;
+use crate::document::document::CarriedBeat;
+use crate::document::state::State;
+use crate::document::undo::Gesture;
 
 /// Carries out a command about carried beats or poses between frames.
 pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> Vec<Effect> {
@@ -111,11 +112,11 @@ mod tests {
     use std::sync::Arc;
 
     use super::*;
-    use crate::app::answers::InBetweensAnswer;
     use crate::app::apply::apply;
-    use crate::app::in_betweens::tests::straight_paths;
-    use crate::app::in_betweens::{BeatMemo, geodesic_params};
-    use crate::app::testing::{state_of, subject_with_frames};
+    use crate::document::answers::InBetweensAnswer;
+    use crate::document::in_betweens::tests::straight_paths;
+    use crate::document::in_betweens::{BeatMemo, geodesic_params};
+    use crate::document::testing::{state_of, subject_with_frames};
     use crate::mesh::phantom;
     use crate::panes::{BeatCommand, Command, EditCommand, ViewCommand};
     use crate::study::{MeshSequence, Revision, Subject, SurfaceKind, SurfaceSequence};

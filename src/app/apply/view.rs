@@ -4,9 +4,9 @@ use crate::app::saved_views;
 use crate::panes::ViewCommand;
 
 use super::change::{Moment, change};
-use crate::app::look::{Direction, Look};
-use crate::app::state::State;
-use crate::app::undo::Gesture;
+use crate::document::state::State;
+use crate::document::undo::Gesture;
+use crate::document::viewpoint::{Direction, Look};
 
 /// Carries out a command about the picture or the table.
 pub fn apply(state: &mut State, command: ViewCommand, moment: &Moment) {

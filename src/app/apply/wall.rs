@@ -4,9 +4,9 @@ use crate::engine::ThickeningSettings;
 use crate::panes::WallCommand;
 
 use super::change::{Moment, change};
-use crate::app::look::{Direction, Look};
-use crate::app::state::State;
-use crate::app::undo::Gesture;
+use crate::document::state::State;
+use crate::document::undo::Gesture;
+use crate::document::viewpoint::{Direction, Look};
 
 /// Carries out a command about atoms, patches or the bull's-eye.
 pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
@@ -52,7 +52,7 @@ mod tests {
     use super::*;
     use crate::analysis::segments::Segment;
     use crate::app::apply::apply;
-    use crate::app::testing::{state_of, subject_with_frames};
+    use crate::document::testing::{state_of, subject_with_frames};
     use crate::panes::{BeatCommand, Command, EditCommand};
     use crate::picture::WallPart;
     use crate::study::Revision;

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use crate::app::export::FigureKind;
 use crate::app::saved_views::is_picture;
 use crate::app::settings::remember_recent;
-use crate::app::state::{Sheets, State};
+use crate::document::state::{Sheets, State};
 use crate::engine::OpenSource;
 use crate::panes::{FileCommand, WindowCommand, WorkCommand};
 

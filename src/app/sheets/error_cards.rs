@@ -4,25 +4,12 @@ use egui::{
     Align2, Area, CollapsingHeader, Frame, Margin, Order, RichText, ScrollArea, Stroke, Ui,
 };
 
-use crate::engine::Topic;
+use crate::document::ErrorCard;
 use crate::panes::commands::{Command, WorkCommand};
 use crate::ui::controls::icon_button_ui;
 use crate::ui::marks::Icon;
 use crate::ui::style::medium;
 use crate::ui::theme::{colours, line, space};
-
-/// One thing that went wrong.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ErrorCard {
-    /// What could not be done: "2 files could not be read".
-    pub title: String,
-    /// Why, in one sentence with file, line or byte.
-    pub message: String,
-    /// The whole story, one line each; folded until asked for.
-    pub details: String,
-    /// Work that can be tried again.
-    pub retry: Option<Topic>,
-}
 
 /// Height of the bars at the foot of the window.
 const BARS: f32 = 116.0;
@@ -85,6 +72,7 @@ fn card_ui(ui: &mut Ui, index: usize, card: &ErrorCard, commands: &mut Vec<Comma
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::Topic;
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     #[test]

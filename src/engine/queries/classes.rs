@@ -1,4 +1,4 @@
-//! How well classes can be told from each other by deformations.
+//! How well classes are separated by deformations.
 
 use crate::analysis::classification::{
     Classes, ClassesParamError, ClassesParams, ClassifyError, classify,

@@ -15,7 +15,7 @@ pub struct Contribution {
     pub a: PoseId,
     /// The other.
     pub b: PoseId,
-    /// How they are compared; faces are those of the subjects themselves, whatever is said of a transport.
+    /// How they are compared; faces are those of the subjects themselves, whatever the transport.
     pub distances: PoseDistanceParams,
 }
 

@@ -64,7 +64,7 @@ impl Query for MedialPaths {
     }
 }
 
-/// The paths that the answer about one wall holds. What is found in a wall that is not resolved would be blur or noise.
+/// The paths that the answer about one wall holds. What is measured in a wall that is not resolved would be blur or noise.
 ///
 /// # Errors
 /// If that was stopped.
@@ -72,11 +72,11 @@ pub fn paths_of(
     answer: &Answered<WallThickening>,
 ) -> Result<Result<SubjectPaths, String>, Stopped> {
     match answer {
-        Ok(found) => {
-            if let Some(reason) = &found.not_assessed {
+        Ok(wall) => {
+            if let Some(reason) = &wall.not_assessed {
                 return Ok(Err(reason.to_string()));
             }
-            let paths = subject_paths(&found.beat, &found.thickening, found.axis.as_ref());
+            let paths = subject_paths(&wall.beat, &wall.thickening, wall.axis.as_ref());
             Ok(paths.map_err(|reason| reason.to_string()))
         }
         Err(Interrupted::Stopped) => Err(Stopped),

@@ -33,8 +33,8 @@ pub use thickening::{
     SubjectThickening, ThickeningQueryError, ThickeningSettings, WallThickening, thickening_words,
 };
 pub use thickness::{
-    FrameThickness, FrameThicknessError, MethodResult, PoseThickness, ThicknessMethod,
+    ComparedMethod, FrameThickness, FrameThicknessError, MethodResult, PoseThickness,
     ThicknessSettings,
 };
 pub use transfer::{Transfer, TransferError};
-pub use verdicts::{VerdictSettings, VerdictsError, examined, study_verdicts};
+pub use verdicts::{VerdictSettings, VerdictsError, examined, verdicts_of};

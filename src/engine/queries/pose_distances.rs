@@ -1,4 +1,4 @@
-//! Distances of all poses, and how settings of a metric are said in words.
+//! Distances of all poses, and settings of a metric in words.
 
 use crate::analysis::metrics::{Corners, CurvatureRole, Form, MetricParams};
 use crate::analysis::pose_distances::{
@@ -38,7 +38,7 @@ impl Query for PoseDistanceParams {
         let checked = (self.check()).map_err(|error| Interrupted::Failed(error.into()))?;
         // After an edit only the distances to poses of the edited subjects are computed.
         let similar = cx.similar(self);
-        let similar = similar.and_then(|(state, found)| Some((state.shape_keys()?, found)));
+        let similar = similar.and_then(|(state, distances)| Some((state.shape_keys()?, distances)));
         let known = similar
             .as_ref()
             .map(|(shapes, distances)| KnownDistances { shapes, distances });
@@ -50,14 +50,14 @@ impl Query for PoseDistanceParams {
         }
     }
 
-    fn memory(found: &PoseDistances, memory: &mut Memory) {
-        memory.own(distances_bytes(found));
+    fn memory(distances: &PoseDistances, memory: &mut Memory) {
+        memory.own(distances_bytes(distances));
     }
 }
 
 /// Memory that distances hold.
-pub(super) fn distances_bytes(found: &PoseDistances) -> usize {
-    size_of_val(found.distances.upper()) + size_of_val(&*found.poses)
+pub(super) fn distances_bytes(distances: &PoseDistances) -> usize {
+    size_of_val(distances.distances.upper()) + size_of_val(&*distances.poses)
 }
 
 /// How poses are compared, as summaries and the activity list say it.

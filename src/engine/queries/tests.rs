@@ -28,7 +28,7 @@ pub(super) fn ask<Q: Query>(store: &Store, study: &Arc<Study>, query: &Q) -> Arc
     }
 }
 
-/// What is said of a question that has no answer.
+/// The error of a question that has no answer.
 pub(super) fn refusal<Q: Query>(store: &Store, study: &Arc<Study>, query: &Q) -> String {
     match store.answer(study, query, &Progress::default()) {
         Ok(_) => panic!("{query:?} has an answer"),
@@ -95,8 +95,8 @@ fn the_same_question_brings_the_same_answer_back() {
 fn settings_out_of_range_are_an_answer_in_words() {
     let mut params = PoseDistanceParams::default();
     params.metric.lambda = -1.0;
-    let said = refusal(&store(), &study(), &params);
-    assert!(said.contains("-1"), "{said}");
+    let message = refusal(&store(), &study(), &params);
+    assert!(message.contains("-1"), "{message}");
 }
 
 #[test]
@@ -378,18 +378,18 @@ fn no_question_is_answered_once_stopped_and_nothing_is_kept() {
 #[test]
 fn what_is_not_there_is_named() {
     let (study, store) = (study(), store());
-    let said = refusal(&store, &study, &interval(9));
-    assert_eq!(said, "there is no interval 9 in a sequence of 8 frames");
+    let message = refusal(&store, &study, &interval(9));
+    assert_eq!(message, "there is no interval 9 in a sequence of 8 frames");
     let query = Transfer {
         from: 0,
         onto: 4,
         params: TransportParams::default(),
     };
-    let said = refusal(&store, &study, &query);
-    assert_eq!(said, "there is no subject 4 among 4");
+    let message = refusal(&store, &study, &query);
+    assert_eq!(message, "there is no subject 4 among 4");
     let nobody = InBetweens {
         subject: 4,
         ..in_betweens()
     };
-    assert_eq!(refusal(&store, &study, &nobody), said);
+    assert_eq!(refusal(&store, &study, &nobody), message);
 }

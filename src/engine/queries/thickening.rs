@@ -32,7 +32,7 @@ const ATOMS_SHARE: f32 = 0.8;
 pub struct ThickeningSettings {
     /// How medial spheres are fitted.
     pub medial: MedialParams,
-    /// What is akinetic, and what is a patch.
+    /// What counts as still, and as a patch.
     pub thickening: ThickeningParams,
 }
 
@@ -52,7 +52,7 @@ pub struct SubjectThickening {
     pub beat: Arc<MedialBeat>,
     /// How they thicken, and where they do not.
     pub thickening: Thickening,
-    /// Why its wall has no verdict, where it is not resolved: what is found in it may be blur or noise.
+    /// Why its wall carries no verdict, where it is not resolved: what is found in it may be blur or noise.
     pub not_assessed: Option<NotAssessed>,
     /// The long axis at end-diastole.
     pub axis: Option<LongAxis>,
@@ -67,16 +67,16 @@ pub struct SubjectThickening {
 impl SubjectThickening {
     /// Memory that it holds without its atoms, which other answers share.
     fn own_bytes(&self) -> usize {
-        let found = &self.thickening;
-        let steps: usize = (found.steps.iter())
+        let thickening = &self.thickening;
+        let steps: usize = (thickening.steps.iter())
             .map(|step| size_of_val(step) + size_of_val(&*step.pt) + size_of_val(&*step.akinetic))
             .sum();
-        let patches: usize = (found.patches.iter())
+        let patches: usize = (thickening.patches.iter())
             .map(|patch| {
                 size_of_val(patch) + size_of_val(&*patch.atoms) + size_of_val(&*patch.path)
             })
             .sum();
-        let atoms = size_of_val(&*found.ed_to_es) + size_of_val(&*found.thickening);
+        let atoms = size_of_val(&*thickening.ed_to_es) + size_of_val(&*thickening.thickening);
         steps + patches + atoms + size_of_val(&*self.segments) + size_of_val(&*self.polar)
     }
 }
@@ -141,8 +141,8 @@ impl Query for WallThickening {
             Ok(axis) => (Some(axis), None),
             Err(error) => (None, Some(error.to_string())),
         };
-        let found = match thickening(&beat, &measures, axis.as_ref(), &params, part.progress()) {
-            Ok(found) => found,
+        let assessed = match thickening(&beat, &measures, axis.as_ref(), &params, part.progress()) {
+            Ok(assessed) => assessed,
             Err(ThickeningError::Stopped(_)) => return Err(Interrupted::Stopped),
             Err(error) => return Err(failed(ThickeningQueryError::Thickening(error))),
         };
@@ -152,12 +152,12 @@ impl Query for WallThickening {
         let verdicts = (VerdictParams::default().check()).map_err(|error| failed(error.into()))?;
         let heart = VerdictInput {
             beat: &beat,
-            thickening: &found,
+            thickening: &assessed,
         };
         Ok(SubjectThickening {
             not_assessed: examine(&heart, &verdicts).err(),
             beat,
-            thickening: found,
+            thickening: assessed,
             segments: (centres.iter())
                 .map(|&point| segment(axis.as_ref()?, point))
                 .collect(),
@@ -169,9 +169,9 @@ impl Query for WallThickening {
         })
     }
 
-    fn memory(found: &SubjectThickening, memory: &mut Memory) {
-        memory.shared(&found.beat, beat_bytes(&found.beat));
-        memory.own(found.own_bytes());
+    fn memory(wall: &SubjectThickening, memory: &mut Memory) {
+        memory.shared(&wall.beat, beat_bytes(&wall.beat));
+        memory.own(wall.own_bytes());
     }
 
     fn replaces(&self, other: &Self) -> bool {
@@ -221,8 +221,9 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         RatioForm::Product => "product",
     };
     format!(
-        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core}, akinetic threshold {akinetic:.3}, extent threshold {border}, \
-         minimum area {min_share}, minimum thickening {min_thickening:.3}, averaged over {smoothing}, \
+        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core}, akinetic threshold {akinetic:.3}, \
+         extent threshold {border}, minimum area {min_share}, minimum thickening {min_thickening:.3}, \
+         averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)
     )

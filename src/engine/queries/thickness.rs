@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use crate::analysis::medial::{MedialBeat, MedialParamError, MedialParams, medial_beat};
 use crate::analysis::thickness_methods::{
-    Agreement, CheckedThicknessParams, ComparisonMethod, ThicknessError, ThicknessParams,
+    Agreement, CheckedThicknessParams, ThicknessError, ThicknessMethod, ThicknessParams,
     ThicknessSpread, thickness,
 };
 use crate::engine::queries::medial_beat::{MedialSurfaces, medial_words};
@@ -17,26 +17,26 @@ use crate::study::{MeshSequence, SequenceError, Study, Subject, SurfaceSequence}
 /// Share of the work that medial spheres take; field lines take most of the rest.
 const MEDIAL_SHARE: f32 = 0.2;
 
-/// Settings of the ways of measuring.
+/// Settings of the methods.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ThicknessSettings {
     /// How medial spheres are fitted.
     pub medial: MedialParams,
-    /// Slices, chords and voxels of the other ways.
+    /// Slices, chords and voxels of the other methods.
     pub methods: ThicknessParams,
 }
 
-/// A way of telling how thick the wall is.
+/// A method of measuring wall thickness: medial spheres, or one that is compared with them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum ThicknessMethod {
-    /// Twice the radius of the medial atoms that take part: what the others are compared with.
+pub enum ComparedMethod {
+    /// Twice the radius of the medial atoms that take part: the reference.
     Medial,
-    /// Any of the others.
-    Other(ComparisonMethod),
+    /// Another method, compared with the reference.
+    Other(ThicknessMethod),
 }
 
-impl ThicknessMethod {
-    /// The words for it.
+impl ComparedMethod {
+    /// Its name in the pane.
     pub fn name(self) -> &'static str {
         match self {
             Self::Medial => "medial spheres",
@@ -45,27 +45,27 @@ impl ThicknessMethod {
     }
 }
 
-/// What one way says of the wall at a frame.
+/// Wall thickness at a frame by one method.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MethodResult {
-    /// Which way.
-    pub method: ThicknessMethod,
-    /// Its thicknesses in coordinates, or why it says nothing.
-    pub found: Result<ThicknessSpread, String>,
+    /// The method that measured it.
+    pub method: ComparedMethod,
+    /// Distribution of the thicknesses, in coordinates, or why there are none.
+    pub thickness: Result<ThicknessSpread, String>,
     /// How it differs from twice the medial radius at the same vertices; `None` for that itself, and
-    /// where either says nothing.
+    /// where either has no value.
     pub agreement: Option<Agreement>,
     /// Seconds that it took for this frame; they differ from run to run.
     pub seconds: f64,
 }
 
-/// What all ways say of the wall at a frame.
+/// Wall thickness at a frame by all methods.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameThickness {
-    /// The frame.
+    /// Index of the frame.
     pub frame: usize,
     /// The medial radius first.
-    pub answers: Vec<MethodResult>,
+    pub results: Vec<MethodResult>,
 }
 
 /// Thickness of one subject's wall at a frame by all methods.
@@ -128,18 +128,18 @@ impl Query for PoseThickness {
         }
         let part = cx.part("fitting medial spheres", 0.0, MEDIAL_SHARE);
         let medial = self.medial(subject, &part)?;
-        let mut answers = vec![MethodResult {
-            method: ThicknessMethod::Medial,
-            found: medial.spread.clone(),
+        let mut results = vec![MethodResult {
+            method: ComparedMethod::Medial,
+            thickness: medial.spread.clone(),
             agreement: None,
             seconds: medial.seconds,
         }];
-        let count = ComparisonMethod::ALL.len();
-        for (place, method) in ComparisonMethod::ALL.into_iter().enumerate() {
+        let count = ThicknessMethod::ALL.len();
+        for (place, method) in ThicknessMethod::ALL.into_iter().enumerate() {
             let share =
                 |done: usize| MEDIAL_SHARE + (1.0 - MEDIAL_SHARE) * done as f32 / count as f32;
             let part = cx.part(method.name(), share(place), share(place + 1));
-            answers.push(other(
+            results.push(other(
                 subject,
                 frame,
                 method,
@@ -148,11 +148,11 @@ impl Query for PoseThickness {
                 part.progress(),
             )?);
         }
-        Ok(FrameThickness { frame, answers })
+        Ok(FrameThickness { frame, results })
     }
 
-    fn memory(found: &FrameThickness, memory: &mut Memory) {
-        memory.own(size_of_val(&*found.answers));
+    fn memory(thickness: &FrameThickness, memory: &mut Memory) {
+        memory.own(size_of_val(&*thickness.results));
     }
 
     fn replaces(&self, other: &Self) -> bool {
@@ -247,7 +247,7 @@ fn seconds_of_one(
 fn other(
     subject: &Subject,
     frame: usize,
-    method: ComparisonMethod,
+    method: ThicknessMethod,
     params: &CheckedThicknessParams,
     medial: &Medial,
     progress: &Progress,
@@ -255,14 +255,14 @@ fn other(
     let begin = Instant::now();
     let map = thickness(subject, frame, method, params, progress);
     let seconds = begin.elapsed().as_secs_f64();
-    let way = ThicknessMethod::Other(method);
+    let compared = ComparedMethod::Other(method);
     let map = match map {
         Ok(map) => map,
         Err(ThicknessError::Stopped(stopped)) => return Err(stopped),
         Err(reason) => {
             return Ok(MethodResult {
-                method: way,
-                found: Err(reason.to_string()),
+                method: compared,
+                thickness: Err(reason.to_string()),
                 agreement: None,
                 seconds,
             });
@@ -276,9 +276,9 @@ fn other(
         .map(|&(_, thickness)| Some(thickness));
     let spread = ThicknessSpread::of(map.thickness.iter().copied());
     Ok(MethodResult {
-        method: way,
+        method: compared,
         agreement: Agreement::of(at_atoms, reference),
-        found: spread.ok_or_else(|| "no vertex has a thickness by this method".to_owned()),
+        thickness: spread.ok_or_else(|| "no vertex has a thickness".to_owned()),
         seconds,
     })
 }

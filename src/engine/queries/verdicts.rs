@@ -58,7 +58,7 @@ impl Query for VerdictSettings {
     fn run(&self, cx: &Context<'_>) -> Result<Verdicts, Interrupted<VerdictsError>> {
         let params = (self.verdicts.check()).map_err(|error| Interrupted::Failed(error.into()))?;
         let count = cx.study().subjects.len();
-        let hearts = (0..count)
+        let examined = (0..count)
             .map(|subject| {
                 let share = |done: usize| WALLS_SHARE * done as f32 / count as f32;
                 let part = cx.part("assessing walls", share(subject), share(subject + 1));
@@ -70,11 +70,11 @@ impl Query for VerdictSettings {
             })
             .collect::<Result<Vec<_>, Stopped>>()?;
         let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
-        study_verdicts(cx.study(), &hearts, &params, part.progress())
+        verdicts_of(cx.study(), &examined, &params, part.progress())
     }
 
-    fn memory(found: &Verdicts, memory: &mut Memory) {
-        memory.own(size_of_val(&*found.subjects));
+    fn memory(verdicts: &Verdicts, memory: &mut Memory) {
+        memory.own(size_of_val(&*verdicts.subjects));
     }
 }
 
@@ -87,12 +87,12 @@ pub fn examined(
     params: &CheckedVerdictParams,
 ) -> Result<Result<Examined, NotAssessed>, Stopped> {
     match answer {
-        Ok(found) => {
-            let heart = VerdictInput {
-                beat: &found.beat,
-                thickening: &found.thickening,
+        Ok(wall) => {
+            let input = VerdictInput {
+                beat: &wall.beat,
+                thickening: &wall.thickening,
             };
-            Ok(examine(&heart, params))
+            Ok(examine(&input, params))
         }
         Err(Interrupted::Stopped) => Err(Stopped),
         Err(Interrupted::Failed(failure)) => {
@@ -105,14 +105,14 @@ pub fn examined(
 ///
 /// # Errors
 /// If stopped, or no classifier can be trained.
-pub fn study_verdicts(
+pub fn verdicts_of(
     study: &Study,
-    hearts: &[Result<Examined, NotAssessed>],
+    examined: &[Result<Examined, NotAssessed>],
     params: &CheckedVerdictParams,
     progress: &Progress,
 ) -> Result<Verdicts, Interrupted<VerdictsError>> {
-    match verdicts(study, hearts, params, progress) {
-        Ok(found) => Ok(found),
+    match verdicts(study, examined, params, progress) {
+        Ok(verdicts) => Ok(verdicts),
         Err(VerdictError::Stopped(_)) => Err(Interrupted::Stopped),
         Err(error) => Err(Interrupted::Failed(VerdictsError::Verdicts(error))),
     }

@@ -140,9 +140,9 @@ pub(super) fn compute<Q: Query>(
             message: panic_message(&*payload),
         })),
     };
-    let tells = Q::FAILURE.is_some() && work.is_asked();
-    let (ending, failure) = cell.finish(work, result, tells);
-    tell::<Q>(failure, shelves);
+    let reports = Q::FAILURE.is_some() && work.is_asked();
+    let (ending, failure) = cell.finish(work, result, reports);
+    report::<Q>(failure, shelves);
     let done = ending == Ending::Done;
     work.watch.end(ending);
     if done {
@@ -154,7 +154,7 @@ pub(super) fn compute<Q: Query>(
 }
 
 /// Has a card say what went wrong, if anything did.
-pub(super) fn tell<Q: Query>(failure: Option<Failure<Q::Error>>, shelves: &Shelves) {
+pub(super) fn report<Q: Query>(failure: Option<Failure<Q::Error>>, shelves: &Shelves) {
     if let (Some(title), Some(failure)) = (Q::FAILURE, failure) {
         lock(&shelves.failures).push(FailedWork {
             topic: Topic::of::<Q>(),

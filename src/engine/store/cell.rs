@@ -35,12 +35,12 @@ pub(super) enum Peek<A, E: Error + 'static> {
     /// Queued or running.
     UnderWay(Arc<Work>),
     Done(Arc<A>),
-    /// With whether a card says so.
+    /// With whether it has a card.
     Failed(Failure<E>, Hold, bool),
     Cancelled(Hold),
 }
 
-/// What came of asking to do the work.
+/// The outcome of asking to do the work.
 pub(super) enum Claim<A, E: Error + 'static> {
     /// Whoever asked is to do it.
     Mine(Arc<Work>),
@@ -129,32 +129,32 @@ impl<A, E: Error + 'static> Cell<A, E> {
         true
     }
 
-    /// Takes in what came of `work`, and says how it ended. `tells` is whether a card is to say what went wrong; none
-    /// does if one tells of what it asked for.
+    /// Keeps the result of `work`, and returns how it ended. `reports` is whether a failure gets a card; it gets none
+    /// if a failure of what it asked for has one.
     pub fn finish(
         &self,
         work: &Arc<Work>,
         result: Result<A, Interrupted<Failure<E>>>,
-        tells: bool,
+        reports: bool,
     ) -> (Ending, Option<Failure<E>>) {
         let mut state = lock(&self.state);
         let below = work.below();
-        let mut to_tell = None;
+        let mut to_report = None;
         let ending = match result {
-            // Cancelled while it ran: that word stands.
+            // Cancelled while it ran: it stays cancelled.
             Ok(_) if matches!(&*state, State::Cancelled(hold) if hold.holds()) => Ending::Stopped,
             // An answer is true whoever found it, and even if nobody waits for it any more.
             Ok(answer) => {
                 *state = State::Done(Arc::new(answer));
                 Ending::Done
             }
-            // An error after "stop" is the stop itself, whatever words the work found for it.
+            // An error after "stop" is the stop itself, whatever the work calls it.
             Err(Interrupted::Failed(failure)) if !work.stopped() => {
                 let ending = Ending::Failed(failure.to_string());
                 if state.is_run_of(work) {
                     let (hold, reported) = below.unwrap_or_else(|| (Hold::new(), false));
-                    to_tell = (tells && !reported).then(|| failure.clone());
-                    *state = State::Failed(failure, hold, reported || tells);
+                    to_report = (reports && !reported).then(|| failure.clone());
+                    *state = State::Failed(failure, hold, reported || reports);
                 }
                 ending
             }
@@ -171,7 +171,7 @@ impl<A, E: Error + 'static> Cell<A, E> {
         };
         drop(state);
         self.changed.notify_all();
-        (ending, to_tell)
+        (ending, to_report)
     }
 
     /// The user pressed Cancel: what is under way ends, and is not begun again until it is retried.
@@ -193,8 +193,8 @@ impl<A, E: Error + 'static> Cell<A, E> {
         }
     }
 
-    /// The failure, if no card tells of it yet; from now on one does.
-    pub fn tell(&self) -> Option<Failure<E>> {
+    /// The failure, if it has no card yet; from now on it has one.
+    pub fn report(&self) -> Option<Failure<E>> {
         match &mut *lock(&self.state) {
             State::Failed(failure, _, reported) if !*reported => {
                 *reported = true;

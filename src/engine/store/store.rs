@@ -4,7 +4,7 @@ use std::sync::{Arc, OnceLock};
 
 use crate::engine::activity::{Activity, Topic};
 use crate::engine::job::{JobWatch, Wake};
-use crate::engine::store::ask::{Answered, compute, known, shelf, tell};
+use crate::engine::store::ask::{Answered, compute, known, report, shelf};
 use crate::engine::store::cell::Peek;
 use crate::engine::store::interrupted::{Interrupted, SharedError};
 use crate::engine::store::memory::default_budget;
@@ -180,7 +180,7 @@ impl Store {
         let (depends_on, now) = (query.depends_on(study), self.shelves.tick());
         let shelf = shelf::<Q>(&self.shelves);
         let cell = Arc::clone(&shelf.entries().of(query, &depends_on, now).cell);
-        // Whoever asks so may well want what a pane was told to do without; each step below it may be held too.
+        // Whoever asks so may well want what a pane was denied; each step below it may be held too.
         let mut releases = MAX_RELEASES;
         loop {
             let under_way = match cell.peek() {
@@ -249,7 +249,7 @@ impl Store {
     }
 
     /// Has a card say that a job went wrong.
-    pub fn tell(&self, failure: FailedWork) {
+    pub fn report(&self, failure: FailedWork) {
         lock(&self.shelves.failures).push(failure);
     }
 
@@ -311,7 +311,7 @@ impl Store {
         let watch = match seen {
             Peek::Failed(failure, ..) => {
                 if Q::FAILURE.is_some() {
-                    tell::<Q>(cell.tell(), &self.shelves);
+                    report::<Q>(cell.report(), &self.shelves);
                 }
                 let why = Interrupted::Failed(failure.erased());
                 return Showing::Interrupted { why, previous };

@@ -188,10 +188,10 @@ fn until_ready<Q: Query>(store: &Store, study: &Arc<Study>, query: &Q) -> Arc<Q:
 fn a_question_is_answered_once_and_the_command_line_reads_the_same_answer() {
     let (store, study, desk) = (store(), study(), Desk::default());
     let seen = until_ready(&store, &study, &number(&desk, 7));
-    let said = store.answer(&study, &number(&desk, 7), &Progress::default());
-    assert!(Arc::ptr_eq(&seen, &said.unwrap()));
+    let answer = store.answer(&study, &number(&desk, 7), &Progress::default());
+    assert!(Arc::ptr_eq(&seen, &answer.unwrap()));
     assert_eq!((*seen, desk.runs()), (7, 1));
-    // What is known is told even to whoever is stopped.
+    // What is known is returned even to whoever is stopped.
     let stopped = Progress::default();
     stopped.stop();
     assert!(store.answer(&study, &number(&desk, 7), &stopped).is_ok());
@@ -225,7 +225,7 @@ fn an_edited_label_keeps_what_depends_on_shapes_and_another_study_does_not() {
 }
 
 #[test]
-fn a_failure_keeps_its_type_and_its_sources_and_a_card_is_told_once() {
+fn a_failure_keeps_its_type_and_its_sources_and_it_has_one_card() {
     let (store, study, desk) = (store(), study(), Desk::default());
     until(|| store.ask(&study, &number(&desk, 999)).failure().is_some());
     let showing = store.ask(&study, &number(&desk, 999));
@@ -274,7 +274,7 @@ fn closing_the_store_while_it_works_takes_less_than_half_a_second() {
 }
 
 #[test]
-fn the_activity_list_tells_what_was_asked_and_how_it_ended() {
+fn the_activity_list_shows_what_was_asked_and_how_it_ended() {
     let (store, study, desk) = (store(), study(), Desk::default());
     store.ask(&study, &gated(&desk, 5));
     until(|| desk.runs() == 1);
@@ -296,18 +296,18 @@ fn the_activity_list_tells_what_was_asked_and_how_it_ended() {
 fn nobody_else_has_to_wait_for_a_reader_that_was_stopped() {
     let (store, study, desk) = (store(), study(), Desk::default());
     let progress = Progress::default();
-    let said = std::thread::scope(|scope| {
+    let answer = std::thread::scope(|scope| {
         let reader = scope.spawn(|| store.answer(&study, &gated(&desk, 5), &progress));
         until(|| desk.runs() == 1);
         // A pane wants it too.
         assert!(store.ask(&study, &gated(&desk, 5)).computing());
         let asked = Instant::now();
         progress.stop();
-        let said = reader.join().unwrap();
+        let answer = reader.join().unwrap();
         assert!(asked.elapsed() < Duration::from_millis(500));
-        said
+        answer
     });
-    assert!(matches!(said, Err(Interrupted::Stopped)));
+    assert!(matches!(answer, Err(Interrupted::Stopped)));
     desk.open();
     assert_eq!(*until_ready(&store, &study, &gated(&desk, 5)), 5);
     assert_eq!(desk.runs(), 1, "it went on for the pane");

@@ -56,12 +56,17 @@ fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_row
     .unwrap();
     assert_eq!(tables.unassessed.len(), 1);
     assert_eq!(tables.unassessed[0].subject, 1);
-    let said = tables.summary["subjects"].as_array().unwrap().clone();
-    assert_eq!(said[0]["assessed"], true);
-    assert_eq!(said[0]["patches"].as_array().unwrap().len(), 0);
-    assert_eq!(said[1]["assessed"], false);
-    assert!(said[1]["reason"].as_str().unwrap().starts_with("no wall: "));
-    assert!(said[2]["patches"][0]["share"].as_f64().unwrap() > 0.02);
+    let subjects = tables.summary["subjects"].as_array().unwrap().clone();
+    assert_eq!(subjects[0]["assessed"], true);
+    assert_eq!(subjects[0]["patches"].as_array().unwrap().len(), 0);
+    assert_eq!(subjects[1]["assessed"], false);
+    assert!(
+        subjects[1]["reason"]
+            .as_str()
+            .unwrap()
+            .starts_with("no wall: ")
+    );
+    assert!(subjects[2]["patches"][0]["share"].as_f64().unwrap() > 0.02);
     assert_eq!(tables.summary["parameters"]["patch_core"], 0.2);
     write_files(tables.files(folder.path()).into()).unwrap();
     let atoms = rows(&folder.path().join("atoms.csv"));

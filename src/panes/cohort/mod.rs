@@ -2,6 +2,8 @@
 
 mod columns;
 pub(crate) mod rows;
+pub(crate) mod spec;
+pub(crate) mod view;
 
 use egui::{
     Align2, Key, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2,

@@ -2,8 +2,6 @@
 
 use egui::{Key, KeyboardShortcut, Modifiers};
 
-use super::Command;
-
 /// A menu of the bar; also the group in the sheet of shortcuts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Menu {
@@ -45,19 +43,32 @@ impl Menu {
     }
 }
 
-/// One thing that can be done.
+/// One thing that can be done, by a command of the kind `C`.
 #[derive(Clone, Debug)]
-pub struct Action {
+pub struct Row<C> {
     /// Sentence case; ends in `…` when it asks for more.
     pub name: &'static str,
-    /// Its menu.
+    /// The menu that lists it.
     pub menu: Menu,
     /// Groups of a menu are divided by a line.
     pub group: u8,
     /// The key that does it.
     pub shortcut: Option<KeyboardShortcut>,
     /// What it does.
-    pub command: Command,
+    pub command: C,
+}
+
+impl<C: Clone> Row<C> {
+    /// The same row with its command as one of a wider kind.
+    pub(super) fn widened<D>(&self, widen: impl Fn(C) -> D) -> Row<D> {
+        Row {
+            name: self.name,
+            menu: self.menu,
+            group: self.group,
+            shortcut: self.shortcut,
+            command: widen(self.command.clone()),
+        }
+    }
 }
 
 pub(super) const NONE: Modifiers = Modifiers::NONE;
@@ -65,18 +76,18 @@ pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
 pub(super) const SHIFT: Modifiers = Modifiers::SHIFT;
 
 /// A row of a table of actions.
-pub(super) const fn action(
+pub(super) const fn row<C>(
     menu: Menu,
     group: u8,
     name: &'static str,
     shortcut: Option<(Modifiers, Key)>,
-    command: Command,
-) -> Action {
+    command: C,
+) -> Row<C> {
     let shortcut = match shortcut {
         Some((modifiers, key)) => Some(KeyboardShortcut::new(modifiers, key)),
         None => None,
     };
-    Action {
+    Row {
         name,
         menu,
         group,

@@ -1,7 +1,6 @@
 //! Commands about the selected subject and the place in its beat.
 
-use super::Command;
-use super::action::{Action, Menu, NONE, SHIFT, action};
+use super::action::{Menu, NONE, Row, SHIFT, row};
 use egui::Key;
 
 /// Commands about the selected subject and the place in its beat.
@@ -44,15 +43,15 @@ pub enum BeatCommand {
 
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
-pub(super) static ACTIONS: &[Action] = &[
-    action(Menu::Edit, 1, "Next subject", Some((NONE, Key::Tab)), Command::Beat(BeatCommand::StepSubject(1))),
-    action(Menu::Edit, 1, "Previous subject", Some((SHIFT, Key::Tab)), Command::Beat(BeatCommand::StepSubject(-1))),
-    action(Menu::Analysis, 0, "Play or pause", Some((NONE, Key::Space)), Command::Beat(BeatCommand::TogglePlay)),
-    action(Menu::Analysis, 0, "Loop", None, Command::Beat(BeatCommand::ToggleLoop)),
-    action(Menu::Analysis, 0, "Next frame", Some((NONE, Key::ArrowRight)), Command::Beat(BeatCommand::StepFrame(1))),
-    action(Menu::Analysis, 0, "Previous frame", Some((NONE, Key::ArrowLeft)), Command::Beat(BeatCommand::StepFrame(-1))),
-    action(Menu::Analysis, 0, "Go to end-diastole", Some((SHIFT, Key::ArrowLeft)), Command::Beat(BeatCommand::GoToEndDiastole)),
-    action(Menu::Analysis, 0, "Go to end-systole", Some((SHIFT, Key::ArrowRight)), Command::Beat(BeatCommand::GoToEndSystole)),
-    action(Menu::Analysis, 1, "End-diastole from the volume curve", None, Command::Beat(BeatCommand::StateEndDiastole(None))),
-    action(Menu::Analysis, 1, "End-systole from the volume curve", None, Command::Beat(BeatCommand::StateEndSystole(None))),
+pub(super) static ACTIONS: &[Row<BeatCommand>] = &[
+    row(Menu::Edit, 1, "Next subject", Some((NONE, Key::Tab)), BeatCommand::StepSubject(1)),
+    row(Menu::Edit, 1, "Previous subject", Some((SHIFT, Key::Tab)), BeatCommand::StepSubject(-1)),
+    row(Menu::Analysis, 0, "Play or pause", Some((NONE, Key::Space)), BeatCommand::TogglePlay),
+    row(Menu::Analysis, 0, "Loop", None, BeatCommand::ToggleLoop),
+    row(Menu::Analysis, 0, "Next frame", Some((NONE, Key::ArrowRight)), BeatCommand::StepFrame(1)),
+    row(Menu::Analysis, 0, "Previous frame", Some((NONE, Key::ArrowLeft)), BeatCommand::StepFrame(-1)),
+    row(Menu::Analysis, 0, "Go to end-diastole", Some((SHIFT, Key::ArrowLeft)), BeatCommand::GoToEndDiastole),
+    row(Menu::Analysis, 0, "Go to end-systole", Some((SHIFT, Key::ArrowRight)), BeatCommand::GoToEndSystole),
+    row(Menu::Analysis, 1, "End-diastole from the volume curve", None, BeatCommand::StateEndDiastole(None)),
+    row(Menu::Analysis, 1, "End-systole from the volume curve", None, BeatCommand::StateEndSystole(None)),
 ];

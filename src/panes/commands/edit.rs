@@ -1,7 +1,6 @@
 //! Undo and redo.
 
-use super::Command;
-use super::action::{Action, CTRL, Menu, SHIFT, action};
+use super::action::{CTRL, Menu, Row, SHIFT, row};
 use egui::Key;
 
 /// Undo and redo.
@@ -15,7 +14,7 @@ pub enum EditCommand {
 
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
-pub(super) static ACTIONS: &[Action] = &[
-    action(Menu::Edit, 0, "Undo", Some((CTRL, Key::Z)), Command::Edit(EditCommand::Undo)),
-    action(Menu::Edit, 0, "Redo", Some((CTRL.plus(SHIFT), Key::Z)), Command::Edit(EditCommand::Redo)),
+pub(super) static ACTIONS: &[Row<EditCommand>] = &[
+    row(Menu::Edit, 0, "Undo", Some((CTRL, Key::Z)), EditCommand::Undo),
+    row(Menu::Edit, 0, "Redo", Some((CTRL.plus(SHIFT), Key::Z)), EditCommand::Redo),
 ];

@@ -1,7 +1,6 @@
 //! Commands about files: what is opened and what is exported.
 
-use super::Command;
-use super::action::{Action, CTRL, Menu, NONE, SHIFT, action};
+use super::action::{CTRL, Menu, NONE, Row, SHIFT, row};
 use egui::Key;
 use std::path::PathBuf;
 
@@ -28,12 +27,12 @@ pub enum FileCommand {
 
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
-pub(super) static ACTIONS: &[Action] = &[
-    action(Menu::File, 0, "Open files…", Some((CTRL, Key::O)), Command::File(FileCommand::ChooseFiles)),
-    action(Menu::File, 0, "Open folder…", Some((CTRL.plus(SHIFT), Key::O)), Command::File(FileCommand::ChooseFolder)),
-    action(Menu::File, 0, "Open the built-in cohort", None, Command::File(FileCommand::OpenBuiltIn)),
-    action(Menu::File, 2, "Quit", Some((CTRL, Key::Q)), Command::File(FileCommand::Quit)),
-    action(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), Command::File(FileCommand::ExportPatchFigure(None))),
-    action(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), Command::File(FileCommand::ExportFigure(None))),
-    action(Menu::Export, 0, "Tables…", Some((CTRL, Key::E)), Command::File(FileCommand::ExportTables(None))),
+pub(super) static ACTIONS: &[Row<FileCommand>] = &[
+    row(Menu::File, 0, "Open files…", Some((CTRL, Key::O)), FileCommand::ChooseFiles),
+    row(Menu::File, 0, "Open folder…", Some((CTRL.plus(SHIFT), Key::O)), FileCommand::ChooseFolder),
+    row(Menu::File, 0, "Open the built-in cohort", None, FileCommand::OpenBuiltIn),
+    row(Menu::File, 2, "Quit", Some((CTRL, Key::Q)), FileCommand::Quit),
+    row(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), FileCommand::ExportPatchFigure(None)),
+    row(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), FileCommand::ExportFigure(None)),
+    row(Menu::Export, 0, "Tables…", Some((CTRL, Key::E)), FileCommand::ExportTables(None)),
 ];

@@ -1,7 +1,6 @@
 //! Commands about metric and maps.
 
-use super::Command;
-use super::action::{Action, Menu, action};
+use super::action::{Menu, Row, row};
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::MetricKind;
@@ -26,14 +25,14 @@ pub enum MapCommand {
 
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
-pub(super) static ACTIONS: &[Action] = &[
-    action(Menu::Analysis, 2, "Clusters of deformations", None, Command::Map(MapCommand::ToggleClusters)),
-    action(Menu::Analysis, 3, "Metric: quasi-conformal", None, Command::Map(MapCommand::SetMetric(MetricKind::QuasiConformal))),
-    action(Menu::Analysis, 3, "Metric: angle-preserving", None, Command::Map(MapCommand::SetMetric(MetricKind::AnglePreserving))),
-    action(Menu::Analysis, 3, "Metric: isometric", None, Command::Map(MapCommand::SetMetric(MetricKind::Isometric))),
-    action(Menu::Analysis, 3, "Metric: rigid", None, Command::Map(MapCommand::SetMetric(MetricKind::Rigid))),
-    action(Menu::Analysis, 3, "Map of poses by SMACOF", None, Command::Map(MapCommand::SetMapMethod(MapMethod::Smacof))),
-    action(Menu::Analysis, 3, "Map of poses by classical MDS", None, Command::Map(MapCommand::SetMapMethod(MapMethod::ClassicalMds))),
-    action(Menu::Analysis, 3, "Map of poses by Isomap", None, Command::Map(MapCommand::SetMapMethod(MapMethod::ISOMAP))),
-    action(Menu::Analysis, 3, "Reset metric and maps", None, Command::Map(MapCommand::ResetMaps)),
+pub(super) static ACTIONS: &[Row<MapCommand>] = &[
+    row(Menu::Analysis, 2, "Clusters of deformations", None, MapCommand::ToggleClusters),
+    row(Menu::Analysis, 3, "Metric: quasi-conformal", None, MapCommand::SetMetric(MetricKind::QuasiConformal)),
+    row(Menu::Analysis, 3, "Metric: angle-preserving", None, MapCommand::SetMetric(MetricKind::AnglePreserving)),
+    row(Menu::Analysis, 3, "Metric: isometric", None, MapCommand::SetMetric(MetricKind::Isometric)),
+    row(Menu::Analysis, 3, "Metric: rigid", None, MapCommand::SetMetric(MetricKind::Rigid)),
+    row(Menu::Analysis, 3, "Map of poses by SMACOF", None, MapCommand::SetMapMethod(MapMethod::Smacof)),
+    row(Menu::Analysis, 3, "Map of poses by classical MDS", None, MapCommand::SetMapMethod(MapMethod::ClassicalMds)),
+    row(Menu::Analysis, 3, "Map of poses by Isomap", None, MapCommand::SetMapMethod(MapMethod::ISOMAP)),
+    row(Menu::Analysis, 3, "Reset metric and maps", None, MapCommand::ResetMaps),
 ];

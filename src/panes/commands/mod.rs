@@ -8,26 +8,22 @@ mod edit;
 mod file;
 mod map;
 mod pane;
-mod theme_choice;
 mod transport;
 mod view;
-mod view_mode;
 mod wall;
 mod window;
 mod work;
 
 use std::sync::LazyLock;
 
-pub use action::{Action, Menu};
+pub use action::{Menu, Row};
 pub use beat::BeatCommand;
 pub use edit::EditCommand;
 pub use file::FileCommand;
 pub use map::MapCommand;
 pub use pane::Pane;
-pub use theme_choice::ThemeChoice;
 pub use transport::TransportCommand;
 pub use view::ViewCommand;
-pub use view_mode::ViewMode;
 pub use wall::WallCommand;
 pub use window::WindowCommand;
 pub use work::WorkCommand;
@@ -55,38 +51,26 @@ pub enum Command {
     Window(WindowCommand),
 }
 
-/// All actions that need no more than a name, by menu and group.
-pub static ACTIONS: LazyLock<Vec<&'static Action>> = LazyLock::new(|| {
-    let tables = [
-        file::ACTIONS,
-        edit::ACTIONS,
-        beat::ACTIONS,
-        view::ACTIONS,
-        wall::ACTIONS,
-        transport::ACTIONS,
-        map::ACTIONS,
-        window::ACTIONS,
-    ];
-    let mut actions: Vec<&Action> = tables.into_iter().flatten().collect();
+/// One thing that can be done.
+pub type Action = Row<Command>;
+
+/// The actions of commands that need no more than a name, by menu and group; those of panes stand in the table of panes.
+pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
+    let mut actions: Vec<Action> = wide(file::ACTIONS, Command::File)
+        .chain(wide(edit::ACTIONS, Command::Edit))
+        .chain(wide(beat::ACTIONS, Command::Beat))
+        .chain(wide(view::ACTIONS, Command::View))
+        .chain(wide(wall::ACTIONS, Command::Wall))
+        .chain(wide(transport::ACTIONS, Command::Transport))
+        .chain(wide(map::ACTIONS, Command::Map))
+        .chain(wide(window::ACTIONS, Command::Window))
+        .collect();
     // Stable: within a group the order of the tables stays.
     actions.sort_by_key(|action| (action.menu, action.group));
     actions
 });
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::collections::HashSet;
-
-    #[test]
-    fn no_two_actions_share_a_name_or_a_key() {
-        let mut names = HashSet::new();
-        let mut keys = HashSet::new();
-        for action in ACTIONS.iter() {
-            assert!(names.insert(action.name), "{}", action.name);
-            if let Some(shortcut) = action.shortcut {
-                assert!(keys.insert(format!("{shortcut:?}")), "{}", action.name);
-            }
-        }
-    }
+/// The rows of one kind as actions.
+fn wide<C: Clone>(rows: &'static [Row<C>], kind: fn(C) -> Command) -> impl Iterator<Item = Action> {
+    rows.iter().map(move |row| row.widened(kind))
 }

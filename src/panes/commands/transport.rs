@@ -1,7 +1,6 @@
 //! Commands about transported motions and interpolated poses.
 
-use super::Command;
-use super::action::{Action, Menu, NONE, action};
+use super::action::{Menu, NONE, Row, row};
 use egui::Key;
 
 /// Commands about transported motions and interpolated poses.
@@ -26,13 +25,13 @@ pub enum TransportCommand {
 
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
-pub(super) static ACTIONS: &[Action] = &[
-    action(Menu::Analysis, 0, "Next pose, recorded or interpolated", Some((NONE, Key::Period)), Command::Transport(TransportCommand::StepPose(1))),
-    action(Menu::Analysis, 0, "Previous pose, recorded or interpolated", Some((NONE, Key::Comma)), Command::Transport(TransportCommand::StepPose(-1))),
-    action(Menu::Analysis, 4, "Interpolated poses: off", None, Command::Transport(TransportCommand::SetInBetweens(0))),
-    action(Menu::Analysis, 4, "Interpolated poses: 1 per interval", None, Command::Transport(TransportCommand::SetInBetweens(1))),
-    action(Menu::Analysis, 4, "Interpolated poses: 3 per interval", None, Command::Transport(TransportCommand::SetInBetweens(3))),
-    action(Menu::Analysis, 4, "Interpolated poses: 7 per interval", None, Command::Transport(TransportCommand::SetInBetweens(7))),
-    action(Menu::Analysis, 5, "Transport motion to the other subject", Some((NONE, Key::T)), Command::Transport(TransportCommand::TransportToOther)),
-    action(Menu::Analysis, 5, "Show own motion", None, Command::Transport(TransportCommand::StopTransport)),
+pub(super) static ACTIONS: &[Row<TransportCommand>] = &[
+    row(Menu::Analysis, 0, "Next pose, recorded or interpolated", Some((NONE, Key::Period)), TransportCommand::StepPose(1)),
+    row(Menu::Analysis, 0, "Previous pose, recorded or interpolated", Some((NONE, Key::Comma)), TransportCommand::StepPose(-1)),
+    row(Menu::Analysis, 4, "Interpolated poses: off", None, TransportCommand::SetInBetweens(0)),
+    row(Menu::Analysis, 4, "Interpolated poses: 1 per interval", None, TransportCommand::SetInBetweens(1)),
+    row(Menu::Analysis, 4, "Interpolated poses: 3 per interval", None, TransportCommand::SetInBetweens(3)),
+    row(Menu::Analysis, 4, "Interpolated poses: 7 per interval", None, TransportCommand::SetInBetweens(7)),
+    row(Menu::Analysis, 5, "Transport motion to the other subject", Some((NONE, Key::T)), TransportCommand::TransportToOther),
+    row(Menu::Analysis, 5, "Show own motion", None, TransportCommand::StopTransport),
 ];

@@ -1,8 +1,7 @@
 //! Commands about what is seen, and from where.
 
-use super::Command;
-use super::action::{Action, Menu, NONE, action};
-use super::view_mode::ViewMode;
+use super::action::{Menu, NONE, Row, row};
+use crate::document::ViewMode;
 use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
 use crate::picture::figure::SavedView;
@@ -54,27 +53,27 @@ pub enum ViewCommand {
 
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
-pub(super) static ACTIONS: &[Action] = &[
-    action(Menu::View, 0, "3D view", None, Command::View(ViewCommand::SetViewMode(ViewMode::Single))),
-    action(Menu::View, 0, "Side by side", None, Command::View(ViewCommand::SetViewMode(ViewMode::SideBySide))),
-    action(Menu::View, 0, "All frames", None, Command::View(ViewCommand::SetViewMode(ViewMode::AllFrames))),
-    action(Menu::View, 1, "From anterior", Some((NONE, Key::Num1)), Command::View(ViewCommand::ViewFrom(AnatomicalView::Anterior))),
-    action(Menu::View, 1, "From inferior", Some((NONE, Key::Num2)), Command::View(ViewCommand::ViewFrom(AnatomicalView::Inferior))),
-    action(Menu::View, 1, "From septal", Some((NONE, Key::Num3)), Command::View(ViewCommand::ViewFrom(AnatomicalView::Septal))),
-    action(Menu::View, 1, "From lateral", Some((NONE, Key::Num4)), Command::View(ViewCommand::ViewFrom(AnatomicalView::Lateral))),
-    action(Menu::View, 1, "From apex", Some((NONE, Key::Num5)), Command::View(ViewCommand::ViewFrom(AnatomicalView::Apex))),
-    action(Menu::View, 1, "From base", Some((NONE, Key::Num6)), Command::View(ViewCommand::ViewFrom(AnatomicalView::Base))),
-    action(Menu::View, 1, "Fit to view", Some((NONE, Key::Num0)), Command::View(ViewCommand::FitView)),
-    action(Menu::View, 1, "Free rotation", None, Command::View(ViewCommand::ToggleFreeCamera)),
-    action(Menu::View, 2, "Endocardium", Some((NONE, Key::S)), Command::View(ViewCommand::ToggleEndocardium)),
-    action(Menu::View, 2, "Epicardium", Some((NONE, Key::W)), Command::View(ViewCommand::ToggleEpicardium)),
-    action(Menu::View, 2, "Edges", None, Command::View(ViewCommand::ToggleWireframe)),
-    action(Menu::View, 2, "Vertices", None, Command::View(ViewCommand::ToggleVertices)),
-    action(Menu::View, 3, "Next colour quantity", Some((NONE, Key::C)), Command::View(ViewCommand::NextQuantity)),
-    action(Menu::View, 3, "Colour: tissue", None, Command::View(ViewCommand::SetQuantity(Quantity::Tissue))),
-    action(Menu::View, 3, "Colour: displacement", None, Command::View(ViewCommand::SetQuantity(Quantity::Displacement))),
-    action(Menu::View, 3, "Colour: area ratio", None, Command::View(ViewCommand::SetQuantity(Quantity::AreaRatio))),
-    action(Menu::View, 3, "Colour: thickness ratio", None, Command::View(ViewCommand::SetQuantity(Quantity::ThicknessRatio))),
-    action(Menu::View, 3, "Colour: contribution to the distance", Some((NONE, Key::D)), Command::View(ViewCommand::SetQuantity(Quantity::Contribution))),
-    action(Menu::View, 3, "Colour: difference from own motion", None, Command::View(ViewCommand::SetQuantity(Quantity::CarriedDistance))),
+pub(super) static ACTIONS: &[Row<ViewCommand>] = &[
+    row(Menu::View, 0, "3D view", None, ViewCommand::SetViewMode(ViewMode::Single)),
+    row(Menu::View, 0, "Side by side", None, ViewCommand::SetViewMode(ViewMode::SideBySide)),
+    row(Menu::View, 0, "All frames", None, ViewCommand::SetViewMode(ViewMode::AllFrames)),
+    row(Menu::View, 1, "From anterior", Some((NONE, Key::Num1)), ViewCommand::ViewFrom(AnatomicalView::Anterior)),
+    row(Menu::View, 1, "From inferior", Some((NONE, Key::Num2)), ViewCommand::ViewFrom(AnatomicalView::Inferior)),
+    row(Menu::View, 1, "From septal", Some((NONE, Key::Num3)), ViewCommand::ViewFrom(AnatomicalView::Septal)),
+    row(Menu::View, 1, "From lateral", Some((NONE, Key::Num4)), ViewCommand::ViewFrom(AnatomicalView::Lateral)),
+    row(Menu::View, 1, "From apex", Some((NONE, Key::Num5)), ViewCommand::ViewFrom(AnatomicalView::Apex)),
+    row(Menu::View, 1, "From base", Some((NONE, Key::Num6)), ViewCommand::ViewFrom(AnatomicalView::Base)),
+    row(Menu::View, 1, "Fit to view", Some((NONE, Key::Num0)), ViewCommand::FitView),
+    row(Menu::View, 1, "Free rotation", None, ViewCommand::ToggleFreeCamera),
+    row(Menu::View, 2, "Endocardium", Some((NONE, Key::S)), ViewCommand::ToggleEndocardium),
+    row(Menu::View, 2, "Epicardium", Some((NONE, Key::W)), ViewCommand::ToggleEpicardium),
+    row(Menu::View, 2, "Edges", None, ViewCommand::ToggleWireframe),
+    row(Menu::View, 2, "Vertices", None, ViewCommand::ToggleVertices),
+    row(Menu::View, 3, "Next colour quantity", Some((NONE, Key::C)), ViewCommand::NextQuantity),
+    row(Menu::View, 3, "Colour: tissue", None, ViewCommand::SetQuantity(Quantity::Tissue)),
+    row(Menu::View, 3, "Colour: displacement", None, ViewCommand::SetQuantity(Quantity::Displacement)),
+    row(Menu::View, 3, "Colour: area ratio", None, ViewCommand::SetQuantity(Quantity::AreaRatio)),
+    row(Menu::View, 3, "Colour: thickness ratio", None, ViewCommand::SetQuantity(Quantity::ThicknessRatio)),
+    row(Menu::View, 3, "Colour: contribution to the distance", Some((NONE, Key::D)), ViewCommand::SetQuantity(Quantity::Contribution)),
+    row(Menu::View, 3, "Colour: difference from own motion", None, ViewCommand::SetQuantity(Quantity::CarriedDistance)),
 ];

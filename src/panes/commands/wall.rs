@@ -1,7 +1,6 @@
 //! Commands about the wall: medial atoms, patches, segments, the bull's-eye.
 
-use super::Command;
-use super::action::{Action, Menu, NONE, action};
+use super::action::{Menu, NONE, Row, row};
 use crate::engine::ThickeningSettings;
 use crate::picture::BullsEyeQuantity;
 use crate::picture::WallPart;
@@ -42,16 +41,16 @@ pub enum WallCommand {
 
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
-pub(super) static ACTIONS: &[Action] = &[
-    action(Menu::View, 2, "Medial atoms", Some((NONE, Key::M)), Command::Wall(WallCommand::ToggleAtoms)),
-    action(Menu::View, 2, "Spokes of the atoms", None, Command::Wall(WallCommand::ToggleSpokes)),
-    action(Menu::View, 2, "Patch outlines", Some((NONE, Key::P)), Command::Wall(WallCommand::TogglePatches)),
-    action(Menu::View, 2, "ANV and MP of the patch", None, Command::Wall(WallCommand::ToggleDirection)),
-    action(Menu::View, 3, "Next bull's-eye quantity", Some((NONE, Key::B)), Command::Wall(WallCommand::NextBullsEye)),
-    action(Menu::View, 3, "Bull's-eye: PT of this pose", None, Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Ratio))),
-    action(Menu::View, 3, "Bull's-eye: thickening", None, Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Thickening))),
-    action(Menu::View, 3, "Bull's-eye: displacement", None, Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::Displacement))),
-    action(Menu::View, 3, "Bull's-eye: area ratio", None, Command::Wall(WallCommand::SetBullsEye(BullsEyeQuantity::AreaRatio))),
-    action(Menu::View, 3, "Bull's-eye: segment values", None, Command::Wall(WallCommand::ToggleBullsEyeSegments)),
-    action(Menu::Analysis, 3, "Reset patch thresholds", None, Command::Wall(WallCommand::ResetThickening)),
+pub(super) static ACTIONS: &[Row<WallCommand>] = &[
+    row(Menu::View, 2, "Medial atoms", Some((NONE, Key::M)), WallCommand::ToggleAtoms),
+    row(Menu::View, 2, "Spokes of the atoms", None, WallCommand::ToggleSpokes),
+    row(Menu::View, 2, "Patch outlines", Some((NONE, Key::P)), WallCommand::TogglePatches),
+    row(Menu::View, 2, "ANV and MP of the patch", None, WallCommand::ToggleDirection),
+    row(Menu::View, 3, "Next bull's-eye quantity", Some((NONE, Key::B)), WallCommand::NextBullsEye),
+    row(Menu::View, 3, "Bull's-eye: PT of this pose", None, WallCommand::SetBullsEye(BullsEyeQuantity::Ratio)),
+    row(Menu::View, 3, "Bull's-eye: thickening", None, WallCommand::SetBullsEye(BullsEyeQuantity::Thickening)),
+    row(Menu::View, 3, "Bull's-eye: displacement", None, WallCommand::SetBullsEye(BullsEyeQuantity::Displacement)),
+    row(Menu::View, 3, "Bull's-eye: area ratio", None, WallCommand::SetBullsEye(BullsEyeQuantity::AreaRatio)),
+    row(Menu::View, 3, "Bull's-eye: segment values", None, WallCommand::ToggleBullsEyeSegments),
+    row(Menu::Analysis, 3, "Reset patch thresholds", None, WallCommand::ResetThickening),
 ];

@@ -3,8 +3,10 @@
 
 mod classes;
 mod map;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
+pub(crate) mod view;
 
 pub use classes::{ClassesView, ClassifierView};
 pub use map::{DEFORMATION_MAP, DeformationMapView, deformation_map_ui, deformation_note};

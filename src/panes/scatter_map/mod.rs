@@ -5,6 +5,7 @@ mod brush;
 mod clusters;
 mod data;
 mod draw;
+pub(crate) mod from_state;
 mod ground;
 mod hover;
 mod input;

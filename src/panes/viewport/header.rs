@@ -2,7 +2,8 @@
 
 use egui::{Button, Ui};
 
-use crate::panes::commands::{Command, ViewCommand, ViewMode, WallCommand};
+use crate::document::ViewMode;
+use crate::panes::commands::{Command, ViewCommand, WallCommand};
 use crate::panes::shortcuts::hint;
 use crate::picture::Quantity;
 use crate::render::Shading;

@@ -1,5 +1,16 @@
 //! The 3D view: its header, what lies over it, and what it says where nothing is open.
 
+pub(crate) mod camera_drag;
 pub mod empty_state;
+pub(crate) mod fits;
 pub mod header;
+pub(crate) mod header_view;
+pub(crate) mod hearts;
 pub mod overlay;
+pub(crate) mod overlay_view;
+pub(crate) mod paint;
+pub(crate) mod pick_label;
+pub(crate) mod pictures;
+pub(crate) mod places;
+pub(crate) mod shown_heart;
+pub(crate) mod spec;

@@ -2,7 +2,7 @@
 
 use crate::analysis::verdicts::{ClassifierSource, Finding, Verdicts};
 use crate::picture::patch_words::{percent, probability_words, sentence};
-use crate::picture::report::ReportOrder;
+use crate::picture::report::order::ReportOrder;
 use crate::report::{NO_VALUE, PatchRow, SubjectRow, VerdictRow};
 use crate::units::LengthUnit;
 

@@ -2,8 +2,8 @@
 
 use crate::picture::figure::Pen;
 use crate::picture::page::{Anchor, FigureFonts, Page, Weight};
-use crate::picture::report::ReportOrder;
 use crate::picture::report::content::{Row, classifier, counts, heads, rows};
+use crate::picture::report::order::ReportOrder;
 use crate::picture::report::sheet::{BOTTOM, LINE, MARGIN, SIZE, TEXT, THEME, pen, sheet};
 use crate::units::LengthUnit;
 

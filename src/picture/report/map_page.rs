@@ -2,7 +2,7 @@
 
 use crate::picture::figure::Pen;
 use crate::picture::page::{Anchor, FigureFonts, Page};
-use crate::picture::report::ReportOrder;
+use crate::picture::report::order::ReportOrder;
 use crate::picture::report::sheet::{LINE, MARGIN, SIZE, TEXT, THEME, pen, sheet};
 use crate::picture::tokens::srgb;
 use crate::study::LabelRole;

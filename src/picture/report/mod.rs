@@ -3,34 +3,16 @@
 mod content;
 mod cover;
 mod map_page;
+mod order;
 mod sheet;
 
-use crate::analysis::deformations::DeformationMap;
-use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::Verdicts;
-use crate::engine::PoseMap;
 use crate::picture::page::{FigureFonts, FigureSettings, Page};
 use crate::study::Study;
 
+pub use order::ReportOrder;
+
 /// Width of the report's paper, A4.
 pub const REPORT_WIDTH_MM: f32 = 210.0;
-
-/// What a report is made of.
-#[derive(Clone, Copy, Debug)]
-pub struct ReportOrder<'a> {
-    /// The hearts.
-    pub study: &'a Study,
-    /// Their measures.
-    pub measures: &'a [SubjectMeasures],
-    /// What is said of them.
-    pub verdicts: &'a Verdicts,
-    /// The map of poses.
-    pub poses: Option<&'a PoseMap>,
-    /// The map of whole deformations.
-    pub deformations: Option<&'a DeformationMap>,
-    /// How all of it was made, in words.
-    pub parameters: &'a [String],
-}
 
 /// The pages of a report before its patch figures.
 pub fn report_pages(order: &ReportOrder<'_>, fonts: &FigureFonts) -> Vec<Page> {

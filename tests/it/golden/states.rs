@@ -1,6 +1,7 @@
 //! Panes and sheets in states that the built-in cohort does not bring about, from views made by hand.
 
 use cardiomorph::app::*;
+use cardiomorph::document::ErrorCard;
 use cardiomorph::engine::{PoseMapParams, Topic};
 use cardiomorph::panes::*;
 use cardiomorph::study::Notice;

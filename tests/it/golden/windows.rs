@@ -1,6 +1,7 @@
 //! The whole window, once in each theme.
 
-use cardiomorph::panes::{Command, ThemeChoice, ViewCommand, ViewMode};
+use cardiomorph::document::{ThemeChoice, ViewMode};
+use cardiomorph::panes::{Command, ViewCommand};
 
 use super::{compare, on_reference_driver, window_after};
 

@@ -1,6 +1,6 @@
 //! Beats in the window: poses between frames, one heart's beat on another, where two hearts differ.
 
-use cardiomorph::app::CarryingState;
+use cardiomorph::document::CarryingState;
 use cardiomorph::engine::{InBetweens, PoseMapParams, Topic, Transfer};
 use cardiomorph::picture::Quantity;
 

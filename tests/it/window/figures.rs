@@ -8,7 +8,8 @@ use cardiomorph::panes::{
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, Sender, channel};
 
-use cardiomorph::app::{Document, PathQuestion};
+use cardiomorph::app::PathQuestion;
+use cardiomorph::document::Document;
 use cardiomorph::picture::figure::SavedView;
 use cardiomorph::picture::page::{VIEW_KEY, png_text};
 use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};

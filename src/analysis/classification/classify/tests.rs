@@ -1,4 +1,4 @@
-//! What is said of classes that are apart, that are not, and that are damaged.
+//! Classes that are apart, that are not, and damaged input.
 
 use proptest::prelude::*;
 
@@ -47,12 +47,12 @@ fn all(classes: &Classes) -> [Accuracy; 4] {
         classes.tau.unwrap(),
         classes.nearest_neighbour.unwrap(),
         classes.linear_classifier.unwrap(),
-        classes.embedding_classifier.unwrap(),
+        classes.plane_classifier.unwrap(),
     ]
 }
 
 #[test]
-fn classes_that_are_far_apart_are_told_apart_by_every_rule() {
+fn classes_that_are_far_apart_are_separated_by_every_criterion() {
     let (distances, plane) = of_points(&square(24, 5.0));
     let labels = alternating(24);
     let classes = classify(
@@ -128,7 +128,7 @@ fn one_class_or_none_is_clustered_only() {
         )
         .unwrap();
         assert_eq!(classes.tau, None);
-        assert_eq!(classes.embedding_classifier, None);
+        assert_eq!(classes.plane_classifier, None);
         assert_eq!(classes.clustering.clusters[..4], [0, 1, 0, 1]);
     }
     let nothing = classify(

@@ -124,8 +124,11 @@ fn every_copy_of_a_level_has_noise_of_its_own() {
         .unwrap()
         .rows;
     let scatter = |row: &ComparisonRow| {
-        let rules = [row.nearest_neighbour, row.linear_classifier, row.tau];
-        rules.map(|rule| rule.standard_error).iter().sum::<f64>()
+        let accuracies = [row.nearest_neighbour, row.linear_classifier, row.tau];
+        accuracies
+            .map(|accuracy| accuracy.standard_error)
+            .iter()
+            .sum::<f64>()
     };
     assert_eq!((rows[0].copies, rows[1].copies), (1, 3));
     assert_eq!(scatter(&rows[0]), 0.0);

@@ -16,7 +16,7 @@ fn hearts_of_another_study_are_refused() {
     assert_eq!(
         found,
         Err(VerdictError::Count {
-            hearts: 17,
+            examined: 17,
             subjects: 16
         })
     );

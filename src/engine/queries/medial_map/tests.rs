@@ -75,8 +75,8 @@ fn a_heart_without_wall_is_left_out_with_its_reason() {
         subjects: vec![Arc::clone(&study.subjects[1])],
         ..Study::clone(&study)
     });
-    let said = refusal(&store(), &alone, &query(MapMethod::Smacof));
-    assert!(said.starts_with("0 poses of 0 hearts"), "{said}");
+    let message = refusal(&store(), &alone, &query(MapMethod::Smacof));
+    assert!(message.starts_with("0 poses of 0 subjects"), "{message}");
 }
 
 #[test]

@@ -129,16 +129,16 @@ fn one_heart_alone_is_measured_as_it_is_in_its_study() {
 }
 
 #[test]
-fn places_are_told_per_atom_at_end_diastole() {
+fn places_are_given_per_atom_at_end_diastole() {
     let (study, store) = (study(), store());
     let found = ask(&store, &study, &query(1, None));
     let axis = found.axis.unwrap();
     assert!(axis.is_oriented() && found.without_axis.is_none());
     assert_eq!(found.segments.len(), found.beat.vertices.len());
     let atoms = &found.beat.frames[found.thickening.end_diastole].atoms;
-    for (atom, (place, told)) in atoms.iter().zip(found.segments.iter().zip(&found.polar)) {
+    for (atom, (place, polar_place)) in atoms.iter().zip(found.segments.iter().zip(&found.polar)) {
         assert_eq!(*place, segment(&axis, atom.position));
-        assert_eq!(*told, Some(polar(&axis, atom.position)));
+        assert_eq!(*polar_place, Some(polar(&axis, atom.position)));
     }
     assert!(!found.thickening.patches[0].segments.is_empty());
 }
@@ -161,8 +161,8 @@ fn a_cavity_alone_and_a_single_frame_are_answered_in_words() {
     let both = [SurfaceKind::Endocardium, SurfaceKind::Epicardium];
     assert!(only(&both[..1], 8).starts_with("no wall: "));
     assert!(only(&both, 1).contains("needs at least two"));
-    let said = refusal(&store(), &study, &query(9, None));
-    assert_eq!(said, "there is no subject 9 among 2");
+    let message = refusal(&store(), &study, &query(9, None));
+    assert_eq!(message, "there is no subject 9 among 2");
 }
 
 #[test]
@@ -170,8 +170,8 @@ fn stopped_and_wrongly_set_work_keeps_nothing() {
     let (study, store) = (study(), store());
     let mut wrong = query(0, None);
     wrong.settings.thickening.core = 2.0;
-    let said = refusal(&store, &study, &wrong);
-    assert!(said.contains("core"), "{said}");
+    let message = refusal(&store, &study, &wrong);
+    assert!(message.contains("core"), "{message}");
     let atoms = MedialSurfaces {
         subject: 0,
         params: MedialParams::default(),

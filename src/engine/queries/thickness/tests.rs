@@ -43,25 +43,25 @@ fn query(frame: usize) -> PoseThickness {
 }
 
 #[test]
-fn all_ways_tell_the_thickness_of_a_shell_and_how_they_differ() {
+fn all_methods_measure_the_thickness_of_a_shell_and_how_they_differ() {
     let (study, store) = (study(&BOTH), store());
     for (frame, thickness) in [(0, 8.0), (1, 11.0)] {
         let found = ask(&store, &study, &query(frame));
-        assert_eq!((found.frame, found.answers.len()), (frame, 5));
-        for answer in &found.answers {
-            let name = answer.method.name();
-            let spread = answer.found.as_ref().unwrap();
+        assert_eq!((found.frame, found.results.len()), (frame, 5));
+        for result in &found.results {
+            let name = result.method.name();
+            let spread = result.thickness.as_ref().unwrap();
             // Slices cut a sphere at a slant, more so towards its pole.
-            let slack = match answer.method {
-                ThicknessMethod::Other(ComparisonMethod::Centreline) => 0.25,
+            let slack = match result.method {
+                ComparedMethod::Other(ThicknessMethod::Centreline) => 0.25,
                 _ => 0.06,
             };
             let off = spread.median / thickness - 1.0;
             assert!(off.abs() < slack, "{name}: {spread:?}");
             assert!(spread.low <= spread.quarter && spread.three_quarters <= spread.high);
-            assert!(answer.seconds > 0.0, "{name}");
-            let Some(agreement) = answer.agreement else {
-                assert_eq!(answer.method, ThicknessMethod::Medial);
+            assert!(result.seconds > 0.0, "{name}");
+            let Some(agreement) = result.agreement else {
+                assert_eq!(result.method, ComparedMethod::Medial);
                 continue;
             };
             assert!(
@@ -82,12 +82,12 @@ fn a_pose_is_measured_once_and_the_other_is_another_question() {
 }
 
 #[test]
-fn a_way_that_does_not_apply_says_why_and_the_rest_goes_on() {
+fn a_method_that_does_not_apply_has_a_reason_and_the_others_go_on() {
     let hollow = study(&BOTH[..1]);
-    for answer in &ask(&store(), &hollow, &query(0)).answers {
-        let reason = answer.found.as_ref().unwrap_err();
+    for result in &ask(&store(), &hollow, &query(0)).results {
+        let reason = result.thickness.as_ref().unwrap_err();
         assert!(reason.starts_with("no wall"), "{reason}");
-        assert!(answer.agreement.is_none());
+        assert!(result.agreement.is_none());
     }
     // Closed spheres have a wall, but no base and so no long axis.
     let surfaces = [(SurfaceKind::Cavity, 20.0), (SurfaceKind::Epicardium, 28.0)];
@@ -97,14 +97,14 @@ fn a_way_that_does_not_apply_says_why_and_the_rest_goes_on() {
     let sequence = MeshSequence::new(surfaces.to_vec()).unwrap();
     let sphere = Subject::new("sphere", sequence, LengthUnit::Millimetre);
     let found = ask(&store(), &of_one(sphere), &query(0));
-    let told: Vec<bool> = (found.answers.iter())
-        .map(|answer| answer.found.is_ok())
+    let measured: Vec<bool> = (found.results.iter())
+        .map(|result| result.thickness.is_ok())
         .collect();
-    assert_eq!(told, [true, true, false, true, false]);
+    assert_eq!(measured, [true, true, false, true, false]);
 }
 
 #[test]
 fn a_frame_that_is_not_there_is_refused_with_its_number() {
-    let said = refusal(&store(), &study(&BOTH), &query(7));
-    assert_eq!(said, "there is no frame 7 in a sequence of 2 frames");
+    let message = refusal(&store(), &study(&BOTH), &query(7));
+    assert_eq!(message, "there is no frame 7 in a sequence of 2 frames");
 }

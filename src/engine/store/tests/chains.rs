@@ -171,7 +171,7 @@ fn who_waits_for_a_cancelled_question_is_held_with_it_and_freed_with_it() {
 }
 
 #[test]
-fn a_failure_below_is_told_by_one_card_and_retried_from_above() {
+fn a_failure_below_is_reported_by_one_card_and_retried_from_above() {
     let (store, study, desk) = (store(), study(), Desk::default());
     let (tenfold, own) = (Tenfold(number(&desk, 999)), number(&desk, 999));
     let ask = || {
@@ -221,9 +221,9 @@ impl Query for Circle {
 fn a_circle_of_questions_is_a_failure_and_no_endless_wait() {
     let (store, study) = (store(), study());
     store.ask(&study, &Circle(1));
-    let said = store.answer(&study, &Circle(0), &Progress::default());
-    let Err(Interrupted::Failed(failure)) = said else {
-        panic!("{said:?}");
+    let answer = store.answer(&study, &Circle(0), &Progress::default());
+    let Err(Interrupted::Failed(failure)) = answer else {
+        panic!("{answer:?}");
     };
     assert!(
         failure.to_string().contains("depends on itself"),

@@ -58,11 +58,11 @@ fn cancelled_work_ends_at_once_and_stays_cancelled_until_it_is_retried() {
     store.retry(topic);
     assert!(store.ask(&study, &gated(&desk, 5)).computing());
     until(|| desk.runs() == 3);
-    // A command does not do without because a pane was told to.
+    // A command gets what a pane was denied.
     store.cancel(topic);
     desk.open();
-    let said = store.answer(&study, &gated(&desk, 5), &Progress::default());
-    assert_eq!(*said.unwrap(), 5);
+    let answer = store.answer(&study, &gated(&desk, 5), &Progress::default());
+    assert_eq!(*answer.unwrap(), 5);
 }
 
 /// A dragged slider: what was begun is finished first.

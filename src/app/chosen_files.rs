@@ -1,0 +1,174 @@
+//! Files that the person at the screen chooses: what is opened, where figures and tables go, whose view is restored.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::engine::Engine;
+use crate::panes::{Command, FileCommand};
+use crate::study::Subject;
+
+use super::dialogs::{Answer, AskPaths, Dialogs, NoDialog, Question};
+use super::errors::push_card;
+use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
+use super::saved_views::{self, SavedViews};
+use crate::document::state::State;
+use crate::panes::look::Kept;
+use crate::panes::viewport::hearts::Viewport;
+
+/// A figure that was asked for before the selected subject was on screen and its wall measured.
+struct WaitingFigure {
+    kind: FigureKind,
+    /// Where it goes; asked for if `None`.
+    path: Option<PathBuf>,
+    subject: Arc<Subject>,
+}
+
+/// What an export is made from and reports to.
+pub struct Exporting<'a> {
+    pub state: &'a mut State,
+    pub viewport: Kept<Viewport>,
+    pub engine: &'a mut Engine,
+    /// Whether the window is dark; a figure looks like the window.
+    pub dark: bool,
+}
+
+/// The dialog that is open, the picture that is read and the figure that waits for its subject.
+pub struct ChosenFiles {
+    dialogs: Dialogs,
+    saved_views: SavedViews,
+    waiting_figure: Option<WaitingFigure>,
+}
+
+impl ChosenFiles {
+    /// Asks for files through `ask_paths`.
+    pub fn new(ask_paths: AskPaths) -> Self {
+        Self {
+            dialogs: Dialogs::new(ask_paths),
+            saved_views: SavedViews::default(),
+            waiting_figure: None,
+        }
+    }
+
+    /// Asks which files to open.
+    pub fn ask_for_files(&mut self, engine: &Engine) {
+        self.dialogs.ask(engine, Question::Files);
+    }
+
+    /// Asks which folder to open.
+    pub fn ask_for_folder(&mut self, engine: &Engine) {
+        self.dialogs.ask(engine, Question::Folder);
+    }
+
+    /// Begins to read the view that a picture contains.
+    pub fn read_view(&mut self, engine: &Engine, picture: PathBuf) {
+        self.saved_views.read(engine, picture);
+    }
+
+    /// Fixes what the tables hold at the moment they are asked for, then asks where they go if that is not known.
+    pub fn ask_for_tables(&mut self, exporting: &mut Exporting<'_>, folder: Option<PathBuf>) {
+        match (TableExport::now(exporting.state), folder) {
+            (Some(tables), Some(folder)) => tables.write(exporting.engine, folder),
+            (Some(tables), None) => {
+                let question = Question::Tables(Box::new(tables));
+                self.dialogs.ask(exporting.engine, question);
+            }
+            (None, _) => {}
+        }
+    }
+
+    /// Fixes what a figure shows at the moment it is asked for, then asks where it goes if that is not known.
+    pub fn ask_for_figure(
+        &mut self,
+        exporting: &mut Exporting<'_>,
+        kind: FigureKind,
+        path: Option<PathBuf>,
+    ) {
+        let state = &mut *exporting.state;
+        let figure = FigureExport::now(
+            state,
+            &exporting.viewport.borrow_mut(),
+            exporting.dark,
+            kind,
+        );
+        match (figure, path) {
+            (Ok(figure), Some(path)) => write_figure(state, exporting.engine, figure, path),
+            (Ok(figure), None) => {
+                let question = Question::Figure(Box::new(figure));
+                self.dialogs.ask(exporting.engine, question);
+            }
+            (Err(NoFigure::Refused(reason)), _) => {
+                let title = "There is no patch figure of this subject";
+                push_card(&mut state.errors, title, reason, None);
+            }
+            (Err(NoFigure::NotYet), path) => self.wait_for_subject(state, kind, path),
+        }
+    }
+
+    /// Takes the figure that waits for its subject, once that is on screen; never of another subject.
+    pub fn take_waiting_figure(&mut self, exporting: &mut Exporting<'_>) {
+        let Some(waiting) = self.waiting_figure.take() else {
+            return;
+        };
+        let selected = exporting.state.document.selected();
+        if selected.is_some_and(|selected| Arc::ptr_eq(selected, &waiting.subject)) {
+            self.ask_for_figure(exporting, waiting.kind, waiting.path);
+            return;
+        }
+        let title = format!("There is no figure of {}", waiting.subject.id);
+        let reason = "another subject was selected before this one was drawn and measured";
+        push_card(&mut exporting.state.errors, title, reason, None);
+    }
+
+    /// What dialogs and pictures have brought: commands to apply; exports with a place begin.
+    pub fn poll(&mut self, state: &mut State, engine: &mut Engine) -> Vec<Command> {
+        let mut commands = Vec::new();
+        if let Some(answer) = self.dialogs.poll() {
+            commands.extend(take_answer(state, engine, answer));
+        }
+        match self.saved_views.poll() {
+            Some(Ok(command)) => commands.push(command),
+            Some(Err(reason)) => saved_views::refuse(state, reason),
+            None => {}
+        }
+        commands
+    }
+
+    fn wait_for_subject(&mut self, state: &mut State, kind: FigureKind, path: Option<PathBuf>) {
+        let subject = state.document.selected().map(Arc::clone);
+        self.waiting_figure = subject.map(|subject| {
+            state.message = format!("The figure waits for {}", subject.id);
+            WaitingFigure {
+                kind,
+                path,
+                subject,
+            }
+        });
+    }
+}
+
+/// Follows the answer of a dialog; files to open are a command.
+fn take_answer(
+    state: &mut State,
+    engine: &mut Engine,
+    answer: Result<Answer, NoDialog>,
+) -> Option<Command> {
+    match answer {
+        Ok(Answer::Open(paths)) => return Some(Command::File(FileCommand::Open(paths))),
+        Ok(Answer::Figure(figure, path)) => write_figure(state, engine, *figure, path),
+        Ok(Answer::Tables(tables, folder)) => tables.write(engine, folder),
+        Err(problem) => push_card(
+            &mut state.errors,
+            "No file dialog",
+            problem.to_string(),
+            None,
+        ),
+    }
+    None
+}
+
+fn write_figure(state: &mut State, engine: &mut Engine, figure: FigureExport, path: PathBuf) {
+    if let Err(reason) = figure.write(engine, path) {
+        let title = "The figure could not be written";
+        push_card(&mut state.errors, title, reason, None);
+    }
+}

@@ -1,0 +1,113 @@
+//! What the store says in this frame of the questions that the window asks. Results live in the store alone.
+
+use std::sync::Arc;
+
+use crate::analysis::classification::Classes;
+use crate::analysis::deformations::DeformationMap;
+use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::medial_map::MedialMap;
+use crate::analysis::verdicts::Verdicts;
+use crate::engine::{FrameThickness, Interrupted, PoseMap, Showing, SubjectThickening};
+
+use crate::document::in_betweens::BeatInBetweens;
+use crate::document::transported::{CarriedHeart, CarryingState};
+
+/// How a wall thickens, or why that cannot be told.
+pub type FoundWall = Result<Arc<SubjectThickening>, String>;
+
+/// The answers of one frame; made anew in the next. `None` where nothing is asked.
+#[derive(Clone, Debug, Default)]
+pub struct Answers {
+    /// Which opening of a study they are about; subjects' indices mean the same within one.
+    pub(crate) opening: u64,
+    pub(crate) measures: Option<Showing<Vec<SubjectMeasures>>>,
+    pub(crate) map: Option<Showing<PoseMap>>,
+    pub(crate) deformations: Option<Showing<DeformationMap>>,
+    pub(crate) medial_map: Option<Showing<MedialMap>>,
+    pub(crate) classes: Option<Showing<Classes>>,
+    pub(crate) verdicts: Option<Showing<Verdicts>>,
+    /// Of the subjects on screen.
+    pub(crate) walls: Vec<WallAnswer>,
+    /// Of the selected subject, by frame.
+    pub(crate) thickness: Vec<(usize, Showing<FrameThickness>)>,
+    /// Of the beats on screen.
+    pub(crate) in_betweens: Vec<InBetweensAnswer>,
+    pub(crate) carried: Option<CarriedHeart>,
+    pub(crate) carrying: CarryingState,
+    /// Where the poses side by side differ: one number per vertex, one list for all poses.
+    pub(crate) difference: Option<Arc<Vec<Vec<f32>>>>,
+}
+
+/// What is known of a wall on screen.
+#[derive(Clone, Debug)]
+pub(crate) struct WallAnswer {
+    pub subject: usize,
+    pub showing: Showing<SubjectThickening>,
+    /// With whether it is the answer to the settings of today; else it is the one before.
+    pub found: Option<(FoundWall, bool)>,
+}
+
+impl WallAnswer {
+    /// What cannot be told of a wall is an answer too: "not assessed", with its reason.
+    pub fn new(subject: usize, showing: Showing<SubjectThickening>) -> Self {
+        // Colours and borders of a wall that is not resolved would look like findings.
+        let told = |found: &Arc<SubjectThickening>| match &found.not_assessed {
+            Some(reason) => Err(reason.to_string()),
+            None => Ok(Arc::clone(found)),
+        };
+        let found = match &showing {
+            Showing::Ready(found) => Some((told(found), true)),
+            Showing::Interrupted {
+                why: Interrupted::Failed(error),
+                ..
+            } => Some((Err(error.to_string()), true)),
+            Showing::Computing { previous, .. } | Showing::Interrupted { previous, .. } => {
+                previous.as_ref().map(|found| (told(found), false))
+            }
+        };
+        Self {
+            subject,
+            showing,
+            found,
+        }
+    }
+}
+
+/// What is known of the poses between the frames of a beat on screen.
+#[derive(Clone, Debug)]
+pub(crate) struct InBetweensAnswer {
+    pub subject: usize,
+    /// As far as they are computed.
+    pub beat: Option<Arc<BeatInBetweens>>,
+    /// Whether the user stopped the work.
+    pub stopped: bool,
+}
+
+impl Answers {
+    /// How transporting the motion that the document asks for stands.
+    pub fn carrying(&self) -> CarryingState {
+        self.carrying
+    }
+
+    /// Where the poses side by side differ, once that is known.
+    pub fn difference(&self) -> Option<&Arc<Vec<Vec<f32>>>> {
+        self.difference.as_ref()
+    }
+
+    /// Whether poses are still to be measured: between one and the next nothing may run.
+    pub(crate) fn measures_on(&self) -> bool {
+        let mut poses = self.thickness.iter().map(|(_, showing)| showing);
+        poses.clone().all(|showing| !showing.stopped()) && poses.any(Showing::computing)
+    }
+
+    /// How the wall of a subject on screen stands.
+    pub(crate) fn wall(&self, subject: usize) -> Option<&WallAnswer> {
+        self.walls.iter().find(|wall| wall.subject == subject)
+    }
+
+    /// How the poses between the frames of a subject on screen stand.
+    pub(crate) fn in_betweens(&self, subject: usize) -> Option<&InBetweensAnswer> {
+        let mut beats = self.in_betweens.iter();
+        beats.find(|beat| beat.subject == subject)
+    }
+}

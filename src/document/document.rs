@@ -1,0 +1,399 @@
+//! What undo brings back: the study on screen and how it is looked at. Small, cheap to copy, without results.
+
+use std::sync::Arc;
+
+use crate::analysis::deformations::DeformationMapParams;
+use crate::document::ViewMode;
+use crate::engine::{PoseMapParams, ThickeningSettings};
+use crate::io::OpenError;
+use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
+use crate::render::Shading;
+use crate::study::{Notice, Revision, Study, Subject};
+
+use crate::document::viewpoint::Look;
+
+/// Poses between two frames until the user says otherwise.
+const IN_BETWEENS: u16 = 3;
+
+/// Which parts of a heart are drawn, and how.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Visibility {
+    /// The inner surface.
+    pub endocardium: bool,
+    /// The outer surface or the whole wall.
+    pub epicardium: bool,
+    /// Edges of faces.
+    pub wireframe: bool,
+    /// Vertices as discs.
+    pub vertices: bool,
+    /// Atoms of the medial surface, coloured by PT.
+    pub atoms: bool,
+    /// Their spokes to the wall.
+    pub spokes: bool,
+    /// Borders of patches.
+    pub patches: bool,
+    /// ANV and MP.
+    pub direction: bool,
+    /// Smooth or flat.
+    pub shading: Shading,
+}
+
+impl Default for Visibility {
+    fn default() -> Self {
+        Self {
+            endocardium: true,
+            epicardium: true,
+            wireframe: false,
+            vertices: false,
+            atoms: false,
+            spokes: false,
+            patches: true,
+            direction: false,
+            shading: Shading::Smooth,
+        }
+    }
+}
+
+/// One heart's beat, played on another heart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct CarriedBeat {
+    /// Whose motion: index into the study's subjects.
+    pub from: usize,
+    /// On whose heart.
+    pub onto: usize,
+}
+
+/// Order of the cohort table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sorting {
+    /// Column by which rows are ordered; `None` keeps the order of the input.
+    pub column: Option<usize>,
+    /// Greatest first.
+    pub descending: bool,
+}
+
+/// Everything a user can change and take back.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Document {
+    /// The study; an edit of labels or phases makes another one, which shares all meshes.
+    pub study: StudyRef,
+    /// Index of the selected subject.
+    pub subject: usize,
+    /// Place in the beat, counted in frames; fractions lie between poses.
+    pub position: f64,
+    /// One heart, two or all phases.
+    pub view_mode: ViewMode,
+    /// The second heart of the side-by-side view; `None` lets the program choose.
+    pub compare_with: Option<usize>,
+    /// The beat that the second heart plays in place of its own.
+    pub carried: Option<CarriedBeat>,
+    /// Poses computed between two frames; 0 blends frames straight.
+    pub in_betweens: u16,
+    /// From where hearts are looked at.
+    pub look: Look,
+    /// Whether dragging turns about the screen's axes instead of keeping the heart upright.
+    pub free_camera: bool,
+    /// What is drawn.
+    pub visibility: Visibility,
+    /// What colours stand for.
+    pub quantity: Quantity,
+    /// Typed limits, by quantity; quantities that are absent have their fixed range.
+    pub colour_limits: Vec<(Quantity, [f64; 2])>,
+    /// How poses are compared and mapped.
+    pub map: PoseMapParams,
+    /// How whole deformations are mapped.
+    pub deformation_map: DeformationMapParams,
+    /// Whether clusters of deformations are drawn.
+    pub shows_clusters: bool,
+    /// What counts as still, and as a patch.
+    pub thickening: ThickeningSettings,
+    /// The patch or segment that is selected.
+    pub part: Option<WallPart>,
+    /// What the bull's-eye shows.
+    pub bulls_eye: BullsEyeQuantity,
+    /// Whether it has one colour for each segment.
+    pub bulls_eye_segments: bool,
+    /// Filter of the cohort table.
+    pub search: String,
+    /// Order of the cohort table.
+    pub sorting: Sorting,
+}
+
+/// A shared study, compared by its revision.
+#[derive(Clone, Debug)]
+pub struct StudyRef {
+    /// The study.
+    pub study: Arc<Study>,
+    /// Counts what was opened in this run; edits of one study share the number.
+    pub opening: u64,
+    /// What came of reading it.
+    pub report: Arc<OpeningReport>,
+}
+
+/// What reading a study brought beside its subjects.
+#[derive(Clone, Debug, Default)]
+pub struct OpeningReport {
+    /// What was assumed about the study as a whole.
+    pub notices: Vec<Notice>,
+    /// What could not be read.
+    pub errors: Vec<OpenError>,
+}
+
+impl PartialEq for StudyRef {
+    fn eq(&self, other: &Self) -> bool {
+        self.study.revision == other.study.revision
+    }
+}
+
+impl Document {
+    /// The first look at a study: its first subject at the first frame, everything by default.
+    pub fn new(study: StudyRef) -> Self {
+        Self {
+            study,
+            subject: 0,
+            position: 0.0,
+            view_mode: ViewMode::default(),
+            compare_with: None,
+            carried: None,
+            in_betweens: IN_BETWEENS,
+            look: Look::default(),
+            free_camera: false,
+            visibility: Visibility::default(),
+            quantity: Quantity::default(),
+            colour_limits: Vec::new(),
+            map: PoseMapParams::default(),
+            deformation_map: DeformationMapParams::default(),
+            shows_clusters: true,
+            thickening: ThickeningSettings::default(),
+            part: None,
+            bulls_eye: BullsEyeQuantity::default(),
+            bulls_eye_segments: false,
+            search: String::new(),
+            sorting: Sorting {
+                column: None,
+                descending: false,
+            },
+        }
+    }
+
+    /// The study on screen.
+    pub fn study(&self) -> &Arc<Study> {
+        &self.study.study
+    }
+
+    /// The selected subject; `None` where nothing is open.
+    pub fn selected(&self) -> Option<&Arc<Subject>> {
+        self.study().subjects.get(self.subject)
+    }
+
+    /// Number of frames of the selected subject, at least one.
+    pub fn frame_count(&self) -> usize {
+        self.selected()
+            .map_or(1, |subject| subject.sequence.frame_count())
+    }
+
+    /// The frame nearest to the position; past the last half frame the beat starts over.
+    pub fn frame(&self) -> usize {
+        nearest_frame(self.position, self.frame_count())
+    }
+
+    /// Typed limits of the quantity on screen.
+    pub fn limits(&self) -> Option<[f64; 2]> {
+        self.limits_of(self.quantity)
+    }
+
+    /// Typed limits of a quantity.
+    pub fn limits_of(&self, quantity: Quantity) -> Option<[f64; 2]> {
+        self.colour_limits
+            .iter()
+            .find(|(other, _)| *other == quantity)
+            .map(|(_, limits)| *limits)
+    }
+
+    /// What the colour bar stands for: on tissue, the atoms have it.
+    pub fn bar_quantity(&self) -> Quantity {
+        if self.quantity == Quantity::Tissue && self.visibility.atoms {
+            Quantity::ThicknessRatio
+        } else {
+            self.quantity
+        }
+    }
+
+    /// Sets or clears typed limits of the quantity on screen.
+    pub fn set_limits(&mut self, limits: Option<[f64; 2]>) {
+        self.set_limits_of(self.bar_quantity(), limits);
+    }
+
+    /// Sets or clears typed limits of a quantity.
+    pub fn set_limits_of(&mut self, quantity: Quantity, limits: Option<[f64; 2]>) {
+        self.colour_limits.retain(|(other, _)| *other != quantity);
+        if let Some(limits) = limits {
+            self.colour_limits.push((quantity, limits));
+        }
+    }
+
+    /// The heart beside the selected one: the chosen one, else the next of the study.
+    pub fn compared(&self) -> Option<usize> {
+        let count = self.study().subjects.len();
+        self.compare_with
+            .filter(|index| *index < count && *index != self.subject)
+            .or_else(|| (count > 1).then(|| (self.subject + 1) % count))
+    }
+
+    /// The carried beat that is on screen: it plays beside the heart that it came from.
+    pub fn carrying(&self) -> Option<CarriedBeat> {
+        self.carried.filter(|beat| {
+            self.view_mode == ViewMode::SideBySide
+                && self.subject == beat.from
+                && self.compared() == Some(beat.onto)
+        })
+    }
+
+    /// Ends a carried beat whose hearts are no longer on screen, and its colours with it.
+    pub fn end_carrying_out_of_sight(&mut self) {
+        self.carried = self.carrying();
+        if self.carried.is_none() && self.quantity == Quantity::CarriedDistance {
+            self.quantity = Quantity::Tissue;
+        }
+    }
+
+    /// Selects a subject at the same share of the beat, so that hearts with other frame counts
+    /// stay in phase.
+    pub fn select_subject(&mut self, subject: usize) {
+        let phase = self
+            .selected()
+            .map_or(0.0, |shown| phase_of(shown, self.position));
+        if subject != self.subject && matches!(self.part, Some(WallPart::Patch(_))) {
+            // A patch belongs to its heart; a segment is one of every heart.
+            self.part = None;
+        }
+        self.subject = subject;
+        self.position = self
+            .selected()
+            .map_or(0.0, |shown| position_at_phase(shown, phase));
+    }
+
+    /// Replaces the selected subject by an edited copy in a study of another revision.
+    pub fn edit_subject(&mut self, revision: Revision, edit: impl FnOnce(&mut Subject)) {
+        let Some(subject) = self.selected() else {
+            return;
+        };
+        let mut edited = Subject::clone(subject);
+        edit(&mut edited);
+        self.study.study = Arc::new(self.study().with_subject(self.subject, edited, revision));
+    }
+}
+
+/// The frame nearest to a position in a beat of `frame_count` frames.
+pub fn nearest_frame(position: f64, frame_count: usize) -> usize {
+    let count = frame_count.max(1);
+    (position.round().max(0.0) as usize) % count
+}
+
+/// Share of the beat at a subject's position, in `0..1`.
+pub fn phase_of(subject: &Subject, position: f64) -> f64 {
+    subject
+        .timing
+        .phase(position, subject.sequence.frame_count())
+}
+
+/// The position of a subject at a share of the beat: the inverse of [`phase_of`].
+///
+/// Frames are found by bisection on the phase, which grows with the position; where several
+/// positions have one phase (before the first frame's time), the first is taken.
+pub fn position_at_phase(subject: &Subject, phase: f64) -> f64 {
+    let count = subject.sequence.frame_count();
+    if count <= 1 {
+        return 0.0;
+    }
+    let phase_at = |frame: usize| subject.timing.phase(frame as f64, count);
+    let first = phase_at(0);
+    let phase = if phase < first { first } else { phase };
+    let frame = (0..count)
+        .rev()
+        .find(|frame| phase_at(*frame) <= phase + 1e-12)
+        .unwrap_or(0);
+    let start = phase_at(frame);
+    let end = if frame + 1 < count {
+        phase_at(frame + 1)
+    } else {
+        1.0
+    };
+    let part = if end > start {
+        ((phase - start) / (end - start)).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    let position = frame as f64 + part;
+    // The end of the last interval is the start of the next beat.
+    if position >= count as f64 {
+        0.0
+    } else {
+        position
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::testing::{study_of, study_ref, subject_with_frames};
+    use crate::units::Seconds;
+
+    #[test]
+    fn a_position_comes_back_from_its_phase() {
+        let mut subject = subject_with_frames("a", 5);
+        for times in [None, Some(vec![0.0, 0.1, 0.3, 0.6, 0.7])] {
+            subject.timing.frame_times_s = times;
+            subject.timing.rr = Some(Seconds(0.9));
+            for step in 0..50 {
+                let position = f64::from(step) / 10.0;
+                let back = position_at_phase(&subject, phase_of(&subject, position));
+                assert!(
+                    (back - position).abs() < 1e-9,
+                    "{position} came back as {back}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn selecting_another_heart_keeps_the_phase() {
+        let study = study_of(vec![
+            subject_with_frames("a", 8),
+            subject_with_frames("b", 4),
+        ]);
+        let mut document = Document::new(study_ref(study));
+        document.position = 4.0;
+        document.select_subject(1);
+        assert!((document.position - 2.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn past_the_last_half_frame_the_first_pose_is_nearest() {
+        assert_eq!(nearest_frame(7.4, 8), 7);
+        assert_eq!(nearest_frame(7.6, 8), 0);
+        assert_eq!(nearest_frame(0.2, 1), 0);
+    }
+
+    #[test]
+    fn an_edit_makes_another_revision_and_leaves_the_old_study_alone() {
+        let study = study_of(vec![subject_with_frames("a", 3)]);
+        let mut document = Document::new(study_ref(Arc::clone(&study)));
+        let before = document.clone();
+        document.edit_subject(Revision(77), |subject| subject.end_systole = Some(2));
+        assert_ne!(document, before);
+        assert_eq!(document.study().subjects[0].end_systole, Some(2));
+        assert_eq!(study.subjects[0].end_systole, None);
+    }
+
+    #[test]
+    fn typed_limits_belong_to_their_quantity() {
+        let mut document = Document::new(study_ref(study_of(vec![subject_with_frames("a", 3)])));
+        document.quantity = Quantity::Displacement;
+        document.set_limits(Some([0.0, 5.0]));
+        document.quantity = Quantity::AreaRatio;
+        assert_eq!(document.limits(), None);
+        document.quantity = Quantity::Displacement;
+        assert_eq!(document.limits(), Some([0.0, 5.0]));
+    }
+}

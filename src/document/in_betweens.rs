@@ -1,0 +1,312 @@
+//! Poses between the frames of beats: which were computed, and what is said of them on screen.
+
+use std::sync::Arc;
+
+use crate::analysis::geodesics::{GeodesicParams, GeodesicPath};
+use crate::mesh::Point3;
+use crate::study::Subject;
+
+use crate::document::document::Document;
+use crate::document::play::is_between;
+
+/// Beats whose in-betweens are kept: the hearts side by side, and those looked at before.
+const MAX_BEATS: usize = 6;
+
+/// Number of intervals with a path: every frame leads to the next, and the last to the first where
+/// there are more than two.
+pub fn interval_count(subject: &Subject) -> usize {
+    match subject.sequence.frame_count() {
+        0 | 1 => 0,
+        2 => 1,
+        frames => frames,
+    }
+}
+
+/// The poses between the frames of one beat, as far as they were computed.
+#[derive(Clone, Debug)]
+pub struct BeatInBetweens {
+    subject: Arc<Subject>,
+    params: GeodesicParams,
+    paths: Vec<Option<Arc<GeodesicPath>>>,
+}
+
+impl BeatInBetweens {
+    /// Whether they are those of this beat with these settings.
+    pub fn are_of(&self, subject: &Arc<Subject>, params: &GeodesicParams) -> bool {
+        Arc::ptr_eq(&self.subject, subject) && self.params == *params
+    }
+
+    /// The path of an interval, ends included; `None` while it is not computed.
+    pub fn path(&self, interval: usize) -> Option<&GeodesicPath> {
+        self.paths.get(interval)?.as_deref()
+    }
+
+    /// The poses within every interval; empty where they are not computed.
+    pub fn inner_poses(&self) -> Vec<&[Vec<Point3>]> {
+        (0..self.paths.len())
+            .map(|interval| self.path(interval).map_or(&[][..], inner))
+            .collect()
+    }
+
+    /// Whether every interval was computed.
+    pub fn complete(&self) -> bool {
+        (0..self.paths.len()).all(|interval| self.path(interval).is_some())
+    }
+
+    /// Positions in the beat of all poses between frames, ascending.
+    pub fn positions(&self) -> Vec<f64> {
+        let of_interval = |interval: usize| {
+            let count = self.path(interval).map_or(0, |path| inner(path).len());
+            (1..=count).map(move |step| interval as f64 + step as f64 / (count + 1) as f64)
+        };
+        (0..self.paths.len()).flat_map(of_interval).collect()
+    }
+
+    /// Vertices of all poses that were computed, to bound memory by.
+    pub fn vertices(&self) -> usize {
+        let poses = self.inner_poses();
+        poses
+            .iter()
+            .flat_map(|poses| poses.iter())
+            .map(Vec::len)
+            .sum()
+    }
+}
+
+fn inner(path: &GeodesicPath) -> &[Vec<Point3>] {
+    match path.poses.len() {
+        0..=2 => &[],
+        count => &path.poses[1..count - 1],
+    }
+}
+
+/// In-betweens of the beats looked at lately, put together from the paths that are known: the same value as long as
+/// these stay, so that a heart is prepared once.
+#[derive(Clone, Debug, Default)]
+pub struct BeatMemo {
+    /// The one used last stands last.
+    beats: Vec<Arc<BeatInBetweens>>,
+}
+
+impl BeatMemo {
+    /// The in-betweens of a beat with these settings, if any interval of it was computed.
+    pub fn get(
+        &self,
+        subject: &Arc<Subject>,
+        params: &GeodesicParams,
+    ) -> Option<&Arc<BeatInBetweens>> {
+        self.beats.iter().find(|beat| beat.are_of(subject, params))
+    }
+
+    /// Takes in the paths of intervals from `first` on. Says whether anything is new.
+    pub fn put(
+        &mut self,
+        subject: &Arc<Subject>,
+        params: &GeodesicParams,
+        first: usize,
+        paths: &[Arc<GeodesicPath>],
+    ) -> bool {
+        let known = self.get(subject, params);
+        let mut beat = known.map_or_else(
+            || BeatInBetweens {
+                subject: Arc::clone(subject),
+                params: *params,
+                paths: vec![None; interval_count(subject)],
+            },
+            |beat| BeatInBetweens::clone(beat),
+        );
+        let mut news = false;
+        for (slot, path) in beat.paths.iter_mut().skip(first).zip(paths) {
+            if !slot.as_ref().is_some_and(|known| Arc::ptr_eq(known, path)) {
+                *slot = Some(Arc::clone(path));
+                news = true;
+            }
+        }
+        if news {
+            self.beats.retain(|other| !other.are_of(subject, params));
+            self.beats.push(Arc::new(beat));
+            if self.beats.len() > MAX_BEATS {
+                self.beats.remove(0);
+            }
+        }
+        news
+    }
+}
+
+/// Settings of the in-betweens that the document asks for; `None` where they are switched off.
+pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
+    (document.in_betweens > 0).then(|| GeodesicParams {
+        metric: document.map.distances.metric,
+        in_betweens: document.in_betweens,
+        ..GeodesicParams::default()
+    })
+}
+
+/// What is said of a pose between two frames.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct BetweenWords {
+    /// `interpolated` or `straight in-between`; `None` on a frame.
+    pub short: Option<&'static str>,
+    /// The same, and what is wrong with the pose.
+    pub badge: Option<&'static str>,
+    /// How it was found, and what is wrong with it; empty on a frame.
+    pub note: String,
+}
+
+/// Words for the pose at a position. `in_betweens` are those of the beat, if there are any;
+/// `pending` says why there are none, and is empty where nothing is known.
+pub fn between_words(
+    in_betweens: Option<&BeatInBetweens>,
+    position: f64,
+    pending: &str,
+) -> BetweenWords {
+    if !is_between(position) {
+        return BetweenWords::default();
+    }
+    let path = in_betweens.and_then(|beat| beat.path(position.floor() as usize));
+    let Some(path) = path else {
+        let mut note =
+            "Every vertex moves along a straight line from one frame to the next".to_owned();
+        if !pending.is_empty() {
+            note.push_str(". ");
+            note.push_str(pending);
+        }
+        return BetweenWords {
+            short: Some("linear interpolation"),
+            badge: Some("linear interpolation"),
+            note,
+        };
+    };
+    let mut note = match inner(path).len() {
+        1 => "1 interpolated pose between these frames".to_owned(),
+        count => format!("{count} interpolated poses between these frames"),
+    };
+    note.push_str(", on the geodesic of the metric of the map");
+    match path.self_intersections {
+        0 => {}
+        1 => note.push_str(". 1 pair of faces intersects"),
+        pairs => note.push_str(&format!(". {pairs} pairs of faces intersect")),
+    }
+    if !path.converged {
+        note.push_str(". The optimisation ended before it reached its tolerance");
+    }
+    BetweenWords {
+        short: Some("interpolated"),
+        badge: Some(if path.self_intersections > 0 {
+            "interpolated, faces intersect"
+        } else {
+            "interpolated"
+        }),
+        note,
+    }
+}
+
+#[cfg(test)]
+pub(crate) mod tests {
+    use super::*;
+    use crate::document::testing::subject_with_frames;
+
+    /// Paths with `count` poses within every interval, on the straight line.
+    pub fn straight_paths(subject: &Subject, count: usize) -> Vec<Arc<GeodesicPath>> {
+        let frames = subject.sequence.frame_count();
+        let path = |interval: usize| {
+            let start = subject.sequence.pose(interval).unwrap();
+            let end = subject.sequence.pose((interval + 1) % frames).unwrap();
+            let pose = |step: usize| {
+                let share = step as f64 / (count + 1) as f64;
+                let pairs = start.iter().zip(&end);
+                pairs.map(|(a, b)| a + share * (b - a)).collect()
+            };
+            Arc::new(GeodesicPath {
+                poses: (0..count + 2).map(pose).collect(),
+                energy_linear: 2.0,
+                energy: 1.0,
+                step_lengths: vec![1.0; count + 1],
+                iterations: 3,
+                self_intersections: 0,
+                converged: true,
+                stopped: false,
+            })
+        };
+        (0..interval_count(subject)).map(path).collect()
+    }
+
+    #[test]
+    fn the_interval_on_screen_comes_first_and_the_others_after() {
+        let subject = Arc::new(subject_with_frames("a", 4));
+        let params = GeodesicParams::default();
+        let mut store = BeatMemo::default();
+        let all = straight_paths(&subject, 3);
+        assert!(store.put(&subject, &params, 2, &all[2..3]));
+        let beat = store.get(&subject, &params).unwrap();
+        assert!(!beat.complete());
+        assert_eq!(beat.positions(), [2.25, 2.5, 2.75]);
+        assert_eq!(beat.inner_poses().map_lengths(), [0, 0, 3, 0]);
+        assert!(store.put(&subject, &params, 0, &all));
+        assert!(!store.put(&subject, &params, 0, &all), "nothing is new");
+        let beat = store.get(&subject, &params).unwrap();
+        assert!(beat.complete());
+        assert_eq!(beat.positions().len(), 12);
+        let other = GeodesicParams {
+            in_betweens: 7,
+            ..params
+        };
+        assert!(store.get(&subject, &other).is_none());
+    }
+
+    trait Lengths {
+        fn map_lengths(&self) -> Vec<usize>;
+    }
+
+    impl Lengths for Vec<&[Vec<Point3>]> {
+        fn map_lengths(&self) -> Vec<usize> {
+            self.iter().map(|poses| poses.len()).collect()
+        }
+    }
+
+    #[test]
+    fn only_the_beats_of_late_are_kept() {
+        let mut store = BeatMemo::default();
+        let params = GeodesicParams::default();
+        let subjects: Vec<_> = (0..MAX_BEATS + 2)
+            .map(|_| Arc::new(subject_with_frames("a", 3)))
+            .collect();
+        for subject in &subjects {
+            store.put(subject, &params, 0, &straight_paths(subject, 1));
+        }
+        let kept = subjects.iter().filter(|s| store.get(s, &params).is_some());
+        assert_eq!(kept.count(), MAX_BEATS);
+        assert!(store.get(&subjects[0], &params).is_none());
+    }
+
+    #[test]
+    fn a_frame_says_nothing_and_a_crossing_is_not_hidden() {
+        let subject = Arc::new(subject_with_frames("a", 3));
+        let params = GeodesicParams::default();
+        let mut store = BeatMemo::default();
+        let mut paths = straight_paths(&subject, 3);
+        paths[1] = Arc::new(GeodesicPath {
+            self_intersections: 2,
+            ..GeodesicPath::clone(&paths[1])
+        });
+        store.put(&subject, &params, 0, &paths);
+        let beat = store.get(&subject, &params).unwrap();
+        assert_eq!(between_words(Some(beat), 1.0, ""), BetweenWords::default());
+        let words = between_words(Some(beat), 0.25, "");
+        assert_eq!(words.badge, Some("interpolated"));
+        assert!(
+            words
+                .note
+                .starts_with("3 interpolated poses between these frames")
+        );
+        let words = between_words(Some(beat), 1.5, "");
+        assert!(
+            words.note.ends_with("2 pairs of faces intersect"),
+            "{}",
+            words.note
+        );
+        let words = between_words(None, 1.5, "Interpolated poses are off");
+        assert_eq!(words.badge, Some("linear interpolation"));
+        assert!(words.note.ends_with("are off"));
+    }
+}

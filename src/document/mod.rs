@@ -1,0 +1,42 @@
+//! What the window shows, as plain values: the document that undo brings back, the play clock, and what the store
+//! answered in this frame. It knows neither widgets nor how commands are applied.
+
+pub(crate) mod answers;
+pub(crate) mod differences;
+#[expect(
+    clippy::module_inception,
+    reason = "the room's main type carries the room's name"
+)]
+pub(crate) mod document;
+pub(crate) mod error_card;
+pub(crate) mod in_betweens;
+pub(crate) mod play;
+pub(crate) mod state;
+#[cfg(test)]
+pub(crate) mod testing;
+pub(crate) mod theme_choice;
+pub(crate) mod transported;
+pub(crate) mod undo;
+pub(crate) mod verdicts;
+pub(crate) mod view_mode;
+pub(crate) mod viewpoint;
+pub(crate) mod visible_poses;
+
+pub use answers::{Answers, FoundWall};
+pub use differences::{PosePair, hindrance, pair_on_screen};
+pub use document::{
+    CarriedBeat, Document, OpeningReport, Sorting, StudyRef, Visibility, nearest_frame, phase_of,
+    position_at_phase,
+};
+pub use error_card::ErrorCard;
+pub use in_betweens::{
+    BeatInBetweens, BeatMemo, BetweenWords, between_words, geodesic_params, interval_count,
+};
+pub use play::{PlayClock, SPEEDS, beat_s, is_between, pose_at, pose_in};
+pub use state::{Sheets, State};
+pub use theme_choice::ThemeChoice;
+pub use transported::{CarriedHeart, CarryingState, carried_title, transport_params};
+pub use undo::{Gesture, History};
+pub use view_mode::ViewMode;
+pub use viewpoint::{Direction, Look};
+pub use visible_poses::{VisiblePose, visible_poses};

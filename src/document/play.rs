@@ -1,0 +1,225 @@
+//! The clock that plays a beat: from seconds on the wall to a place between poses.
+
+use crate::picture::PreparedSubject;
+use crate::render::GeometryPose;
+use crate::study::Subject;
+
+use crate::document::document::{phase_of, position_at_phase};
+
+/// Length of a beat whose input does not say it: 60 beats a minute.
+const ASSUMED_BEAT_S: f64 = 1.0;
+
+/// Slowest and fastest play.
+pub const SPEEDS: std::ops::RangeInclusive<f32> = 0.05..=4.0;
+
+/// Whether and how fast a beat plays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlayClock {
+    /// Whether time runs.
+    pub playing: bool,
+    /// Recorded beats per beat: 1 is real time.
+    pub speed: f32,
+    /// Whether the beat starts over at its end.
+    pub repeat: bool,
+}
+
+impl Default for PlayClock {
+    fn default() -> Self {
+        Self {
+            playing: false,
+            speed: 1.0,
+            repeat: true,
+        }
+    }
+}
+
+impl PlayClock {
+    /// The position `elapsed_s` after `position`, and whether play goes on.
+    ///
+    /// Time runs evenly over the beat, so frames that were taken at uneven times are shown for
+    /// unequal times. Without repeat, play ends at the last frame.
+    pub fn advance(&self, subject: &Subject, position: f64, elapsed_s: f64) -> (f64, bool) {
+        let count = subject.sequence.frame_count();
+        if !self.playing || count < 2 {
+            return (position, self.playing && count >= 2);
+        }
+        let share = elapsed_s.max(0.0) * f64::from(self.speed) / beat_s(subject);
+        let phase = phase_of(subject, position) + share;
+        let last = (count - 1) as f64;
+        if !self.repeat && phase >= phase_of(subject, last) {
+            return (last, false);
+        }
+        (position_at_phase(subject, phase.rem_euclid(1.0)), true)
+    }
+}
+
+/// Length of a subject's beat: as recorded, else one second.
+pub fn beat_s(subject: &Subject) -> f64 {
+    subject
+        .timing
+        .rr
+        .map(|rr| rr.0)
+        .filter(|rr| *rr > 0.0)
+        .unwrap_or(ASSUMED_BEAT_S)
+}
+
+/// The pose at a position: between two frames, eased so that the heart does not jerk where one
+/// straight path meets the next.
+///
+/// The blend is half-way between the plain share x and 3x² − 2x³: speed dips near given poses
+/// by half and never stops. The last frame runs into the first where the beat repeats.
+pub fn pose_at(position: f64, frame_count: usize) -> GeometryPose {
+    let count = frame_count.max(1);
+    let position = position.max(0.0).rem_euclid(count as f64);
+    let from = (position.floor() as usize).min(count - 1);
+    let part = position - from as f64;
+    let eased = 0.5 * part + 0.5 * part * part * (3.0 - 2.0 * part);
+    GeometryPose {
+        from,
+        to: (from + 1) % count,
+        blend: if is_between(position) {
+            eased as f32
+        } else {
+            part.round() as f32
+        },
+    }
+}
+
+/// The pose of a prepared heart at a position: through the poses between two frames where it has
+/// them, each for an equal share of the interval; else as [`pose_at`] blends the frames.
+pub fn pose_in(heart: &PreparedSubject, position: f64) -> GeometryPose {
+    let straight = pose_at(position, heart.frame_count);
+    let (from, to) = (
+        heart.pose_of_frame(straight.from),
+        heart.pose_of_frame(straight.to),
+    );
+    let steps = heart.in_betweens(straight.from) + 1;
+    if steps == 1 || straight.blend == 0.0 || straight.blend == 1.0 {
+        return GeometryPose {
+            from,
+            to,
+            blend: straight.blend,
+        };
+    }
+    let place = (position - position.floor()) * steps as f64;
+    let step = (place.floor() as usize).min(steps - 1);
+    GeometryPose {
+        from: from + step,
+        to: if step + 1 == steps {
+            to
+        } else {
+            from + step + 1
+        },
+        blend: (place - step as f64) as f32,
+    }
+}
+
+/// Whether a position lies between given poses. Positions within a millionth of a frame count
+/// as given: that far go rounding errors of phases.
+pub fn is_between(position: f64) -> bool {
+    (position - position.round()).abs() > 1e-6
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::testing::subject_with_frames;
+    use crate::units::Seconds;
+
+    #[test]
+    fn a_beat_lasts_as_long_as_it_was_recorded() {
+        let mut subject = subject_with_frames("a", 8);
+        subject.timing.rr = Some(Seconds(0.8));
+        let clock = PlayClock {
+            playing: true,
+            ..PlayClock::default()
+        };
+        let mut position = 0.0;
+        for _ in 0..8 {
+            position = clock.advance(&subject, position, 0.05).0;
+        }
+        assert!(
+            (position - 4.0).abs() < 1e-9,
+            "half a beat after 0.4 s, not {position}"
+        );
+        for _ in 0..8 {
+            position = clock.advance(&subject, position, 0.05).0;
+        }
+        assert!((position + 1e-6).rem_euclid(8.0) < 2e-6);
+    }
+
+    #[test]
+    fn half_speed_takes_twice_as_long() {
+        let subject = subject_with_frames("a", 10);
+        let clock = PlayClock {
+            playing: true,
+            speed: 0.5,
+            repeat: true,
+        };
+        assert!((clock.advance(&subject, 0.0, 0.4).0 - 2.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn without_repeat_play_ends_on_the_last_frame() {
+        let subject = subject_with_frames("a", 4);
+        let clock = PlayClock {
+            playing: true,
+            speed: 1.0,
+            repeat: false,
+        };
+        assert_eq!(clock.advance(&subject, 2.9, 0.5), (3.0, false));
+    }
+
+    #[test]
+    fn a_heart_with_one_frame_does_not_play() {
+        let subject = subject_with_frames("a", 1);
+        let clock = PlayClock {
+            playing: true,
+            ..PlayClock::default()
+        };
+        assert_eq!(clock.advance(&subject, 0.0, 0.5), (0.0, false));
+    }
+
+    #[test]
+    fn given_poses_are_shown_as_they_are() {
+        for frame in 0..8 {
+            let pose = pose_at(f64::from(frame), 8);
+            assert_eq!((pose.from, pose.blend), (frame as usize, 0.0));
+            assert!(!is_between(f64::from(frame)));
+        }
+        assert!(is_between(0.5));
+    }
+
+    #[test]
+    fn poses_between_frames_are_passed_at_equal_shares() {
+        let subject = subject_with_frames("a", 3);
+        let between: Vec<_> = (0..3).map(|_| subject.sequence.pose(0).unwrap()).collect();
+        let heart = PreparedSubject::with_in_betweens(&subject, 0, &[&[], &between, &between]);
+        let at = |position| {
+            let pose = pose_in(&heart, position);
+            (pose.from, pose.to, pose.blend)
+        };
+        assert_eq!(at(0.0), (0, 1, 0.0));
+        assert_eq!((at(0.5).0, at(0.5).1), (0, 1));
+        assert_eq!(at(1.0), (1, 5, 0.0));
+        assert_eq!(at(1.25), (2, 3, 0.0));
+        assert_eq!(at(1.875), (4, 5, 0.5));
+        assert_eq!(at(2.0).0, 5);
+        assert_eq!(
+            at(2.875),
+            (8, 0, 0.5),
+            "the last interval leads to the first frame"
+        );
+    }
+
+    #[test]
+    fn easing_goes_forward_and_never_stops() {
+        let blends: Vec<f32> = (0..100)
+            .map(|i| pose_at(f64::from(i) / 100.0, 8).blend)
+            .collect();
+        assert!(blends.windows(2).all(|pair| pair[1] - pair[0] > 0.004));
+        let last = pose_at(7.5, 8);
+        assert_eq!((last.from, last.to), (7, 0));
+        assert!((last.blend - 0.5).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,204 @@
+//! Everything the window shows, as plain values; `apply` alone changes it.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::analysis::classification::Classes;
+use crate::analysis::deformations::DeformationMap;
+use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::medial_map::MedialMap;
+use crate::analysis::transport::Reference;
+use crate::document::ErrorCard;
+use crate::document::ThemeChoice;
+use crate::engine::{PoseMap, Showing};
+use crate::study::built_in::BuiltInParams;
+use crate::study::{Study, Subject};
+
+use crate::document::answers::{Answers, FoundWall};
+use crate::document::document::{Document, OpeningReport, StudyRef};
+use crate::document::in_betweens::{BeatInBetweens, geodesic_params};
+use crate::document::play::PlayClock;
+use crate::document::transported::{CarriedHeart, transport_params};
+use crate::document::undo::History;
+
+/// Which sheets lie over the window.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Sheets {
+    /// The command palette.
+    pub palette: bool,
+    /// The sheet of shortcuts.
+    pub shortcuts: bool,
+    /// What was found and assumed while reading.
+    pub load_report: bool,
+    /// About the program.
+    pub about: bool,
+}
+
+/// Everything the window shows.
+#[derive(Debug)]
+pub struct State {
+    /// What undo brings back.
+    pub document: Document,
+    /// Undo and redo.
+    pub history: History,
+    /// Whether and how fast the beat plays.
+    pub play: PlayClock,
+    /// What lies over the window.
+    pub sheets: Sheets,
+    /// Light or dark.
+    pub theme: ThemeChoice,
+    /// Whether the window fills the screen.
+    pub full_screen: bool,
+    /// What was opened before, latest first.
+    pub recent: Vec<PathBuf>,
+    /// What went wrong, oldest first.
+    pub errors: Vec<ErrorCard>,
+    /// What the store says in this frame.
+    pub answers: Answers,
+    /// What was done last, for the status bar.
+    pub message: String,
+    /// How finely the built-in cohort is made.
+    pub built_in: BuiltInParams,
+    pub(crate) last_opening: u64,
+}
+
+impl Default for State {
+    fn default() -> Self {
+        let nothing = StudyRef {
+            study: Arc::default(),
+            opening: 0,
+            report: Arc::default(),
+        };
+        Self {
+            document: Document::new(nothing),
+            history: History::default(),
+            play: PlayClock::default(),
+            sheets: Sheets::default(),
+            theme: ThemeChoice::default(),
+            full_screen: false,
+            recent: Vec::new(),
+            errors: Vec::new(),
+            answers: Answers::default(),
+            message: String::new(),
+            built_in: BuiltInParams::default(),
+            last_opening: 0,
+        }
+    }
+}
+
+impl State {
+    /// Measures of the study on screen, possibly of its state before the last edit.
+    pub fn measures(&self) -> Option<&Arc<Vec<SubjectMeasures>>> {
+        self.latest(self.answers.measures.as_ref())
+    }
+
+    /// Measures of one subject.
+    pub fn measures_of(&self, subject: usize) -> Option<&SubjectMeasures> {
+        self.measures()?.get(subject)
+    }
+
+    /// The map of the study on screen.
+    pub fn map(&self) -> Option<&Arc<PoseMap>> {
+        self.latest(self.answers.map.as_ref())
+    }
+
+    /// The map of deformations of the study on screen.
+    pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
+        self.latest(self.answers.deformations.as_ref())
+    }
+
+    /// The map of the medial shape space of the study on screen.
+    pub fn medial_map(&self) -> Option<&Arc<MedialMap>> {
+        self.latest(self.answers.medial_map.as_ref())
+    }
+
+    /// How well the classes of the study on screen can be told apart.
+    pub fn classes(&self) -> Option<&Arc<Classes>> {
+        self.latest(self.answers.classes.as_ref())
+    }
+
+    /// The poses between a subject's frames, as far as they were computed with today's settings.
+    pub fn in_betweens_of(&self, index: usize) -> Option<&Arc<BeatInBetweens>> {
+        let params = geodesic_params(&self.document)?;
+        let beat = self.answers.in_betweens(index)?.beat.as_ref()?;
+        beat.are_of(self.subject(index)?, &params).then_some(beat)
+    }
+
+    /// The carried beat that the document asks for, once it is computed.
+    pub fn carried_heart(&self) -> Option<&CarriedHeart> {
+        let key = (
+            self.document.study().revision,
+            self.document.carrying()?,
+            transport_params(&self.document),
+        );
+        (self.answers.carried.as_ref()).filter(|heart| heart.key == key)
+    }
+
+    /// How a subject's wall thickens: with today's settings, else with those before, and whether it is
+    /// today's. `None` while nothing is known.
+    pub fn wall_of(&self, index: usize) -> Option<(&FoundWall, bool)> {
+        self.of_this_study(Some(&self.answers))?;
+        let (found, of_today) = self.answers.wall(index)?.found.as_ref()?;
+        Some((found, *of_today))
+    }
+
+    /// Frames of end-diastole and end-systole of a subject: as stated, else as measured.
+    pub fn phases_of(&self, index: usize) -> (Option<usize>, Option<usize>) {
+        let stated = self.subject(index);
+        let measured = self.measures_of(index);
+        (
+            stated
+                .and_then(|subject| subject.end_diastole)
+                .or_else(|| measured.and_then(|measures| measures.end_diastole)),
+            stated
+                .and_then(|subject| subject.end_systole)
+                .or_else(|| measured.and_then(|measures| measures.end_systole)),
+        )
+    }
+
+    /// A subject of the study on screen.
+    pub fn subject(&self, index: usize) -> Option<&Arc<Subject>> {
+        self.document.study().subjects.get(index)
+    }
+
+    /// Shows a newly read study; the old one can be had back by undo.
+    pub fn show_study(&mut self, study: Arc<Study>, report: OpeningReport) {
+        self.last_opening += 1;
+        let opening = self.last_opening;
+        let before = self.document.clone();
+        let mut document = Document::new(StudyRef {
+            study,
+            opening,
+            report: Arc::new(report),
+        });
+        document.map = before.map;
+        if let Some(transfer) = document.map.distances.transport
+            && matches!(transfer.reference, Reference::Subject(_))
+        {
+            // That heart is not of this study.
+            document.map.distances.transport = None;
+        }
+        document.deformation_map = before.deformation_map;
+        document.shows_clusters = before.shows_clusters;
+        document.thickening = before.thickening;
+        document.bulls_eye = before.bulls_eye;
+        document.bulls_eye_segments = before.bulls_eye_segments;
+        document.in_betweens = before.in_betweens;
+        document.visibility = before.visibility;
+        self.history.forget_studies_before(before.study.opening);
+        if before.study.opening > 0 {
+            self.history.record(before, None, false, 0.0);
+        }
+        self.document = document;
+        self.play.playing = false;
+    }
+
+    /// An answer, unless it is about a study that is not on screen any more.
+    pub(crate) fn of_this_study<'a, T>(&self, answer: Option<&'a T>) -> Option<&'a T> {
+        answer.filter(|_| self.answers.opening == self.document.study.opening)
+    }
+
+    fn latest<'a, T>(&self, showing: Option<&'a Showing<T>>) -> Option<&'a Arc<T>> {
+        self.of_this_study(showing)?.latest()
+    }
+}

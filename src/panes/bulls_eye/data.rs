@@ -1,0 +1,109 @@
+//! The bull's-eye of the selected heart: laid flat once, coloured at every pose.
+
+use std::sync::Arc;
+
+use crate::document::document::nearest_frame;
+use crate::document::state::State;
+use crate::engine::SubjectThickening;
+use crate::panes::viewport::overlay_view::phase_name;
+use crate::panes::{BullsEyePatch, BullsEyeView, WallState};
+use crate::picture::{
+    BullsEyeScale, CohortLimits, PatchStanding, PolarMap, PolarValues, WallPart, part_name, percent,
+};
+
+/// What the atoms' colours are made from and how the plot is laid.
+#[derive(Debug, Default)]
+pub struct BullsEyeData {
+    made_from: Option<Arc<SubjectThickening>>,
+    flat: PolarMap,
+    shown: PolarValues,
+    patches: Vec<BullsEyePatch>,
+    moment: String,
+    without_axis: Option<String>,
+    scale: BullsEyeScale,
+}
+
+fn patch_name(found: &SubjectThickening, standing: PatchStanding, index: usize) -> String {
+    let share = found
+        .thickening
+        .patches
+        .get(index)
+        .map_or(0.0, |patch| patch.share);
+    let what = match standing {
+        PatchStanding::NoVerdict => "",
+        PatchStanding::Abnormal => " · abnormal",
+        PatchStanding::LowThickening => " · low thickening",
+    };
+    let part = part_name(standing, index);
+    format!("{part}{what} · {} of the LV", percent(share))
+}
+
+impl BullsEyeData {
+    /// Lays the wall flat again where it changed, and takes the values of the pose on screen.
+    pub fn refresh(&mut self, state: &State, cohort: &CohortLimits) {
+        let document = &state.document;
+        let quantity = document.bulls_eye;
+        let unit = document.selected().map(|subject| subject.unit);
+        let typed = document.limits_of(quantity.on_heart());
+        let scale = BullsEyeScale::of(quantity, cohort, typed, unit.unwrap_or_default());
+        let known = state.wall_of(document.subject).zip(document.selected());
+        let Some(((Ok(found), _), subject)) = known else {
+            *self = Self {
+                scale,
+                ..Self::default()
+            };
+            return;
+        };
+        let made = self.made_from.as_ref();
+        if !made.is_some_and(|made| Arc::ptr_eq(made, found)) {
+            *self = Self {
+                made_from: Some(Arc::clone(found)),
+                without_axis: found.without_axis.clone(),
+                flat: PolarMap::of(found).unwrap_or_default(),
+                ..Self::default()
+            };
+        }
+        self.scale = scale;
+        let frame = nearest_frame(document.position, found.beat.frames.len());
+        let phase = phase_name(state.phases_of(document.subject), frame);
+        self.moment = phase.map_or_else(|| format!("frame {frame}"), str::to_owned);
+        self.shown = self.flat.values(found, subject, quantity, frame);
+        let selected = match state.document.part {
+            Some(WallPart::Patch(patch)) => Some(patch),
+            _ => None,
+        };
+        let standing = state.patch_standing(state.document.subject);
+        self.patches = (self.flat.borders.iter().enumerate())
+            .filter(|_| state.document.visibility.patches)
+            .map(|(index, borders)| BullsEyePatch {
+                borders: borders.clone(),
+                name: patch_name(found, standing, index),
+                faint: standing == PatchStanding::LowThickening,
+                selected: selected == Some(index),
+            })
+            .collect();
+    }
+
+    /// What the pane shows.
+    pub fn view<'a>(&'a self, state: &'a State, wall: &'a WallState) -> BullsEyeView<'a> {
+        let document = &state.document;
+        BullsEyeView {
+            subject: document.selected().map(|subject| &*subject.id),
+            state: wall,
+            without_axis: self.without_axis.as_deref(),
+            scale: &self.scale,
+            moment: &self.moment,
+            by_segment: document.bulls_eye_segments,
+            points: &self.flat.points,
+            faces: &self.flat.faces,
+            values: &self.shown.values,
+            segments: self.shown.segments,
+            patches: &self.patches,
+            selected: match document.part {
+                Some(WallPart::Segment(segment)) => Some(segment),
+                _ => None,
+            },
+            oriented: self.flat.oriented,
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! The cohort table: rows from subjects and measures, kept until one of them changes.
+
+use std::sync::Arc;
+
+use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::verdicts::Verdicts;
+use crate::document::ViewMode;
+use crate::document::document::Sorting;
+use crate::document::state::State;
+use crate::panes::verdict::view::cohort_verdict;
+use crate::panes::{CohortColumn, CohortRow, CohortSort, CohortView, visible_rows};
+use crate::study::{Revision, Severity, Subject};
+
+/// What rows are made from: measures and verdicts as long as they are the same ones.
+type MadeFrom = (
+    Revision,
+    Option<Arc<Vec<SubjectMeasures>>>,
+    Option<Arc<Verdicts>>,
+);
+
+fn is_same<T>(a: Option<&Arc<T>>, b: Option<&Arc<T>>) -> bool {
+    match (a, b) {
+        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
+        (None, None) => true,
+        _ => false,
+    }
+}
+
+/// Rows of the table with what they were made from.
+#[derive(Debug, Default)]
+pub struct CohortData {
+    made_from: Option<MadeFrom>,
+    rows: Vec<CohortRow>,
+    filtered_by: Option<(String, Sorting)>,
+    visible: Vec<usize>,
+}
+
+impl CohortData {
+    /// Makes rows again where the study, the measures, the verdicts, the filter or the order changed.
+    pub fn refresh(&mut self, state: &State) {
+        let revision = state.document.study().revision;
+        let measures = state.measures();
+        let verdicts = state.verdicts().map(|(verdicts, _)| verdicts);
+        let same = self.made_from.as_ref().is_some_and(|(made, from, told)| {
+            *made == revision
+                && is_same(from.as_ref(), measures)
+                && is_same(told.as_ref(), verdicts)
+        });
+        if !same {
+            self.rows = cohort_rows(state);
+            self.made_from = Some((revision, measures.cloned(), verdicts.cloned()));
+            self.filtered_by = None;
+        }
+        let document = &state.document;
+        let filter = (&document.search, document.sorting);
+        if self.filtered_by.as_ref().map(|(s, o)| (s, *o)) != Some(filter) {
+            self.visible = visible_rows(&self.rows, &document.search, sort(document.sorting));
+            self.filtered_by = Some((document.search.clone(), document.sorting));
+        }
+    }
+
+    /// All subjects in the order of the study.
+    pub fn rows(&self) -> &[CohortRow] {
+        &self.rows
+    }
+
+    /// What the pane shows; the last two say whether measures and verdicts are still to come.
+    pub fn view<'a>(
+        &'a self,
+        state: &'a State,
+        [measuring, classifying]: [bool; 2],
+    ) -> CohortView<'a> {
+        let document = &state.document;
+        let compared = (document.view_mode == ViewMode::SideBySide)
+            .then(|| document.compared())
+            .flatten();
+        CohortView {
+            rows: &self.rows,
+            visible: &self.visible,
+            search: &document.search,
+            sort: sort(document.sorting),
+            selected: document.selected().map(|_| document.subject),
+            compared,
+            measuring,
+            classifying,
+        }
+    }
+}
+
+/// Indices of the subjects that the table shows, in its order.
+pub fn visible_subjects(state: &State) -> Vec<usize> {
+    let document = &state.document;
+    visible_rows(
+        &cohort_rows(state),
+        &document.search,
+        sort(document.sorting),
+    )
+}
+
+fn sort(sorting: Sorting) -> Option<CohortSort> {
+    let column = *CohortColumn::ALL.get(sorting.column?)?;
+    Some(CohortSort {
+        column,
+        descending: sorting.descending,
+    })
+}
+
+fn cohort_rows(state: &State) -> Vec<CohortRow> {
+    let study = state.document.study();
+    let mut groups = Vec::new();
+    let mut group_of = |subject: &Subject| {
+        let key = subject.sequence.correspondence();
+        let known = groups.iter().position(|other| *other == key);
+        known.unwrap_or_else(|| {
+            groups.push(key);
+            groups.len() - 1
+        })
+    };
+    study
+        .subjects
+        .iter()
+        .enumerate()
+        .map(|(index, subject)| CohortRow {
+            correspondence: group_of(subject),
+            id: subject.id.clone(),
+            label: subject.label.clone(),
+            role: study.role(subject),
+            ejection_fraction: state.measures_of(index).and_then(|measures| measures.ef),
+            verdict: cohort_verdict(state, index),
+            frame_count: subject.sequence.frame_count(),
+            warning_count: subject
+                .notices
+                .iter()
+                .filter(|notice| notice.severity == Severity::Warning)
+                .count(),
+        })
+        .collect()
+}

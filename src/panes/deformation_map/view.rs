@@ -1,0 +1,290 @@
+//! The map of deformations and the accuracy of classifiers: from the latest results, kept until they or the study change.
+
+use std::sync::Arc;
+
+use crate::analysis::classification::{Accuracy, Classes};
+use crate::analysis::deformations::DeformationMap;
+use crate::document::state::State;
+use crate::engine::{DeformationMapSettings, Interrupted, PoseMapParams, Showing, Topic};
+use crate::panes::{
+    ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, MapState, MapSubject,
+    MetricPanelView, PosePhase, ScatterData, ScatterPoint, ScatterView,
+};
+use crate::study::Study;
+
+use crate::panes::scatter_map::from_state::{
+    Details, Shared, details, map_state, plane, scatter_view,
+};
+
+/// Fewer deformations have no neighbourhoods.
+pub const FEWEST_DEFORMATIONS: usize = 4;
+
+/// How many of the subjects with the most similar motion are named.
+const NAMED_NEIGHBOURS: usize = 3;
+
+/// Points of the map, and the classifiers.
+#[derive(Debug, Default)]
+pub struct DeformationData {
+    data: ScatterData<Shared<DeformationMap>, (Details, Shared<Classes>)>,
+    classifiers: Vec<ClassifierView>,
+}
+
+impl DeformationData {
+    /// Makes points again where the study or a result changed, and moves those that are on their
+    /// way; whether any still are. Without `motion` they are there at once.
+    pub fn refresh(&mut self, state: &State, now_s: f64, motion: bool) -> bool {
+        let (study, map, classes) = (
+            state.document.study(),
+            state.deformations(),
+            state.classes(),
+        );
+        let opening = state.document.study.opening;
+        let details = (details(state), Shared::of(classes));
+        let sources = (opening, Shared::of(map), details);
+        let changed = self.data.refresh(sources, now_s, motion, || {
+            let classes = classes.map(Arc::as_ref);
+            let first = |subject| state.phases_of(subject).0.unwrap_or_default();
+            map.map_or_else(Vec::new, |map| points(map, study, classes, first))
+        });
+        if changed {
+            self.classifiers = classes.map_or_else(Vec::new, |classes| classifiers(classes));
+        }
+        self.data.advance(now_s)
+    }
+
+    /// What the pane shows.
+    pub fn view<'a>(
+        &'a self,
+        state: &State,
+        subjects: &'a [MapSubject],
+        left_out: &'a [String],
+    ) -> DeformationMapView<'a> {
+        let map = state.deformations();
+        let embedding = map.map(|map| &map.embedding);
+        let (map_state, job) = deformation_state(state);
+        let points = self.data.points();
+        DeformationMapView {
+            map: ScatterView {
+                job,
+                left_out,
+                ..scatter_view(state, &DEFORMATION_MAP, map_state, subjects, points)
+            },
+            neighbours: embedding.and_then(|embedding| embedding.neighbours),
+            reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
+            time_weight: map.map(|map| map.time_weight),
+            classes: self.classes(state),
+        }
+    }
+
+    fn classes(&self, state: &State) -> ClassesView<'_> {
+        match &state.answers.classes {
+            None => ClassesView::Absent,
+            Some(Showing::Computing { watch, .. }) if self.classifiers.is_empty() => {
+                ClassesView::Computing {
+                    fraction: watch.fraction(),
+                }
+            }
+            Some(_) if !self.classifiers.is_empty() => ClassesView::Ready(&self.classifiers),
+            Some(Showing::Ready(_)) => {
+                ClassesView::Unanswerable("not enough labels; subjects of two classes are needed")
+            }
+            Some(Showing::Interrupted {
+                why: Interrupted::Failed(_),
+                ..
+            }) => ClassesView::Unanswerable("the classification failed"),
+            Some(_) => ClassesView::Absent,
+        }
+    }
+}
+
+/// How the map stands, and which work it waits for: poses are mapped first.
+fn deformation_state(state: &State) -> (MapState, Topic) {
+    let poses = map_state(state, state.answers.map.as_ref());
+    if poses != MapState::Ready {
+        return (poses, Topic::of::<PoseMapParams>());
+    }
+    let own = if enough_subjects(state) {
+        map_state(state, state.answers.deformations.as_ref())
+    } else {
+        let why = format!("Fewer than {FEWEST_DEFORMATIONS} subjects: no deformation map");
+        MapState::Unanswerable(why)
+    };
+    (own, Topic::of::<DeformationMapSettings>())
+}
+
+/// Whether the map of poses holds so many subjects that their deformations can be mapped.
+pub fn enough_subjects(state: &State) -> bool {
+    state.map().is_some_and(|map| {
+        let poses = &map.distances.poses;
+        poses.chunk_by(|a, b| a.subject == b.subject).count() >= FEWEST_DEFORMATIONS
+    })
+}
+
+/// What the panel of settings shows.
+pub fn metric_panel_view<'a>(state: &State, subjects: &'a [MapSubject]) -> MetricPanelView<'a> {
+    let document = &state.document;
+    let map = state.deformations();
+    MetricPanelView {
+        poses: document.map,
+        deformations: document.deformation_map,
+        subjects,
+        selected: document.selected().map(|_| document.subject),
+        neighbours: map.and_then(|map| map.embedding.neighbours),
+        time_weight: map.map(|map| map.time_weight),
+    }
+}
+
+/// One point per subject; `first_frame` is where a click plays from.
+fn points(
+    map: &DeformationMap,
+    study: &Study,
+    classes: Option<&Classes>,
+    first_frame: impl Fn(usize) -> usize,
+) -> Vec<ScatterPoint> {
+    let clusters = classes
+        .map(|classes| &classes.clustering.clusters)
+        .filter(|clusters| clusters.len() == map.subjects.len());
+    let rows = map.subjects.iter().enumerate();
+    rows.filter(|(row, _)| *row < map.embedding.len())
+        .map(|(row, subject)| {
+            let nearest = nearest(map, row);
+            let named = nearest
+                .iter()
+                .filter_map(|index| study.subjects.get(*index));
+            let named: Vec<&str> = named.map(|subject| subject.id.as_str()).collect();
+            let similar = format!("Most similar motion: {}", named.join(", "));
+            ScatterPoint {
+                subject: *subject,
+                start_frame: first_frame(*subject),
+                at: plane(map.embedding.point(row)),
+                phase: PosePhase::WholeBeat,
+                label: Some(""),
+                cluster: clusters.map(|clusters| clusters[row]),
+                facts: (!named.is_empty()).then_some(similar).into_iter().collect(),
+                nearest,
+                ..ScatterPoint::default()
+            }
+        })
+        .collect()
+}
+
+/// The subjects whose curves (x, y, w t) are nearest to that of a row, nearest first.
+fn nearest(map: &DeformationMap, row: usize) -> Vec<usize> {
+    let Some(own) = map.curves.get(row) else {
+        return Vec::new();
+    };
+    let apart = |other: &[[f64; 3]]| -> f64 {
+        let pairs = own.iter().zip(other);
+        pairs
+            .flat_map(|(a, b)| [0, 1, 2].map(|axis| (a[axis] - b[axis]).powi(2)))
+            .sum()
+    };
+    let mut others: Vec<(f64, usize)> = map
+        .curves
+        .iter()
+        .zip(&map.subjects)
+        .enumerate()
+        .filter(|(other, _)| *other != row)
+        .map(|(_, (curve, subject))| (apart(curve), *subject))
+        .collect();
+    others.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    let named = others.into_iter().take(NAMED_NEIGHBOURS);
+    named.map(|(_, subject)| subject).collect()
+}
+
+fn classifiers(classes: &Classes) -> Vec<ClassifierView> {
+    let row = |name, what, accuracy: Option<Accuracy>| {
+        accuracy.map(|accuracy| ClassifierView {
+            name,
+            what,
+            correct: accuracy.correct,
+            of: accuracy.of,
+            permutation_mean: accuracy.baseline * accuracy.of as f64,
+            p_value: accuracy.p_value,
+        })
+    };
+    [
+        row(
+            "Nearest neighbour",
+            "Each subject is given the label of the subject with the most similar motion",
+            classes.nearest_neighbour,
+        ),
+        row(
+            "Linear classifier",
+            "Each subject is classified by a linear classifier on the distances of deformations, \
+             trained on all others (leave-one-out)",
+            classes.linear_classifier,
+        ),
+        row(
+            "Classifier on 2-D embedding",
+            "Each subject is classified by a straight line on this map, trained on all others \
+             (leave-one-out)",
+            classes.plane_classifier,
+        ),
+        row(
+            "Cluster agreement τ",
+            "Share of subjects whose cluster stands for their label, where clusters and labels \
+             are matched as well as can be",
+            classes.tau,
+        ),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::analysis::embedding::Embedding;
+    use crate::document::testing::{study_of, subject_with_frames};
+
+    fn map(places: [[f64; 2]; 4]) -> DeformationMap {
+        DeformationMap {
+            subjects: vec![0, 1, 2, 3],
+            curves: [0.0, 1.0, 1.5, 9.0]
+                .map(|x| vec![[x, 0.0, 0.0], [x, 1.0, 2.0]])
+                .to_vec(),
+            time_weight: 2.0,
+            embedding: Embedding {
+                dimensions: 2,
+                coordinates: places.concat(),
+                ..Embedding::default()
+            },
+        }
+    }
+
+    #[test]
+    fn subjects_know_who_moves_most_alike() {
+        let map = map([[0.0; 2]; 4]);
+        assert_eq!(nearest(&map, 0), [1, 2, 3]);
+        assert_eq!(nearest(&map, 2), [1, 0, 3]);
+    }
+
+    #[test]
+    fn points_name_who_moves_most_alike_and_play_from_the_first_frame() {
+        let subjects = ["a", "b", "c", "d"].map(|id| subject_with_frames(id, 3));
+        let study = study_of(subjects.to_vec());
+        let points = points(&map([[0.0; 2]; 4]), &study, None, |subject| subject + 5);
+        assert_eq!(points.len(), 4);
+        assert_eq!(points[2].facts, ["Most similar motion: b, a, d"]);
+        assert_eq!((points[2].start_frame, points[2].cluster), (7, None));
+    }
+
+    #[test]
+    fn accuracies_stand_beside_the_permutation_mean() {
+        let accuracy = Accuracy {
+            correct: 20,
+            of: 23,
+            baseline: 0.54,
+            p_value: 0.002,
+        };
+        let classes = Classes {
+            nearest_neighbour: Some(accuracy),
+            ..Classes::default()
+        };
+        let rows = classifiers(&classes);
+        assert_eq!(rows.len(), 1);
+        assert!((rows[0].permutation_mean - 12.42).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,180 @@
+//! Thickness of the selected heart in every way of measuring: strips by pose, differences at the pose on screen.
+
+use std::sync::Arc;
+
+use crate::analysis::thickness_methods::{ThicknessMethod, ThicknessSpread};
+use crate::document::state::State;
+use crate::engine::{ComparedMethod, FrameThickness, MethodResult, Showing};
+use crate::panes::{Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip};
+use crate::picture::nice_ceiling;
+
+use crate::panes::viewport::overlay_view::phase_name;
+
+/// What the pane shows.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ThicknessData {
+    state: ThicknessState,
+    moment: String,
+    rows: Vec<ThicknessRow>,
+    most: f64,
+}
+
+impl ThicknessData {
+    /// Of the selected heart.
+    pub fn of(state: &State) -> Self {
+        if state.document.selected().is_none() {
+            return Self::default();
+        }
+        let known: Vec<(usize, &Arc<FrameThickness>)> = (state.answers.thickness.iter())
+            .filter_map(|(frame, showing)| Some((*frame, showing.ready()?)))
+            .collect();
+        let on_screen = state.document.frame();
+        // While the beat plays, what differs is told of end-systole, or of what there is.
+        let told = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
+        let rows = ways().map(|way| row(state, way, &known, told.map(|(_, found)| &***found)));
+        let rows: Vec<ThicknessRow> = if known.is_empty() {
+            Vec::new()
+        } else {
+            rows.collect()
+        };
+        let strips = rows.iter().flat_map(|row| &row.strips);
+        let most = strips.map(|strip| strip.quantiles[4]).fold(0.0, f64::max);
+        Self {
+            state: standing(state),
+            moment: told.map_or_else(String::new, |(frame, _)| moment(state, *frame)),
+            rows,
+            most: 0.5 * nice_ceiling(2.0 * most),
+        }
+    }
+
+    /// What the pane shows.
+    pub fn view<'a>(&'a self, state: &'a State) -> ThicknessPanelView<'a> {
+        let subject = state.document.selected();
+        ThicknessPanelView {
+            subject: subject.map(|subject| &*subject.id),
+            state: &self.state,
+            moment: &self.moment,
+            unit: subject.map_or("", |subject| subject.unit.length_symbol()),
+            rows: &self.rows,
+            max: self.most,
+        }
+    }
+}
+
+fn ways() -> impl Iterator<Item = ComparedMethod> {
+    let others = ThicknessMethod::ALL.into_iter().map(ComparedMethod::Other);
+    std::iter::once(ComparedMethod::Medial).chain(others)
+}
+
+/// "ED", "ES", "frame 3".
+fn moment(state: &State, frame: usize) -> String {
+    let phase = phase_name(state.phases_of(state.document.subject), frame);
+    phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
+}
+
+/// How the first pose stands that is not measured; what cannot be measured is told once the others are there.
+fn standing(state: &State) -> ThicknessState {
+    let poses = &state.answers.thickness;
+    let waiting = |showing: &Showing<FrameThickness>| {
+        showing.ready().is_none() && showing.failure().is_none()
+    };
+    let Some((frame, showing)) = poses.iter().find(|(_, showing)| waiting(showing)) else {
+        let failure = poses.iter().find_map(|(_, showing)| showing.failure());
+        return match failure {
+            Some(error) => ThicknessState::Failed(error.to_string()),
+            None if poses.is_empty() => ThicknessState::Computing {
+                fraction: 0.0,
+                moment: "waiting".to_owned(),
+            },
+            None => ThicknessState::Ready,
+        };
+    };
+    match showing {
+        Showing::Computing { watch, .. } => ThicknessState::Computing {
+            fraction: watch.fraction(),
+            moment: moment(state, *frame),
+        },
+        Showing::Ready(_) | Showing::Interrupted { .. } => ThicknessState::Stopped,
+    }
+}
+
+fn row(
+    state: &State,
+    way: ComparedMethod,
+    known: &[(usize, &Arc<FrameThickness>)],
+    told: Option<&FrameThickness>,
+) -> ThicknessRow {
+    let on_screen = state.document.frame();
+    let strips = known.iter().filter_map(|(frame, found)| {
+        let spread = answer(found, way)?.thickness.as_ref().ok()?;
+        Some(ThicknessStrip {
+            moment: moment(state, *frame),
+            on_screen: *frame == on_screen,
+            quantiles: quantiles(spread),
+        })
+    });
+    let told = told.and_then(|found| answer(found, way));
+    let agreement = told.and_then(|answer| answer.agreement);
+    let mut reasons = known.iter().filter_map(|(_, found)| {
+        let reason = answer(found, way)?.thickness.as_ref().err()?;
+        Some(reason.clone())
+    });
+    ThicknessRow {
+        name: sentence_case(way.name()),
+        hint: hint(way),
+        strips: strips.collect(),
+        difference: agreement.map(|agreement| Difference {
+            bias: agreement.bias,
+            deviation: agreement.deviation,
+            pairs: agreement.pairs,
+        }),
+        reference: way == ComparedMethod::Medial,
+        seconds: told
+            .filter(|told| told.thickness.is_ok())
+            .map(|told| told.seconds),
+        reason: reasons.next_back(),
+    }
+}
+
+fn answer(found: &FrameThickness, way: ComparedMethod) -> Option<&MethodResult> {
+    found.results.iter().find(|result| result.method == way)
+}
+
+fn quantiles(spread: &ThicknessSpread) -> [f64; 5] {
+    [
+        spread.low,
+        spread.quarter,
+        spread.median,
+        spread.three_quarters,
+        spread.high,
+    ]
+}
+
+fn sentence_case(name: &str) -> String {
+    let mut letters = name.chars();
+    letters.next().map_or_else(String::new, |first| {
+        first.to_uppercase().chain(letters).collect()
+    })
+}
+
+fn hint(way: ComparedMethod) -> &'static str {
+    match way {
+        ComparedMethod::Medial => {
+            "Twice the radius of the sphere inscribed in the wall at each endocardial vertex; spheres at the edge of \
+             the medial surface, near the base, are left out"
+        }
+        ComparedMethod::Other(ThicknessMethod::Nearest) => {
+            "Distance from an endocardial vertex to the nearest epicardial point: a lower bound of the other methods"
+        }
+        ComparedMethod::Other(ThicknessMethod::Centreline) => {
+            "Length of chords across the centreline of short-axis slices: too long where a slice cuts the wall \
+             obliquely, as near the apex"
+        }
+        ComparedMethod::Other(ThicknessMethod::Laplace) => {
+            "Length of the field line of Laplace's equation from endocardium to epicardium"
+        }
+        ComparedMethod::Other(ThicknessMethod::VolumeOverArea) => {
+            "Volume of a wall element divided by the mean of its endocardial and epicardial area: one value per element"
+        }
+    }
+}

@@ -1,0 +1,133 @@
+//! The words of a verdict, by finding and by classifier.
+
+use super::*;
+use crate::analysis::classification::Accuracy;
+use crate::analysis::verdicts::{Features, NotAssessed};
+use crate::document::testing::{state_of, subject_with_frames};
+use std::sync::Arc;
+
+fn verdict(finding: Finding, probability: f64) -> Verdict {
+    Verdict {
+        finding,
+        abnormal: finding != Finding::Nothing,
+        probability,
+        features: Features::default(),
+        patched: 0.312,
+        similar_normal: vec![1],
+        similar_abnormal: vec![0],
+        training_set_distance: Some(TrainingSetDistance {
+            distance: 0.6,
+            median: 0.5,
+            as_far: 0.4,
+        }),
+    }
+}
+
+fn judged(rule: ClassifierSource) -> State {
+    let ids = ["a", "b", "c"];
+    let mut state = state_of(ids.map(|id| subject_with_frames(id, 3)).to_vec());
+    let reason = NotAssessed::WallNotResolved { share: 0.61 };
+    let verdicts = Verdicts {
+        subjects: vec![
+            Ok(verdict(Finding::Patch, 0.97)),
+            Ok(verdict(Finding::Nothing, 0.04)),
+            Err(reason),
+        ],
+        classifier: rule,
+        quality: None,
+    };
+    state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
+    state
+}
+
+const LEARNT: ClassifierSource = ClassifierSource::Cohort {
+    normal: 9,
+    abnormal: 14,
+};
+
+#[test]
+fn only_the_finding_of_a_patch_is_called_one() {
+    let mut state = judged(LEARNT);
+    let shown = report(&state).unwrap();
+    assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
+    assert_eq!(shown.mark, VerdictMark::Patch);
+    assert_eq!(shown.similar[0][0].id, "b");
+    assert_eq!(shown.similar[0][0].verdict, "no finding");
+    state.document.subject = 1;
+    let shown = report(&state).unwrap();
+    assert_eq!(shown.heading, "No regional abnormality");
+    assert!(shown.sentence.ends_with("low thickening in 31 % of the LV"));
+    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "no finding");
+    assert_eq!(cohort_verdict(&state, 0).unwrap().text(), "patch 31 %");
+}
+
+#[test]
+fn what_is_not_assessed_says_why_in_pane_and_table() {
+    let mut state = judged(LEARNT);
+    state.document.subject = 2;
+    let shown = report(&state).unwrap();
+    assert_eq!(shown.heading, "Not assessed");
+    assert!(shown.sentence.starts_with("The wall is not resolved"));
+    assert_eq!(shown.probability, None);
+    let row = cohort_verdict(&state, 2).unwrap();
+    assert_eq!(row.text(), "not assessed");
+    assert!(row.words.contains("61 %"), "{}", row.words);
+}
+
+#[test]
+fn an_uncalibrated_score_says_so_everywhere() {
+    let state = judged(ClassifierSource::Uncalibrated {
+        normal: 2,
+        abnormal: 0,
+    });
+    let shown = report(&state).unwrap();
+    assert!(!shown.calibrated);
+    let (verdicts, _) = state.verdicts().unwrap();
+    let rule = classifier_report(verdicts);
+    assert!(rule.source.contains("uncalibrated"), "{}", rule.source);
+    assert!(rule.source.contains("2 normal and 0 abnormal"));
+    assert!(rule.results.is_empty());
+    let words = cohort_verdict(&state, 0).unwrap().words;
+    assert!(words.ends_with("uncalibrated score 0.97"), "{words}");
+}
+
+#[test]
+fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
+    let at = |distance: f64, as_far: f64| {
+        training_distance(&TrainingSetDistance {
+            distance,
+            median: 0.5,
+            as_far,
+        })
+    };
+    let near = at(0.6, 0.4);
+    assert!(
+        !near.outside && near.words.contains("1.2 ×") && near.words.contains("60th percentile")
+    );
+    let far = at(12.0, 0.0);
+    assert!(far.outside && far.words.contains("24 ×") && far.words.contains("100th percentile"));
+}
+
+#[test]
+fn accuracy_and_auc_have_permutation_means() {
+    let quality = ClassifierQuality {
+        accuracy: Accuracy {
+            correct: 22,
+            of: 23,
+            baseline: 0.5,
+            p_value: 0.004_975,
+        },
+        false_positives: 0,
+        false_negatives: 1,
+        auc: 0.984,
+        auc_baseline: 0.46,
+        auc_p_value: 0.004_975,
+    };
+    let rows = results(&quality, 9, 14);
+    assert_eq!(rows[0].value, "22 of 23 · 96 %");
+    assert_eq!(rows[0].permutation_test, "permutation mean 11.5 · p 0.005");
+    assert_eq!(rows[1].value, "0.98");
+    assert_eq!(rows[1].permutation_test, "permutation mean 0.46 · p 0.005");
+    assert_eq!(rows[2].value, "0 of 9 normal");
+    assert_eq!(rows[3].value, "1 of 14 abnormal");
+}

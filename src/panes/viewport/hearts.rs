@@ -1,0 +1,370 @@
+//! The 3D view: hearts drawn by our renderer, the camera under the pointer, and what lies over them.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicU64;
+
+use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
+
+use crate::document::ViewMode;
+use crate::panes::{
+    BeatCommand, Command, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
+    subject_target_ui, viewport_overlay_ui,
+};
+use crate::picture::{
+    CohortLimits, HeartScene, MedialSettings, PatchLook, PictureTheme, Quantity, SceneSettings,
+    WallPart, heart_scene,
+};
+use crate::render::{Camera, ViewId};
+use crate::ui::theme::{colours, line, radius, type_size};
+
+use crate::document::play::pose_in;
+use crate::document::state::State;
+use crate::document::visible_poses;
+use crate::panes::viewport::camera_drag::camera_command;
+use crate::panes::viewport::fits::Fits;
+use crate::panes::viewport::overlay_view::phase_name;
+use crate::panes::viewport::paint::{ScenePaint, pixels};
+use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
+use crate::panes::viewport::pictures::{Heart, Pictures};
+use crate::panes::viewport::places::places;
+use crate::panes::viewport::shown_heart::{Cell, MadeNumbers, ShownHeart, shown_heart};
+
+/// The hearts on screen and what was worked out for them.
+#[derive(Default)]
+pub struct Viewport {
+    shown: Vec<ShownHeart>,
+    mode: ViewMode,
+    limits: CohortLimits,
+    fits: Fits,
+    numbers: MadeNumbers,
+    pinned: Option<Picked>,
+    has_device: bool,
+}
+
+impl Viewport {
+    /// A view that draws if there is a device to draw with.
+    pub fn new(has_device: bool) -> Self {
+        Self {
+            has_device,
+            ..Self::default()
+        }
+    }
+
+    /// Asks for the hearts of the state; shows them together once all are ready.
+    pub fn prepare(&mut self, state: &State, pictures: Pictures<'_>, reference_frames: &[usize]) {
+        let study = state.document.study();
+        let mut ready = Vec::new();
+        let mut complete = true;
+        for place in visible_poses(state) {
+            let numbers = &mut self.numbers;
+            match shown_heart(state, pictures, numbers, reference_frames, &place) {
+                Some(heart) => ready.push(heart),
+                None => complete = false,
+            }
+        }
+        if complete {
+            self.shown = ready;
+            self.mode = state.document.view_mode;
+        }
+        if !study.subjects.is_empty()
+            && let Some(limits) = pictures.cohort_limits(reference_frames)
+        {
+            self.limits = limits;
+        }
+        let hearts = self.hearts();
+        self.fits.keep(&hearts);
+        self.numbers.keep(&hearts);
+    }
+
+    fn hearts(&self) -> Vec<Arc<Heart>> {
+        let hearts = self.shown.iter().map(|shown| &shown.heart);
+        hearts.map(Arc::clone).collect()
+    }
+
+    /// Hearts on screen.
+    pub fn shown(&self) -> &[ShownHeart] {
+        &self.shown
+    }
+
+    /// The camera of a heart on screen, as last drawn; fitted to a square where it never was.
+    pub fn camera(&self, state: &State, shown: &ShownHeart) -> Camera {
+        let look = state.document.look;
+        let fitted = self.fits.latest(&shown.heart).unwrap_or_else(|| {
+            let rotation = look.rotation(&shown.heart.prepared.axes);
+            shown.heart.fitted(rotation, 1.0)
+        });
+        look.camera(&shown.heart.frame, fitted)
+    }
+
+    /// The fixed colour ranges of the study.
+    pub fn cohort_limits(&self) -> &CohortLimits {
+        &self.limits
+    }
+
+    /// How hearts are drawn now.
+    pub fn settings(&self, state: &State, dark: bool) -> SceneSettings {
+        let document = &state.document;
+        let visible = document.visibility;
+        SceneSettings {
+            quantity: document.quantity,
+            cohort_limits: self.limits,
+            typed_limits: document.limits(),
+            inner: visible.endocardium,
+            outer: visible.epicardium,
+            wireframe: visible.wireframe,
+            vertices: visible.vertices,
+            shading: visible.shading,
+            medial: MedialSettings {
+                atoms: visible.atoms,
+                spokes: visible.spokes,
+                patches: visible.patches,
+                patch_look: PatchLook::default(),
+                direction: visible.direction,
+                part: document.part,
+                limits: document.limits_of(Quantity::ThicknessRatio),
+            },
+            theme: if dark {
+                PictureTheme::DARK
+            } else {
+                PictureTheme::LIGHT
+            },
+            ..SceneSettings::default()
+        }
+    }
+
+    /// Draws the view into all room left; `meter` takes the time of the callback.
+    pub fn ui(
+        &mut self,
+        ui: &mut Ui,
+        state: &State,
+        meter: &Arc<AtomicU64>,
+        commands: &mut Vec<Command>,
+    ) {
+        let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D viewport"));
+        let rects = places(self.mode, area, self.shown.len());
+        let hearts = self.hearts();
+        let look = &state.document.look;
+        let cameras = self.fits.cameras(look, self.mode, &hearts, &rects);
+        let cells: Vec<Cell> = self
+            .shown
+            .iter()
+            .zip(rects)
+            .zip(cameras)
+            .map(|((heart, rect), camera)| Cell {
+                heart,
+                rect,
+                camera,
+            })
+            .collect();
+        commands.extend(camera_command(ui, &response, state, &cells));
+        commands.extend(self.click_command(&response, &cells));
+        let settings = self.settings(state, ui.visuals().dark_mode);
+        let (hovered, clicked) = pointed(&response, state, &cells, &settings);
+        let legends = self.draw(ui, &settings, &cells, meter);
+        self.overlays_ui(ui, state, &cells, (area, legends.as_ref()), commands);
+        targets_ui(ui, &response, state, &cells, commands);
+        let quantity = state.document.bar_quantity();
+        if let Some(now) = &clicked {
+            commands.extend(part_command(state, &cells, now.as_ref()));
+        }
+        let pinned = match clicked {
+            Some(now) => now,
+            None => self.pinned.clone(),
+        };
+        for picked in hovered.iter().chain(&pinned) {
+            for cell in cells.iter().filter(|cell| picked.is_on(cell)) {
+                picked_ui(ui, cell, picked, quantity);
+            }
+        }
+        self.pinned = pinned;
+    }
+
+    /// A double click fits the heart; a click on one of all phases goes there.
+    fn click_command(&self, response: &Response, cells: &[Cell]) -> Option<Command> {
+        if response.double_clicked() {
+            return Some(Command::View(ViewCommand::FitView));
+        }
+        let at = response
+            .interact_pointer_pos()
+            .filter(|_| response.clicked())?;
+        let cell = cells.iter().find(|cell| cell.rect.contains(at))?;
+        (self.mode == ViewMode::AllFrames)
+            .then_some(Command::Beat(BeatCommand::SetPosition(cell.heart.position)))
+    }
+
+    /// Hands the hearts to our renderer; returns what the colours mean, and at which heart it stands.
+    fn draw(
+        &self,
+        ui: &Ui,
+        settings: &SceneSettings,
+        cells: &[Cell],
+        meter: &Arc<AtomicU64>,
+    ) -> Option<(usize, HeartScene)> {
+        let mut legends = None;
+        for (place, cell) in cells.iter().enumerate() {
+            let prepared = &cell.heart.heart.prepared;
+            let pose = pose_in(prepared, cell.heart.position);
+            let settings = cell.heart.settings(settings);
+            let mut picture = heart_scene(prepared, cell.heart.extras(), &settings, pose);
+            let scene = std::mem::take(&mut picture.scene);
+            if legends.is_none() && picture.legend.is_some() {
+                legends = Some((place, picture));
+            }
+            if !self.has_device {
+                continue;
+            }
+            let paint = ScenePaint {
+                view: ViewId(place as u32),
+                views: cells.len() as u32,
+                scene,
+                camera: cell.camera,
+                size: pixels(cell.rect, ui.pixels_per_point()),
+                meter: Arc::clone(meter),
+            };
+            ui.painter().add(paint.shape(cell.rect));
+        }
+        legends
+    }
+
+    fn overlays_ui(
+        &self,
+        ui: &mut Ui,
+        state: &State,
+        cells: &[Cell],
+        (area, legends): (Rect, Option<&(usize, HeartScene)>),
+        commands: &mut Vec<Command>,
+    ) {
+        let whole_beat = self.mode == ViewMode::AllFrames;
+        let shown = if whole_beat {
+            &cells[..cells.len().min(1)]
+        } else {
+            cells
+        };
+        for (place, cell) in shown.iter().enumerate() {
+            let rect = if whole_beat { area } else { cell.rect };
+            let last = place + 1 == shown.len();
+            let legends = legends.filter(|(at, _)| *at == place || whole_beat);
+            let legends = legends.map(|(_, legends)| legends);
+            let view = cell.heart.overlay.view(
+                legends,
+                &cell.heart.heart.prepared,
+                &cell.camera,
+                cell.rect.height(),
+                last,
+            );
+            let builder = UiBuilder::new().max_rect(rect).id_salt(("heart", place));
+            let mut over = ui.new_child(builder);
+            over.set_clip_rect(rect.intersect(ui.clip_rect()));
+            viewport_overlay_ui(&mut over, &view, commands);
+            if place > 0 {
+                let line = Stroke::new(line::THIN, colours(ui).line);
+                ui.painter().vline(rect.left(), rect.y_range(), line);
+            }
+        }
+        if whole_beat {
+            for cell in cells {
+                frame_label(ui, state, cell);
+            }
+        }
+    }
+}
+
+/// While a subject is dragged, the hearts of others are places where it can be let go.
+fn targets_ui(
+    ui: &Ui,
+    response: &Response,
+    state: &State,
+    cells: &[Cell],
+    commands: &mut Vec<Command>,
+) {
+    let Some(dragged) = dragged_subject(ui) else {
+        return;
+    };
+    let Some(source) = state.subject(dragged.subject) else {
+        return;
+    };
+    for cell in cells {
+        let Some(subject) = state.subject(cell.heart.index) else {
+            continue;
+        };
+        let fits = subject.sequence.correspondence() == source.sequence.correspondence();
+        let target = SubjectTarget {
+            rect: cell.rect,
+            subject: cell.heart.index,
+            id: &subject.id,
+            // Any other number says that they do not correspond.
+            correspondence: dragged.correspondence + usize::from(!fits),
+        };
+        subject_target_ui(ui, response, &target, commands);
+    }
+}
+
+/// The vertex under a resting pointer, and the vertex that was clicked: `Some(None)` where a
+/// click met nothing. While the beat plays or the heart turns, nothing is looked for.
+fn pointed(
+    response: &Response,
+    state: &State,
+    cells: &[Cell],
+    settings: &SceneSettings,
+) -> (Option<Picked>, Option<Option<Picked>>) {
+    let at = |place: Option<egui::Pos2>| {
+        let place = place?;
+        let cell = cells.iter().find(|cell| cell.rect.contains(place))?;
+        picked(cell, settings, place)
+    };
+    let clicked = response
+        .clicked()
+        .then(|| at(response.interact_pointer_pos()));
+    let quiet = !state.play.playing && !response.dragged();
+    let hovered = quiet.then(|| at(response.hover_pos())).flatten();
+    (hovered, clicked)
+}
+
+/// A click on a patch of the selected heart selects it; elsewhere, lets go of what was selected.
+fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Option<Command> {
+    let document = &state.document;
+    let on_patch = clicked
+        .filter(|_| document.visibility.patches)
+        .and_then(|picked| {
+            let mut own = cells
+                .iter()
+                .filter(|cell| cell.heart.index == document.subject);
+            let cell = own.find(|cell| picked.is_on(cell))?;
+            let atom = picked.atom(cell)?;
+            let found = &cell.heart.medial.as_ref()?.found.thickening;
+            let mut patches = found.patches.iter();
+            patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
+        });
+    let part = on_patch.map(WallPart::Patch);
+    (part != document.part).then_some(Command::Wall(WallCommand::SelectPart(part)))
+}
+
+/// The number of a frame over its heart in the grid of all phases; the one that the time bar
+/// stands on is marked.
+fn frame_label(ui: &Ui, state: &State, cell: &Cell) {
+    let frame = cell.heart.position as usize;
+    let phase = phase_name(state.phases_of(cell.heart.index), frame);
+    let text = match phase {
+        Some(phase) => format!("{frame} · {phase}"),
+        None => frame.to_string(),
+    };
+    let colours = colours(ui);
+    let here = state.document.subject == cell.heart.index && state.document.frame() == frame;
+    let colour = if here {
+        colours.selection
+    } else {
+        colours.muted
+    };
+    let at = cell.rect.left_top() + egui::vec2(10.0, 4.0);
+    let font = egui::FontId::proportional(type_size::NOTE);
+    ui.painter()
+        .text(at, egui::Align2::LEFT_TOP, text, font, colour);
+    if here {
+        let rect = cell.rect.shrink(2.0);
+        let stroke = Stroke::new(line::THIN, colours.selection);
+        let radius = f32::from(radius::CONTROL);
+        ui.painter()
+            .rect_stroke(rect, radius, stroke, egui::StrokeKind::Inside);
+    }
+}

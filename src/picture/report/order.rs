@@ -1,0 +1,24 @@
+//! What a report is made of; all its pages read it.
+
+use crate::analysis::deformations::DeformationMap;
+use crate::analysis::measures::SubjectMeasures;
+use crate::analysis::verdicts::Verdicts;
+use crate::engine::PoseMap;
+use crate::study::Study;
+
+/// What a report is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct ReportOrder<'a> {
+    /// Its subjects, with their labels.
+    pub study: &'a Study,
+    /// Measures of every subject, in the order of the study.
+    pub measures: &'a [SubjectMeasures],
+    /// Verdicts on every subject, and the classifier behind them.
+    pub verdicts: &'a Verdicts,
+    /// The map of poses.
+    pub poses: Option<&'a PoseMap>,
+    /// The map of whole deformations.
+    pub deformations: Option<&'a DeformationMap>,
+    /// How all of it was made, in words.
+    pub parameters: &'a [String],
+}
