@@ -264,9 +264,9 @@ proptest! {
     fn rigid_motion_and_scale_change_no_patch(
         turn in proptest::array::uniform3(-3.0..3.0_f64), shift in -50.0..50.0_f64, scale in 0.2..5.0_f64,
     ) {
-        let akinetic = beat(&CURVE, patch_at(SIDE, 0.5));
+        let placed = beat(&CURVE, patch_at(SIDE, 0.5));
         let turn = Rotation3::from_scaled_axis(Vector3::from(turn));
-        let mut moved = akinetic.clone();
+        let mut moved = placed.clone();
         for frame in &mut moved.frames {
             for atom in &mut frame.atoms {
                 atom.position = Point3::from(turn * (atom.position.coords * scale)) + Vector3::repeat(shift);
@@ -275,7 +275,7 @@ proptest! {
             }
             frame.normals.iter_mut().for_each(|normal| *normal = turn * *normal);
         }
-        let (a, b) = (found(&akinetic), found(&moved));
+        let (a, b) = (found(&placed), found(&moved));
         prop_assert_eq!(&a.patches[0].atoms, &b.patches[0].atoms);
         prop_assert_eq!(&a.patches[0].border, &b.patches[0].border);
         prop_assert!((a.patches[0].share - b.patches[0].share).abs() < 1e-9);
