@@ -49,7 +49,7 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
             .map_err(interrupted)
     })?;
     if let Some(reason) = &tables.without_deformations {
-        say(&format!("cardiomorph: no map of deformations: {reason}"));
+        say(&format!("cardiomorph: no deformation map: {reason}"));
     }
     say_unassessed(&study, tables.unassessed());
     let pictured = Pictured {

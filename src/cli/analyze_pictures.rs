@@ -26,7 +26,7 @@ const FIGURE_SIZE: [u32; 2] = [1000, 750];
 /// Size of patch figures: a page of the report at 200 dots per inch.
 const PATCH_SIZE: [u32; 2] = [1600, 1200];
 /// Patch figures in the report; beyond that a document is no longer read, and does not fit into memory.
-const MOST_PAGES: usize = 100;
+const MAX_PAGES: usize = 100;
 
 /// What is drawn, and of what.
 #[derive(Clone)]
@@ -113,7 +113,7 @@ impl Pictured {
                     path: folder.join(format!("{name}_patch.png")),
                     bytes: bytes.map_err(CliError::unusable)?.into(),
                 });
-                if pages.len() < MOST_PAGES {
+                if pages.len() < MAX_PAGES {
                     pages.push(figure.page);
                 }
             }

@@ -31,8 +31,8 @@ struct Cli {
     /// Number of threads; results do not depend on it [default: one per core, at least 2]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Memory for answers and prepared hearts, in MiB; what was used longest ago is forgotten and computed again when it
-    /// is needed [default: a quarter of the machine's memory]
+    /// Memory for results and prepared subjects, in MiB; the least recently used are discarded and computed again when
+    /// needed [default: a quarter of the machine's memory]
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u32).range(16..))]
     memory: Option<u32>,
 }
@@ -42,7 +42,7 @@ struct Cli {
 pub enum Command {
     /// Writes the built-in cohort as a study on disk
     Demo(DemoArgs),
-    /// Lists what a study holds: subjects, frames, vertices, defects
+    /// Lists the contents of a study: subjects, frames, vertices, defects
     Info(InfoArgs),
     /// Runs the whole analysis: tables, maps, summary, figures, report
     Analyze(AnalyzeArgs),

@@ -17,7 +17,7 @@ use crate::engine::{
     write_files,
 };
 use crate::picture::figure::{
-    Figure, FigureOrder, FigureSubject, FigureView, LEAST_PATCH_SIZE, PatchOrder, rendered_figure,
+    Figure, FigureOrder, FigureSubject, FigureView, MIN_PATCH_SIZE, PatchOrder, rendered_figure,
     rendered_patch_figure,
 };
 use crate::picture::page::{FigureFonts, PageFormat};
@@ -42,10 +42,10 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
     })?;
     let usual = if args.patch { PATCH_SIZE } else { SIZE };
     let size = args.size.unwrap_or(usual);
-    let [least_width, least_height] = LEAST_PATCH_SIZE;
-    if args.patch && (size[0] < least_width || size[1] < least_height) {
+    let [min_width, min_height] = MIN_PATCH_SIZE;
+    if args.patch && (size[0] < min_width || size[1] < min_height) {
         return Err(CliError::Usage(format!(
-            "--size {}x{}: a patch figure needs at least {least_width}x{least_height} pixels",
+            "--size {}x{}: a patch figure needs at least {min_width}x{min_height} pixels",
             size[0], size[1]
         )));
     }

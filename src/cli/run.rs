@@ -1,4 +1,4 @@
-//! Applies a command and turns its end into an exit code.
+//! Runs a command and turns its end into an exit code.
 
 use std::process::ExitCode;
 

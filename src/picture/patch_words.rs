@@ -8,7 +8,7 @@ use crate::report::PatchRow;
 use crate::units::LengthUnit;
 
 /// Share of a patch below which a segment is not named.
-const LEAST_OF_PATCH: f64 = 0.05;
+const MIN_OF_PATCH: f64 = 0.05;
 /// What regions of low thickening are called. They are detected in every heart with heterogeneous thickening; only the
 /// verdict on the whole heart makes them abnormal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -90,7 +90,7 @@ pub fn part_name(standing: PatchStanding, index: usize) -> String {
 
 /// How much the wall thickens, in a sentence.
 pub fn extent_words(found: &Thickening) -> String {
-    let remote = percent(found.well.exp() - 1.0);
+    let remote = percent(found.remote.exp() - 1.0);
     match found.extent {
         Extent::HardlyAnywhere => {
             format!(
@@ -108,7 +108,7 @@ pub fn extent_words(found: &Thickening) -> String {
 /// anteroseptal, apical septal and inferior, apex".
 pub fn segment_words(patch: &Patch) -> String {
     let mut walls: Vec<(&str, Vec<Level>)> = Vec::new();
-    let named = (patch.segments.iter()).filter(|part| part.of_patch >= LEAST_OF_PATCH);
+    let named = (patch.segments.iter()).filter(|part| part.of_patch >= MIN_OF_PATCH);
     for part in named {
         let wall = wall_of(part.segment);
         let level = part.segment.level();
@@ -231,17 +231,17 @@ mod tests {
 
     #[test]
     fn segments_are_said_as_a_person_would() {
-        let said = |segments: &[u8]| segment_words(&patch(segments));
-        assert_eq!(said(&[8]), "mid anteroseptal");
-        assert_eq!(said(&[2, 8]), "basal–mid anteroseptal");
-        assert_eq!(said(&[1, 13]), "basal and apical anterior");
-        assert_eq!(said(&[7, 17, 1, 13]), "basal–apical anterior, apex");
-        let wide = said(&[8, 2, 14, 16, 15, 9]);
+        let words = |segments: &[u8]| segment_words(&patch(segments));
+        assert_eq!(words(&[8]), "mid anteroseptal");
+        assert_eq!(words(&[2, 8]), "basal–mid anteroseptal");
+        assert_eq!(words(&[1, 13]), "basal and apical anterior");
+        assert_eq!(words(&[7, 17, 1, 13]), "basal–apical anterior, apex");
+        let wide = words(&[8, 2, 14, 16, 15, 9]);
         assert_eq!(
             wide,
             "basal–mid anteroseptal, apical septal, lateral and inferior, mid inferoseptal"
         );
-        assert_eq!(said(&[]), "");
+        assert_eq!(words(&[]), "");
     }
 
     #[test]

@@ -46,7 +46,7 @@ impl Quantity {
         }
     }
 
-    /// The word on the command line and in the text that a picture file carries.
+    /// The word on the command line and in the text that a picture file holds.
     pub fn word(self) -> &'static str {
         match self {
             Self::Tissue => "tissue",

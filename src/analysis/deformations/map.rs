@@ -22,7 +22,7 @@ pub enum DeformationMapError {
     #[error(transparent)]
     Stopped(#[from] Stopped),
     /// A plane needs three points.
-    #[error("a map of deformations needs at least {FEWEST} of them, not {deformations}")]
+    #[error("a deformation map needs at least {FEWEST} of them, not {deformations}")]
     TooFew {
         /// Deformations there are.
         deformations: usize,

@@ -56,8 +56,8 @@ pub enum ExperimentError {
     },
     /// There is nobody else to be nearer than.
     #[error(
-        "all {sequences} sequences that correspond are of one patient, {patient}: whether partners are \
-         near shows beside other patients only"
+        "all {sequences} sequences that correspond are of one patient, {patient}: the rank of a partner \
+         needs sequences of other patients"
     )]
     OnePatient {
         /// How many were looked at.

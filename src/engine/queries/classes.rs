@@ -60,7 +60,7 @@ impl Query for ClassesSettings {
 
     fn run(&self, cx: &Context<'_>) -> Result<Classes, Interrupted<ClassesError>> {
         let params = (self.classes.check()).map_err(|error| Interrupted::Failed(error.into()))?;
-        let mapping = cx.part("mapping deformations", 0.0, DEFORMATION_MAP_SHARE);
+        let mapping = cx.part("embedding deformations", 0.0, DEFORMATION_MAP_SHARE);
         let map =
             (mapping.get(&self.deformations)).map_err(|why| why.map(ClassesError::Deformations))?;
         let part = cx.part("classifying", DEFORMATION_MAP_SHARE, 1.0);

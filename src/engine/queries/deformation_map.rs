@@ -38,7 +38,7 @@ impl Query for DeformationMapSettings {
     type Answer = DeformationMap;
     type Error = DeformationsError;
     const TITLE: &'static str = "Deformation map";
-    const FAILURE: Option<&'static str> = Some("The map of deformations could not be computed");
+    const FAILURE: Option<&'static str> = Some("The deformation map could not be computed");
 
     fn parameters(&self) -> String {
         deformation_words(self)
@@ -50,10 +50,10 @@ impl Query for DeformationMapSettings {
 
     fn run(&self, cx: &Context<'_>) -> Result<DeformationMap, Interrupted<DeformationsError>> {
         let params = (self.map.check()).map_err(|error| Interrupted::Failed(error.into()))?;
-        let mapping = cx.part("mapping poses", 0.0, POSE_MAP_SHARE);
+        let mapping = cx.part("embedding poses", 0.0, POSE_MAP_SHARE);
         let poses = (mapping.get(&self.poses)).map_err(|why| why.map(DeformationsError::Poses))?;
         let progress = cx.progress();
-        progress.begin_phase("laying out deformations", POSE_MAP_SHARE, 1.0);
+        progress.begin_phase("embedding deformations", POSE_MAP_SHARE, 1.0);
         let rows = &poses.distances.poses;
         match deformation_map(cx.study(), rows, &poses.embedding, &params, progress) {
             Ok(map) => Ok(map),

@@ -47,7 +47,7 @@ impl Query for PoseMapParams {
     type Answer = PoseMap;
     type Error = PoseMapError;
     const TITLE: &'static str = "Pose map";
-    const FAILURE: Option<&'static str> = Some("The map of poses could not be computed");
+    const FAILURE: Option<&'static str> = Some("The pose map could not be computed");
 
     fn parameters(&self) -> String {
         map_words(self)
@@ -65,7 +65,7 @@ impl Query for PoseMapParams {
         let distances =
             (comparing.get(&self.distances)).map_err(|why| why.map(PoseMapError::Distances))?;
         let progress = cx.progress();
-        progress.begin_phase("laying out the map", share, 1.0);
+        progress.begin_phase("embedding poses", share, 1.0);
         match embed(&distances.distances, self.method, MAP_DIMENSIONS, progress) {
             Ok(embedding) => Ok(PoseMap {
                 distances,

@@ -67,7 +67,7 @@ impl PatchData {
                 .collect(),
             noise: Some(thickening.noise),
             tolerance: Some(thickening.tolerance),
-            well: Some(thickening.well.exp() - 1.0),
+            well: Some(thickening.remote.exp() - 1.0),
             state: wall,
         }
     }

@@ -25,7 +25,7 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
         (_, Some(Finding::Nothing)) => {
             "Verdict: no regional abnormality; the wall thickens as in normal subjects"
         }
-        (_, Some(Finding::GlobalFailure)) => {
+        (_, Some(Finding::GlobalHypokinesia)) => {
             "Verdict: global hypokinesia without a regional abnormality"
         }
         _ => "Verdict: no abnormal patch",
@@ -78,7 +78,7 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
             area.unwrap_or_default(),
             ratio.heading,
             shown(patch.thickening.exp()),
-            shown(thickening.well.exp())
+            shown(thickening.remote.exp())
         ));
     } else {
         for patch in thickening.patches.iter().take(3) {

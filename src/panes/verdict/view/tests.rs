@@ -13,11 +13,11 @@ fn verdict(finding: Finding, probability: f64) -> Verdict {
         probability,
         features: Features::default(),
         patched: 0.312,
-        alike_normal: vec![1],
-        alike_abnormal: vec![0],
-        familiarity: Some(Familiarity {
+        similar_normal: vec![1],
+        similar_abnormal: vec![0],
+        training_set_distance: Some(TrainingSetDistance {
             distance: 0.6,
-            usual: 0.5,
+            median: 0.5,
             as_far: 0.4,
         }),
     }
@@ -94,9 +94,9 @@ fn an_uncalibrated_score_says_so_everywhere() {
 #[test]
 fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
     let at = |distance: f64, as_far: f64| {
-        training_distance(&Familiarity {
+        training_distance(&TrainingSetDistance {
             distance,
-            usual: 0.5,
+            median: 0.5,
             as_far,
         })
     };

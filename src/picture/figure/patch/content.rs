@@ -16,7 +16,7 @@ use crate::report::{Column, PatchRow};
 use crate::study::Subject;
 
 /// Patches in the table; more are counted below it.
-const MOST_ROWS: usize = 4;
+const MAX_ROWS: usize = 4;
 /// Segments without this many words say that the orientation is not known.
 const NO_SEGMENTS: &str = "orientation not known";
 
@@ -159,12 +159,14 @@ impl PatchContent {
         let rows: Vec<PatchLine> = (thickening.patches.iter())
             .filter(|_| assessed)
             .enumerate()
-            .take(MOST_ROWS)
+            .take(MAX_ROWS)
             .map(|(index, patch)| line(found, subject, index, patch))
             .collect();
         let more = thickening.patches.len().saturating_sub(rows.len());
         let note = match (assessed, more) {
-            (false, _) => "Regions in a wall that is not resolved may be blur or noise".to_owned(),
+            (false, _) => {
+                "In a wall that is not resolved, regions may be due to blur or noise".to_owned()
+            }
             (true, 0) => sentences(&[extent_words(thickening), smallest_words(thickening)]),
             (true, more) => sentences(&[
                 extent_words(thickening),
