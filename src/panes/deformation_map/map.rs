@@ -49,8 +49,8 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &DeformationMapView, commands: &mut
 ///
 /// `kept` points of the width are for what stands on the left.
 pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
-    let long = note_parts(view, "neighbours ").join(" · ");
-    let parts = note_parts(view, "k ");
+    let long = note_parts(view, ["neighbours", "reconstruction error"]).join(" · ");
+    let parts = note_parts(view, ["k", "error"]);
     let room = ui.available_width() - kept;
     let fits = |text: &String| {
         let text = text.clone();
@@ -74,11 +74,12 @@ const EXPLANATION: &str = "Locally linear embedding: the motion of every subject
                            best. Error: reconstruction error relative to the variance of the \
                            motions. Time has this weight, in units of the pose map per cycle.";
 
-/// "neighbours 8", "error 0.012", "time × 1.4", as far as they are known.
-fn note_parts(view: &DeformationMapView, neighbours: &str) -> Vec<String> {
-    let neighbours = view.neighbours.map(|count| format!("{neighbours}{count}"));
-    let error = view.reconstruction_error;
-    let error = error.map(|error| format!("error {}", significant(error)));
+/// "neighbours 8", "reconstruction error 0.012", "time × 1.4", as far as they are known.
+fn note_parts(view: &DeformationMapView, [neighbours, error]: [&str; 2]) -> Vec<String> {
+    let neighbours = view.neighbours.map(|count| format!("{neighbours} {count}"));
+    let error = view
+        .reconstruction_error
+        .map(|value| format!("{error} {}", significant(value)));
     let time = view.time_weight;
     let time = time.map(|weight| format!("time × {}", significant(weight)));
     [neighbours, error, time].into_iter().flatten().collect()
