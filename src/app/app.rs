@@ -22,11 +22,7 @@ use super::layout::Layout;
 use super::settings::Settings;
 use super::times::Times;
 use crate::document::state::State;
-use crate::panes::bulls_eye::data::BullsEyeData;
-use crate::panes::cohort::view::CohortData;
-use crate::panes::deformation_map::view::DeformationData;
-use crate::panes::medial_map::view::MedialMapData;
-use crate::panes::pose_map::view::MapData;
+use crate::panes::look::{Kept, Memo};
 use crate::panes::viewport::hearts::Viewport;
 use crate::panes::viewport::paint;
 use crate::panes::viewport::pictures::Pictures;
@@ -44,12 +40,7 @@ pub struct App {
     // Stands before the engine: dropped first, which lets go of its work.
     files: ChosenFiles,
     background: Background,
-    viewport: Viewport,
-    cohort: CohortData,
-    map: MapData,
-    deformations: DeformationData,
-    medial_map: MedialMapData,
-    bulls_eye: BullsEyeData,
+    memo: Memo,
     adapter: String,
     times: Times,
     queue: Vec<Command>,
@@ -85,17 +76,14 @@ impl App {
             }
             background.open(source);
         }
+        let memo = Memo::default();
+        memo.put(Viewport::new(cc.wgpu_render_state.is_some()));
         Ok(Self {
             state,
             layout: settings.layout,
             files: ChosenFiles::new(options.ask_paths),
             background,
-            viewport: Viewport::new(cc.wgpu_render_state.is_some()),
-            cohort: CohortData::default(),
-            map: MapData::default(),
-            deformations: DeformationData::default(),
-            medial_map: MedialMapData::default(),
-            bulls_eye: BullsEyeData::default(),
+            memo,
             adapter: cc
                 .wgpu_render_state
                 .as_ref()
@@ -130,11 +118,15 @@ impl App {
 
     /// What is on screen, as subject and place in the beat.
     pub fn hearts_on_screen(&self) -> Vec<(usize, f64)> {
-        self.viewport
-            .shown()
-            .iter()
-            .map(|shown| (shown.index, shown.position))
-            .collect()
+        let viewport = self.viewport();
+        let shown = viewport.borrow_mut();
+        let hearts = shown.shown().iter();
+        hearts.map(|shown| (shown.index, shown.position)).collect()
+    }
+
+    /// The 3D view, which its pane draws.
+    fn viewport(&self) -> Kept<Viewport> {
+        self.memo.get()
     }
 
     fn report_refusal(&mut self, refused: Option<String>) {
@@ -226,23 +218,11 @@ impl App {
     fn exporting(&mut self, ctx: &Context) -> (&mut ChosenFiles, Exporting<'_>) {
         let exporting = Exporting {
             state: &mut self.state,
-            viewport: &self.viewport,
+            viewport: self.memo.get(),
             engine: &mut self.background.engine,
             dark: ctx.global_style().visuals.dark_mode,
         };
         (&mut self.files, exporting)
-    }
-
-    /// Takes points from an old map to a new one; whoever turns animations off has them there at once.
-    fn move_points(&mut self, ctx: &Context) {
-        let now_s = ctx.input(|input| input.time);
-        let motion = ctx.global_style().animation_time > 0.0;
-        let poses = self.map.refresh(&self.state, now_s, motion);
-        let deformations = self.deformations.refresh(&self.state, now_s, motion);
-        let medial = self.medial_map.refresh(&self.state, now_s, motion);
-        if poses || deformations || medial {
-            ctx.request_repaint();
-        }
     }
 
     /// Moves the beat on by the time since the last frame.
@@ -309,8 +289,10 @@ impl eframe::App for App {
         let reference_frames = reference_frames(&self.state);
         let store = self.background.engine.store();
         let pictures = Pictures::new(store, self.state.document.study());
-        self.viewport
-            .prepare(&self.state, pictures, &reference_frames);
+        let viewport = self.viewport();
+        let mut viewport = viewport.borrow_mut();
+        viewport.prepare(&self.state, pictures, &reference_frames);
+        drop(viewport);
         store.end_frame();
         if self.background.busy() {
             ctx.request_repaint_after(BAR_PERIOD);
@@ -320,20 +302,11 @@ impl eframe::App for App {
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
         let begin = Instant::now();
-        self.cohort.refresh(&self.state);
-        self.bulls_eye
-            .refresh(&self.state, self.viewport.cohort_limits());
-        self.move_points(ui.ctx());
         let mut drawing = Drawing {
             state: &self.state,
             layout: &mut self.layout,
             engine: &self.background.engine,
-            viewport: &mut self.viewport,
-            cohort: &self.cohort,
-            map: &self.map,
-            deformations: &self.deformations,
-            medial_map: &self.medial_map,
-            bulls_eye: &self.bulls_eye,
+            memo: &self.memo,
             adapter: &self.adapter,
             meter: self.times.prepare_meter(),
             commands: &mut self.queue,
@@ -342,7 +315,7 @@ impl eframe::App for App {
         if !self.queue.is_empty() {
             ui.ctx().request_repaint();
         }
-        let picture = !self.viewport.shown().is_empty();
+        let picture = !self.viewport().borrow_mut().shown().is_empty();
         if self.times.drawn(picture, self.state.map().is_some()) {
             ui.ctx().request_repaint();
         }

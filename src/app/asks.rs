@@ -55,11 +55,11 @@ impl Asks {
             };
             answers.classes = Some(store.ask(study, &classes));
         }
-        if seen.panes.contains(&Pane::MedialMap) {
+        if seen.panes.contains(&Pane::MEDIAL_MAP) {
             let map = ask_at_rest(store, state, seen, &medial_map_params(state));
             answers.medial_map = Some(map);
         }
-        if seen.panes.contains(&Pane::Thickness) {
+        if seen.panes.contains(&Pane::THICKNESS) {
             answers.thickness = thickness(state, store);
         }
         let verdicts = ask_at_rest(store, state, seen, &verdict_settings(state));

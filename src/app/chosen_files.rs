@@ -12,6 +12,7 @@ use super::errors::push_card;
 use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
 use super::saved_views::{self, SavedViews};
 use crate::document::state::State;
+use crate::panes::look::Kept;
 use crate::panes::viewport::hearts::Viewport;
 
 /// A figure that was asked for before the selected subject was on screen and its wall measured.
@@ -25,7 +26,7 @@ struct WaitingFigure {
 /// What an export is made from and reports to.
 pub struct Exporting<'a> {
     pub state: &'a mut State,
-    pub viewport: &'a Viewport,
+    pub viewport: Kept<Viewport>,
     pub engine: &'a mut Engine,
     /// Whether the window is dark; a figure looks like the window.
     pub dark: bool,
@@ -83,7 +84,12 @@ impl ChosenFiles {
         path: Option<PathBuf>,
     ) {
         let state = &mut *exporting.state;
-        let figure = FigureExport::now(state, exporting.viewport, exporting.dark, kind);
+        let figure = FigureExport::now(
+            state,
+            &exporting.viewport.borrow_mut(),
+            exporting.dark,
+            kind,
+        );
         match (figure, path) {
             (Ok(figure), Some(path)) => write_figure(state, exporting.engine, figure, path),
             (Ok(figure), None) => {

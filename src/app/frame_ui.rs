@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicU64;
 use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 
 use crate::app::{CommandPaletteView, StatusBarView};
-use crate::engine::{Engine, Showing};
+use crate::engine::Engine;
 use crate::panes::Command;
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{self};
@@ -16,19 +16,12 @@ use super::layout::Layout;
 use super::panes::{Panes, tab_containers};
 use super::sheets;
 use crate::app::bars::menu_view::{action_state, menu_bar_view};
-use crate::app::bars::status_view::{StatusData, activity_rows};
+use crate::app::bars::status_view::StatusData;
 use crate::app::sheets::report_view::report_entries;
 use crate::document::state::State;
-use crate::panes::beat::{BeatData, measures_view};
-use crate::panes::bulls_eye::data::BullsEyeData;
+use crate::panes::beat::BeatData;
 use crate::panes::cohort::view::CohortData;
-use crate::panes::deformation_map::view::{DeformationData, metric_panel_view};
-use crate::panes::medial_map::view::MedialMapData;
-use crate::panes::patch::view::PatchData;
-use crate::panes::pose_map::view::MapData;
-use crate::panes::thickness::view::ThicknessData;
-use crate::panes::verdict::view::VerdictData;
-use crate::panes::viewport::hearts::Viewport;
+use crate::panes::{Look, Memo};
 
 /// Height of the bar with the menus.
 const MENU_HEIGHT: f32 = 34.0;
@@ -43,20 +36,10 @@ pub struct Drawing<'a> {
     pub state: &'a State,
     /// The tiles, which the pointer moves.
     pub layout: &'a mut Layout,
-    /// Tells how work stands.
+    /// Says how work stands.
     pub engine: &'a Engine,
-    /// The 3D view.
-    pub viewport: &'a mut Viewport,
-    /// Rows of the cohort.
-    pub cohort: &'a CohortData,
-    /// Points of the map.
-    pub map: &'a MapData,
-    /// Points of the map of deformations.
-    pub deformations: &'a DeformationData,
-    /// Points of the map of the medial shape space.
-    pub medial_map: &'a MedialMapData,
-    /// The wall laid flat.
-    pub bulls_eye: &'a BullsEyeData,
+    /// What panes made in earlier frames.
+    pub memo: &'a Memo,
     /// What the pictures are drawn with.
     pub adapter: &'a str,
     /// Takes the time of the paint callbacks.
@@ -115,49 +98,25 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
         ui.painter().rect_filled(area, 0.0, window);
         let inner = area.shrink(space::PANE_GAP);
         ui.scope_builder(egui::UiBuilder::new().max_rect(inner), |ui| {
-            tiles_ui(ui, drawing, &beat);
+            tiles_ui(ui, drawing);
         });
     });
     sheets_ui(ui, drawing, &actions);
 }
 
-fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing, beat: &BeatData) {
-    let state = drawing.state;
-    let activity = activity_rows(drawing.engine.activities());
-    let answers = &state.answers;
-    let measuring = answers.measures.as_ref().is_some_and(Showing::computing);
-    let patches = PatchData::of(state, drawing.viewport.shown().first());
-    let verdict = VerdictData::of(state);
-    let thickness = ThicknessData::of(state);
+fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing) {
+    let activities = drawing.engine.activities();
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
-        state,
-        cohort: drawing.cohort,
-        beat,
-        map: drawing.map.view(state, answers.map.as_ref()),
-        deformations: drawing.deformations.view(
-            state,
-            drawing.map.subjects(),
-            drawing.map.left_out(),
-        ),
-        medial_map: drawing.medial_map.view(
-            state,
-            drawing.map.subjects(),
-            answers.medial_map.as_ref(),
-        ),
-        thickness: thickness.view(state),
-        space_time: drawing.map.space_time(state, answers.map.as_ref()),
-        metric: metric_panel_view(state, drawing.map.subjects()),
-        measures: measures_view(state, measuring),
-        patch: patches.view(state),
-        verdict: verdict.view(state),
-        bulls_eye: drawing.bulls_eye.view(state, patches.state()),
-        activity: &activity,
-        measuring,
-        classifying: verdict.classifying(),
-        opening: drawing.engine.opening(),
-        viewport: drawing.viewport,
-        meter: &drawing.meter,
+        look: Look {
+            state: drawing.state,
+            store: drawing.engine.store(),
+            memo: drawing.memo,
+            activities: &activities,
+            opening: drawing.engine.opening(),
+            pointer_held: ui.input(|input| input.pointer.any_down()),
+            meter: &drawing.meter,
+        },
         commands: drawing.commands,
         framed,
         tabbed,
@@ -179,9 +138,12 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &crate::panes::ActionS
         sheets::shortcut_sheet_ui(ui, commands);
     }
     if state.sheets.palette {
+        let cohort = drawing.memo.get::<CohortData>();
+        let mut cohort = cohort.borrow_mut();
+        cohort.refresh(state);
         let view = CommandPaletteView {
             actions,
-            subjects: drawing.cohort.rows(),
+            subjects: cohort.rows(),
             selected: state.document.selected().map(|_| state.document.subject),
         };
         sheets::command_palette_ui(ui, &view, commands);

@@ -5,37 +5,7 @@ use std::collections::HashSet;
 use egui_tiles::{Container, Linear, LinearDir, Tile, TileId, Tiles, Tree};
 use serde::{Deserialize, Serialize};
 
-use crate::panes::Pane;
-
-/// All panes with the words that name them in a saved layout; the words never change.
-pub const PANES: [(Pane, &str); 14] = [
-    (Pane::Cohort, "cohort"),
-    (Pane::Activity, "activity"),
-    (Pane::Viewport, "viewport"),
-    (Pane::PoseMap, "pose_map"),
-    (Pane::DeformationMap, "deformation_map"),
-    (Pane::SpaceTime, "space_time"),
-    (Pane::Metric, "metric"),
-    (Pane::Curves, "curves"),
-    (Pane::Measures, "measures"),
-    (Pane::Patch, "patch"),
-    (Pane::Verdict, "verdict"),
-    (Pane::BullsEye, "bulls_eye"),
-    (Pane::MedialMap, "medial_map"),
-    (Pane::Thickness, "thickness"),
-];
-
-/// Panes that layouts of earlier versions lack, with the pane beside whose tab they appear.
-const LATER: [(Pane, Pane); 8] = [
-    (Pane::DeformationMap, Pane::PoseMap),
-    (Pane::SpaceTime, Pane::PoseMap),
-    (Pane::Metric, Pane::Cohort),
-    (Pane::Patch, Pane::Measures),
-    (Pane::Verdict, Pane::Patch),
-    (Pane::BullsEye, Pane::Curves),
-    (Pane::MedialMap, Pane::PoseMap),
-    (Pane::Thickness, Pane::Curves),
-];
+use crate::panes::{PANES, Pane, Place};
 
 /// Shares of the window's width: cohort, 3D view, results.
 const COLUMN_SHARES: [f32; 3] = [0.19, 0.515, 0.295];
@@ -53,10 +23,7 @@ pub struct PaneTile(pub Pane);
 
 impl From<PaneTile> for String {
     fn from(tile: PaneTile) -> Self {
-        PANES
-            .iter()
-            .find(|(pane, _)| *pane == tile.0)
-            .map_or_else(Self::new, |(_, word)| (*word).to_owned())
+        tile.0.word().to_owned()
     }
 }
 
@@ -66,8 +33,8 @@ impl TryFrom<String> for PaneTile {
     fn try_from(word: String) -> Result<Self, String> {
         PANES
             .iter()
-            .find(|(_, known)| *known == word)
-            .map(|(pane, _)| Self(*pane))
+            .find(|spec| spec.pane.word() == word)
+            .map(|spec| Self(spec.pane))
             .ok_or_else(|| format!("no pane is called {word:?}"))
     }
 }
@@ -82,26 +49,18 @@ pub struct Layout {
 impl Default for Layout {
     fn default() -> Self {
         let mut tiles = Tiles::default();
-        let mut tabs = |panes: &[Pane]| {
-            let children = panes
+        let mut tabs = |place: Place| {
+            let children = PANES
                 .iter()
-                .map(|pane| tiles.insert_pane(PaneTile(*pane)))
+                .filter(|spec| spec.place == place)
+                .map(|spec| tiles.insert_pane(PaneTile(spec.pane)))
                 .collect();
             tiles.insert_tab_tile(children)
         };
-        let left = tabs(&[Pane::Cohort, Pane::Activity, Pane::Metric]);
-        let middle = tabs(&[Pane::Viewport]);
-        let map = tabs(&[
-            Pane::PoseMap,
-            Pane::DeformationMap,
-            Pane::SpaceTime,
-            Pane::MedialMap,
-        ]);
-        let below = [
-            &[Pane::Measures, Pane::Patch, Pane::Verdict][..],
-            &[Pane::BullsEye, Pane::Curves, Pane::Thickness],
-        ]
-        .map(&mut tabs);
+        let left = tabs(Place::Left);
+        let middle = tabs(Place::Middle);
+        let map = tabs(Place::Above);
+        let below = [Place::BelowLeft, Place::BelowRight].map(&mut tabs);
         let below = insert_linear(&mut tiles, LinearDir::Horizontal, &below, &BELOW_SHARES);
         let right = [map, below];
         let right = insert_linear(&mut tiles, LinearDir::Vertical, &right, &RIGHT_SHARES);
@@ -203,14 +162,18 @@ impl Layout {
         self.tree.tiles.find_pane(&PaneTile(pane))
     }
 
+    /// Panes that layouts of earlier versions lack appear as tabs beside one of their place.
     fn with_later_panes(mut self) -> Self {
-        for (pane, neighbour) in LATER {
-            let beside = self.tile_of(neighbour);
+        for spec in PANES {
+            let beside = PANES
+                .iter()
+                .filter(|other| other.place == spec.place)
+                .find_map(|other| self.tile_of(other.pane));
             let parent = beside.and_then(|tile| self.tree.tiles.parent_of(tile));
-            let (None, Some(parent)) = (self.tile_of(pane), parent) else {
+            let (None, Some(parent)) = (self.tile_of(spec.pane), parent) else {
                 continue;
             };
-            let tile = self.tree.tiles.insert_pane(PaneTile(pane));
+            let tile = self.tree.tiles.insert_pane(PaneTile(spec.pane));
             if let Some(Tile::Container(Container::Tabs(tabs))) = self.tree.tiles.get_mut(parent) {
                 tabs.add_child(tile);
             }
@@ -219,11 +182,11 @@ impl Layout {
     }
 
     fn has_every_pane_once(&self) -> bool {
-        PANES.iter().all(|(pane, _)| {
+        PANES.iter().all(|spec| {
             self.tree
                 .tiles
                 .tiles()
-                .filter(|tile| matches!(tile, Tile::Pane(PaneTile(other)) if other == pane))
+                .filter(|tile| matches!(tile, Tile::Pane(PaneTile(other)) if *other == spec.pane))
                 .count()
                 == 1
         })
@@ -242,68 +205,78 @@ mod tests {
     #[test]
     fn a_layout_comes_back_from_its_text() {
         let mut layout = Layout::default();
-        layout.set_open(Pane::Curves, false);
+        layout.set_open(Pane::CURVES, false);
         let back = Layout::from_saved(&layout.to_saved().unwrap());
-        assert!(!back.is_open(Pane::Curves));
-        assert!(back.is_open(Pane::PoseMap));
+        assert!(!back.is_open(Pane::CURVES));
+        assert!(back.is_open(Pane::POSE_MAP));
         assert_eq!(saved(&back), saved(&layout));
     }
 
     #[test]
     fn a_pane_is_seen_while_it_is_open_and_in_front() {
         let mut layout = Layout::default();
-        layout.show(Pane::PoseMap);
+        layout.show(Pane::POSE_MAP);
         let seen = layout.seen();
-        assert!(seen.contains(&Pane::PoseMap) && seen.contains(&Pane::Viewport));
-        assert!(!seen.contains(&Pane::MedialMap));
-        layout.set_open(Pane::MedialMap, true);
-        assert!(layout.seen().contains(&Pane::MedialMap));
-        assert!(!layout.seen().contains(&Pane::PoseMap));
-        layout.set_open(Pane::MedialMap, false);
-        assert!(!layout.seen().contains(&Pane::MedialMap));
+        assert!(seen.contains(&Pane::POSE_MAP) && seen.contains(&Pane::VIEWPORT));
+        assert!(!seen.contains(&Pane::MEDIAL_MAP));
+        layout.set_open(Pane::MEDIAL_MAP, true);
+        assert!(layout.seen().contains(&Pane::MEDIAL_MAP));
+        assert!(!layout.seen().contains(&Pane::POSE_MAP));
+        layout.set_open(Pane::MEDIAL_MAP, false);
+        assert!(!layout.seen().contains(&Pane::MEDIAL_MAP));
     }
 
     #[test]
     fn a_closed_pane_comes_back_to_its_place() {
         let mut layout = Layout::default();
         let before = saved(&layout);
-        layout.set_open(Pane::Viewport, false);
-        assert!(!layout.is_open(Pane::Viewport));
-        layout.set_open(Pane::Viewport, true);
-        assert!(layout.is_open(Pane::Viewport));
+        layout.set_open(Pane::VIEWPORT, false);
+        assert!(!layout.is_open(Pane::VIEWPORT));
+        layout.set_open(Pane::VIEWPORT, true);
+        assert!(layout.is_open(Pane::VIEWPORT));
         assert_eq!(saved(&layout), before);
     }
 
     #[test]
     fn only_one_tab_of_a_place_is_in_front() {
         let mut layout = Layout::default();
-        layout.show(Pane::Verdict);
-        assert!(layout.seen().contains(&Pane::Verdict));
-        assert!(layout.is_open(Pane::Patch) && !layout.seen().contains(&Pane::Patch));
-        layout.set_open(Pane::Verdict, false);
-        assert!(!layout.seen().contains(&Pane::Verdict));
+        layout.show(Pane::VERDICT);
+        assert!(layout.seen().contains(&Pane::VERDICT));
+        assert!(layout.is_open(Pane::PATCH) && !layout.seen().contains(&Pane::PATCH));
+        layout.set_open(Pane::VERDICT, false);
+        assert!(!layout.seen().contains(&Pane::VERDICT));
     }
 
     #[test]
     fn closing_the_tab_in_front_shows_the_one_behind() {
         let mut layout = Layout::default();
-        layout.show(Pane::Cohort);
-        layout.set_open(Pane::Cohort, false);
-        let activity = layout.tile_of(Pane::Activity).unwrap();
+        layout.show(Pane::COHORT);
+        layout.set_open(Pane::COHORT, false);
+        let activity = layout.tile_of(Pane::ACTIVITY).unwrap();
         assert!(layout.tree.active_tiles().contains(&activity));
     }
 
     #[test]
     fn a_layout_from_before_the_later_panes_gets_them_as_tabs_and_keeps_its_places() {
+        let later = [
+            (Pane::DEFORMATION_MAP, Pane::POSE_MAP),
+            (Pane::SPATIOTEMPORAL, Pane::POSE_MAP),
+            (Pane::METRIC, Pane::COHORT),
+            (Pane::PATCH, Pane::MEASURES),
+            (Pane::VERDICT, Pane::PATCH),
+            (Pane::BULLS_EYE, Pane::CURVES),
+            (Pane::MEDIAL_MAP, Pane::POSE_MAP),
+            (Pane::THICKNESS, Pane::CURVES),
+        ];
         let mut layout = Layout::default();
-        layout.set_open(Pane::Curves, false);
-        for (pane, _) in LATER {
+        layout.set_open(Pane::CURVES, false);
+        for (pane, _) in later {
             let tile = layout.tile_of(pane).unwrap();
             layout.tree.remove_recursively(tile);
         }
         let back = Layout::from_saved(&layout.to_saved().unwrap());
-        assert!(!back.is_open(Pane::Curves), "what was closed stays closed");
-        for (pane, neighbour) in LATER {
+        assert!(!back.is_open(Pane::CURVES), "what was closed stays closed");
+        for (pane, neighbour) in later {
             let parent = |pane| back.tree.tiles.parent_of(back.tile_of(pane).unwrap());
             assert_eq!(parent(pane), parent(neighbour));
         }

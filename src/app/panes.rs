@@ -1,8 +1,6 @@
 //! The tiles of the window: their headers, borders and contents.
 
 use std::collections::HashSet;
-use std::sync::Arc;
-use std::sync::atomic::AtomicU64;
 
 use egui::epaint::RectShape;
 use egui::{Color32, CornerRadius, Rect, Sense, Shape, Stroke, StrokeKind, Ui};
@@ -11,66 +9,17 @@ use egui_tiles::{
     Tree, UiResponse,
 };
 
-use crate::panes::{
-    BullsEyeView, Command, DeformationMapView, EmptyStateView, MeasuresView, MedialMapView,
-    MetricPanelView, Pane, PatchPanelView, PoseMapView, SpaceTimeView, ThicknessPanelView,
-    VerdictPanelView, WorkItem, activity_ui, bulls_eye_ui, cohort_table_ui, curves_ui,
-    deformation_map_ui, deformation_note, empty_state_ui, measures_card_ui, medial_map_choosers_ui,
-    medial_map_header_ui, medial_map_ui, metric_panel_ui, patch_panel_ui, pose_map_choosers_ui,
-    pose_map_header_ui, pose_map_ui, space_time_ui, thickness_panel_ui, verdict_panel_ui,
-    viewport_header_ui,
-};
+use crate::panes::{Command, Header, Look, Pane, PaneSpec, spec_of};
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{pane_header_ui, tab_ui};
 
 use super::corners::corner_masks;
 use super::layout::PaneTile;
-use crate::document::state::State;
-use crate::panes::beat::BeatData;
-use crate::panes::cohort::view::CohortData;
-use crate::panes::viewport::header_view::viewport_header_view;
-use crate::panes::viewport::hearts::Viewport;
 
-/// Everything the panes of one frame need.
+/// The panes of one frame, as the tiles draw them.
 pub struct Panes<'a> {
-    /// The state.
-    pub state: &'a State,
-    /// Rows of the cohort.
-    pub cohort: &'a CohortData,
-    /// Numbers of the beat.
-    pub beat: &'a BeatData,
-    /// The map.
-    pub map: PoseMapView<'a>,
-    /// The map of deformations.
-    pub deformations: DeformationMapView<'a>,
-    /// The map of the medial shape space.
-    pub medial_map: MedialMapView<'a>,
-    /// Thickness in several ways.
-    pub thickness: ThicknessPanelView<'a>,
-    /// The spatiotemporal plot.
-    pub space_time: SpaceTimeView<'a>,
-    /// Settings of metric and maps.
-    pub metric: MetricPanelView<'a>,
-    /// The measures.
-    pub measures: MeasuresView<'a>,
-    /// The patches.
-    pub patch: PatchPanelView<'a>,
-    /// What is said of the selected heart.
-    pub verdict: VerdictPanelView<'a>,
-    /// The wall laid flat.
-    pub bulls_eye: BullsEyeView<'a>,
-    /// The activity list.
-    pub activity: &'a [WorkItem],
-    /// Whether volumes are being computed.
-    pub measuring: bool,
-    /// Whether verdicts are still to come.
-    pub classifying: bool,
-    /// Whether something is being opened.
-    pub opening: bool,
-    /// The 3D view.
-    pub viewport: &'a mut Viewport,
-    /// Takes the time of the paint callbacks.
-    pub meter: &'a Arc<AtomicU64>,
+    /// What they may look at.
+    pub look: Look<'a>,
     /// What the user asked for.
     pub commands: &'a mut Vec<Command>,
     /// Containers of tabs, which have a border.
@@ -103,98 +52,46 @@ fn open_children(tiles: &Tiles<PaneTile>, tabs: &Tabs) -> Vec<TileId> {
         .collect()
 }
 
-/// The words on tabs.
-pub fn pane_title(pane: Pane) -> &'static str {
-    match pane {
-        Pane::Cohort => "Cohort",
-        Pane::Activity => "Activity",
-        Pane::Viewport => "3D view",
-        Pane::PoseMap => "Poses",
-        Pane::DeformationMap => "Deformations",
-        Pane::SpaceTime => "Spatiotemporal",
-        Pane::Metric => "Metric and maps",
-        Pane::Curves => "Volume",
-        Pane::Measures => "Measures",
-        Pane::Patch => "Patch",
-        Pane::Verdict => "Verdict",
-        Pane::BullsEye => "Bull's-eye",
-        Pane::MedialMap => "Medial",
-        Pane::Thickness => "Thickness",
-    }
+/// How much of the width the title of a pane without tabs takes at most.
+const TITLE_WIDTH: f32 = 120.0;
+
+fn title_of(pane: Pane) -> &'static str {
+    spec_of(pane).map_or("", |spec| spec.title)
 }
 
 impl Panes<'_> {
-    fn plain_header_ui(&mut self, ui: &mut Ui, pane: Pane) {
-        let note = self.header_note(pane);
-        let deformations = &self.deformations;
+    /// The header of a pane that has no tab.
+    fn header_ui(&mut self, ui: &mut Ui, spec: &PaneSpec) {
+        if let Header::Own(draw, _) | Header::Always(draw) = spec.header {
+            return draw(ui, &self.look, self.commands);
+        }
+        let (look, commands) = (&self.look, &mut *self.commands);
         pane_header_ui(
             ui,
             |ui| {
-                tab_ui(ui, pane_title(pane), true);
+                tab_ui(ui, spec.title, true);
             },
-            |ui| match (pane, note) {
-                (Pane::DeformationMap, _) => deformation_note(ui, deformations, 120.0),
-                (_, Some(note)) => {
-                    ui.label(egui::RichText::new(note).weak());
-                }
-                (_, None) => {}
-            },
+            |ui| beside_ui(ui, spec, look, TITLE_WIDTH, commands),
         );
     }
+}
 
-    fn header_note(&self, pane: Pane) -> Option<String> {
-        match pane {
-            Pane::Cohort => {
-                let count = self.cohort.rows().len();
-                (count > 0).then(|| count.to_string())
+/// What stands right of a title or of tabs that take `taken` points.
+fn beside_ui(
+    ui: &mut Ui,
+    spec: &PaneSpec,
+    look: &Look<'_>,
+    taken: f32,
+    commands: &mut Vec<Command>,
+) {
+    match spec.header {
+        Header::Note(note) => {
+            if let Some(note) = note(look) {
+                ui.label(egui::RichText::new(note).weak());
             }
-            Pane::Curves => self
-                .state
-                .document
-                .selected()
-                .map(|subject| subject.unit.volume_symbol().to_owned()),
-            _ => None,
         }
-    }
-
-    fn content_ui(&mut self, ui: &mut Ui, pane: Pane) {
-        match pane {
-            Pane::Cohort => {
-                let view = self
-                    .cohort
-                    .view(self.state, [self.measuring, self.classifying]);
-                cohort_table_ui(ui, &view, self.commands);
-            }
-            Pane::Activity => activity_ui(ui, self.activity, self.commands),
-            Pane::Viewport => self.viewport_ui(ui),
-            Pane::PoseMap => pose_map_ui(ui, &self.map, self.commands),
-            Pane::DeformationMap => deformation_map_ui(ui, &self.deformations, self.commands),
-            Pane::SpaceTime => space_time_ui(ui, &self.space_time, self.commands),
-            Pane::Metric => metric_panel_ui(ui, &self.metric, self.commands),
-            Pane::Curves => {
-                let curves = self.beat.curves();
-                let view = self.beat.curves_view(self.state, &curves, self.measuring);
-                curves_ui(ui, &view, self.commands);
-            }
-            Pane::Measures => measures_card_ui(ui, &self.measures, self.commands),
-            Pane::Patch => patch_panel_ui(ui, &self.patch, self.commands),
-            Pane::Verdict => verdict_panel_ui(ui, &self.verdict, self.commands),
-            Pane::BullsEye => bulls_eye_ui(ui, &self.bulls_eye, self.commands),
-            Pane::MedialMap => medial_map_ui(ui, &self.medial_map, self.commands),
-            Pane::Thickness => thickness_panel_ui(ui, &self.thickness, self.commands),
-        }
-    }
-
-    fn viewport_ui(&mut self, ui: &mut Ui) {
-        if self.state.document.study().subjects.is_empty() {
-            let view = EmptyStateView {
-                files_hover: ui.input(|input| !input.raw.hovered_files.is_empty()),
-                opening: self.opening,
-            };
-            empty_state_ui(ui, &view, self.commands);
-            return;
-        }
-        self.viewport.ui(ui, self.state, self.meter, self.commands);
+        Header::Beside(draw) | Header::Own(_, draw) => draw(ui, look, taken, commands),
+        Header::Title | Header::Always(_) => {}
     }
 }
 
@@ -215,28 +112,21 @@ impl Behavior<PaneTile> for Panes<'_> {
                 answer = UiResponse::DragStarted;
             }
         }
-        match pane {
-            Pane::Viewport => {
-                viewport_header_ui(ui, &viewport_header_view(self.state), self.commands);
-            }
-            Pane::PoseMap if !self.tabbed.contains(&tile_id) => {
-                pose_map_header_ui(ui, &self.map, self.commands);
-            }
-            Pane::MedialMap if !self.tabbed.contains(&tile_id) => {
-                medial_map_header_ui(ui, &self.medial_map, self.commands);
-            }
-            _ if !self.tabbed.contains(&tile_id) => self.plain_header_ui(ui, pane),
-            _ => {}
+        let Some(spec) = spec_of(pane) else {
+            return answer;
+        };
+        if matches!(spec.header, Header::Always(_)) || !self.tabbed.contains(&tile_id) {
+            self.header_ui(ui, spec);
         }
         let rest = ui.available_rect_before_wrap();
         let mut content = ui.new_child(egui::UiBuilder::new().max_rect(rest));
         content.set_clip_rect(rest.intersect(ui.clip_rect()));
-        self.content_ui(&mut content, pane);
+        (spec.ui)(&mut content, &self.look, self.commands);
         answer
     }
 
     fn tab_title_for_pane(&mut self, pane: &PaneTile) -> egui::WidgetText {
-        pane_title(pane.0).into()
+        title_of(pane.0).into()
     }
 
     fn tab_ui(
@@ -248,7 +138,7 @@ impl Behavior<PaneTile> for Panes<'_> {
         state: &TabState,
     ) -> egui::Response {
         let title = match tiles.get_pane(&tile_id) {
-            Some(pane) => pane_title(pane.0),
+            Some(pane) => title_of(pane.0),
             None => "Tiles",
         };
         ui.add_space(space::LARGE);
@@ -266,35 +156,13 @@ impl Behavior<PaneTile> for Panes<'_> {
         _scroll_offset: &mut f32,
     ) {
         let active = tabs.active.and_then(|active| tiles.get_pane(&active));
+        let Some(spec) = active.and_then(|pane| spec_of(pane.0)) else {
+            return;
+        };
         // What the names of the tabs need; the rest is for choosers and notes.
         let names = tabs_width(ui, tiles, &self.tabbed, tabs);
-        match active.map(|pane| pane.0) {
-            Some(Pane::PoseMap) => {
-                ui.add_space(space::LARGE);
-                let room = ui.available_width() - names;
-                if room > 90.0 {
-                    pose_map_choosers_ui(ui, &self.map, room > 250.0, self.commands);
-                }
-                return;
-            }
-            Some(Pane::MedialMap) => {
-                ui.add_space(space::LARGE);
-                if ui.available_width() - names > 90.0 {
-                    medial_map_choosers_ui(ui, &self.medial_map, self.commands);
-                }
-                return;
-            }
-            Some(Pane::DeformationMap) => {
-                ui.add_space(space::LARGE);
-                deformation_note(ui, &self.deformations, names);
-                return;
-            }
-            _ => {}
-        }
-        if let Some(note) = active.and_then(|pane| self.header_note(pane.0)) {
-            ui.add_space(space::LARGE);
-            ui.label(egui::RichText::new(note).weak());
-        }
+        ui.add_space(space::LARGE);
+        beside_ui(ui, spec, &self.look, names, self.commands);
     }
 
     fn is_tab_bar_visible(&self, _tile_id: TileId, tabs: &Tabs) -> bool {
@@ -372,7 +240,7 @@ fn tabs_width(ui: &Ui, tiles: &Tiles<PaneTile>, tabbed: &HashSet<TileId>, tabs: 
     let open = tabs.children.iter().filter(|child| tabbed.contains(child));
     open.filter_map(|child| tiles.get_pane(child))
         .map(|pane| {
-            let text = pane_title(pane.0).to_owned();
+            let text = title_of(pane.0).to_owned();
             let font = crate::ui::medium_font();
             let galley = ui
                 .painter()

@@ -98,13 +98,13 @@ mod tests {
     #[test]
     fn settings_come_back_from_their_text() {
         let mut layout = Layout::default();
-        layout.set_open(Pane::Activity, false);
+        layout.set_open(Pane::ACTIVITY, false);
         let recent = vec![PathBuf::from("/a"), PathBuf::from("/b")];
         let text = to_text(ThemeChoice::Light, &layout, &recent).unwrap();
         let back = Settings::from_text(&text);
         assert_eq!(back.theme, ThemeChoice::Light);
         assert_eq!(back.recent, recent);
-        assert!(!back.layout.is_open(Pane::Activity));
+        assert!(!back.layout.is_open(Pane::ACTIVITY));
     }
 
     #[test]

@@ -222,7 +222,9 @@ mod tests {
         };
         assert!(error(&[&[0.0, 1.0]]).contains("1 rows of 2 numbers"));
         assert!(error(&[&[0.0, 1.0], &[2.0, 0.0]]).contains("row 0, column 1"));
-        assert!(error(&[&[0.0, -1.0], &[-1.0, 0.0]]).contains("a distance of -1"));
+        assert!(
+            error(&[&[0.0, -1.0], &[-1.0, 0.0]]).contains("row 0, column 1: negative distance -1")
+        );
         assert!(error(&[&[1.0]]).contains("diagonal"));
     }
 

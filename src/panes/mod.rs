@@ -1,6 +1,7 @@
 //! A folder a pane: what it wants to know, and how it is drawn. Panes draw prepared views and push commands.
 
 pub(crate) mod action_state;
+pub(crate) mod actions;
 pub(crate) mod activity;
 pub(crate) mod beat;
 pub(crate) mod beat_axis;
@@ -9,29 +10,33 @@ pub(crate) mod cohort;
 pub(crate) mod commands;
 pub(crate) mod curves;
 pub(crate) mod deformation_map;
+pub(crate) mod look;
 pub(crate) mod measures;
 pub(crate) mod medial_map;
 pub(crate) mod metric;
 pub(crate) mod normal_ranges;
+pub(crate) mod pane;
 pub(crate) mod patch;
 pub(crate) mod pose_map;
 pub(crate) mod scatter_map;
 pub(crate) mod shortcuts;
 pub(crate) mod spatiotemporal;
 pub(crate) mod subject_drag;
+pub(crate) mod table;
 pub(crate) mod thickness;
 pub(crate) mod verdict;
 pub(crate) mod verdict_marks;
 pub(crate) mod viewport;
 
 pub use action_state::ActionState;
+pub use actions::ALL_ACTIONS;
 pub use activity::{WorkItem, WorkState, activity_ui};
 pub use beat_axis::BeatAxis;
 pub use bulls_eye::{BullsEyePatch, BullsEyeView, bulls_eye_ui};
 pub use cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict, visible_rows};
 pub use cohort::{CohortView, cohort_table_ui};
 pub use commands::{
-    ACTIONS, Action, BeatCommand, Command, EditCommand, FileCommand, MapCommand, Menu, Pane,
+    Action, BeatCommand, Command, EditCommand, FileCommand, MapCommand, Menu, Pane,
     TransportCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
 };
 pub use curves::{Curve, CurveKind, CurvesView, curves_ui};
@@ -39,12 +44,14 @@ pub use deformation_map::{
     ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, deformation_map_ui,
     deformation_note,
 };
+pub use look::{Look, Memo};
 pub use measures::{MeasuresView, measures_card_ui};
 pub use medial_map::{
     MEDIAL_MAP, MedialMapView, medial_facts, medial_map_choosers_ui, medial_map_header_ui,
     medial_map_note, medial_map_ui,
 };
 pub use metric::{MetricPanelView, metric_panel_ui};
+pub use pane::{Draw, DrawBeside, Header, PaneSpec, Place};
 pub use patch::{PatchLine, PatchPanelView, WallState, patch_panel_ui};
 pub use pose_map::{
     POSE_MAP, PoseMapView, pose_map_choosers_ui, pose_map_header_ui, pose_map_note, pose_map_ui,
@@ -58,6 +65,7 @@ pub use spatiotemporal::{SPACE_TIME, SpaceTimeView, space_time_ui};
 pub use subject_drag::{
     DraggedSubject, SubjectTarget, dragged_subject, dragged_subject_ui, subject_target_ui,
 };
+pub use table::{PANES, spec_of};
 pub use thickness::{
     Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip,
     thickness_panel_ui,

@@ -2,15 +2,17 @@
 
 use egui::{Context, Event, Plugin, RawInput};
 
-/// Cuts the input of a frame where the pointer leaves the place at which a button went down or up.
+/// Cuts the input of a frame so that the press, the way and the release of a drag are seen in one frame each.
 ///
-/// egui asks which widget lies under the last place of a frame's input. Where a frame takes long, the press, the
-/// move and the release of a quick drag arrive in one frame, and the widget that was reached would take the press
-/// that another one was meant by: the motion of another subject would be transported, and onto another one. What
-/// follows the cut waits for the next frame, in its order.
+/// egui asks which widget lies under the last place of a frame's input. Where a frame takes long, a whole quick drag
+/// arrives in one frame, and the widget that was reached would take the press that another one was meant by: the
+/// motion of another subject would be transported, and onto another one. What follows the cut waits for the next
+/// frame, in its order.
 #[derive(Debug, Default)]
 pub struct PointerSteps {
     waiting: Vec<Event>,
+    /// Whether a button is down after the events that went by.
+    held: bool,
 }
 
 impl Plugin for PointerSteps {
@@ -21,7 +23,9 @@ impl Plugin for PointerSteps {
     fn input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
         let mut events = std::mem::take(&mut self.waiting);
         events.append(&mut input.events);
-        self.waiting = events.split_off(cut(&events));
+        let (cut, held) = cut(&events, self.held);
+        self.held = held;
+        self.waiting = events.split_off(cut);
         input.events = events;
         if !self.waiting.is_empty() {
             ctx.request_repaint();
@@ -29,24 +33,30 @@ impl Plugin for PointerSteps {
     }
 }
 
-/// The first event that must wait: the pointer moves on after a button of this frame.
-fn cut(events: &[Event]) -> usize {
-    let mut button_at = None;
+/// The first event that must wait, and whether a button is down before it.
+fn cut(events: &[Event], mut held: bool) -> (usize, bool) {
+    // Where a button went down or up in this frame; whether the pointer moved on with a button down.
+    let (mut button_at, mut dragged) = (None, false);
     for (index, event) in events.iter().enumerate() {
         match event {
-            Event::PointerButton { pos, .. } => {
-                // A second button elsewhere, without a way to it, would take the first one's widget along.
-                if button_at.is_some_and(|at| at != *pos) {
-                    return index;
+            Event::PointerButton { pos, pressed, .. } => {
+                // A button elsewhere, without a way to it, would take the first one's widget along.
+                if dragged || button_at.is_some_and(|at| at != *pos) {
+                    return (index, held);
                 }
-                button_at = Some(*pos);
+                (button_at, held) = (Some(*pos), *pressed);
             }
-            Event::PointerMoved(to) if button_at.is_some_and(|at| at != *to) => return index,
-            Event::PointerGone if button_at.is_some() => return index,
+            Event::PointerMoved(to) => {
+                if button_at.is_some_and(|at| at != *to) {
+                    return (index, held);
+                }
+                dragged |= held && button_at.is_none();
+            }
+            Event::PointerGone if button_at.is_some() => return (index, held),
             _ => {}
         }
     }
-    events.len()
+    (events.len(), held)
 }
 
 #[cfg(test)]
@@ -93,7 +103,7 @@ mod tests {
             button(onto, false),
             Event::PointerMoved(away),
         ];
-        let expected = [&events[..2], &events[2..5], &events[5..]];
+        let expected = [&events[..2], &events[2..4], &events[4..5], &events[5..]];
         assert_eq!(frames(events.clone()), expected);
     }
 

@@ -116,8 +116,8 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 light.clone(),
                 pose(15, 3),
-                Command::Window(WindowCommand::ShowPane(Pane::Metric)),
-                Command::Window(WindowCommand::ShowPane(Pane::DeformationMap)),
+                Command::Window(WindowCommand::ShowPane(Pane::METRIC)),
+                Command::Window(WindowCommand::ShowPane(Pane::DEFORMATION_MAP)),
             ],
         },
         Shot {
@@ -126,7 +126,7 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 dark.clone(),
                 pose(15, 3),
-                Command::Window(WindowCommand::ShowPane(Pane::SpaceTime)),
+                Command::Window(WindowCommand::ShowPane(Pane::SPATIOTEMPORAL)),
             ],
         },
         Shot {
@@ -135,7 +135,7 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 light.clone(),
                 pose(13, 3),
-                Command::Window(WindowCommand::ShowPane(Pane::Patch)),
+                Command::Window(WindowCommand::ShowPane(Pane::PATCH)),
                 Command::Wall(WallCommand::ToggleAtoms),
             ],
         },
@@ -145,8 +145,8 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 light.clone(),
                 pose(13, 3),
-                Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
-                Command::Window(WindowCommand::ShowPane(Pane::Thickness)),
+                Command::Window(WindowCommand::ShowPane(Pane::MEDIAL_MAP)),
+                Command::Window(WindowCommand::ShowPane(Pane::THICKNESS)),
             ],
         },
         Shot {
@@ -155,7 +155,7 @@ fn screenshots_are_taken_when_asked_for() {
             commands: vec![
                 dark,
                 pose(13, 3),
-                Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+                Command::Window(WindowCommand::ShowPane(Pane::VERDICT)),
             ],
         },
         Shot {

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use egui::{Align, Button, Layout, RichText, Stroke, Ui, vec2};
 
 use crate::panes::action_state::ActionState;
-use crate::panes::commands::{ACTIONS, Menu};
+use crate::panes::actions::ALL_ACTIONS;
+use crate::panes::commands::Menu;
 use crate::panes::commands::{Command, FileCommand, WindowCommand};
 use crate::panes::shortcuts::shortcut_text;
 use crate::ui::style::{note, title_text_font};
@@ -70,7 +71,7 @@ fn palette_button_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
 
 fn menu_ui(ui: &mut Ui, menu: Menu, view: &MenuBarView, commands: &mut Vec<Command>) {
     let mut group = None;
-    for action in ACTIONS.iter().filter(|action| action.menu == menu) {
+    for action in ALL_ACTIONS.iter().filter(|action| action.menu == menu) {
         if group.is_some_and(|group| group != action.group) {
             ui.separator();
         }

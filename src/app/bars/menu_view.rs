@@ -1,9 +1,9 @@
 //! The menu bar, and what menus and the palette must know to grey and tick their lines.
 
 use crate::app::MenuBarView;
-use crate::app::layout::{Layout, PANES};
+use crate::app::layout::Layout;
 use crate::document::state::State;
-use crate::panes::ActionState;
+use crate::panes::{ActionState, PANES};
 
 /// Which actions can be done now and which switches are on.
 pub fn action_state(state: &State, layout: &Layout) -> ActionState {
@@ -38,7 +38,7 @@ pub fn action_state(state: &State, layout: &Layout) -> ActionState {
         shows_clusters: document.shows_clusters,
         hidden_panes: PANES
             .iter()
-            .map(|(pane, _)| *pane)
+            .map(|spec| spec.pane)
             .filter(|pane| !layout.is_open(*pane))
             .collect(),
     }

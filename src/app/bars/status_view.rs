@@ -3,7 +3,6 @@
 use crate::app::{StatusBarView, StatusJob};
 use crate::document::state::State;
 use crate::engine::{Activity, ActivityState, Topic};
-use crate::panes::{WorkItem, WorkState};
 use crate::study::Severity;
 
 /// Work shorter than this shows no bar: it would only flicker.
@@ -82,30 +81,4 @@ impl StatusData {
             warning_count: self.warning_count,
         }
     }
-}
-
-/// Lines of the activity list, newest first.
-pub fn activity_rows(activities: Vec<Activity>) -> Vec<WorkItem> {
-    activities
-        .into_iter()
-        .map(|activity| WorkItem {
-            kind: activity.topic,
-            title: activity.name,
-            parameters: activity.parameters,
-            duration_s: activity.duration.as_secs_f64(),
-            state: match activity.state {
-                ActivityState::Running {
-                    fraction,
-                    time_left,
-                    ..
-                } => WorkState::Running {
-                    fraction,
-                    seconds_left: time_left.map(|left| left.as_secs_f64()),
-                },
-                ActivityState::Done => WorkState::Done,
-                ActivityState::Stopped => WorkState::Stopped,
-                ActivityState::Failed(reason) => WorkState::Failed(reason),
-            },
-        })
-        .collect()
 }

@@ -6,8 +6,8 @@ use egui::{
 };
 
 use crate::panes::action_state::ActionState;
+use crate::panes::actions::ALL_ACTIONS;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::ACTIONS;
 use crate::panes::commands::{BeatCommand, Command, TransportCommand, WindowCommand};
 use crate::ui::fuzzy::fuzzy_score;
 use crate::ui::style::note;
@@ -131,7 +131,7 @@ fn search_ui(ui: &mut Ui, typed: &mut Typed) {
 
 /// Commands and subjects that fit, best first; in their given order while nothing is typed.
 fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Offer> {
-    let actions = ACTIONS.iter().map(|action| Offer {
+    let actions = ALL_ACTIONS.iter().map(|action| Offer {
         name: action.name.to_owned(),
         where_it_stands: action.menu.name().to_owned(),
         keys: action
@@ -342,7 +342,7 @@ mod tests {
             commands,
             [
                 Command::Window(WindowCommand::TogglePalette),
-                ACTIONS[1].command.clone()
+                ALL_ACTIONS[1].command.clone()
             ]
         );
         let commands = chosen_by(|harness| harness.key_press(Key::Escape));

@@ -2,7 +2,8 @@
 
 use egui::{Grid, ScrollArea, TextEdit, Ui};
 
-use crate::panes::commands::{ACTIONS, Menu};
+use crate::panes::actions::ALL_ACTIONS;
+use crate::panes::commands::Menu;
 use crate::panes::commands::{Command, WindowCommand};
 use crate::ui::controls::dialog_ui;
 use crate::ui::style::{medium, note};
@@ -43,7 +44,7 @@ fn sheet_ui(ui: &mut Ui) {
     ui.add_space(space::SMALL);
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         for menu in Menu::ALL {
-            let lines: Vec<(&str, String)> = ACTIONS
+            let lines: Vec<(&str, String)> = ALL_ACTIONS
                 .iter()
                 .filter(|action| action.menu == menu)
                 .filter_map(|action| {

@@ -1,5 +1,8 @@
 //! Running and finished work, with parameters and durations, so that nothing is lost sight of.
 
+pub(crate) mod rows;
+pub(crate) mod spec;
+
 use egui::{Label, RichText, ScrollArea, Ui};
 
 use crate::engine::Topic;

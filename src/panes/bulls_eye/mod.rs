@@ -3,6 +3,7 @@
 pub(crate) mod data;
 mod draw;
 mod layout;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 

@@ -2,6 +2,7 @@
 
 mod columns;
 pub(crate) mod rows;
+pub(crate) mod spec;
 pub(crate) mod view;
 
 use egui::{

@@ -54,7 +54,7 @@ pub enum Command {
 /// One thing that can be done.
 pub type Action = Row<Command>;
 
-/// All actions that need no more than a name, by menu and group.
+/// The actions of commands that need no more than a name, by menu and group; those of panes stand in the table of panes.
 pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
     let mut actions: Vec<Action> = wide(file::ACTIONS, Command::File)
         .chain(wide(edit::ACTIONS, Command::Edit))
@@ -73,22 +73,4 @@ pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
 /// The rows of one kind as actions.
 fn wide<C: Clone>(rows: &'static [Row<C>], kind: fn(C) -> Command) -> impl Iterator<Item = Action> {
     rows.iter().map(move |row| row.widened(kind))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use std::collections::HashSet;
-
-    #[test]
-    fn no_two_actions_share_a_name_or_a_key() {
-        let mut names = HashSet::new();
-        let mut keys = HashSet::new();
-        for action in ACTIONS.iter() {
-            assert!(names.insert(action.name), "{}", action.name);
-            if let Some(shortcut) = action.shortcut {
-                assert!(keys.insert(format!("{shortcut:?}")), "{}", action.name);
-            }
-        }
-    }
 }

@@ -1,34 +1,17 @@
-//! The panes of the window, by name.
+//! The name of a pane, as commands and saved layouts know it.
 
-/// A tile of the window.
+/// A pane of the window, known by the word that saved layouts have for it; the word never changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Pane {
-    /// The list of subjects.
-    Cohort,
-    /// Finished and running work.
-    Activity,
-    /// The 3D view.
-    Viewport,
-    /// The map of poses.
-    PoseMap,
-    /// The map of whole deformations.
-    DeformationMap,
-    /// The spatiotemporal plot: poses and time in three dimensions.
-    SpaceTime,
-    /// How poses and deformations are compared and mapped.
-    Metric,
-    /// Volumes over the cardiac cycle.
-    Curves,
-    /// Clinical measures of the selected subject.
-    Measures,
-    /// Regions of low thickening, and the thresholds.
-    Patch,
-    /// The verdict on the selected subject, with its evidence.
-    Verdict,
-    /// The polar map of the wall, by AHA segment.
-    BullsEye,
-    /// The map of the medial shape space.
-    MedialMap,
-    /// Wall thickness by several methods.
-    Thickness,
+pub struct Pane(&'static str);
+
+impl Pane {
+    /// The pane of this word. Each pane's folder names its own.
+    pub const fn named(word: &'static str) -> Self {
+        Self(word)
+    }
+
+    /// The word.
+    pub fn word(self) -> &'static str {
+        self.0
+    }
 }

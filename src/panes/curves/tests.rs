@@ -53,7 +53,7 @@ fn a_click_on_the_plot_moves_through_the_cycle() {
             Vec::new(),
         );
     harness.run();
-    let rect = harness.get_by_label("Volume over the beat").rect();
+    let rect = harness.get_by_label("Volume over the cardiac cycle").rect();
     let plot = Plot::new(rect, 20.0, 0.0, 1.0);
     let place = pos2(plot.x(0.75), rect.center().y);
     harness.drag_at(place);

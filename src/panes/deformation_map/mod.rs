@@ -3,6 +3,7 @@
 
 mod classes;
 mod map;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 pub(crate) mod view;

@@ -1,5 +1,7 @@
 //! The clinical measures of the selected heart, with units and, where one is defensible, the normal range.
 
+pub(crate) mod spec;
+
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, RichText, Ui};
 

@@ -1,6 +1,7 @@
 //! The medial map: a point is a step of the beat, as the akinetic region of the wall has it.
 
 mod map;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 pub(crate) mod view;

@@ -3,6 +3,7 @@
 mod deformation_settings;
 mod metric_settings;
 mod pose_settings;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 pub mod words;

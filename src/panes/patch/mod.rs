@@ -1,6 +1,7 @@
 //! Patches of the selected subject: heading, table and thresholds.
 
 mod settings;
+pub(crate) mod spec;
 mod table;
 #[cfg(test)]
 mod tests;

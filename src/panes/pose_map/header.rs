@@ -89,7 +89,7 @@ fn metric_ui(ui: &mut Ui, params: PoseMapParams, with_method: bool, commands: &m
         }
         ui.separator();
         if ui.button("All settings…").clicked() {
-            commands.push(Command::Window(WindowCommand::ShowPane(Pane::Metric)));
+            commands.push(Command::Window(WindowCommand::ShowPane(Pane::METRIC)));
             ui.close();
         }
     });

@@ -2,6 +2,7 @@
 
 mod header;
 mod map;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 pub(crate) mod view;

@@ -59,7 +59,7 @@ fn all_settings_are_a_step_away_from_the_header() {
     harness.run();
     assert_eq!(
         *harness.state(),
-        [Command::Window(WindowCommand::ShowPane(Pane::Metric))]
+        [Command::Window(WindowCommand::ShowPane(Pane::METRIC))]
     );
 }
 

@@ -5,6 +5,7 @@ mod axes;
 mod eye;
 mod phase_plane;
 mod plot;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 

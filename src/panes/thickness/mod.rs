@@ -1,5 +1,6 @@
 //! Wall thickness by each method: box strips on one axis, and differences from the medial spheres.
 
+pub(crate) mod spec;
 mod strips;
 #[cfg(test)]
 mod tests;

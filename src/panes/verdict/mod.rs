@@ -4,6 +4,7 @@ mod evidence;
 pub(crate) mod evidence_rows;
 mod found;
 mod rule;
+pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 pub(crate) mod view;

@@ -13,3 +13,4 @@ pub(crate) mod pick_label;
 pub(crate) mod pictures;
 pub(crate) mod places;
 pub(crate) mod shown_heart;
+pub(crate) mod spec;

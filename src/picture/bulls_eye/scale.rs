@@ -222,7 +222,7 @@ mod tests {
             way.words(7.26, "frame 2"),
             "7.3 mm from end-diastole at frame 2"
         );
-        assert_eq!(way.title("ES"), "from end-diastole, mm · ES");
+        assert_eq!(way.title("ES"), "displacement from end-diastole, mm · ES");
     }
 
     #[test]

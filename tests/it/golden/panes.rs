@@ -36,20 +36,20 @@ const BARS: [f32; 2] = [34.0, 72.0 + 36.0];
 
 /// Panes in the order of their tabs: closed one after another, each is in front when its turn comes.
 const PANES: [Pane; 14] = [
-    Pane::Cohort,
-    Pane::Activity,
-    Pane::Metric,
-    Pane::Viewport,
-    Pane::PoseMap,
-    Pane::DeformationMap,
-    Pane::SpaceTime,
-    Pane::MedialMap,
-    Pane::Measures,
-    Pane::Patch,
-    Pane::Verdict,
-    Pane::BullsEye,
-    Pane::Curves,
-    Pane::Thickness,
+    Pane::COHORT,
+    Pane::ACTIVITY,
+    Pane::METRIC,
+    Pane::VIEWPORT,
+    Pane::POSE_MAP,
+    Pane::DEFORMATION_MAP,
+    Pane::SPATIOTEMPORAL,
+    Pane::MEDIAL_MAP,
+    Pane::MEASURES,
+    Pane::PATCH,
+    Pane::VERDICT,
+    Pane::BULLS_EYE,
+    Pane::CURVES,
+    Pane::THICKNESS,
 ];
 
 /// Compares a pane of this size alone in the window, after these commands.
@@ -90,7 +90,7 @@ const LIGHT: ThemeChoice = ThemeChoice::Light;
 
 #[test]
 fn the_cohort_looks_as_it_did() {
-    compare_pane("cohort", Pane::Cohort, [300.0, 360.0], LIGHT, &[], |app| {
+    compare_pane("cohort", Pane::COHORT, [300.0, 360.0], LIGHT, &[], |app| {
         verdict_is_known(app)
     });
 }
@@ -98,24 +98,24 @@ fn the_cohort_looks_as_it_did() {
 #[test]
 fn measures_look_as_they_did() {
     let size = [240.0, 280.0];
-    compare_pane("measures", Pane::Measures, size, DARK, &[], |_| true);
+    compare_pane("measures", Pane::MEASURES, size, DARK, &[], |_| true);
 }
 
 #[test]
 fn volumes_over_the_beat_look_as_they_did() {
     let size = [320.0, 240.0];
-    compare_pane("volume", Pane::Curves, size, LIGHT, &[], |_| true);
+    compare_pane("volume", Pane::CURVES, size, LIGHT, &[], |_| true);
 }
 
 #[test]
 fn the_map_of_poses_looks_as_it_did() {
     let size = [360.0, 320.0];
-    compare_pane("pose_map", Pane::PoseMap, size, DARK, &[], |_| true);
+    compare_pane("pose_map", Pane::POSE_MAP, size, DARK, &[], |_| true);
 }
 
 #[test]
 fn the_map_of_deformations_looks_as_it_did() {
-    let (pane, size) = (Pane::DeformationMap, [360.0, 400.0]);
+    let (pane, size) = (Pane::DEFORMATION_MAP, [360.0, 400.0]);
     compare_pane("deformations", pane, size, LIGHT, &[], |app| {
         app.state().deformations().is_some()
     });
@@ -124,13 +124,15 @@ fn the_map_of_deformations_looks_as_it_did() {
 #[test]
 fn poses_through_time_look_as_they_did() {
     let size = [360.0, 360.0];
-    compare_pane("space_time", Pane::SpaceTime, size, DARK, &[], |_| true);
+    compare_pane("space_time", Pane::SPATIOTEMPORAL, size, DARK, &[], |_| {
+        true
+    });
 }
 
 #[test]
 fn the_map_of_the_medial_shape_space_looks_as_it_did() {
     let size = [360.0, 320.0];
-    compare_pane("medial_map", Pane::MedialMap, size, LIGHT, &[], |app| {
+    compare_pane("medial_map", Pane::MEDIAL_MAP, size, LIGHT, &[], |app| {
         app.state().medial_map().is_some()
     });
 }
@@ -138,7 +140,7 @@ fn the_map_of_the_medial_shape_space_looks_as_it_did() {
 #[test]
 fn settings_of_metric_and_maps_look_as_they_did() {
     let size = [300.0, 480.0];
-    compare_pane("metric", Pane::Metric, size, DARK, &[], |_| true);
+    compare_pane("metric", Pane::METRIC, size, DARK, &[], |_| true);
 }
 
 #[test]
@@ -147,13 +149,13 @@ fn a_patch_looks_as_it_did() {
         WallPart::Patch(0),
     )))];
     let size = [300.0, 420.0];
-    compare_pane("patch", Pane::Patch, size, LIGHT, &commands, wall_is_known);
+    compare_pane("patch", Pane::PATCH, size, LIGHT, &commands, wall_is_known);
 }
 
 #[test]
 fn a_verdict_looks_as_it_did() {
     let size = [320.0, 480.0];
-    compare_pane("verdict", Pane::Verdict, size, DARK, &[], verdict_is_known);
+    compare_pane("verdict", Pane::VERDICT, size, DARK, &[], verdict_is_known);
 }
 
 #[test]
@@ -161,7 +163,7 @@ fn the_bulls_eye_looks_as_it_did() {
     let commands = [Command::Wall(WallCommand::SelectPart(Some(
         WallPart::Patch(0),
     )))];
-    let (pane, size) = (Pane::BullsEye, [300.0, 320.0]);
+    let (pane, size) = (Pane::BULLS_EYE, [300.0, 320.0]);
     compare_pane("bulls_eye", pane, size, DARK, &commands, wall_is_known);
 }
 
@@ -174,7 +176,7 @@ fn the_bulls_eye_with_a_colour_for_each_segment_looks_as_it_did() {
             Segment::new(8).unwrap(),
         )))),
     ];
-    let (name, pane, size) = ("bulls_eye_segments", Pane::BullsEye, [300.0, 320.0]);
+    let (name, pane, size) = ("bulls_eye_segments", Pane::BULLS_EYE, [300.0, 320.0]);
     compare_pane(name, pane, size, LIGHT, &commands, wall_is_known);
 }
 
@@ -187,7 +189,7 @@ fn atoms_and_the_outline_of_a_patch_look_as_they_did() {
     let size = [420.0, 360.0];
     compare_pane(
         "atoms",
-        Pane::Viewport,
+        Pane::VIEWPORT,
         size,
         DARK,
         &commands,
@@ -201,7 +203,7 @@ fn the_thickness_ratio_looks_as_it_did() {
         Quantity::ThicknessRatio,
     ))];
     let (name, size) = ("thickness_ratio", [420.0, 360.0]);
-    compare_pane(name, Pane::Viewport, size, LIGHT, &commands, wall_is_known);
+    compare_pane(name, Pane::VIEWPORT, size, LIGHT, &commands, wall_is_known);
 }
 
 #[test]
@@ -215,7 +217,7 @@ fn a_motion_on_another_subject_looks_as_it_did() {
         Command::Beat(BeatCommand::SetPosition(FRAME as f64 + 0.5)),
     ];
     let (name, size) = ("transport", [480.0, 320.0]);
-    compare_pane(name, Pane::Viewport, size, DARK, &commands, |app| {
+    compare_pane(name, Pane::VIEWPORT, size, DARK, &commands, |app| {
         let in_betweens = app.state().in_betweens_of(SUBJECT);
         app.state().carried_heart().is_some() && in_betweens.is_some_and(|beat| beat.complete())
     });
@@ -229,7 +231,7 @@ fn the_difference_of_two_hearts_looks_as_it_did() {
         Command::View(ViewCommand::SetQuantity(Quantity::Contribution)),
     ];
     let (name, size) = ("difference", [480.0, 320.0]);
-    compare_pane(name, Pane::Viewport, size, LIGHT, &commands, |app| {
+    compare_pane(name, Pane::VIEWPORT, size, LIGHT, &commands, |app| {
         app.state().answers.difference().is_some()
     });
 }

@@ -68,7 +68,7 @@ fn panes_close_and_come_back() {
     assert!(harness.query_by_label("Pose map").is_some() || harness.state().busy());
     give(
         &mut harness,
-        Command::Window(WindowCommand::TogglePane(Pane::Measures)),
+        Command::Window(WindowCommand::TogglePane(Pane::MEASURES)),
     );
     harness.run_steps(2);
     assert!(harness.query_by_label("Ejection fraction").is_none());

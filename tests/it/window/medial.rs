@@ -15,7 +15,7 @@ fn medial_window() -> Harness<'static, App> {
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+        Command::Window(WindowCommand::ShowPane(Pane::MEDIAL_MAP)),
     );
     wait(&mut harness, "the medial map", |app| {
         medial_map(app).is_some() && !app.busy()
@@ -37,7 +37,7 @@ fn the_medial_map_is_made_when_it_is_seen_and_says_how_far_it_can_be_trusted() {
     assert!(medial_map(harness.state()).is_none(), "nobody looks at it");
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+        Command::Window(WindowCommand::ShowPane(Pane::MEDIAL_MAP)),
     );
     wait(&mut harness, "the medial map", |app| {
         medial_map(app).is_some() && !app.busy()
@@ -93,7 +93,7 @@ fn a_stopped_medial_map_stays_stopped_until_it_is_asked_for_again() {
     let mut harness = cohort_window();
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+        Command::Window(WindowCommand::ShowPane(Pane::MEDIAL_MAP)),
     );
     give(
         &mut harness,
@@ -129,7 +129,7 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
     );
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Thickness)),
+        Command::Window(WindowCommand::ShowPane(Pane::THICKNESS)),
     );
     wait(&mut harness, "three poses", |app| !app.busy());
     for way in [
@@ -174,11 +174,11 @@ fn a_blood_pool_alone_has_neither_medial_map_nor_thickness_and_is_told_why() {
     wait_for_heart(&mut harness);
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::MedialMap)),
+        Command::Window(WindowCommand::ShowPane(Pane::MEDIAL_MAP)),
     );
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Thickness)),
+        Command::Window(WindowCommand::ShowPane(Pane::THICKNESS)),
     );
     wait(&mut harness, "rest", |app| !app.busy());
     harness.get_by_label_contains("0 poses of 0 subjects whose wall can be assessed");

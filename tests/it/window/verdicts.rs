@@ -54,7 +54,7 @@ fn the_built_in_cohort_is_judged_in_table_and_pane() {
     select(&mut harness, PATCHED);
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+        Command::Window(WindowCommand::ShowPane(Pane::VERDICT)),
     );
     harness.run_steps(2);
     let found = verdict(harness.state(), PATCHED).clone();
@@ -97,7 +97,7 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     let mut harness = judged_window();
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+        Command::Window(WindowCommand::ShowPane(Pane::VERDICT)),
     );
     let normal = (0..9)
         .find(|&subject| verdict(harness.state(), subject).finding == Finding::Nothing)
@@ -146,7 +146,7 @@ fn a_heart_alike_is_selected_from_the_pane() {
     select(&mut harness, PATCHED);
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+        Command::Window(WindowCommand::ShowPane(Pane::VERDICT)),
     );
     harness.run_steps(2);
     let found = verdict(harness.state(), PATCHED).clone();
@@ -216,7 +216,7 @@ fn judging_can_be_cancelled_and_asked_for_again() {
     wait_for_heart(&mut harness);
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+        Command::Window(WindowCommand::ShowPane(Pane::VERDICT)),
     );
     // The maps come first: nobody has to wait for them here.
     for kind in [
@@ -318,7 +318,7 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
     });
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Verdict)),
+        Command::Window(WindowCommand::ShowPane(Pane::VERDICT)),
     );
     harness.run_steps(2);
     assert_eq!(

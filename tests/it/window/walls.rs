@@ -75,7 +75,7 @@ fn a_row_of_the_table_selects_its_patch_and_turns_the_heart_to_it() {
     assert!(patches(harness.state()) > 0, "the heart has a patch");
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Patch)),
+        Command::Window(WindowCommand::ShowPane(Pane::PATCH)),
     );
     harness.run_steps(2);
     let look = harness.state().state().document.look;
@@ -123,7 +123,7 @@ fn a_segment_of_the_bulls_eye_is_selected_everywhere() {
     let mut harness = patched_window();
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::BullsEye)),
+        Command::Window(WindowCommand::ShowPane(Pane::BULLS_EYE)),
     );
     harness.run_steps(2);
     // The apex is in the middle, above the colour bar.
@@ -161,7 +161,7 @@ fn a_blood_pool_alone_is_not_assessed_and_says_why() {
     );
     give(
         &mut harness,
-        Command::Window(WindowCommand::ShowPane(Pane::Patch)),
+        Command::Window(WindowCommand::ShowPane(Pane::PATCH)),
     );
     harness.run_steps(2);
     assert!(harness.get_all_by_label("Not assessed").count() >= 1);

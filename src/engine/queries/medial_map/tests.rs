@@ -76,7 +76,7 @@ fn a_heart_without_wall_is_left_out_with_its_reason() {
         ..Study::clone(&study)
     });
     let message = refusal(&store(), &alone, &query(MapMethod::Smacof));
-    assert!(message.starts_with("0 poses of 0 hearts"), "{message}");
+    assert!(message.starts_with("0 poses of 0 subjects"), "{message}");
 }
 
 #[test]

@@ -1,0 +1,43 @@
+//! All that menus, the palette and the sheet of keys list: the actions of commands, and one for each pane.
+
+use std::sync::LazyLock;
+
+use super::commands::{ACTIONS, Action, Command, Menu, Row, WindowCommand};
+use super::table::PANES;
+
+/// The group of the menu View in which panes are shown and hidden.
+const PANE_GROUP: u8 = 5;
+
+/// All actions, by menu and group.
+pub static ALL_ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
+    let toggles = PANES.iter().map(|spec| Row {
+        name: spec.toggle,
+        menu: Menu::View,
+        group: PANE_GROUP,
+        shortcut: None,
+        command: Command::Window(WindowCommand::TogglePane(spec.pane)),
+    });
+    let mut actions: Vec<Action> = toggles.chain(ACTIONS.iter().cloned()).collect();
+    // Stable: within a group the order of the tables stays.
+    actions.sort_by_key(|action| (action.menu, action.group));
+    actions
+});
+
+#[cfg(test)]
+mod tests {
+    use std::collections::HashSet;
+
+    use super::*;
+
+    #[test]
+    fn no_two_actions_share_a_name_or_a_key_and_every_pane_has_one() {
+        let (mut names, mut keys) = (HashSet::new(), HashSet::new());
+        for action in ALL_ACTIONS.iter() {
+            assert!(names.insert(action.name), "{}", action.name);
+            if let Some(shortcut) = action.shortcut {
+                assert!(keys.insert(format!("{shortcut:?}")), "{}", action.name);
+            }
+        }
+        assert!(PANES.iter().all(|spec| names.contains(spec.toggle)));
+    }
+}

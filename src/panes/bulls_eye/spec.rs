@@ -1,0 +1,36 @@
+//! The pane in the window's table. The polar map of the wall, by AHA segment.
+
+use egui::Ui;
+
+use crate::panes::commands::{Command, Pane};
+use crate::panes::look::Look;
+use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::patch::spec::patch_data;
+use crate::panes::viewport::hearts::Viewport;
+
+use super::bulls_eye_ui;
+use super::data::BullsEyeData;
+
+impl Pane {
+    /// The polar map of the wall, by AHA segment.
+    pub const BULLS_EYE: Self = Self::named("bulls_eye");
+}
+
+/// The polar map of the wall, by AHA segment.
+pub const PANE: PaneSpec = PaneSpec {
+    pane: Pane::BULLS_EYE,
+    title: "Bull's-eye",
+    toggle: "Pane: bull's-eye",
+    place: Place::BelowRight,
+    header: Header::Title,
+    ui,
+};
+
+fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let data = look.memo().get::<BullsEyeData>();
+    let mut data = data.borrow_mut();
+    let viewport = look.memo().get::<Viewport>();
+    data.refresh(look.state(), viewport.borrow_mut().cohort_limits());
+    let patches = patch_data(look);
+    bulls_eye_ui(ui, &data.view(look.state(), patches.state()), commands);
+}

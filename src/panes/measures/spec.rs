@@ -1,0 +1,31 @@
+//! The pane in the window's table. Clinical measures of the selected subject.
+
+use egui::Ui;
+
+use crate::panes::beat::measures_view;
+use crate::panes::cohort::spec::measuring;
+use crate::panes::commands::{Command, Pane};
+use crate::panes::look::Look;
+use crate::panes::pane::{Header, PaneSpec, Place};
+
+use super::measures_card_ui;
+
+impl Pane {
+    /// Clinical measures of the selected subject.
+    pub const MEASURES: Self = Self::named("measures");
+}
+
+/// Clinical measures of the selected subject.
+pub const PANE: PaneSpec = PaneSpec {
+    pane: Pane::MEASURES,
+    title: "Measures",
+    toggle: "Pane: measures",
+    place: Place::BelowLeft,
+    header: Header::Title,
+    ui,
+};
+
+fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let state = look.state();
+    measures_card_ui(ui, &measures_view(state, measuring(state)), commands);
+}

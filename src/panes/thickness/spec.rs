@@ -1,0 +1,29 @@
+//! The pane in the window's table. Wall thickness by several methods.
+
+use egui::Ui;
+
+use super::thickness_panel_ui;
+use super::view::ThicknessData;
+use crate::panes::commands::{Command, Pane};
+use crate::panes::look::Look;
+use crate::panes::pane::{Header, PaneSpec, Place};
+
+impl Pane {
+    /// Wall thickness by several methods.
+    pub const THICKNESS: Self = Self::named("thickness");
+}
+
+/// Wall thickness by several methods.
+pub const PANE: PaneSpec = PaneSpec {
+    pane: Pane::THICKNESS,
+    title: "Thickness",
+    toggle: "Pane: thickness",
+    place: Place::BelowRight,
+    header: Header::Title,
+    ui,
+};
+
+fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let data = ThicknessData::of(look.state());
+    thickness_panel_ui(ui, &data.view(look.state()), commands);
+}

@@ -1,0 +1,29 @@
+//! The pane in the window's table. The verdict on the selected subject, with its evidence.
+
+use egui::Ui;
+
+use super::verdict_panel_ui;
+use super::view::VerdictData;
+use crate::panes::commands::{Command, Pane};
+use crate::panes::look::Look;
+use crate::panes::pane::{Header, PaneSpec, Place};
+
+impl Pane {
+    /// The verdict on the selected subject, with its evidence.
+    pub const VERDICT: Self = Self::named("verdict");
+}
+
+/// The verdict on the selected subject, with its evidence.
+pub const PANE: PaneSpec = PaneSpec {
+    pane: Pane::VERDICT,
+    title: "Verdict",
+    toggle: "Pane: verdict",
+    place: Place::BelowLeft,
+    header: Header::Title,
+    ui,
+};
+
+fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let data = VerdictData::of(look.state());
+    verdict_panel_ui(ui, &data.view(look.state()), commands);
+}

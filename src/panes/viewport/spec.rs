@@ -1,0 +1,43 @@
+//! The pane in the window's table. The 3D view.
+
+use egui::Ui;
+
+use super::empty_state::{EmptyStateView, empty_state_ui};
+use super::header::viewport_header_ui;
+use super::header_view::viewport_header_view;
+use super::hearts::Viewport;
+use crate::panes::commands::{Command, Pane};
+use crate::panes::look::Look;
+use crate::panes::pane::{Header, PaneSpec, Place};
+
+impl Pane {
+    /// The 3D view.
+    pub const VIEWPORT: Self = Self::named("viewport");
+}
+
+/// The 3D view.
+pub const PANE: PaneSpec = PaneSpec {
+    pane: Pane::VIEWPORT,
+    title: "3D view",
+    toggle: "Pane: 3D view",
+    place: Place::Middle,
+    header: Header::Always(header_ui),
+    ui,
+};
+
+fn header_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    viewport_header_ui(ui, &viewport_header_view(look.state()), commands);
+}
+
+fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
+    let state = look.state();
+    if state.document.study().subjects.is_empty() {
+        let view = EmptyStateView {
+            files_hover: ui.input(|input| !input.raw.hovered_files.is_empty()),
+            opening: look.is_opening(),
+        };
+        return empty_state_ui(ui, &view, commands);
+    }
+    let viewport = look.memo().get::<Viewport>();
+    viewport.borrow_mut().ui(ui, state, look.meter(), commands);
+}
