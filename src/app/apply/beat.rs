@@ -32,10 +32,10 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
         }
         BeatCommand::StepFrame(step) => step_frame(state, moment, step),
         BeatCommand::GoToEndDiastole => {
-            go_to(state, moment, state.phases_of(state.document.subject).0)
+            go_to(state, moment, state.phases_of(state.document.subject).0);
         }
         BeatCommand::GoToEndSystole => {
-            go_to(state, moment, state.phases_of(state.document.subject).1)
+            go_to(state, moment, state.phases_of(state.document.subject).1);
         }
         BeatCommand::StateEndDiastole(frame) => state_phase(state, moment, frame, true),
         BeatCommand::StateEndSystole(frame) => state_phase(state, moment, frame, false),

@@ -24,7 +24,7 @@ pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> V
             }
         }
         TransportCommand::StopTransport => {
-            change(state, moment, None, |document| document.carried = None)
+            change(state, moment, None, |document| document.carried = None);
         }
         TransportCommand::SetInBetweens(count) => {
             change(state, moment, None, |document| document.in_betweens = count);
