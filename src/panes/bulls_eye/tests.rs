@@ -4,6 +4,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 use crate::panes::WallCommand;
+use crate::picture::BullsEyeScale;
 
 struct Shown {
     state: WallState,

@@ -8,33 +8,19 @@ pub(crate) mod spec;
 mod tests;
 pub mod words;
 
+mod rows;
+mod values;
+
+use rows::{choice_row_ui, heading_ui, sentence_ui};
+pub use values::MetricPanelView;
+
 use egui::{Margin, ScrollArea, Ui};
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::PoseMapParams;
 use crate::panes::commands::{Command, MapCommand};
-use crate::panes::scatter_map::MapSubject;
-use crate::ui::controls::{chooser_ui, empty_pane_ui};
-use crate::ui::number_field::row_ui;
-use crate::ui::style::{medium, note};
+use crate::ui::controls::empty_pane_ui;
 use crate::ui::theme::space;
-
-/// What the panel shows.
-#[derive(Clone, Debug)]
-pub struct MetricPanelView<'a> {
-    /// How poses are compared and mapped.
-    pub poses: PoseMapParams,
-    /// How deformations are mapped.
-    pub deformations: DeformationMapParams,
-    /// All subjects of the study: one may be the reference.
-    pub subjects: &'a [MapSubject],
-    /// The selected subject: first among the references.
-    pub selected: Option<usize>,
-    /// The neighbours that the map of deformations has now.
-    pub neighbours: Option<usize>,
-    /// The weight of time that the map of deformations has now.
-    pub time_weight: Option<f64>,
-}
 
 /// Draws all settings; each change is one command.
 pub fn metric_panel_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<Command>) {
@@ -87,38 +73,4 @@ fn settings_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<Command>)
     if ui.add_enabled(!default, reset).clicked() {
         commands.push(Command::Map(MapCommand::ResetMaps));
     }
-}
-
-fn heading_ui(ui: &mut Ui, name: &str) {
-    ui.add_space(space::MEDIUM);
-    ui.label(medium(name));
-}
-
-/// A sentence below a control, over the whole width.
-fn sentence_ui(ui: &mut Ui, text: &str) {
-    ui.add(egui::Label::new(note(text)).wrap());
-    ui.add_space(space::SMALL);
-}
-
-/// A name with a menu of choices behind it.
-fn choice_row_ui(
-    ui: &mut Ui,
-    name: &str,
-    what: &str,
-    shown: &str,
-    enabled: bool,
-    menu: impl FnOnce(&mut Ui),
-) {
-    row_ui(ui, name, what, enabled, |ui| {
-        // The name of what is chosen among is read from the row.
-        let font = crate::ui::style::text_font();
-        let galley = ui
-            .painter()
-            .layout_no_wrap(name.to_owned(), font, egui::Color32::PLACEHOLDER);
-        let widest = (ui.available_width() - galley.size().x - space::LARGE).max(60.0);
-        ui.scope(|ui| {
-            ui.set_max_width(widest);
-            chooser_ui(ui, name, shown, menu);
-        });
-    });
 }

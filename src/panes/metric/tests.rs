@@ -7,6 +7,7 @@ use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::{Form, MetricKind};
 use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::panes::MapCommand;
+use crate::panes::scatter_map::MapSubject;
 
 #[derive(Default)]
 struct Scene {

@@ -3,8 +3,11 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::engine::ThickeningSettings;
 use crate::panes::{WallCommand, WorkCommand};
 use crate::picture::WallPart;
+use crate::render::Camera;
+use crate::report::PatchRow;
 
 struct Shown {
     state: WallState,

@@ -3,7 +3,9 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::panes::verdict_marks::VerdictMark;
 use crate::panes::{BeatCommand, WorkCommand};
+use crate::study::LabelRole;
 
 fn report() -> VerdictReport {
     let subject = |subject: usize, id: &str, role| SimilarSubject {

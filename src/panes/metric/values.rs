@@ -1,0 +1,22 @@
+//! What the pane of metric and maps shows, as plain values.
+
+use crate::analysis::deformations::DeformationMapParams;
+use crate::engine::PoseMapParams;
+use crate::panes::scatter_map::MapSubject;
+
+/// What the panel shows.
+#[derive(Clone, Debug)]
+pub struct MetricPanelView<'a> {
+    /// How poses are compared and mapped.
+    pub poses: PoseMapParams,
+    /// How deformations are mapped.
+    pub deformations: DeformationMapParams,
+    /// All subjects of the study: one may be the reference.
+    pub subjects: &'a [MapSubject],
+    /// The selected subject: first among the references.
+    pub selected: Option<usize>,
+    /// The neighbours that the map of deformations has now.
+    pub neighbours: Option<usize>,
+    /// The weight of time that the map of deformations has now.
+    pub time_weight: Option<f64>,
+}
