@@ -32,7 +32,7 @@ const ATOMS_SHARE: f32 = 0.8;
 pub struct ThickeningSettings {
     /// How medial spheres are fitted.
     pub medial: MedialParams,
-    /// What counts as still, and as a patch.
+    /// What is akinetic, and what is a patch.
     pub thickening: ThickeningParams,
 }
 
