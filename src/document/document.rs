@@ -105,7 +105,7 @@ pub struct Document {
     pub deformation_map: DeformationMapParams,
     /// Whether clusters of deformations are drawn.
     pub shows_clusters: bool,
-    /// What counts as still, and as a patch.
+    /// What is akinetic, and what is a patch.
     pub thickening: ThickeningSettings,
     /// The patch or segment that is selected.
     pub part: Option<WallPart>,

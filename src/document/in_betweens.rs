@@ -9,7 +9,7 @@ use crate::study::Subject;
 use crate::document::document::Document;
 use crate::document::play::is_between;
 
-/// Beats whose in-betweens are kept: the hearts side by side, and those looked at before.
+/// Beats whose interpolated poses are kept: the hearts side by side, and those looked at before.
 const MAX_BEATS: usize = 6;
 
 /// Number of intervals with a path: every frame leads to the next, and the last to the first where
@@ -89,7 +89,7 @@ pub struct BeatMemo {
 }
 
 impl BeatMemo {
-    /// The in-betweens of a beat with these settings, if any interval of it was computed.
+    /// The interpolated poses of a beat with these settings, if any interval of it was computed.
     pub fn get(
         &self,
         subject: &Arc<Subject>,
@@ -133,7 +133,7 @@ impl BeatMemo {
     }
 }
 
-/// Settings of the in-betweens that the document asks for; `None` where they are switched off.
+/// Settings of the interpolated poses that the document asks for; `None` where they are switched off.
 pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
     (document.in_betweens > 0).then(|| GeodesicParams {
         metric: document.map.distances.metric,
@@ -145,7 +145,7 @@ pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
 /// What is said of a pose between two frames.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct BetweenWords {
-    /// `interpolated` or `straight in-between`; `None` on a frame.
+    /// `interpolated` or `linear interpolation`; `None` on a frame.
     pub short: Option<&'static str>,
     /// The same, and what is wrong with the pose.
     pub badge: Option<&'static str>,

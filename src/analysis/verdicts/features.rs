@@ -6,7 +6,7 @@ use crate::analysis::medial::MedialBeat;
 use crate::analysis::thickening::{Patch, Thickening};
 use crate::mesh::{Point3, area};
 
-/// PT from end-diastole to end-systole below which wall counts as still: "roughly equal to one" (4.4).
+/// PT from end-diastole to end-systole below which a wall is akinetic: "roughly equal to one" (4.4).
 const AKINETIC_PT: f64 = 1.1;
 
 /// What a verdict is made of: one subject's medial surfaces and its thickening.
@@ -95,20 +95,6 @@ impl Feature {
             Self::MeanPoseDistance => "mean pose distance",
             Self::NormalSpread => "angular SD of ANV",
             Self::MeanPositionDistance => "distance of the mean position from the medial surface",
-        }
-    }
-
-    /// Its unit; empty for a share or ratio.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Median
-            | Self::Spread
-            | Self::TenthPercentile
-            | Self::Remote
-            | Self::UpperRange => "ln PT",
-            Self::NormalSpread => "rad",
-            Self::MeanPositionDistance => "subject sizes",
-            _ => "",
         }
     }
 }

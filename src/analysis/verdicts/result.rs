@@ -22,10 +22,10 @@ pub enum NotAssessed {
     /// There is no wall, there are too few frames …: what the thickening says.
     #[error("{0}")]
     NoThickening(String),
-    /// The wall loses volume that muscle cannot lose.
+    /// The wall loses volume that myocardium cannot lose.
     #[error(
-        "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, and muscle keeps \
-         nearly all of it; blur hides thickening",
+        "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, but \
+         myocardium is nearly incompressible; blur hides thickening",
         100.0 * share
     )]
     WallNotResolved {
@@ -113,9 +113,9 @@ pub struct Verdict {
     pub features: Features,
     /// Share of the wall in patches, 0..=1, whatever the finding: a region of low thickening is no finding by itself.
     pub patched: f64,
-    /// The three most alike subjects with a normal label, nearest first, by the classifier's standardised features.
+    /// The three most similar subjects with a normal label, nearest first, by the classifier's standardised features.
     pub similar_normal: Vec<usize>,
-    /// The three most alike with an abnormal label.
+    /// The three most similar with an abnormal label.
     pub similar_abnormal: Vec<usize>,
     /// How near it lies to the training set; `None` for default thresholds, which have none.
     pub training_set_distance: Option<TrainingSetDistance>,

@@ -18,7 +18,7 @@ use super::similarity::{nearest_distances, nearest_rows, training_set_distance};
 const SURE: f64 = 3.0;
 /// ln PT that counts as thickening at all, PT = 1.1.
 const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
-/// Still share at which the uncalibrated classifier is undecided: between the most of 20 normal subjects (5.0 %) and the
+/// Akinetic share at which the uncalibrated classifier is undecided: between the most of 20 normal subjects (5.0 %) and the
 /// least of the built-in patches (5.9 %).
 const AKINETIC_LIMIT: f64 = 0.055;
 /// How far from there it is for odds of e to one.
@@ -26,15 +26,15 @@ const AKINETIC_SCALE: f64 = 0.01;
 /// Reach below which an abnormal subject's hypokinesia is global: all 20 normal subjects reach further, as do
 /// 19 of 20 with infarction and all built-in subjects with a patch, and 15 of 20 dilated ones do not.
 const REGIONAL_REACH: f64 = 0.65;
-/// Most alike subjects that are shown.
+/// Most similar subjects that are shown.
 const ALIKE: usize = 3;
 
 /// Finding and probability of each subject.
 ///
-/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
+/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that myocardium cannot lose, and where
 ///    noise of thickening is a third of what remote myocardium does or more.
 /// 2. The rest is classified by a logistic classifier on [`Feature::MODEL_FEATURES`], standardised, both classes
-///    weighing alike, trained on the subjects whose label counts as normal or abnormal. The verdict on a labelled
+///    weighing alike, trained on the subjects whose label is of class normal or abnormal. The verdict on a labelled
 ///    subject comes from a classifier trained without it, calibrated by the scores of the others. With too few labels
 ///    a fixed classifier stands in: the akinetic share of the wall beside 5.5 %.
 /// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::UpperRange`] is small: then
@@ -106,7 +106,7 @@ pub fn examine(
 ) -> Result<Examined, NotAssessed> {
     let share = wall_volume_ratio(heart.beat, heart.thickening);
     // A wall without volume has no share of it, either.
-    // Muscle is incompressible: a wall that loses volume was not seen, and its thickening is an artefact.
+    // Myocardium is incompressible: a wall that loses volume is not resolved, and its thickening is an artefact.
     if share.is_nan() || share < params.min_wall_volume {
         return Err(NotAssessed::WallNotResolved { share });
     }
@@ -170,7 +170,7 @@ impl<'a> Classification<'a> {
             return sigmoid((akinetic - AKINETIC_LIMIT) / AKINETIC_SCALE);
         };
         match trained.training_set.binary_search(&index) {
-            // A subject in the training set gets the leave-one-out result; the whole classifier has seen its label.
+            // A subject in the training set gets the leave-one-out result; the classifier of all subjects was trained with its label.
             Ok(place) => trained.left_out.probabilities[place],
             Err(_) => {
                 let score = trained.classifier.score(&self.cohort.rows[index]);

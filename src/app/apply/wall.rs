@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn another_heart_keeps_the_segment_and_lets_the_patch_go() {
+    fn another_subject_keeps_the_segment_and_lets_the_patch_go() {
         let mut state = state();
         let segment = WallPart::Segment(Segment::new(7).unwrap());
         give(

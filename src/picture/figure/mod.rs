@@ -20,4 +20,4 @@ pub const MIN_SIZE: [u32; 2] = [320, 240];
 /// Smallest width and height of a patch figure in pixels.
 pub const MIN_PATCH_SIZE: [u32; 2] = [800, 600];
 /// Greatest width and height of a figure in pixels.
-pub const GREATEST_SIZE: u32 = 8192;
+pub const MAX_SIZE: u32 = 8192;

@@ -12,8 +12,8 @@ const MIN_DIRECTION: f64 = 0.2;
 
 /// Rotation of a camera that looks straight at a patch, base up; a patch all around has no direction of its own and is
 /// seen from the front.
-pub fn facing_patch(found: &SubjectThickening, patch: &Patch, axes: &HeartAxes) -> Option<Quat> {
-    let rest = found.beat.frames.get(found.thickening.end_diastole)?;
+pub fn facing_patch(wall: &SubjectThickening, patch: &Patch, axes: &HeartAxes) -> Option<Quat> {
+    let rest = wall.beat.frames.get(wall.thickening.end_diastole)?;
     let normal: Vector3 = (patch.atoms.iter())
         .filter_map(|&atom| rest.normals.get(atom as usize))
         .sum();
