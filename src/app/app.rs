@@ -116,7 +116,7 @@ impl App {
         self.background.engine.store().works_on(topic)
     }
 
-    /// Hearts on screen, as subject and place in the beat.
+    /// What is on screen, as subject and place in the beat.
     pub fn hearts_on_screen(&self) -> Vec<(usize, f64)> {
         let viewport = self.viewport();
         let shown = viewport.borrow_mut();

@@ -16,7 +16,7 @@ use crate::document::state::State;
 use crate::document::transported::{CarriedHeart, CarryingState, transport_params};
 use crate::document::{VisiblePose, visible_poses};
 
-/// Where two poses differ, for all poses of a heart.
+/// Where two poses differ, for all poses of a subject.
 type Density = Arc<Vec<Vec<f32>>>;
 
 /// What is made of answers about beats, as long as these stay the same.
@@ -30,9 +30,9 @@ pub struct BeatAsks {
 }
 
 impl BeatAsks {
-    /// Asks for what the hearts on screen need.
+    /// Asks for what the subjects on screen need.
     pub fn ask(&mut self, state: &State, store: &Store, answers: &mut Answers) {
-        // Settings without a shortest path leave the straight one; what is said of it says why.
+        // Settings without a geodesic leave linear interpolation; its note says why.
         if let Some(params) = geodesic_params(&state.document)
             && params.check().is_ok()
         {
@@ -145,7 +145,7 @@ impl BeatAsks {
         (self.carried.clone(), CarryingState::Done)
     }
 
-    /// What is shown of the same hearts stays until the next pair of frames is there.
+    /// What is shown of the same subjects stays until the next pair of frames is there.
     fn difference(&mut self, state: &State, store: &Store) -> Option<Density> {
         let coloured = state.document.quantity == Quantity::Contribution;
         let pair = coloured

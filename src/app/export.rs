@@ -220,7 +220,7 @@ fn drawn(
         (FigureKind::Patch, Some(medial)) => {
             let order = PatchOrder {
                 figure: order,
-                found: &medial.found,
+                wall: &medial.wall,
                 verdicts: figure.verdicts.as_deref(),
                 subject: shown.index,
             };

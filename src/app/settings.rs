@@ -12,7 +12,7 @@ use super::layout::Layout;
 const KEY: &str = "cardiomorph-settings-1";
 
 /// How many recent files are kept.
-const MOST_RECENT: usize = 10;
+const MAX_RECENT: usize = 10;
 
 /// Remembered settings as they are written. Never changed in meaning: a new shape gets a new key.
 #[derive(Debug, Default, Serialize, Deserialize)]
@@ -64,7 +64,7 @@ impl Settings {
                 _ => ThemeChoice::System,
             },
             layout: Layout::from_saved(&saved.layout),
-            recent: saved.recent.into_iter().take(MOST_RECENT).collect(),
+            recent: saved.recent.into_iter().take(MAX_RECENT).collect(),
         }
     }
 }
@@ -87,7 +87,7 @@ fn to_text(theme: ThemeChoice, layout: &Layout, recent: &[PathBuf]) -> Option<St
 pub fn remember_recent(recent: &mut Vec<PathBuf>, opened: &[PathBuf]) {
     recent.retain(|path| !opened.contains(path));
     recent.splice(0..0, opened.iter().cloned());
-    recent.truncate(MOST_RECENT);
+    recent.truncate(MAX_RECENT);
 }
 
 #[cfg(test)]
@@ -121,7 +121,7 @@ mod tests {
             remember_recent(&mut recent, &[PathBuf::from(format!("/{i}"))]);
         }
         remember_recent(&mut recent, &[PathBuf::from("/9")]);
-        assert_eq!(recent.len(), MOST_RECENT);
+        assert_eq!(recent.len(), MAX_RECENT);
         assert_eq!(recent[0], PathBuf::from("/9"));
         assert_eq!(recent.iter().filter(|path| path.ends_with("9")).count(), 1);
     }

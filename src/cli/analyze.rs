@@ -26,7 +26,7 @@ pub(super) fn analyze(args: &AnalyzeArgs) -> Result<(), CliError> {
 /// Does the whole analysis into the folder and returns the summary that it wrote there.
 ///
 /// # Errors
-/// If nothing can be opened or written, or it was stopped. A figure that cannot be drawn is said
+/// If nothing can be opened or written, or it was stopped. A figure that cannot be drawn is reported
 /// on standard error and left out, and so is a map of deformations that there are too few of.
 pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
     let folder = args.out.as_path();

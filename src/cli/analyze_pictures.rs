@@ -1,4 +1,4 @@
-//! What `analyze` draws: a figure of every heart, patch figures of those with one, the report.
+//! What `analyze` draws: a figure of every subject, patch figures of those with a patch, the report.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -21,12 +21,12 @@ use crate::picture::{MedialSettings, PictureTheme, Quantity, SceneSettings};
 use crate::progress::Progress;
 use crate::study::Study;
 
-/// Size of the figures of hearts: two side by side on a page at 300 dots per inch.
+/// Size of the figures of subjects: two side by side on a page at 300 dots per inch.
 const FIGURE_SIZE: [u32; 2] = [1000, 750];
 /// Size of patch figures: a page of the report at 200 dots per inch.
 const PATCH_SIZE: [u32; 2] = [1600, 1200];
 /// Patch figures in the report; beyond that a document is no longer read, and does not fit into memory.
-const MOST_PAGES: usize = 100;
+const MAX_PAGES: usize = 100;
 
 /// What is drawn, and of what.
 #[derive(Clone)]
@@ -44,7 +44,7 @@ impl Pictured {
     /// The figures, if they are wanted and can be drawn, and the report.
     ///
     /// # Errors
-    /// If stopped, or the report cannot be written. Figures that cannot be drawn are said on standard error.
+    /// If stopped, or the report cannot be written. Figures that cannot be drawn are reported on standard error.
     pub(super) fn files(
         &self,
         figures: bool,
@@ -65,7 +65,7 @@ impl Pictured {
     }
 
     /// A figure of every subject at end-systole, coloured by displacement from end-diastole; and
-    /// patch figures of hearts with an abnormal patch, as files and as pages.
+    /// patch figures of subjects with an abnormal patch, as files and as pages.
     fn figures(
         &self,
         store: &Store,
@@ -96,24 +96,24 @@ impl Pictured {
                 path: folder.join(format!("{name}.png")),
                 bytes: bytes.map_err(CliError::unusable)?.into(),
             });
-            if let Some(found) = self.abnormal_wall(index, store, progress)? {
+            if let Some(wall) = self.abnormal_wall(index, store, progress)? {
                 let scene = SceneSettings {
                     quantity: Quantity::Tissue,
                     medial: MedialSettings::of_patch_figure(),
                     ..scene
                 };
                 let shot = Shot {
-                    frame: found.thickening.end_systole,
+                    frame: wall.thickening.end_systole,
                     size: PATCH_SIZE,
                     ..shot
                 };
-                let figure = studio.patch_figure(&shot, scene, &found, Some(&self.verdicts))?;
+                let figure = studio.patch_figure(&shot, scene, &wall, Some(&self.verdicts))?;
                 let bytes = PageFormat::Png.file(&figure.page, &figure.settings, &studio.fonts);
                 files.push(ExportFile {
                     path: folder.join(format!("{name}_patch.png")),
                     bytes: bytes.map_err(CliError::unusable)?.into(),
                 });
-                if pages.len() < MOST_PAGES {
+                if pages.len() < MAX_PAGES {
                     pages.push(figure.page);
                 }
             }
@@ -129,7 +129,7 @@ impl Pictured {
         measured.or(subject.end_systole).unwrap_or(last).min(last)
     }
 
-    /// The wall of a heart whose verdict is an abnormal patch.
+    /// The wall of a subject whose verdict is an abnormal patch.
     fn abnormal_wall(
         &self,
         subject: usize,
@@ -145,8 +145,8 @@ impl Pictured {
             settings: self.settings.verdicts.thickening,
         };
         let quiet = progress.part("assessing walls", 0.0, 0.0);
-        let found = store.answer(&self.study, &query, &quiet);
-        found.map(Some).map_err(interrupted)
+        let wall = store.answer(&self.study, &query, &quiet);
+        wall.map(Some).map_err(interrupted)
     }
 
     fn report(&self, patches: Vec<Page>, progress: &Progress) -> Result<ExportFile, CliError> {

@@ -31,7 +31,7 @@ struct Cli {
     /// Number of threads; results do not depend on it [default: one per core, at least 2]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Memory for answers and prepared hearts, in MiB; what was used longest ago is forgotten and computed again when it
+    /// Memory for answers and prepared subjects, in MiB; what was used longest ago is forgotten and computed again when it
     /// is needed [default: a quarter of the machine's memory]
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u32).range(16..))]
     memory: Option<u32>,

@@ -184,13 +184,13 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
         ..default
     };
     let params = PartnerParams::all_metrics(transfer);
-    let found = run_work(move |progress| {
+    let partners = run_work(move |progress| {
         progress.begin_phase("ranking partners", 0.0, 1.0);
         partner_study(&study, &params, progress)
     })?;
-    let summary = partners_json(&found);
+    let summary = partners_json(&partners);
     let files = vec![
-        ExportFile::text(&args.out, "partners.csv", csv(&found.rows)),
+        ExportFile::text(&args.out, "partners.csv", csv(&partners.rows)),
         summary_file(&args.out, &summary)?,
     ];
     write_files(files).map_err(CliError::Unusable)?;
@@ -199,7 +199,7 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     }
     let head = "| transport | metric | nearer than the median | nearest | mean rank | mean distance |\n|---|---|---|---|---|---|";
     let mut lines = vec![head.to_owned()];
-    lines.extend(found.rows.iter().map(|row| {
+    lines.extend(partners.rows.iter().map(|row| {
         let ranks = &row.ranks;
         format!(
             "| {} | {} | {} of {} | {} | {:.2} | {:.4} |",
@@ -212,7 +212,7 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
             ranks.mean_distance
         )
     }));
-    if let Some(row) = found.rows.first() {
+    if let Some(row) = partners.rows.first() {
         lines.push(format!(
             "by chance: {:.1} nearest, mean rank {:.1}",
             row.ranks.nearest_by_chance, row.ranks.mean_rank_by_chance

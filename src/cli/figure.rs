@@ -17,7 +17,7 @@ use crate::engine::{
     write_files,
 };
 use crate::picture::figure::{
-    Figure, FigureOrder, FigureSubject, FigureView, LEAST_PATCH_SIZE, PatchOrder, rendered_figure,
+    Figure, FigureOrder, FigureSubject, FigureView, MIN_PATCH_SIZE, PatchOrder, rendered_figure,
     rendered_patch_figure,
 };
 use crate::picture::page::{FigureFonts, PageFormat};
@@ -28,7 +28,7 @@ use crate::picture::{
 use crate::render::{GeometryPose, Headless};
 use crate::study::Study;
 
-/// Pixels of a figure of a heart: half a page at 300 dots per inch.
+/// Pixels of a figure of a subject: half a page at 300 dots per inch.
 const SIZE: [u32; 2] = [1200, 900];
 /// Pixels of a patch figure: two columns of a journal at 340 dots per inch.
 const PATCH_SIZE: [u32; 2] = [2400, 1800];
@@ -42,10 +42,10 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
     })?;
     let usual = if args.patch { PATCH_SIZE } else { SIZE };
     let size = args.size.unwrap_or(usual);
-    let [least_width, least_height] = LEAST_PATCH_SIZE;
-    if args.patch && (size[0] < least_width || size[1] < least_height) {
+    let [min_width, min_height] = MIN_PATCH_SIZE;
+    if args.patch && (size[0] < min_width || size[1] < min_height) {
         return Err(CliError::Usage(format!(
-            "--size {}x{}: a patch figure needs at least {least_width}x{least_height} pixels",
+            "--size {}x{}: a patch figure needs at least {min_width}x{min_height} pixels",
             size[0], size[1]
         )));
     }
@@ -56,13 +56,13 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
     let measures = measured(&store, &study)?;
     let shows_ratio = Quantity::from(args.colour) == Quantity::ThicknessRatio;
     let wall = (shows_ratio || args.patch)
-        .then(|| found_wall(args, &store, &study, index))
+        .then(|| assessed_wall(args, &store, &study, index))
         .transpose()?;
     let verdicts = match args.patch {
         true => Some(verdicts_of(args, &store, &study)?),
         false => None,
     };
-    let end_systole = wall.as_ref().map(|found| found.thickening.end_systole);
+    let end_systole = wall.as_ref().map(|wall| wall.thickening.end_systole);
     let frame = match args.frame {
         Some(frame) => frame,
         None => end_systole.filter(|_| args.patch).unwrap_or(0),
@@ -82,8 +82,8 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
         progress.check()?;
         let settings = look.over(studio.settings());
         let figure = match (&wall, &verdicts) {
-            (Some(found), Some(verdicts)) => {
-                studio.patch_figure(&shot, settings, found, Some(verdicts))?
+            (Some(wall), Some(verdicts)) => {
+                studio.patch_figure(&shot, settings, wall, Some(verdicts))?
             }
             _ => studio.figure(&shot, settings, wall.as_deref())?,
         };
@@ -131,7 +131,7 @@ fn check_view(args: &FigureArgs, study: &Study, index: usize) -> Result<(), CliE
 }
 
 /// How the wall of a subject thickens.
-fn found_wall(
+fn assessed_wall(
     args: &FigureArgs,
     store: &Arc<Store>,
     study: &Arc<Study>,
@@ -257,7 +257,7 @@ impl<'a> Studio<'a> {
         }
     }
 
-    /// One figure of a heart.
+    /// One figure of a subject.
     ///
     /// # Errors
     /// If there is no such subject, or the graphics driver fails.
@@ -280,13 +280,13 @@ impl<'a> Studio<'a> {
         &mut self,
         shot: &Shot,
         scene: SceneSettings,
-        found: &SubjectThickening,
+        wall: &SubjectThickening,
         verdicts: Option<&Verdicts>,
     ) -> Result<Figure, CliError> {
-        let stage = Stage::of(self.study, self.measures, shot, Some(found))?;
+        let stage = Stage::of(self.study, self.measures, shot, Some(wall))?;
         let order = PatchOrder {
-            figure: stage.order(self.study, self.measures, shot, scene, Some(found)),
-            found,
+            figure: stage.order(self.study, self.measures, shot, scene, Some(wall)),
+            wall,
             verdicts,
             subject: shot.index,
         };
@@ -294,7 +294,7 @@ impl<'a> Studio<'a> {
     }
 }
 
-/// A heart made ready for its picture.
+/// A subject prepared for its picture.
 struct Stage {
     prepared: PreparedSubject,
     medial: Option<PreparedMedial>,
@@ -312,8 +312,8 @@ impl Stage {
         let subject = (study.subjects.get(index))
             .ok_or_else(|| CliError::Unusable(format!("there is no subject {index}")))?;
         let prepared = PreparedSubject::new(subject, reference_frame(subject, measures.get(index)));
-        let medial = wall
-            .map(|found| PreparedMedial::new(subject, &found.beat, found.thickening.end_diastole));
+        let medial =
+            wall.map(|wall| PreparedMedial::new(subject, &wall.beat, wall.thickening.end_diastole));
         Ok(Self {
             numbers: medial.as_ref().and_then(|medial| medial.numbers(&prepared)),
             medial,
@@ -346,7 +346,7 @@ impl Stage {
             extras: HeartExtras {
                 numbers: self.numbers.as_ref(),
                 medial: (self.medial.as_ref().zip(wall))
-                    .map(|(prepared, found)| HeartMedial { prepared, found }),
+                    .map(|(prepared, wall)| HeartMedial { prepared, wall }),
             },
             scene,
             bulls_eye: BullsEyeQuantity::default(),

@@ -19,7 +19,7 @@ pub struct FigureArgs {
     /// Frame, numbered from 0 [default: 0, or end-systole with --patch]
     #[arg(long, value_name = "N")]
     pub frame: Option<usize>,
-    /// Patch figure: the heart with its atoms, bull's-eye, table of patches, verdict
+    /// Patch figure: the subject with its atoms, bull's-eye, table of patches, verdict
     #[arg(long)]
     pub patch: bool,
     /// Quantity shown in colour
@@ -55,15 +55,15 @@ pub struct FigureArgs {
 }
 
 fn size(text: &str) -> Result<[u32; 2], String> {
-    use crate::picture::figure::{GREATEST_SIZE, LEAST_SIZE};
+    use crate::picture::figure::{MAX_SIZE, MIN_SIZE};
     let sides: Option<Vec<u32>> = text
         .split(['x', '×'])
         .map(|side| side.parse().ok())
         .collect();
     match sides.as_deref() {
         Some(&[width, height])
-            if (LEAST_SIZE[0]..=GREATEST_SIZE).contains(&width)
-                && (LEAST_SIZE[1]..=GREATEST_SIZE).contains(&height) =>
+            if (MIN_SIZE[0]..=MAX_SIZE).contains(&width)
+                && (MIN_SIZE[1]..=MAX_SIZE).contains(&height) =>
         {
             Ok([width, height])
         }

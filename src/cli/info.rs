@@ -1,4 +1,4 @@
-//! `info`: what was found, and what is odd about it.
+//! `info`: the subjects of a study, with notes on their files.
 
 use serde_json::json;
 

@@ -27,7 +27,7 @@ pub(super) fn interpolate(args: &InterpolateArgs) -> Result<(), CliError> {
     })?;
     write_files(pose_files(a.faces(), &path.poses, &args.out)?).map_err(CliError::Unusable)?;
     report(&path, args)?;
-    // The best so far is written and said, but it is not what was asked for.
+    // The best so far is written and reported, but it is not what was asked for.
     if path.stopped {
         Err(Stopped.into())
     } else {

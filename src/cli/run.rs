@@ -10,7 +10,7 @@ use crate::cli::{
     analyze, demo, embed, experiment, figure, info, interpolate, measure, medial, metric, transfer,
 };
 
-/// Runs one command. Errors are said once, here, on standard error.
+/// Runs one command. Errors are reported once, here, on standard error.
 pub fn run(command: Command) -> ExitCode {
     hear_ctrl_c();
     exit_code(match command {

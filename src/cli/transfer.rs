@@ -74,7 +74,7 @@ fn only_subject(path: &Path) -> Result<Arc<Subject>, CliError> {
 
 /// The vertices to transport onto: of a mesh file, or of the first frame of a folder's only subject.
 fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
-    let (points, found) = if path.is_dir() {
+    let (points, mesh) = if path.is_dir() {
         let sequence = &only_subject(path)?.sequence;
         (
             sequence.pose(0).unwrap_or_default(),
@@ -84,13 +84,13 @@ fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
         let mesh = read(path)?;
         (mesh.vertices().to_vec(), Faces::clone(mesh.faces()))
     };
-    if found == *faces {
+    if mesh == *faces {
         return Ok(points);
     }
     Err(CliError::Unusable(format!(
         "the mesh has {} vertices and {} faces, the sequence {} and {}, or different faces: {}",
-        found.vertex_count(),
-        found.triangles().len(),
+        mesh.vertex_count(),
+        mesh.triangles().len(),
         faces.vertex_count(),
         faces.triangles().len(),
         path.display()

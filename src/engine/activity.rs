@@ -7,7 +7,7 @@ use std::time::Duration;
 use crate::engine::job::{Ending, JobWatch};
 
 /// Most entries kept; the oldest finished one goes first.
-const MOST_ENTRIES: usize = 200;
+const MAX_ENTRIES: usize = 200;
 
 /// What a piece of work is about, for Cancel and retry: all questions of one type, or a kind of job.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -97,7 +97,7 @@ impl ActivityLog {
             watch,
         });
         self.next_number += 1;
-        if self.records.len() > MOST_ENTRIES
+        if self.records.len() > MAX_ENTRIES
             && let Some(oldest) = self.records.iter().position(|r| r.watch.ending().is_some())
         {
             self.records.remove(oldest);
@@ -156,9 +156,9 @@ mod tests {
         let pool = Workers::start("job", 1).unwrap();
         let mut log = ActivityLog::default();
         let mut jobs = Vec::new();
-        for i in 0..MOST_ENTRIES + 5 {
+        for i in 0..MAX_ENTRIES + 5 {
             let job: Job<(), String> = Job::spawn(&pool, Arc::new(|| ()), move |_| {
-                if i == MOST_ENTRIES + 4 {
+                if i == MAX_ENTRIES + 4 {
                     Err("no volume".to_owned())
                 } else {
                     Ok(())
@@ -176,10 +176,10 @@ mod tests {
             jobs.push(job);
         }
         let list = log.list();
-        assert_eq!(list.len(), MOST_ENTRIES);
+        assert_eq!(list.len(), MAX_ENTRIES);
         assert_eq!(list[0].state, ActivityState::Failed("no volume".to_owned()));
         assert_eq!(list[1].state, ActivityState::Done);
-        assert_eq!(list[0].number as usize, MOST_ENTRIES + 4);
+        assert_eq!(list[0].number as usize, MAX_ENTRIES + 4);
         assert!(log.running().is_empty());
     }
 }

@@ -218,7 +218,7 @@ impl<T, E> Drop for Job<T, E> {
     }
 }
 
-/// An error after "stop" is the stop itself, whatever words the work found for it.
+/// An error after "stop" is the stop itself, whatever the work calls it.
 fn ending_of<T, E: Display>(result: &Result<T, JobError<E>>, stop_requested: bool) -> Ending {
     match result {
         Ok(_) => Ending::Done,

@@ -66,8 +66,8 @@ impl AnalysisTables {
     /// since that of a large cohort does not fit into memory.
     ///
     /// # Errors
-    /// If stopped, the study has no answer, or the folder cannot be written to. Too few hearts for a
-    /// map of deformations are no error, and neither are hearts whose wall cannot be assessed.
+    /// If stopped, the study has no answer, or the folder cannot be written to. Too few subjects for a
+    /// map of deformations are no error, and neither are subjects whose wall cannot be assessed.
     pub fn of(
         store: &Store,
         study: &Arc<Study>,
@@ -139,7 +139,7 @@ impl AnalysisTables {
         })
     }
 
-    /// The hearts whose wall could not be assessed, and why.
+    /// The subjects whose wall could not be assessed, and why.
     pub fn unassessed(&self) -> &[Unassessed] {
         &self.walls.unassessed
     }

@@ -1,4 +1,4 @@
-//! Tables of the walls of all subjects, made of one heart after the other.
+//! Tables of the walls of all subjects, one subject after the other.
 
 use std::convert::Infallible;
 use std::path::Path;
@@ -36,7 +36,7 @@ pub enum TablesError {
     Write(String),
 }
 
-/// A heart whose wall could not be assessed.
+/// A subject whose wall could not be assessed.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Unassessed {
     /// Its index.
@@ -48,7 +48,7 @@ pub struct Unassessed {
 /// Atoms, patches and segments of all subjects.
 #[derive(Debug)]
 pub(super) struct WallTables {
-    /// Too long for memory: every atom at every frame of every heart.
+    /// Too long for memory: every atom at every frame of every subject.
     atoms: PassingFile,
     patches: String,
     segments: String,
@@ -56,17 +56,17 @@ pub(super) struct WallTables {
     pub summary: Value,
     /// Those without rows.
     pub unassessed: Vec<Unassessed>,
-    /// What verdicts read of each heart.
+    /// What a verdict needs of each subject.
     pub examined: Vec<Result<Examined, NotAssessed>>,
     /// What the medial map is made of.
     pub paths: StudyPaths,
 }
 
 impl WallTables {
-    /// Assesses one heart after the other; no more of them are in memory than the store keeps.
+    /// Assesses one subject after the other; no more of them are in memory than the store keeps.
     ///
     /// # Errors
-    /// If stopped, or `folder` cannot be written to. A heart that cannot be assessed is no error.
+    /// If stopped, or `folder` cannot be written to. A subject that cannot be assessed is no error.
     pub fn of(
         store: &Store,
         study: &Arc<Study>,

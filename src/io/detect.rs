@@ -68,11 +68,11 @@ pub fn read_mesh_with_siblings(
 
 /// Reasons of other crates quote the file: without what a screen cannot show, and not endless.
 fn on_one_line(mut error: ReadMeshError) -> ReadMeshError {
-    const MOST_CHARS: usize = 240;
+    const MAX_CHARS: usize = 240;
     let shown = |text: &mut String| {
         *text = text
             .chars()
-            .take(MOST_CHARS)
+            .take(MAX_CHARS)
             .map(|c| if c.is_control() { '\u{fffd}' } else { c })
             .collect();
     };

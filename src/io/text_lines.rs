@@ -102,11 +102,11 @@ pub(super) fn three_numbers<'a>(
 
 /// A word of a file in quotes, shortened and without what a screen cannot show.
 pub(super) fn shown(word: &[u8]) -> String {
-    const MOST_CHARS: usize = 24;
-    let text = String::from_utf8_lossy(&word[..word.len().min(4 * MOST_CHARS)]);
+    const MAX_CHARS: usize = 24;
+    let text = String::from_utf8_lossy(&word[..word.len().min(4 * MAX_CHARS)]);
     let mut quoted: String = text
         .chars()
-        .take(MOST_CHARS)
+        .take(MAX_CHARS)
         .map(|c| if c.is_control() { '\u{fffd}' } else { c })
         .collect();
     if word.len() > quoted.len() {

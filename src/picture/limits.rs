@@ -50,7 +50,7 @@ pub(crate) const THICKNESS_RATIO: ColourLimits = ColourLimits {
 /// hearts must not make the others look still. What is beyond has its own colour.
 const COVERED_SHARE: f64 = 0.995;
 /// Displacements looked at; more would not move the share by a visible amount.
-const MOST_SAMPLES: usize = 400_000;
+const MAX_SAMPLES: usize = 400_000;
 
 impl CohortLimits {
     /// Ranges of a study. `reference_frames` holds each subject's frame of end-diastole.
@@ -104,7 +104,7 @@ fn displacement_samples(study: &Study, reference_frames: &[usize]) -> Vec<f64> {
         .iter()
         .map(|subject| subject.sequence.vertex_count() * subject.sequence.frame_count())
         .sum();
-    let stride = total.div_ceil(MOST_SAMPLES).max(1);
+    let stride = total.div_ceil(MAX_SAMPLES).max(1);
     let mut samples = Vec::with_capacity(total / stride + 1);
     for (subject, &reference) in study.subjects.iter().zip(reference_frames) {
         for surface in subject.sequence.surfaces() {

@@ -8,7 +8,7 @@ use crate::report::PatchRow;
 use crate::units::LengthUnit;
 
 /// Share of a patch below which a segment is not named.
-const LEAST_OF_PATCH: f64 = 0.05;
+const MIN_OF_PATCH: f64 = 0.05;
 /// What regions of low thickening are called. They are detected in every heart with heterogeneous thickening; only the
 /// verdict on the whole heart makes them abnormal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -51,8 +51,8 @@ impl PatchStanding {
 }
 
 /// "1 abnormal patch · 31 % of the LV", or what else the verdict lets it be called.
-pub fn patch_heading(found: &Thickening, standing: PatchStanding) -> String {
-    match (found.extent, found.patches.as_slice()) {
+pub fn patch_heading(thickening: &Thickening, standing: PatchStanding) -> String {
+    match (thickening.extent, thickening.patches.as_slice()) {
         (Extent::HardlyAnywhere, _) => "Global hypokinesia".to_owned(),
         (_, []) => "No patch".to_owned(),
         (_, patches) => {
@@ -72,8 +72,8 @@ pub fn patch_heading(found: &Thickening, standing: PatchStanding) -> String {
 }
 
 /// "Smallest detectable area 2.1 cm² (2.0 % of the LV)"; empty where nothing is known of it.
-pub fn smallest_words(found: &Thickening) -> String {
-    let Some(smallest) = found.smallest else {
+pub fn smallest_words(thickening: &Thickening) -> String {
+    let Some(smallest) = thickening.smallest else {
         return String::new();
     };
     let share = format!("{:.1} % of the LV", 100.0 * smallest.share);
@@ -89,9 +89,9 @@ pub fn part_name(standing: PatchStanding, index: usize) -> String {
 }
 
 /// How much the wall thickens, in a sentence.
-pub fn extent_words(found: &Thickening) -> String {
-    let remote = percent(found.well.exp() - 1.0);
-    match found.extent {
+pub fn extent_words(thickening: &Thickening) -> String {
+    let remote = percent(thickening.well.exp() - 1.0);
+    match thickening.extent {
         Extent::HardlyAnywhere => {
             format!(
                 "Even the region of highest thickening reaches only {remote}: no patch is reported"
@@ -108,7 +108,7 @@ pub fn extent_words(found: &Thickening) -> String {
 /// anteroseptal, apical septal and inferior, apex".
 pub fn segment_words(patch: &Patch) -> String {
     let mut walls: Vec<(&str, Vec<Level>)> = Vec::new();
-    let named = (patch.segments.iter()).filter(|part| part.of_patch >= LEAST_OF_PATCH);
+    let named = (patch.segments.iter()).filter(|part| part.of_patch >= MIN_OF_PATCH);
     for part in named {
         let wall = wall_of(part.segment);
         let level = part.segment.level();

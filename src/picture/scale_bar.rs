@@ -16,16 +16,16 @@ pub struct ScaleBar {
 }
 
 impl ScaleBar {
-    /// The longest of 1, 2, 5, 10, … units that fits into `most_pixels`, for a picture of
+    /// The longest of 1, 2, 5, 10, … units that fits into `max_pixels`, for a picture of
     /// `picture_height` pixels.
     pub fn fitting(
         camera: &Camera,
         picture_height: f32,
-        most_pixels: f32,
+        max_pixels: f32,
         unit: LengthUnit,
     ) -> Option<Self> {
         let per_pixel = f64::from(2.0 * camera.half_height / picture_height);
-        let most = per_pixel * f64::from(most_pixels);
+        let most = per_pixel * f64::from(max_pixels);
         let length = nice_floor(most);
         if length <= 0.0 {
             return None;

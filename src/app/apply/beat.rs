@@ -1,4 +1,4 @@
-//! Commands that choose a heart and a place in its beat.
+//! Commands that select a subject and a place in its beat.
 
 use crate::panes::BeatCommand;
 
@@ -9,7 +9,7 @@ use crate::document::state::State;
 use crate::document::undo::Gesture;
 use crate::panes::cohort::view::visible_subjects;
 
-/// Carries out a command about subjects or time.
+/// Applies a command about subjects or time.
 pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
     match command {
         BeatCommand::SelectPose {
@@ -32,10 +32,10 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
         }
         BeatCommand::StepFrame(step) => step_frame(state, moment, step),
         BeatCommand::GoToEndDiastole => {
-            go_to(state, moment, state.phases_of(state.document.subject).0)
+            go_to(state, moment, state.phases_of(state.document.subject).0);
         }
         BeatCommand::GoToEndSystole => {
-            go_to(state, moment, state.phases_of(state.document.subject).1)
+            go_to(state, moment, state.phases_of(state.document.subject).1);
         }
         BeatCommand::StateEndDiastole(frame) => state_phase(state, moment, frame, true),
         BeatCommand::StateEndSystole(frame) => state_phase(state, moment, frame, false),
@@ -50,10 +50,10 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
 }
 
 fn select_pose(state: &mut State, moment: &Moment, subject: usize, frame: usize, play: bool) {
-    let Some(heart) = state.subject(subject) else {
+    let Some(shown) = state.subject(subject) else {
         return;
     };
-    let frames = heart.sequence.frame_count();
+    let frames = shown.sequence.frame_count();
     change(state, moment, None, |document| {
         document.subject = subject;
         document.position = frame.min(frames - 1) as f64;
@@ -68,7 +68,7 @@ fn step_subject(state: &mut State, moment: &Moment, step: i32) {
         return;
     }
     let row = rows.iter().position(|row| *row == state.document.subject);
-    // From a heart that the filter hides, the first step leads to the first or last row.
+    // From a subject that the filter hides, the first step leads to the first or last row.
     let here = row.map_or(if step > 0 { -1 } else { 0 }, |row| row as i64);
     let next = (here + i64::from(step)).rem_euclid(count) as usize;
     change(state, moment, None, |document| {

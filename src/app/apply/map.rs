@@ -7,7 +7,7 @@ use crate::panes::MapCommand;
 
 use super::change::{Moment, change};
 
-/// Carries out a command about how poses and deformations are compared and mapped.
+/// Applies a command about how poses and deformations are compared and mapped.
 pub fn apply(state: &mut State, command: MapCommand, moment: &Moment) {
     change(state, moment, None, |d| match command {
         MapCommand::SetPoseMap(params) => d.map = params,

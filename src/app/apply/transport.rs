@@ -1,4 +1,4 @@
-//! Commands that play one heart's beat on another, and those about poses between frames.
+//! Commands about transported motions and interpolated poses.
 
 use crate::document::ViewMode;
 use crate::engine::{InBetweens, Topic, Transfer};
@@ -12,19 +12,19 @@ use crate::document::document::CarriedBeat;
 use crate::document::state::State;
 use crate::document::undo::Gesture;
 
-/// Carries out a command about carried beats or poses between frames.
+/// Applies a command about transported motions or interpolated poses.
 pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> Vec<Effect> {
     match command {
         TransportCommand::TransportMotion { from, onto } => {
-            return carry(state, moment, from, onto);
+            return transport(state, moment, from, onto);
         }
         TransportCommand::TransportToOther => {
             if let Some(onto) = state.document.compared() {
-                return carry(state, moment, state.document.subject, onto);
+                return transport(state, moment, state.document.subject, onto);
             }
         }
         TransportCommand::StopTransport => {
-            change(state, moment, None, |document| document.carried = None)
+            change(state, moment, None, |document| document.carried = None);
         }
         TransportCommand::SetInBetweens(count) => {
             change(state, moment, None, |document| document.in_betweens = count);
@@ -36,7 +36,7 @@ pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> V
     Vec::new()
 }
 
-fn carry(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Effect> {
+fn transport(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Effect> {
     let (Some(source), Some(target)) = (state.subject(from), state.subject(onto)) else {
         return Vec::new();
     };
@@ -77,7 +77,7 @@ fn carry(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Ef
     retry.into_iter().collect()
 }
 
-/// The next pose in either direction, poses between frames included.
+/// The next pose in either direction, interpolated poses included.
 fn step_pose(state: &mut State, moment: &Moment, step: i32) {
     let Some(subject) = state.document.selected() else {
         return;
@@ -138,7 +138,7 @@ mod tests {
         Subject::new(id, sequence, LengthUnit::Millimetre)
     }
 
-    fn three_hearts() -> State {
+    fn three_subjects() -> State {
         state_of(vec![
             subject_with_frames("a", 8),
             subject_with_frames("b", 4),
@@ -147,8 +147,8 @@ mod tests {
     }
 
     #[test]
-    fn a_dropped_heart_plays_beside_its_target_and_undo_takes_it_back() {
-        let mut state = three_hearts();
+    fn a_dropped_motion_plays_beside_its_target_and_undo_takes_it_back() {
+        let mut state = three_subjects();
         let before = state.document.clone();
         let beat = CarriedBeat { from: 1, onto: 0 };
         let effects = give(
@@ -172,14 +172,14 @@ mod tests {
     }
 
     #[test]
-    fn whatever_shows_other_hearts_ends_the_carried_beat() {
+    fn whatever_shows_other_subjects_ends_the_transported_motion() {
         for command in [
             Command::Transport(TransportCommand::StopTransport),
             Command::Beat(BeatCommand::SelectSubject(0)),
             Command::View(ViewCommand::SetViewMode(ViewMode::Single)),
             Command::Beat(BeatCommand::CompareWith(Some(2))),
         ] {
-            let mut state = three_hearts();
+            let mut state = three_subjects();
             give(
                 &mut state,
                 Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn colours_can_be_chosen_beside_a_carried_beat() {
-        let mut state = three_hearts();
+        let mut state = three_subjects();
         give(
             &mut state,
             Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
@@ -206,8 +206,8 @@ mod tests {
     }
 
     #[test]
-    fn a_heart_that_does_not_correspond_is_refused_in_words() {
-        let mut state = three_hearts();
+    fn a_subject_that_does_not_correspond_is_refused_with_a_reason() {
+        let mut state = three_subjects();
         let before = state.document.clone();
         give(
             &mut state,
@@ -230,7 +230,7 @@ mod tests {
 
     #[test]
     fn the_beat_beside_is_chosen_without_a_pointer() {
-        let mut state = three_hearts();
+        let mut state = three_subjects();
         give(
             &mut state,
             Command::Transport(TransportCommand::TransportToOther),
@@ -241,7 +241,7 @@ mod tests {
 
     #[test]
     fn steps_lead_through_the_poses_between_frames() {
-        let mut state = three_hearts();
+        let mut state = three_subjects();
         let params = geodesic_params(&state.document).unwrap();
         let subject = Arc::clone(state.document.selected().unwrap());
         give(

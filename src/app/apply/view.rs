@@ -8,7 +8,7 @@ use crate::document::state::State;
 use crate::document::undo::Gesture;
 use crate::document::viewpoint::{Direction, Look};
 
-/// Carries out a command about the picture or the table.
+/// Applies a command about the picture or the table.
 pub fn apply(state: &mut State, command: ViewCommand, moment: &Moment) {
     if let ViewCommand::RestoreView(view) = &command {
         return saved_views::apply(state, view, moment);

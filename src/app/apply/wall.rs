@@ -8,7 +8,7 @@ use crate::document::state::State;
 use crate::document::undo::Gesture;
 use crate::document::viewpoint::{Direction, Look};
 
-/// Carries out a command about atoms, patches or the bull's-eye.
+/// Applies a command about atoms, patches or the bull's-eye.
 pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
     let gesture = matches!(command, WallCommand::SetThickening(_)).then_some(Gesture::Threshold);
     change(state, moment, gesture, |d| {
@@ -106,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn another_heart_keeps_the_segment_and_lets_the_patch_go() {
+    fn another_subject_keeps_the_segment_and_lets_the_patch_go() {
         let mut state = state();
         let segment = WallPart::Segment(Segment::new(7).unwrap());
         give(

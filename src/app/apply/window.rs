@@ -11,7 +11,7 @@ use crate::panes::{FileCommand, WindowCommand, WorkCommand};
 
 use super::effect::Effect;
 
-/// Carries out a command about what is opened or exported. Nothing is exported where nothing is open.
+/// Applies a command about what is opened or exported. Nothing is exported where nothing is open.
 pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
     let is_open = state.document.selected().is_some();
     match command {
@@ -41,7 +41,7 @@ fn figure(kind: FigureKind, path: Option<PathBuf>, is_open: bool) -> Option<Effe
     }
 }
 
-/// Carries out a command about background work; error cards go by their place.
+/// Applies a command about background work; error cards go by their place.
 pub fn apply_work(state: &mut State, command: WorkCommand) -> Option<Effect> {
     match command {
         WorkCommand::Retry(topic) => {
@@ -58,7 +58,7 @@ pub fn apply_work(state: &mut State, command: WorkCommand) -> Option<Effect> {
     }
 }
 
-/// Carries out a command about the window itself. Sheets lie over it one at a time.
+/// Applies a command about the window itself. Sheets lie over it one at a time.
 pub fn apply_window(state: &mut State, command: WindowCommand) -> Option<Effect> {
     let before = state.sheets;
     match command {

@@ -48,7 +48,7 @@ impl Query for MedialPaths {
     /// A subject whose wall cannot be assessed is no error.
     fn run(&self, cx: &Context<'_>) -> Result<StudyPaths, Interrupted<Self::Error>> {
         let count = cx.study().subjects.len();
-        let hearts = (0..count)
+        let paths = (0..count)
             .map(|subject| {
                 let [from, to] = [subject, subject + 1].map(|done| done as f32 / count as f32);
                 let part = cx.part("assessing walls", from, to);
@@ -56,7 +56,7 @@ impl Query for MedialPaths {
                 paths_of(&part.get(&WallThickening { subject, settings }))
             })
             .collect::<Result<_, Stopped>>()?;
-        Ok(hearts)
+        Ok(paths)
     }
 
     fn memory(paths: &StudyPaths, memory: &mut Memory) {
@@ -150,15 +150,15 @@ pub fn map_of(
 
 /// Memory that paths hold.
 fn paths_bytes(paths: &StudyPaths) -> usize {
-    let of_heart = |heart: &Result<SubjectPaths, String>| match heart {
-        Ok(heart) => heart
+    let of_subject = |paths: &Result<SubjectPaths, String>| match paths {
+        Ok(paths) => paths
             .paths
             .iter()
             .map(|path| size_of_val(&*path.steps))
             .sum(),
         Err(reason) => reason.len(),
     };
-    size_of_val(&**paths) + paths.iter().map(of_heart).sum::<usize>()
+    size_of_val(&**paths) + paths.iter().map(of_subject).sum::<usize>()
 }
 
 /// Memory that a map holds.

@@ -52,7 +52,7 @@ pub struct SubjectThickening {
     pub beat: Arc<MedialBeat>,
     /// How they thicken, and where they do not.
     pub thickening: Thickening,
-    /// Why its wall carries no verdict, where it is not resolved: what is found in it may be blur or noise.
+    /// Why there is no verdict on its wall, where it is not resolved: patches in it may be blur or noise.
     pub not_assessed: Option<NotAssessed>,
     /// The long axis at end-diastole.
     pub axis: Option<LongAxis>,
@@ -113,7 +113,7 @@ impl Query for WallThickening {
     }
 
     fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::hearts(study, [self.subject])
+        Dependencies::geometry(study, [self.subject])
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<SubjectThickening, Interrupted<Self::Error>> {
@@ -150,12 +150,12 @@ impl Query for WallThickening {
             .map(|atom| atom.position)
             .collect();
         let verdicts = (VerdictParams::default().check()).map_err(|error| failed(error.into()))?;
-        let heart = VerdictInput {
+        let input = VerdictInput {
             beat: &beat,
             thickening: &assessed,
         };
         Ok(SubjectThickening {
-            not_assessed: examine(&heart, &verdicts).err(),
+            not_assessed: examine(&input, &verdicts).err(),
             beat,
             thickening: assessed,
             segments: (centres.iter())

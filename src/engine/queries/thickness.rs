@@ -115,7 +115,7 @@ impl Query for PoseThickness {
     }
 
     fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::hearts(study, [self.subject])
+        Dependencies::geometry(study, [self.subject])
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<FrameThickness, Interrupted<FrameThicknessError>> {

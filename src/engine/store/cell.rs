@@ -143,7 +143,7 @@ impl<A, E: Error + 'static> Cell<A, E> {
         let ending = match result {
             // Cancelled while it ran: it stays cancelled.
             Ok(_) if matches!(&*state, State::Cancelled(hold) if hold.holds()) => Ending::Stopped,
-            // An answer is true whoever found it, and even if nobody waits for it any more.
+            // An answer is true whoever computed it, and even if nobody waits for it any more.
             Ok(answer) => {
                 *state = State::Done(Arc::new(answer));
                 Ending::Done

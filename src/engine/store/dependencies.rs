@@ -11,12 +11,12 @@ pub struct Dependencies {
     subjects: Vec<Option<SubjectKey>>,
 }
 
-/// What was read of a subject; nothing is said of what was not read.
+/// What was read of a subject; `None` for what was not read.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct SubjectKey {
     surfaces: SequenceId,
     shape: Option<ShapeKey>,
-    heart: Option<(Option<usize>, LengthUnit, Option<Anatomy>)>,
+    geometry: Option<(Option<usize>, LengthUnit, Option<Anatomy>)>,
 }
 
 /// How much of a subject is read.
@@ -24,7 +24,7 @@ struct SubjectKey {
 enum Reads {
     Surfaces,
     Shape,
-    Heart,
+    Geometry,
 }
 
 impl Dependencies {
@@ -56,8 +56,8 @@ impl Dependencies {
     }
 
     /// On surfaces, both phases, unit and landmarks of these subjects: all but labels and what is known of the patient.
-    pub fn hearts(study: &Study, subjects: impl IntoIterator<Item = usize>) -> Self {
-        Self::of(study, subjects, Reads::Heart)
+    pub fn geometry(study: &Study, subjects: impl IntoIterator<Item = usize>) -> Self {
+        Self::of(study, subjects, Reads::Geometry)
     }
 
     /// Whether both were computed from the same surfaces, whatever else was edited: then one may stay on screen while
@@ -84,7 +84,7 @@ impl Dependencies {
             Some(SubjectKey {
                 surfaces: subject.sequence.id(),
                 shape: (reads >= Reads::Shape).then(|| subject.shape_key()),
-                heart: (reads >= Reads::Heart).then_some((
+                geometry: (reads >= Reads::Geometry).then_some((
                     subject.end_systole,
                     subject.unit,
                     subject.anatomy,

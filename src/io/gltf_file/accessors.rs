@@ -89,7 +89,7 @@ impl Accessors<'_> {
                 values
             }
             // zeros with a few values replaced: no byte backs the count, so the changes must
-            (None, Some(_)) if count <= self.most_zeros() => vec![0.0; count * width],
+            (None, Some(_)) if count <= self.max_zeros() => vec![0.0; count * width],
             (None, _) => return Err(self.error(accessor, "has no bytes to read from")),
         };
         self.replace_sparse(accessor, &mut values, width)?;
@@ -97,7 +97,7 @@ impl Accessors<'_> {
     }
 
     /// Sparse accessors may have as many zeros as all buffers have bytes; more is damage.
-    fn most_zeros(&self) -> usize {
+    fn max_zeros(&self) -> usize {
         self.buffers.iter().map(|buffer| buffer.bytes.len()).sum()
     }
 

@@ -6,12 +6,12 @@ use super::file_name::mesh_name;
 use super::natural_order::natural_order;
 
 /// Folders and files that one pattern may look at, so that `/**/*` ends.
-const MOST_ENTRIES: usize = 200_000;
+const MAX_ENTRIES: usize = 200_000;
 
 /// The files that a pattern names, relative to `folder`: by frame, then in natural order.
 ///
 /// # Errors
-/// A sentence where the pattern leads through more than [`MOST_ENTRIES`] entries.
+/// A sentence where the pattern leads through more than [`MAX_ENTRIES`] entries.
 pub(super) fn files_of_pattern(folder: &Path, pattern: &str) -> Result<Vec<PathBuf>, String> {
     let mut found = Vec::new();
     let parts: Vec<&str> = pattern
@@ -23,7 +23,7 @@ pub(super) fn files_of_pattern(folder: &Path, pattern: &str) -> Result<Vec<PathB
     } else {
         folder
     };
-    let mut budget = MOST_ENTRIES;
+    let mut budget = MAX_ENTRIES;
     collect(start, &parts, &mut found, &mut budget)
         .ok_or_else(|| format!("the pattern {pattern:?} matches too many files and folders"))?;
     found.sort_by(|a, b| {

@@ -49,7 +49,7 @@ impl Element {
     }
 
     /// The least bytes that one of these takes in the file.
-    pub(super) fn least_bytes(&self, encoding: Encoding) -> usize {
+    pub(super) fn min_bytes(&self, encoding: Encoding) -> usize {
         self.properties
             .iter()
             .map(|property| match (encoding, property.storage) {

@@ -34,7 +34,7 @@ fn read_elements(
     for element in &header.elements {
         match element.name.as_str() {
             "vertex" => {
-                let bytes_each = element.least_bytes(header.encoding);
+                let bytes_each = element.min_bytes(header.encoding);
                 draft.expect_points(element.count, body.bytes_left(), bytes_each)?;
                 read_vertices(&mut body, element, &mut draft)?;
             }

@@ -43,21 +43,21 @@ impl Stream<'_> {
     }
 }
 
-/// The bytes of an array that begins at `place`; at most `most_bytes`.
+/// The bytes of an array that begins at `place`; at most `max_bytes`.
 pub(super) fn decode(
     mut stream: Stream<'_>,
     encoding: Encoding,
-    most_bytes: u64,
+    max_bytes: u64,
     place: Place,
 ) -> Result<Vec<u8>, ReadMeshError> {
     let too_long = |bytes: u64| {
         place.error(format!(
-            "an array of {bytes} bytes, but {most_bytes} are expected at most"
+            "an array of {bytes} bytes, but {max_bytes} are expected at most"
         ))
     };
     if !encoding.zlib {
         let bytes = stream.size(encoding, place)?;
-        if bytes > most_bytes {
+        if bytes > max_bytes {
             return Err(too_long(bytes));
         }
         return stream.take(bytes);
@@ -73,7 +73,7 @@ pub(super) fn decode(
     let bytes = whole_blocks
         .saturating_mul(block_bytes)
         .saturating_add(last_bytes);
-    if bytes > most_bytes {
+    if bytes > max_bytes {
         return Err(too_long(bytes));
     }
     if blocks > bytes {

@@ -12,7 +12,7 @@ use crate::io::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
 /// More elements than any VTP file has; keeps a file of nothing but tags from taking memory.
-const MOST_XML_NODES: u32 = 100_000;
+const MAX_XML_NODES: u32 = 100_000;
 
 /// Reads all pieces as one surface; arrays on points and cells are passed over.
 pub(crate) fn read_vtp(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
@@ -20,7 +20,7 @@ pub(crate) fn read_vtp(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
     let (xml, appended) = cut_appended(bytes)?;
     let xml = utf8(&xml)?;
     let options = ParsingOptions {
-        nodes_limit: MOST_XML_NODES,
+        nodes_limit: MAX_XML_NODES,
         ..ParsingOptions::default()
     };
     let document = Document::parse_with_options(&xml, options)
@@ -118,8 +118,8 @@ fn read_piece(
         let cells = number(name)?;
         if cells > 0 {
             let node = child(piece, tag).ok_or_else(|| place.error(format!("{tag} is missing")))?;
-            let most_corners = 3 * limits.faces as u64;
-            for_each_cell(file, node, cells, most_corners, &mut |corners, place| {
+            let max_corners = 3 * limits.faces as u64;
+            for_each_cell(file, node, cells, max_corners, &mut |corners, place| {
                 let mut shifted = Vec::with_capacity(corners.len());
                 for &corner in corners {
                     if u64::from(corner) >= points {
@@ -170,7 +170,7 @@ fn for_each_cell(
     file: &VtpFile<'_>,
     node: Node<'_, '_>,
     cells: u64,
-    most_corners: u64,
+    max_corners: u64,
     each: EachCell<'_>,
 ) -> Result<(), ReadMeshError> {
     let place = file.place(node);
@@ -179,7 +179,7 @@ fn for_each_cell(
             .find(|child| child.attribute("Name") == Some(name))
             .ok_or_else(|| place.error(format!("the array \"{name}\" is missing")))
     };
-    let corners = file.numbers(array("connectivity")?, most_corners)?;
+    let corners = file.numbers(array("connectivity")?, max_corners)?;
     let ends = file.numbers(array("offsets")?, cells)?;
     if ends.values.len() as u64 != cells {
         let reason = format!("{} offsets for {cells} cells", ends.values.len());

@@ -4,7 +4,7 @@ use super::action::{Menu, NONE, Row, SHIFT, row};
 use egui::Key;
 
 /// Commands about the selected subject and the place in its beat.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BeatCommand {
     /// Show a subject at a frame and, from a map, play its motion.
     SelectPose {

@@ -4,7 +4,7 @@ use super::action::{CTRL, Menu, Row, SHIFT, row};
 use egui::Key;
 
 /// Undo and redo.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum EditCommand {
     /// Undo the last change of state.
     Undo,

@@ -7,7 +7,7 @@ use crate::analysis::metrics::MetricKind;
 use crate::engine::PoseMapParams;
 
 /// Commands about metric and maps.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MapCommand {
     /// How poses are compared and mapped.
     SetPoseMap(PoseMapParams),

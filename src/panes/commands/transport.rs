@@ -4,7 +4,7 @@ use super::action::{Menu, NONE, Row, row};
 use egui::Key;
 
 /// Commands about transported motions and interpolated poses.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TransportCommand {
     /// Transport the motion of one subject to another, and show both side by side.
     TransportMotion {

@@ -8,7 +8,7 @@ use crate::render::Camera;
 use egui::Key;
 
 /// Commands about the wall: medial atoms, patches, segments, the bull's-eye.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WallCommand {
     /// Show or hide atoms of the medial surface.
     ToggleAtoms,

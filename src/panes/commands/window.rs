@@ -6,7 +6,7 @@ use crate::document::ThemeChoice;
 use egui::Key;
 
 /// Commands about the window itself: theme, panes, sheets.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WindowCommand {
     /// Light or dark.
     SetTheme(ThemeChoice),

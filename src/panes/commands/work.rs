@@ -3,7 +3,7 @@
 use crate::engine::Topic;
 
 /// Commands about work in the background and its errors.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum WorkCommand {
     /// Compute what was cancelled or failed again.
     Retry(Topic),

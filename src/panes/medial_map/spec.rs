@@ -43,14 +43,14 @@ fn with_view(ui: &mut Ui, look: &Look<'_>, draw: impl FnOnce(&mut Ui, &MedialMap
 
 fn header_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     with_view(ui, look, |ui, view| {
-        medial_map_header_ui(ui, view, commands)
+        medial_map_header_ui(ui, view, commands);
     });
 }
 
 fn choosers_ui(ui: &mut Ui, look: &Look<'_>, taken: f32, commands: &mut Vec<Command>) {
     if ui.available_width() - taken > 90.0 {
         with_view(ui, look, |ui, view| {
-            medial_map_choosers_ui(ui, view, commands)
+            medial_map_choosers_ui(ui, view, commands);
         });
     }
 }

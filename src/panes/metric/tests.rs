@@ -42,7 +42,7 @@ fn harness(scene: Scene) -> Harness<'static, Scene> {
                     match command {
                         Command::Map(MapCommand::SetPoseMap(params)) => scene.poses = *params,
                         Command::Map(MapCommand::SetDeformationMap(params)) => {
-                            scene.deformations = *params
+                            scene.deformations = *params;
                         }
                         _ => {}
                     }

@@ -332,7 +332,7 @@ fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Opti
                 .filter(|cell| cell.heart.index == document.subject);
             let cell = own.find(|cell| picked.is_on(cell))?;
             let atom = picked.atom(cell)?;
-            let found = &cell.heart.medial.as_ref()?.found.thickening;
+            let found = &cell.heart.medial.as_ref()?.wall.thickening;
             let mut patches = found.patches.iter();
             patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
         });

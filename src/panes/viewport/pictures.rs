@@ -169,8 +169,8 @@ impl Query for ColourRanges {
 pub struct ShownMedial {
     /// Ready for drawing.
     pub prepared: Arc<PreparedMedial>,
-    /// What was found.
-    pub found: Arc<SubjectThickening>,
+    /// The wall that it belongs to, assessed.
+    pub wall: Arc<SubjectThickening>,
 }
 
 /// Asks the store for what is drawn of a study.
@@ -207,17 +207,17 @@ impl<'a> Pictures<'a> {
     pub fn medial(
         &self,
         subject: &Arc<Subject>,
-        found: &Arc<SubjectThickening>,
+        wall: &Arc<SubjectThickening>,
     ) -> Option<ShownMedial> {
         let query = MedialPicture {
             subject: Arc::clone(subject),
-            beat: Arc::clone(&found.beat),
-            end_diastole: found.thickening.end_diastole,
+            beat: Arc::clone(&wall.beat),
+            end_diastole: wall.thickening.end_diastole,
         };
         let showing = self.store.ask(self.study, &query);
         showing.ready().map(|prepared| ShownMedial {
             prepared: Arc::clone(prepared),
-            found: Arc::clone(found),
+            wall: Arc::clone(wall),
         })
     }
 

@@ -56,7 +56,7 @@ impl ShownHeart {
             numbers: self.numbers.as_deref(),
             medial: self.medial.as_ref().map(|medial| HeartMedial {
                 prepared: &medial.prepared,
-                found: &medial.found,
+                wall: &medial.wall,
             }),
         }
     }

@@ -35,10 +35,10 @@ pub struct PolarValues {
 
 impl PolarMap {
     /// Of one heart; `None` where it has no long axis.
-    pub fn of(found: &SubjectThickening) -> Option<Self> {
-        let beat = &found.beat;
-        let rest = beat.frames.get(found.thickening.end_diastole)?;
-        let axis = found.axis?;
+    pub fn of(wall: &SubjectThickening) -> Option<Self> {
+        let beat = &wall.beat;
+        let rest = beat.frames.get(wall.thickening.end_diastole)?;
+        let axis = wall.axis?;
         let centres: Vec<Point3> = rest.atoms.iter().map(|atom| atom.position).collect();
         let places: Vec<Polar> = centres.iter().map(|&centre| polar(&axis, centre)).collect();
         let triangles = beat.faces.triangles();
@@ -54,7 +54,7 @@ impl PolarMap {
             let corners: Vec<[f64; 2]> = places.map(|&place| plot_point(place)).collect();
             rounded(&corners)
         };
-        let patches = found.thickening.patches.iter();
+        let patches = wall.thickening.patches.iter();
         Some(Self {
             borders: patches
                 .map(|patch| patch.border.iter().map(on_plot).collect())
@@ -69,19 +69,19 @@ impl PolarMap {
     /// What a quantity is at a frame, or over the whole beat.
     pub fn values(
         &self,
-        found: &SubjectThickening,
+        wall: &SubjectThickening,
         subject: &Subject,
         quantity: BullsEyeQuantity,
         frame: usize,
     ) -> PolarValues {
-        let (beat, thickening) = (&found.beat, &found.thickening);
+        let (beat, thickening) = (&wall.beat, &wall.thickening);
         let taking_part = |numbers: Vec<f64>| -> Vec<f32> {
             let every = numbers.iter().zip(&beat.regular);
             every
                 .map(|(&number, &on)| if on { number as f32 } else { f32::NAN })
                 .collect()
         };
-        let means = |numbers: &[f64]| segment_means(&found.segments, &self.weights, numbers);
+        let means = |numbers: &[f64]| segment_means(&wall.segments, &self.weights, numbers);
         match quantity {
             BullsEyeQuantity::Ratio => {
                 let atoms =
@@ -106,7 +106,7 @@ impl PolarMap {
                 segments: means(&thickening.thickening).map(|mean| mean.map(f64::exp)),
             },
             BullsEyeQuantity::Displacement => {
-                let places = |frame| self.template_places(found, subject, frame);
+                let places = |frame| self.template_places(wall, subject, frame);
                 let (now, rest) = (places(frame), places(thickening.end_diastole));
                 if now.len() != self.weights.len() || rest.len() != now.len() {
                     return PolarValues::default();
@@ -122,7 +122,7 @@ impl PolarMap {
             BullsEyeQuantity::AreaRatio => {
                 let triangles = beat.faces.triangles();
                 let areas = |frame| {
-                    let places = self.template_places(found, subject, frame);
+                    let places = self.template_places(wall, subject, frame);
                     (places.len() == self.weights.len()).then(|| vertex_areas(&places, triangles))
                 };
                 let (Some(now), Some(rest)) = (areas(frame), areas(thickening.end_diastole)) else {
@@ -133,7 +133,7 @@ impl PolarMap {
                     .collect();
                 let ratios = now.iter().zip(&rest).map(|(now, rest)| now / rest);
                 let [sum, before] =
-                    [&now, &rest].map(|areas| segment_means(&found.segments, &even, areas));
+                    [&now, &rest].map(|areas| segment_means(&wall.segments, &even, areas));
                 PolarValues {
                     values: taking_part(ratios.collect()),
                     segments: std::array::from_fn(|index| Some(sum[index]? / before[index]?)),
@@ -146,14 +146,14 @@ impl PolarMap {
     /// not the one that was assessed.
     fn template_places(
         &self,
-        found: &SubjectThickening,
+        wall: &SubjectThickening,
         subject: &Subject,
         frame: usize,
     ) -> Vec<Point3> {
-        let surface = subject.sequence.surface(found.beat.surface);
+        let surface = subject.sequence.surface(wall.beat.surface);
         let mesh = surface.and_then(|surface| surface.frames().get(frame));
         let points = mesh.map_or(&[][..], |mesh| mesh.vertices());
-        let places = found.beat.vertices.iter();
+        let places = wall.beat.vertices.iter();
         places
             .map_while(|&vertex| points.get(vertex as usize).copied())
             .collect()
@@ -183,12 +183,12 @@ mod tests {
         };
         let store = Store::start(StoreOptions::default()).unwrap();
         let answer = store.answer(&study, &query, &Progress::default());
-        let found: Arc<SubjectThickening> = answer.unwrap();
+        let wall: Arc<SubjectThickening> = answer.unwrap();
         let subject = &study.subjects[0];
-        let flat = PolarMap::of(&found).unwrap();
+        let flat = PolarMap::of(&wall).unwrap();
         assert!(flat.oriented);
-        let [diastole, systole] = [found.thickening.end_diastole, found.thickening.end_systole];
-        let at = |quantity, frame| flat.values(&found, subject, quantity, frame);
+        let [diastole, systole] = [wall.thickening.end_diastole, wall.thickening.end_systole];
+        let at = |quantity, frame| flat.values(&wall, subject, quantity, frame);
         for (quantity, rest, [least, most]) in [
             (BullsEyeQuantity::Ratio, 1.0, [1.1, 2.5]),
             (BullsEyeQuantity::Displacement, 0.0, [0.5, 25.0]),
@@ -205,7 +205,7 @@ mod tests {
                 .iter()
                 .filter(|value| value.is_finite())
                 .count();
-            let regular = found.beat.regular.iter().filter(|&&on| on).count();
+            let regular = wall.beat.regular.iter().filter(|&&on| on).count();
             assert_eq!(told, regular, "{quantity:?}");
         }
         // Another heart's surfaces are not taken for these.
@@ -216,7 +216,7 @@ mod tests {
             MeshSequence::new(vec![ball]).unwrap(),
             subject.unit,
         );
-        let none = flat.values(&found, &other, BullsEyeQuantity::Displacement, systole);
+        let none = flat.values(&wall, &other, BullsEyeQuantity::Displacement, systole);
         assert_eq!(none, PolarValues::default());
     }
 }

@@ -14,7 +14,7 @@ use crate::render::{Camera, Picture};
 /// The size that the design was drawn at; other sizes scale with it.
 const DESIGN: [f32; 2] = [1200.0, 900.0];
 /// Text below 10.5 pixels is not legible: sizes stop shrinking here.
-const LEAST_SCALE: f32 = 0.7;
+const MIN_SCALE: f32 = 0.7;
 
 /// Sizes of one figure in pixels, and the place left for the heart.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,7 +33,7 @@ impl FigureFrame {
     /// Lays out a figure of this size for this content.
     pub fn of(size: [u32; 2], content: &FigureContent, fonts: &FigureFonts) -> Self {
         let [width, height] = size.map(|pixels| pixels as f32);
-        let scale = (width / DESIGN[0]).min(height / DESIGN[1]).max(LEAST_SCALE);
+        let scale = (width / DESIGN[0]).min(height / DESIGN[1]).max(MIN_SCALE);
         let plan = Plan::of(size, scale, content, fonts);
         let top = plan.header_height.round();
         let bottom = (height - plan.footer_height).round();

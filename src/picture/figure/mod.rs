@@ -16,8 +16,8 @@ pub(in crate::picture) use pen::Pen;
 pub use saved_view::{SavedCamera, SavedShows, SavedSubject, SavedView, SavedViewError};
 
 /// Smallest width and height of a figure in pixels: below, its text would not be legible.
-pub const LEAST_SIZE: [u32; 2] = [320, 240];
+pub const MIN_SIZE: [u32; 2] = [320, 240];
 /// Smallest width and height of a patch figure in pixels.
-pub const LEAST_PATCH_SIZE: [u32; 2] = [800, 600];
+pub const MIN_PATCH_SIZE: [u32; 2] = [800, 600];
 /// Greatest width and height of a figure in pixels.
-pub const GREATEST_SIZE: u32 = 8192;
+pub const MAX_SIZE: u32 = 8192;

@@ -8,16 +8,16 @@ use crate::mesh::Vector3;
 use crate::picture::axes::HeartAxes;
 
 /// Normals of a patch that is all around leave less than this of themselves in their mean.
-const LEAST_DIRECTION: f64 = 0.2;
+const MIN_DIRECTION: f64 = 0.2;
 
 /// Rotation of a camera that looks straight at a patch, base up; a patch all around has no direction of its own and is
 /// seen from the front.
-pub fn facing_patch(found: &SubjectThickening, patch: &Patch, axes: &HeartAxes) -> Option<Quat> {
-    let rest = found.beat.frames.get(found.thickening.end_diastole)?;
+pub fn facing_patch(wall: &SubjectThickening, patch: &Patch, axes: &HeartAxes) -> Option<Quat> {
+    let rest = wall.beat.frames.get(wall.thickening.end_diastole)?;
     let normal: Vector3 = (patch.atoms.iter())
         .filter_map(|&atom| rest.normals.get(atom as usize))
         .sum();
-    let towards = if normal.norm() > LEAST_DIRECTION * patch.atoms.len() as f64 {
+    let towards = if normal.norm() > MIN_DIRECTION * patch.atoms.len() as f64 {
         normal
     } else {
         axes.front

@@ -243,7 +243,7 @@ fn add_borders(
         _ => None,
     };
     let mut strips = [Vec::new(), Vec::new()];
-    for (index, patch) in heart.found.thickening.patches.iter().enumerate() {
+    for (index, patch) in heart.wall.thickening.patches.iter().enumerate() {
         let faint = settings.medial.patch_look == PatchLook::Faint;
         let fine = match selected {
             Some(patch) => patch != index,
@@ -260,7 +260,7 @@ fn add_borders(
             let borders = borders.filter(|line: &Vec<[f32; 3]>| !line.is_empty());
             let strips = &mut strips[usize::from(fine)];
             if faint {
-                let lengths = DASH.map(|share| share * heart.found.thickening.size);
+                let lengths = DASH.map(|share| share * heart.wall.thickening.size);
                 strips.extend(borders.flat_map(|line| dashed(&line, lengths)));
             } else {
                 strips.extend(borders);
@@ -276,7 +276,7 @@ fn add_borders(
 
 /// Rings around the discs of a segment's atoms.
 fn rings(heart: &HeartMedial<'_>, segment: Segment, pose: GeometryPose) -> Vec<Vec<[f32; 3]>> {
-    let atoms = heart.found.segments.iter().enumerate();
+    let atoms = heart.wall.segments.iter().enumerate();
     atoms
         .filter(|(_, of)| **of == Some(segment))
         .filter_map(|(atom, _)| {
@@ -295,24 +295,24 @@ fn add_directions(
     settings: &SceneSettings,
     colour: Rgba,
 ) {
-    let found = &heart.found.thickening;
+    let thickening = &heart.wall.thickening;
     let frame = if pose.blend < 0.5 { pose.from } else { pose.to };
-    let Some(step) = found.steps.iter().position(|step| step.from == frame) else {
+    let Some(step) = thickening.steps.iter().position(|step| step.from == frame) else {
         return;
     };
     let selected =
         |index: usize| !matches!(settings.medial.part, Some(WallPart::Patch(p)) if p != index);
-    let mut descriptors: Vec<&PoseDescriptor> = (found.patches.iter().enumerate())
+    let mut descriptors: Vec<&PoseDescriptor> = (thickening.patches.iter().enumerate())
         .filter(|(index, _)| selected(*index))
         .filter_map(|(_, patch)| patch.path.get(step)?.as_ref())
         .collect();
-    if found.patches.is_empty() {
-        descriptors.extend(&found.steps[step].descriptor);
+    if thickening.patches.is_empty() {
+        descriptors.extend(&thickening.steps[step].descriptor);
     }
     let mut strips = Vec::new();
     for descriptor in &descriptors {
         if let Some(normal) = descriptor.normal {
-            strips.extend(arrow(descriptor.position, normal, found.size));
+            strips.extend(arrow(descriptor.position, normal, thickening.size));
         }
     }
     scene.lines.push(lines(strips, colour, ARROW_WIDTH));

@@ -54,11 +54,11 @@ impl MedialSettings {
     }
 }
 
-/// The middle of one heart's wall, ready, and what was found on it.
+/// The medial surface of one subject, prepared, and its assessed wall.
 #[derive(Clone, Copy, Debug)]
 pub struct HeartMedial<'a> {
     /// The atoms.
     pub prepared: &'a PreparedMedial,
     /// How they thicken, and the patches.
-    pub found: &'a SubjectThickening,
+    pub wall: &'a SubjectThickening,
 }

@@ -70,12 +70,12 @@ fn summary(pen: &mut Pen<'_>, order: &ReportOrder<'_>) -> f32 {
     let muted = pen.regular(THEME.muted);
     pen.write(&size, muted, Anchor::Start, [MARGIN, base]);
     base += 1.8 * LINE;
-    let found = pen.strong(THEME.text, 1.2 * TEXT);
+    let counted = pen.strong(THEME.text, 1.2 * TEXT);
     for words in pen
         .fonts
         .wrapped(&counts(order.verdicts), Weight::SemiBold, 1.2 * TEXT, room)
     {
-        pen.write(&words, found, Anchor::Start, [MARGIN, base]);
+        pen.write(&words, counted, Anchor::Start, [MARGIN, base]);
         base += 1.2 * LINE;
     }
     let paragraphs =

@@ -16,7 +16,7 @@ use crate::report::{Column, PatchRow};
 use crate::study::Subject;
 
 /// Patches in the table; more are counted below it.
-const MOST_ROWS: usize = 4;
+const MAX_ROWS: usize = 4;
 /// Segments without this many words say that the orientation is not known.
 const NO_SEGMENTS: &str = "orientation not known";
 
@@ -33,20 +33,20 @@ pub struct VerdictLines {
 
 impl VerdictLines {
     /// Of one subject; with `None` for verdicts, thickening alone.
-    pub fn of(found: &SubjectThickening, verdicts: Option<&Verdicts>, subject: usize) -> Self {
+    pub fn of(wall: &SubjectThickening, verdicts: Option<&Verdicts>, subject: usize) -> Self {
         let classified = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
         match classified {
-            _ if found.not_assessed.is_some() => Self::not_assessed(found.not_assessed.as_ref()),
+            _ if wall.not_assessed.is_some() => Self::not_assessed(wall.not_assessed.as_ref()),
             None => Self {
                 heading: String::new(),
                 abnormal: false,
-                evidence: extent_words(&found.thickening),
+                evidence: extent_words(&wall.thickening),
             },
             Some((_, Err(reason))) => Self::not_assessed(Some(reason)),
             Some((all, Ok(verdict))) => {
                 let abnormal = verdict.finding != Finding::Nothing;
                 let mut heading = sentence(verdict.finding.name());
-                let share: f64 = found.thickening.patches.iter().map(|p| p.share).sum();
+                let share: f64 = wall.thickening.patches.iter().map(|p| p.share).sum();
                 if verdict.finding == Finding::Patch && share > 0.0 {
                     heading = format!("{heading} · {} of the LV", percent(share));
                 }
@@ -137,7 +137,7 @@ pub struct PatchContent {
 impl PatchContent {
     /// Gathers what is known of a heart.
     pub fn of(heart: FigureContent, order: &PatchOrder<'_>) -> Self {
-        let PatchOrder { figure, found, .. } = *order;
+        let PatchOrder { figure, wall, .. } = *order;
         let quantity = figure.bulls_eye;
         let scene = &figure.scene;
         let typed = match quantity.on_heart() {
@@ -147,10 +147,10 @@ impl PatchContent {
         };
         let subject = figure.shown.subject;
         let scale = BullsEyeScale::of(quantity, &scene.cohort_limits, typed, subject.unit);
-        let thickening = &found.thickening;
-        let assessed = found.not_assessed.is_none();
-        let flat = PolarMap::of(found).map(|mut flat| {
-            let values = flat.values(found, subject, quantity, figure.shown.frame);
+        let thickening = &wall.thickening;
+        let assessed = wall.not_assessed.is_none();
+        let flat = PolarMap::of(wall).map(|mut flat| {
+            let values = flat.values(wall, subject, quantity, figure.shown.frame);
             if !assessed {
                 flat.borders.clear();
             }
@@ -159,8 +159,8 @@ impl PatchContent {
         let rows: Vec<PatchLine> = (thickening.patches.iter())
             .filter(|_| assessed)
             .enumerate()
-            .take(MOST_ROWS)
-            .map(|(index, patch)| line(found, subject, index, patch))
+            .take(MAX_ROWS)
+            .map(|(index, patch)| line(wall, subject, index, patch))
             .collect();
         let more = thickening.patches.len().saturating_sub(rows.len());
         let note = match (assessed, more) {
@@ -173,7 +173,7 @@ impl PatchContent {
             ]),
         };
         Self {
-            without_flat: found.without_axis.clone().unwrap_or_default(),
+            without_flat: wall.without_axis.clone().unwrap_or_default(),
             parameters: format!(
                 "Medial surface {}. Tolerance ± {:.3} ln PT, noise of one atom {:.3} ln r",
                 thickening_words(&figure.thickening),
@@ -181,7 +181,7 @@ impl PatchContent {
                 thickening.noise
             ),
             heart,
-            verdict: VerdictLines::of(found, order.verdicts, order.subject),
+            verdict: VerdictLines::of(wall, order.verdicts, order.subject),
             standing: order.standing(),
             flat,
             scale,
@@ -199,8 +199,8 @@ fn sentences(parts: &[String]) -> String {
     present.join(". ")
 }
 
-fn line(found: &SubjectThickening, subject: &Subject, index: usize, patch: &Patch) -> PatchLine {
-    let segments = match (patch.segments.is_empty(), &found.without_axis) {
+fn line(wall: &SubjectThickening, subject: &Subject, index: usize, patch: &Patch) -> PatchLine {
+    let segments = match (patch.segments.is_empty(), &wall.without_axis) {
         (false, _) => segment_words(patch),
         (true, Some(why)) => why.clone(),
         (true, None) => NO_SEGMENTS.to_owned(),

@@ -6,8 +6,8 @@ use crate::picture::page::{FigureFonts, Weight};
 
 /// The size that the design was drawn at; other sizes scale with it.
 const DESIGN: [f32; 2] = [1600.0, 1200.0];
-/// Text below 10.5 pixels is not legible: sizes stop shrinking here, at [`LEAST_PATCH_SIZE`](crate::picture::figure::LEAST_PATCH_SIZE).
-const LEAST_SCALE: f32 = 0.5;
+/// Text below 10.5 pixels is not legible: sizes stop shrinking here, at [`MIN_PATCH_SIZE`](crate::picture::figure::MIN_PATCH_SIZE).
+const MIN_SCALE: f32 = 0.5;
 /// Share of the width that the heart has.
 const HEART_SHARE: f32 = 0.56;
 
@@ -44,7 +44,7 @@ impl PatchFrame {
     /// Lays out a figure of this size for this content.
     pub fn of(size: [u32; 2], content: &PatchContent, fonts: &FigureFonts) -> Self {
         let [width, height] = size.map(|pixels| pixels as f32);
-        let scale = (width / DESIGN[0]).min(height / DESIGN[1]).max(LEAST_SCALE);
+        let scale = (width / DESIGN[0]).min(height / DESIGN[1]).max(MIN_SCALE);
         let (margin, title, text) = (34.0 * scale, 36.0 * scale, 21.0 * scale);
         let line = 1.4 * text;
         let room = width - 2.0 * margin;

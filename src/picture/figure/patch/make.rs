@@ -23,15 +23,15 @@ pub fn rendered_patch_figure(
 ) -> Result<Figure, RenderError> {
     let mut figure = order.figure;
     figure.scene.medial.patch_look = order.standing().look();
-    // What is found in a wall that is not resolved may be blur or noise.
-    figure.scene.medial.patches &= order.found.not_assessed.is_none();
+    // Patches in a wall that is not resolved may be blur or noise.
+    figure.scene.medial.patches &= order.wall.not_assessed.is_none();
     let heart = heart_scene(figure.prepared, figure.extras, &figure.scene, figure.pose);
     let content = PatchContent::of(figure.content(&heart), order);
     let frame = PatchFrame::of(figure.size, &content, fonts);
-    let camera = match (figure.view, order.found.thickening.patches.first()) {
+    let camera = match (figure.view, order.wall.thickening.patches.first()) {
         (FigureView::Home, Some(largest)) => {
             let axes = &figure.prepared.axes;
-            let turned = facing_patch(order.found, largest, axes).unwrap_or(axes.home());
+            let turned = facing_patch(order.wall, largest, axes).unwrap_or(axes.home());
             figure.prepared.camera_from(turned, frame.heart_aspect())
         }
         _ => figure.camera(frame.heart_aspect()),

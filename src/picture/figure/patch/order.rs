@@ -11,7 +11,7 @@ pub struct PatchOrder<'a> {
     /// The heart and how it looks; the middle of its wall is among its extras where it is drawn.
     pub figure: FigureOrder<'a>,
     /// How its wall thickens.
-    pub found: &'a SubjectThickening,
+    pub wall: &'a SubjectThickening,
     /// The verdicts of all subjects; `None` where they are not known.
     pub verdicts: Option<&'a Verdicts>,
     /// Which of them this one is.
