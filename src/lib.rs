@@ -1,4 +1,4 @@
-//! Cardiomorph reads how a left ventricle moves. Rooms below, lowest floor first.
+//! Cardiomorph analyses how a left ventricle moves. The page below says what each module holds and where to begin.
 #![doc = include_str!("ARCHITECTURE.md")]
 
 pub mod numeric;

@@ -1,4 +1,8 @@
-//! The window's door: state, commands, undo, and the glue between engine, panels and renderer.
+//! The window: frame loop, layout, applying of commands, bars, sheets, dialogs and exports.
+//!
+//! Begin with `app.rs`: `logic` applies commands, takes in what finished and asks the store, then `ui` draws and collects
+//! commands. `apply/` is the one place that changes the state; `asks.rs` is what is asked for whatever is on screen. What
+//! panes show stands in `panes`, what they read in `document`.
 
 #[expect(
     clippy::module_inception,

@@ -1,5 +1,8 @@
-//! What the window shows, as plain values: the document that undo brings back, the play clock, and what the store
-//! answered in this frame. It knows neither widgets nor how commands are applied.
+//! What the window shows, as plain values. It knows neither widgets nor how commands are applied.
+//!
+//! Begin with [`State`]: the [`Document`], which holds what the user chose and is what undo restores ([`History`]); the
+//! [`PlayClock`]; and the [`Answers`] of the store in this frame, which no undo touches. Panes read it, `app::apply`
+//! changes it.
 
 pub(crate) mod answers;
 pub(crate) mod differences;

@@ -1,4 +1,9 @@
-//! Asks a study and keeps the answers; opens, exports. The only room that starts threads.
+//! Answers questions about a study in the background and keeps the answers; opens and exports. The only room that
+//! starts threads.
+//!
+//! Begin with the trait [`Query`] and one file of `queries/`, such as `queries/measures.rs`: a query is an analysis with
+//! its settings. [`Store`] runs queries and keeps their answers. [`Engine`] is the store of a window with its jobs that
+//! read and write files. [`AnalysisTables`] asks for everything that `analyze` writes.
 
 mod activity;
 #[expect(

@@ -1,4 +1,9 @@
-//! A folder a pane: what it wants to know, and how it is drawn. Panes draw prepared views and push commands.
+//! The panes of the window, a folder each: what a pane asks for, and how it is drawn.
+//!
+//! Begin with [`PANES`], the table of all panes, then read `measures/spec.rs` and `measures/mod.rs` as the shortest
+//! example. A pane looks at [`Look`] and pushes [`Command`]s; it changes nothing itself. `commands/` lists what can be
+//! asked for, with names, keys and menus. `scatter_map/` is the map that all panes with points share, `viewport/` the
+//! 3D view.
 
 pub(crate) mod action_state;
 pub(crate) mod actions;

@@ -1,4 +1,8 @@
-//! One way to ask: typed questions to a study, and the one store that answers them.
+//! The store of answers: it runs a query once, shows how far it is, and keeps its answer within the memory budget.
+//!
+//! Begin with `query.rs` (what a query is) and `store.rs` (how panes and commands ask). `ask.rs` is how a running query
+//! asks another one. A shelf holds the entries of one type of query, an entry one question with its cell, a cell the
+//! answer or the work that is under way. `queue.rs` has the threads and their order.
 
 mod ask;
 mod cell;

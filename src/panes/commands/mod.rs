@@ -31,23 +31,23 @@ pub use work::WorkCommand;
 /// One request of the user.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
-    /// The selected subject and the place in its beat; applied by `app::apply_beat`.
+    /// The selected subject and the place in its beat; applied by `app/apply/beat.rs`.
     Beat(BeatCommand),
-    /// What is seen, and from where; applied by `app::apply_view`.
+    /// What is seen, and from where; applied by `app/apply/view.rs`.
     View(ViewCommand),
-    /// Metric and maps; applied by `app::apply_map`.
+    /// Metric and maps; applied by `app/apply/map.rs`.
     Map(MapCommand),
-    /// The wall and its patches; applied by `app::apply_wall`.
+    /// The wall and its patches; applied by `app/apply/wall.rs`.
     Wall(WallCommand),
-    /// Transported motions and interpolated poses; applied by `app::apply_transport`.
+    /// Transported motions and interpolated poses; applied by `app/apply/transport.rs`.
     Transport(TransportCommand),
     /// Undo and redo.
     Edit(EditCommand),
-    /// What is opened and exported; applied by `app::apply_window`.
+    /// What is opened and exported; applied by `app/apply/window.rs`.
     File(FileCommand),
-    /// Work in the background; applied by `app::apply_window`.
+    /// Work in the background; applied by `app/apply/window.rs`.
     Work(WorkCommand),
-    /// Theme, panes, sheets; applied by `app::apply_window`.
+    /// Theme, panes, sheets; applied by `app/apply/window.rs`.
     Window(WindowCommand),
 }
 
