@@ -5,12 +5,16 @@ use std::sync::Arc;
 
 use crate::analysis::geodesics::GeodesicParams;
 use crate::document::ViewMode;
-use crate::engine::{Contribution, InBetweens, Interval, LookedAt, Showing, Store, Transfer};
+use crate::engine::{
+    Contribution, InterpolatedPoses, Interval, LookedAt, MotionTransport, Showing, Store,
+};
 use crate::picture::{Quantity, relative_density};
 
-use crate::document::answers::{Answers, InBetweensAnswer};
+use crate::document::answers::{Answers, InterpolationAnswer};
 use crate::document::differences::{PosePair, pair_on_screen};
-use crate::document::in_betweens::{BeatInBetweens, BeatMemo, geodesic_params, interval_count};
+use crate::document::interpolated_poses::{
+    BeatMemo, InterpolatedMotion, geodesic_params, interval_count,
+};
 use crate::document::play::is_between;
 use crate::document::state::State;
 use crate::document::transported::{TransportState, TransportedSubject, transport_params};
@@ -36,18 +40,18 @@ impl BeatAsks {
         if let Some(params) = geodesic_params(&state.document)
             && params.check().is_ok()
         {
-            answers.in_betweens = self.in_betweens(state, store, params);
+            answers.interpolated_poses = self.interpolated_poses(state, store, params);
         }
         (answers.transported, answers.transport_state) = self.transported(state, store);
         answers.difference = self.difference(state, store);
     }
 
-    fn in_betweens(
+    fn interpolated_poses(
         &mut self,
         state: &State,
         store: &Store,
         params: GeodesicParams,
-    ) -> Vec<InBetweensAnswer> {
+    ) -> Vec<InterpolationAnswer> {
         let mut places = visible_poses(state);
         if state.document.view_mode == ViewMode::AllFrames {
             places.truncate(1);
@@ -58,19 +62,19 @@ impl BeatAsks {
         places.retain(|place| !place.transported);
         let beats = places.iter();
         beats
-            .filter_map(|place| self.in_betweens_of(state, store, params, place))
+            .filter_map(|place| self.interpolated_poses_of(state, store, params, place))
             .collect()
     }
 
     /// The whole beat once it is there; while it is computed and the beat stands still, the intervals that were on
     /// screen alone. A playing beat changes its poses once, not with every interval.
-    fn in_betweens_of(
+    fn interpolated_poses_of(
         &mut self,
         state: &State,
         store: &Store,
         params: GeodesicParams,
         place: &VisiblePose,
-    ) -> Option<InBetweensAnswer> {
+    ) -> Option<InterpolationAnswer> {
         let (index, study) = (place.subject, state.document.study());
         let subject = state.subject(index)?;
         let intervals = interval_count(subject);
@@ -80,7 +84,7 @@ impl BeatAsks {
         let interval = (place.position.floor().max(0.0) as usize).min(intervals - 1);
         let looked_at = self.looked_at.entry(index).or_default().clone();
         looked_at.set(interval);
-        let query = InBetweens {
+        let query = InterpolatedPoses {
             subject: index,
             params,
             looked_at,
@@ -104,8 +108,8 @@ impl BeatAsks {
         {
             self.memo.put(subject, &params, interval, &[path]);
         }
-        let beat: Option<&Arc<BeatInBetweens>> = self.memo.get(subject, &params);
-        Some(InBetweensAnswer {
+        let beat: Option<&Arc<InterpolatedMotion>> = self.memo.get(subject, &params);
+        Some(InterpolationAnswer {
             subject: index,
             beat: beat.cloned(),
             stopped: showing.stopped(),
@@ -126,7 +130,7 @@ impl BeatAsks {
         };
         let study = state.document.study();
         let params = transport_params(&state.document);
-        let query = Transfer {
+        let query = MotionTransport {
             from: beat.from,
             onto: beat.onto,
             params,

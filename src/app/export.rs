@@ -26,7 +26,7 @@ use crate::document::document::nearest_frame;
 use crate::document::play::pose_in;
 use crate::document::state::State;
 use crate::panes::viewport::hearts::Viewport;
-use crate::panes::viewport::shown_heart::ShownHeart;
+use crate::panes::viewport::shown_subject::ShownSubject;
 
 /// Which figure is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl FigureKind {
 pub struct FigureExport {
     kind: FigureKind,
     study: String,
-    shown: ShownHeart,
+    shown: ShownSubject,
     measures: Option<SubjectMeasures>,
     settings: SceneSettings,
     camera: Camera,
@@ -172,7 +172,7 @@ impl FigureExport {
 }
 
 /// The selected subject where it is on screen, at the frame of the time bar where every frame is shown.
-fn selected_on_screen<'a>(state: &State, viewport: &'a Viewport) -> Option<&'a ShownHeart> {
+fn selected_on_screen<'a>(state: &State, viewport: &'a Viewport) -> Option<&'a ShownSubject> {
     let document = &state.document;
     let selected = document.selected()?;
     let mut own = viewport

@@ -161,7 +161,7 @@ mod tests {
         scene.medial.atoms = true;
         scene.medial.part = Some(WallPart::Patch(1));
         let mut thickening = state.document.thickening;
-        thickening.thickening.border = 0.5;
+        thickening.thickening.extent = 0.5;
         let subject = &state.document.study().subjects[1];
         let quantity = BullsEyeQuantity::Ratio;
         SavedView::of("study", subject, 2.5, camera, &scene, quantity, thickening)
@@ -180,7 +180,7 @@ mod tests {
         assert_eq!(document.limits(), Some([0.8, 1.25]));
         assert_eq!(document.part, Some(WallPart::Patch(1)));
         assert_eq!(document.bulls_eye, BullsEyeQuantity::Ratio);
-        assert_eq!(document.thickening.thickening.border, 0.5);
+        assert_eq!(document.thickening.thickening.extent, 0.5);
         assert!(document.visibility.atoms && document.visibility.wireframe);
         assert_eq!(document.look.half_height, Some(40.0));
         assert!(state.errors.is_empty());

@@ -191,8 +191,8 @@ pub struct TransferArgs {
     #[arg(long, value_enum, default_value_t = AlignWord::None)]
     pub align: AlignWord,
     /// Interpolated poses of the geodesic between the subjects [default: the window's]
-    #[arg(long, value_name = "K")]
-    pub in_betweens: Option<u16>,
+    #[arg(long = "in-betweens", value_name = "K")]
+    pub interpolated_poses: Option<u16>,
     /// For which displacements of the sequence a geodesic is computed
     #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
     pub geodesics: GeodesicsWord,

@@ -174,7 +174,9 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
     let default = CohortTransportParams::default();
     let transfer = CohortTransportParams {
-        in_betweens: args.in_betweens.unwrap_or(default.in_betweens),
+        interpolated_poses: args
+            .interpolated_poses
+            .unwrap_or(default.interpolated_poses),
         geodesics: args.geodesics.into(),
         max_vertices: match args.coarse_vertices {
             None => default.max_vertices,

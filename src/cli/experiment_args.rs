@@ -95,8 +95,8 @@ pub struct PartnerArgs {
     #[arg(value_name = "STUDY", required = true)]
     pub study: Vec<PathBuf>,
     /// Interpolated poses of the geodesic from subject to mean shape [default: the window's]
-    #[arg(long, value_name = "K")]
-    pub in_betweens: Option<u16>,
+    #[arg(long = "in-betweens", value_name = "K")]
+    pub interpolated_poses: Option<u16>,
     /// For which displacements of a motion a geodesic is computed
     #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
     pub geodesics: GeodesicsWord,

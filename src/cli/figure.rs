@@ -22,8 +22,8 @@ use crate::picture::figure::{
 };
 use crate::picture::page::{FigureFonts, PageFormat};
 use crate::picture::{
-    BullsEyeQuantity, CohortLimits, HeartExtras, HeartMedial, MedialSettings, PreparedMedial,
-    PreparedSubject, Quantity, SceneSettings, SurfaceScalars, reference_frame,
+    BullsEyeQuantity, CohortLimits, MedialSettings, PreparedMedial, PreparedSubject, Quantity,
+    SceneSettings, SubjectExtras, SubjectMedial, SurfaceScalars, reference_frame,
 };
 use crate::render::{GeometryPose, Headless};
 use crate::study::Study;
@@ -343,10 +343,10 @@ impl Stage {
                 blend: 0.0,
             },
             prepared: &self.prepared,
-            extras: HeartExtras {
+            extras: SubjectExtras {
                 numbers: self.numbers.as_ref(),
                 medial: (self.medial.as_ref().zip(wall))
-                    .map(|(prepared, wall)| HeartMedial { prepared, wall }),
+                    .map(|(prepared, wall)| SubjectMedial { prepared, wall }),
             },
             scene,
             bulls_eye: BullsEyeQuantity::default(),

@@ -39,7 +39,7 @@ fn checked(args: &InterpolateArgs) -> Result<CheckedGeodesicParams, CliError> {
     let default = GeodesicParams::default();
     let params = GeodesicParams {
         metric: args.metric.params(),
-        in_betweens: args.poses,
+        interpolated_poses: args.poses,
         tolerance: args.tolerance.unwrap_or(default.tolerance),
         ..default
     };

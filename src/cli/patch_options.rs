@@ -41,7 +41,7 @@ pub struct PatchOptions {
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub patch_still: Option<f64>,
     /// Extent threshold of a patch: thickening relative to remote myocardium
-    #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().border, allow_negative_numbers = true)]
+    #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().extent, allow_negative_numbers = true)]
     pub patch_border: f64,
     /// Minimum area of a patch, as a share of the wall
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().min_share, allow_negative_numbers = true)]
@@ -81,7 +81,7 @@ impl PatchOptions {
                 ratio: RatioForm::from(self.patch_ratio),
                 core: self.patch_core,
                 akinetic: self.patch_still.unwrap_or(default.akinetic),
-                border: self.patch_border,
+                extent: self.patch_border,
                 min_share: self.patch_least_share,
                 min_thickening: (self.patch_least_thickening).unwrap_or(default.min_thickening),
                 smoothing: self.patch_averaging,
@@ -159,7 +159,7 @@ mod tests {
                 ratio: RatioForm::Product,
                 core: 0.1,
                 akinetic: 0.15,
-                border: 0.2,
+                extent: 0.2,
                 min_share: 0.03,
                 min_thickening: 0.04,
                 smoothing: 0.05,

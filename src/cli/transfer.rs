@@ -46,7 +46,9 @@ fn checked(args: &TransferArgs) -> Result<CheckedTransportParams, CliError> {
     let default = TransportParams::default();
     let params = TransportParams {
         metric: args.metric.params(),
-        in_betweens: args.in_betweens.unwrap_or(default.in_betweens),
+        interpolated_poses: args
+            .interpolated_poses
+            .unwrap_or(default.interpolated_poses),
         keep_norm: args.keep_norm == Switch::On,
         geodesics: args.geodesics.into(),
         max_vertices: match args.coarse_vertices {

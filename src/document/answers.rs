@@ -9,7 +9,7 @@ use crate::analysis::medial_map::MedialMap;
 use crate::analysis::verdicts::Verdicts;
 use crate::engine::{FrameThickness, Interrupted, PoseMap, Showing, SubjectThickening};
 
-use crate::document::in_betweens::BeatInBetweens;
+use crate::document::interpolated_poses::InterpolatedMotion;
 use crate::document::transported::{TransportState, TransportedSubject};
 
 /// How a wall thickens, or why that cannot be told.
@@ -31,7 +31,7 @@ pub struct Answers {
     /// Of the selected subject, by frame.
     pub(crate) thickness: Vec<(usize, Showing<FrameThickness>)>,
     /// Of the beats on screen.
-    pub(crate) in_betweens: Vec<InBetweensAnswer>,
+    pub(crate) interpolated_poses: Vec<InterpolationAnswer>,
     pub(crate) transported: Option<TransportedSubject>,
     pub(crate) transport_state: TransportState,
     /// Where the poses side by side differ: one number per vertex, one list for all poses.
@@ -75,10 +75,10 @@ impl WallAnswer {
 
 /// What is known of the poses between the frames of a beat on screen.
 #[derive(Clone, Debug)]
-pub(crate) struct InBetweensAnswer {
+pub(crate) struct InterpolationAnswer {
     pub subject: usize,
     /// As far as they are computed.
-    pub beat: Option<Arc<BeatInBetweens>>,
+    pub beat: Option<Arc<InterpolatedMotion>>,
     /// Whether the user stopped the work.
     pub stopped: bool,
 }
@@ -106,8 +106,8 @@ impl Answers {
     }
 
     /// How the poses between the frames of a subject on screen stand.
-    pub(crate) fn in_betweens(&self, subject: usize) -> Option<&InBetweensAnswer> {
-        let mut beats = self.in_betweens.iter();
+    pub(crate) fn interpolated_poses(&self, subject: usize) -> Option<&InterpolationAnswer> {
+        let mut beats = self.interpolated_poses.iter();
         beats.find(|beat| beat.subject == subject)
     }
 }

@@ -13,7 +13,7 @@ use crate::study::{Notice, Revision, Study, Subject};
 use crate::document::viewpoint::Look;
 
 /// Poses between two frames until the user says otherwise.
-const IN_BETWEENS: u16 = 3;
+const INTERPOLATED_POSES: u16 = 3;
 
 /// Which parts of a heart are drawn, and how.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,7 +88,7 @@ pub struct Document {
     /// The beat that the second heart plays in place of its own.
     pub transported: Option<TransportedMotion>,
     /// Poses computed between two frames; 0 blends frames straight.
-    pub in_betweens: u16,
+    pub interpolated_poses: u16,
     /// From where hearts are looked at.
     pub look: Look,
     /// Whether dragging turns about the screen's axes instead of keeping the heart upright.
@@ -155,7 +155,7 @@ impl Document {
             view_mode: ViewMode::default(),
             compare_with: None,
             transported: None,
-            in_betweens: IN_BETWEENS,
+            interpolated_poses: INTERPOLATED_POSES,
             look: Look::default(),
             free_camera: false,
             visibility: Visibility::default(),

@@ -12,7 +12,7 @@ pub(crate) mod differences;
 )]
 pub(crate) mod document;
 pub(crate) mod error_card;
-pub(crate) mod in_betweens;
+pub(crate) mod interpolated_poses;
 pub(crate) mod play;
 pub(crate) mod state;
 #[cfg(test)]
@@ -32,8 +32,8 @@ pub use document::{
     phase_of, position_at_phase,
 };
 pub use error_card::ErrorCard;
-pub use in_betweens::{
-    BeatInBetweens, BeatMemo, BetweenWords, between_words, geodesic_params, interval_count,
+pub use interpolated_poses::{
+    BeatMemo, BetweenWords, InterpolatedMotion, between_words, geodesic_params, interval_count,
 };
 pub use play::{PlayClock, SPEEDS, beat_s, is_between, pose_at, pose_in};
 pub use state::{Sheets, State};

@@ -93,7 +93,7 @@ pub fn pose_in(heart: &PreparedSubject, position: f64) -> GeometryPose {
         heart.pose_of_frame(straight.from),
         heart.pose_of_frame(straight.to),
     );
-    let steps = heart.in_betweens(straight.from) + 1;
+    let steps = heart.interpolated_poses(straight.from) + 1;
     if steps == 1 || straight.blend == 0.0 || straight.blend == 1.0 {
         return GeometryPose {
             from,
@@ -194,7 +194,8 @@ mod tests {
     fn poses_between_frames_are_passed_at_equal_shares() {
         let subject = subject_with_frames("a", 3);
         let between: Vec<_> = (0..3).map(|_| subject.sequence.pose(0).unwrap()).collect();
-        let heart = PreparedSubject::with_in_betweens(&subject, 0, &[&[], &between, &between]);
+        let heart =
+            PreparedSubject::with_interpolated_poses(&subject, 0, &[&[], &between, &between]);
         let at = |position| {
             let pose = pose_in(&heart, position);
             (pose.from, pose.to, pose.blend)

@@ -16,7 +16,7 @@ use crate::study::{Study, Subject};
 
 use crate::document::answers::{Answers, FoundWall};
 use crate::document::document::{Document, OpeningReport, StudyRef};
-use crate::document::in_betweens::{BeatInBetweens, geodesic_params};
+use crate::document::interpolated_poses::{InterpolatedMotion, geodesic_params};
 use crate::document::play::PlayClock;
 use crate::document::transported::{TransportedSubject, transport_params};
 use crate::document::undo::History;
@@ -118,9 +118,9 @@ impl State {
     }
 
     /// The poses between a subject's frames, as far as they were computed with today's settings.
-    pub fn in_betweens_of(&self, index: usize) -> Option<&Arc<BeatInBetweens>> {
+    pub fn interpolated_poses_of(&self, index: usize) -> Option<&Arc<InterpolatedMotion>> {
         let params = geodesic_params(&self.document)?;
-        let beat = self.answers.in_betweens(index)?.beat.as_ref()?;
+        let beat = self.answers.interpolated_poses(index)?.beat.as_ref()?;
         beat.are_of(self.subject(index)?, &params).then_some(beat)
     }
 
@@ -183,7 +183,7 @@ impl State {
         document.thickening = before.thickening;
         document.bulls_eye = before.bulls_eye;
         document.bulls_eye_segments = before.bulls_eye_segments;
-        document.in_betweens = before.in_betweens;
+        document.interpolated_poses = before.interpolated_poses;
         document.visibility = before.visibility;
         self.history.forget_studies_before(before.study.opening);
         if before.study.opening > 0 {

@@ -30,12 +30,12 @@ pub use open::{OpenSource, open};
 pub use queries::{
     ClassesError, ClassesSettings, ComparedMethod, Contribution, ContributionError,
     DeformationMapSettings, DeformationsError, DistancesError, FrameThickness, FrameThicknessError,
-    InBetweens, InBetweensError, Interval, LookedAt, Measures, MedialBeatError, MedialMapParams,
-    MedialMapQueryError, MedialPaths, MedialSurfaces, MethodResult, NoSubject, PoseMap,
-    PoseMapError, PoseMapParams, PoseThickness, StudyPaths, SubjectThickening,
-    ThickeningQueryError, ThickeningSettings, ThicknessSettings, Transfer, TransferError,
-    VerdictSettings, VerdictsError, WallThickening, distance_words, medial_words, metric_words,
-    thickening_words,
+    InterpolatedPoses, InterpolatedPosesError, Interval, LookedAt, Measures, MedialBeatError,
+    MedialMapParams, MedialMapQueryError, MedialPaths, MedialSurfaces, MethodResult,
+    MotionTransport, MotionTransportError, NoSubject, PoseMap, PoseMapError, PoseMapParams,
+    PoseThickness, StudyPaths, SubjectThickening, ThickeningQueryError, ThickeningSettings,
+    ThicknessSettings, VerdictSettings, VerdictsError, WallThickening, distance_words,
+    medial_words, metric_words, thickening_words,
 };
 pub use store::{
     Answered, Context, Dependencies, FailedWork, Failure, Interrupted, Memory, Query, SharedError,

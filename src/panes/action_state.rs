@@ -60,7 +60,7 @@ pub struct ActionState {
     /// How distances become the pose map.
     pub map_method: MapMethod,
     /// Poses computed between two frames.
-    pub in_betweens: u16,
+    pub interpolated_poses: u16,
     /// Whether there is another subject to show beside the selected one.
     pub has_other: bool,
     /// Whether a motion is transported.
@@ -110,8 +110,8 @@ impl ActionState {
         match command {
             Command::View(ViewCommand::SetViewMode(mode)) => Some(self.view_mode == *mode),
             Command::View(ViewCommand::SetQuantity(quantity)) => Some(self.quantity == *quantity),
-            Command::Transport(TransportCommand::SetInBetweens(count)) => {
-                Some(self.in_betweens == *count)
+            Command::Transport(TransportCommand::SetInterpolatedPoses(count)) => {
+                Some(self.interpolated_poses == *count)
             }
             Command::Map(MapCommand::SetMetric(kind)) => Some(self.metric == *kind),
             // Isomap is Isomap, whatever its neighbours.

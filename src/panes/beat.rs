@@ -2,7 +2,7 @@
 
 use crate::analysis::measures::FrameMeasures;
 use crate::document::document::phase_of;
-use crate::document::in_betweens::{BetweenWords, between_words, geodesic_params};
+use crate::document::interpolated_poses::{BetweenWords, between_words, geodesic_params};
 use crate::document::state::State;
 use crate::panes::{BeatAxis, Curve, CurveKind, CurvesView, MeasuresView};
 use crate::report::SubjectRow;
@@ -13,7 +13,7 @@ pub struct BeatData {
     pub(crate) frame_shares: Vec<f64>,
     pub(crate) endo_volumes: Vec<f64>,
     pub(crate) epi_volumes: Vec<f64>,
-    pub(crate) in_betweens: Vec<f64>,
+    pub(crate) interpolated_poses: Vec<f64>,
     pub(crate) between: BetweenWords,
     pub(crate) note: String,
 }
@@ -36,9 +36,9 @@ impl BeatData {
                 .map(|frame| volume(frame).unwrap_or(f64::NAN))
                 .collect()
         };
-        let in_betweens = state.in_betweens_of(state.document.subject);
+        let interpolated_poses = state.interpolated_poses_of(state.document.subject);
         let between = between_words(
-            in_betweens.map(|beat| &**beat),
+            interpolated_poses.map(|beat| &**beat),
             state.document.position,
             straight_because(state),
         );
@@ -48,7 +48,7 @@ impl BeatData {
                 .collect(),
             endo_volumes: volumes(|frame| frame.endo_volume),
             epi_volumes: volumes(|frame| frame.epi_volume),
-            in_betweens: in_betweens.map_or_else(Vec::new, |beat| beat.positions()),
+            interpolated_poses: interpolated_poses.map_or_else(Vec::new, |beat| beat.positions()),
             note: line_note(state, &between),
             between,
         }
@@ -103,7 +103,7 @@ pub fn straight_because(state: &State) -> &'static str {
     let Some(params) = geodesic_params(&state.document) else {
         return "Interpolated poses are off (menu Analysis)";
     };
-    let beat = state.answers.in_betweens(state.document.subject);
+    let beat = state.answers.interpolated_poses(state.document.subject);
     let stopped = beat.is_some_and(|beat| beat.stopped);
     if params.check().is_err() {
         "The metric of the map has no geodesics: choose the additive form"
@@ -119,7 +119,7 @@ fn line_note(state: &State, between: &BetweenWords) -> String {
     if between.badge.is_some() {
         return between.note.clone();
     }
-    match state.document.in_betweens {
+    match state.document.interpolated_poses {
         0 => "Interpolated poses are off (menu Analysis)".to_owned(),
         1 => "1 interpolated pose per interval, computed while the subject plays".to_owned(),
         count => {

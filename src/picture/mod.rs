@@ -37,7 +37,9 @@ pub use frame_words::frame_words;
 pub use heart_frame::HeartFrame;
 pub use legend::{ColourLegend, Tick, USER_LIMITS};
 pub use limits::{CohortLimits, reference_frame};
-pub use medial::{HeartMedial, MedialSettings, PatchLook, PreparedMedial, WallPart, facing_patch};
+pub use medial::{
+    MedialSettings, PatchLook, PreparedMedial, SubjectMedial, WallPart, facing_patch,
+};
 pub use medial_noise_plot::medial_noise_page;
 pub use noise_plot::noise_page;
 pub use numbers::{SurfaceScalars, relative_density};
@@ -48,7 +50,7 @@ pub use patch_words::{
 pub use prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 pub use quantity::Quantity;
 pub use scale_bar::ScaleBar;
-pub use scene::{HeartExtras, HeartScene, heart_scene, subject_scene};
+pub use scene::{SubjectExtras, SubjectScene, scene_with_extras, subject_scene};
 pub use scene_settings::SceneSettings;
 pub use ticks::{logarithmic_ticks, nice_ceiling, nice_floor, nice_ticks, tick_text};
 pub use tokens::{PictureTheme, srgb};

@@ -118,7 +118,7 @@ fn relative_areas(faces: &[[u32; 3]], points: &[Point3]) -> Vec<f64> {
 mod tests {
     use super::*;
     use crate::mesh::phantom;
-    use crate::picture::{HeartExtras, SceneSettings, heart_scene};
+    use crate::picture::{SceneSettings, SubjectExtras, scene_with_extras};
     use crate::render::{GeometryPose, SurfaceColour};
     use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
     use crate::units::LengthUnit;
@@ -192,11 +192,11 @@ mod tests {
             ..SceneSettings::default()
         };
         let scene = |numbers| {
-            let extras = HeartExtras {
+            let extras = SubjectExtras {
                 numbers,
                 medial: None,
             };
-            heart_scene(&heart, extras, &settings, GeometryPose::default())
+            scene_with_extras(&heart, extras, &settings, GeometryPose::default())
         };
         let drawn = scene(Some(&numbers));
         let legend = drawn.legend.unwrap();

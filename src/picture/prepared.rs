@@ -71,16 +71,16 @@ impl PreparedSubject {
     /// Prepares a heart; motion is counted from `reference_frame`, or from the first frame if
     /// there is no such frame.
     pub fn new(subject: &Subject, reference_frame: usize) -> Self {
-        Self::with_in_betweens(subject, reference_frame, &[])
+        Self::with_interpolated_poses(subject, reference_frame, &[])
     }
 
-    /// Prepares a heart with poses between its frames: `in_betweens[i]` are those from frame i to
+    /// Prepares a heart with poses between its frames: `interpolated_poses[i]` are those from frame i to
     /// the next, in order, with the vertices of all surfaces one after the other as in
     /// [`crate::study::MeshSequence::pose`]. The poses after the last frame lead to the first one.
-    pub fn with_in_betweens(
+    pub fn with_interpolated_poses(
         subject: &Subject,
         reference_frame: usize,
-        in_betweens: &[&[Vec<Point3>]],
+        interpolated_poses: &[&[Vec<Point3>]],
     ) -> Self {
         let sequence = &subject.sequence;
         let reference = if reference_frame < sequence.frame_count() {
@@ -101,7 +101,7 @@ impl PreparedSubject {
                     SurfaceKind::Epicardium if both.is_some() => SurfaceRole::Outer,
                     kind => SurfaceRole::Alone(kind),
                 };
-                let poses = poses(surface, offset, in_betweens);
+                let poses = poses(surface, offset, interpolated_poses);
                 offset += surface.faces().vertex_count();
                 prepared_surface(surface, &poses, role, reference)
             })
@@ -115,7 +115,7 @@ impl PreparedSubject {
         }
         let mut first_poses = vec![0];
         for frame in 0..sequence.frame_count() {
-            let between = in_betweens.get(frame).map_or(0, |poses| poses.len());
+            let between = interpolated_poses.get(frame).map_or(0, |poses| poses.len());
             first_poses.push(first_poses[frame] + 1 + between);
         }
         Self {
@@ -161,7 +161,7 @@ impl PreparedSubject {
             .partition_point(|&first| first <= pose.from))
         .saturating_sub(1)
         .min(last);
-        let steps = (self.in_betweens(frame) + 1) as f32;
+        let steps = (self.interpolated_poses(frame) + 1) as f32;
         let step = pose.from.saturating_sub(self.first_poses[frame]) as f32;
         let blend = if pose.to == pose.from {
             0.0
@@ -176,7 +176,7 @@ impl PreparedSubject {
     }
 
     /// Number of poses between a frame and the next.
-    pub fn in_betweens(&self, frame: usize) -> usize {
+    pub fn interpolated_poses(&self, frame: usize) -> usize {
         let frame = frame.min(self.frame_count - 1);
         self.first_poses[frame + 1] - self.first_poses[frame] - 1
     }
@@ -186,13 +186,13 @@ impl PreparedSubject {
 fn poses<'a>(
     surface: &'a SurfaceSequence,
     offset: usize,
-    in_betweens: &'a [&'a [Vec<Point3>]],
+    interpolated_poses: &'a [&'a [Vec<Point3>]],
 ) -> Vec<&'a [Point3]> {
     let count = surface.faces().vertex_count();
     let mut poses = Vec::with_capacity(surface.frames().len());
     for (frame, mesh) in surface.frames().iter().enumerate() {
         poses.push(mesh.vertices());
-        let between = in_betweens.get(frame).copied().unwrap_or_default();
+        let between = interpolated_poses.get(frame).copied().unwrap_or_default();
         poses.extend(between.iter().map(|pose| &pose[offset..offset + count]));
     }
     poses
@@ -334,10 +334,13 @@ mod tests {
         let first = [a, b];
         let subject = Subject::new("P", sequence, LengthUnit::Millimetre);
         let plain = PreparedSubject::new(&subject, 0);
-        let heart = PreparedSubject::with_in_betweens(&subject, 0, &[&first, &[], &last]);
+        let heart = PreparedSubject::with_interpolated_poses(&subject, 0, &[&first, &[], &last]);
         assert_eq!(heart.pose_count(), 6);
         assert_eq!([0, 1, 2].map(|frame| heart.pose_of_frame(frame)), [0, 3, 4]);
-        assert_eq!([0, 1, 2].map(|frame| heart.in_betweens(frame)), [2, 0, 1]);
+        assert_eq!(
+            [0, 1, 2].map(|frame| heart.interpolated_poses(frame)),
+            [2, 0, 1]
+        );
         let moved = |role, pose: usize| {
             let surface = heart.surface(role).unwrap();
             surface.scalars(Quantity::Displacement).unwrap().values[pose][5]

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::picture::fit::blended;
 use crate::picture::legend::{ColourLegend, USER_LIMITS, colour_map};
-use crate::picture::medial::{HeartMedial, add_marks, atom_legend};
+use crate::picture::medial::{SubjectMedial, add_marks, atom_legend};
 use crate::picture::numbers::SurfaceScalars;
 use crate::picture::prepared::{PreparedSubject, PreparedSurface, SurfaceRole};
 use crate::picture::quantity::Quantity;
@@ -20,7 +20,7 @@ use crate::study::SurfaceKind;
 
 /// A scene and what its colours mean.
 #[derive(Clone, Debug, PartialEq)]
-pub struct HeartScene {
+pub struct SubjectScene {
     /// What is to be drawn.
     pub scene: Scene,
     /// The colour bar; `None` where colours are tissue.
@@ -31,11 +31,11 @@ pub struct HeartScene {
 
 /// What a heart has beside its surfaces.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct HeartExtras<'a> {
+pub struct SubjectExtras<'a> {
     /// Numbers from an analysis.
     pub numbers: Option<&'a SurfaceScalars>,
     /// The middle of its wall.
-    pub medial: Option<HeartMedial<'a>>,
+    pub medial: Option<SubjectMedial<'a>>,
 }
 
 /// The scene of a heart at a pose. Cheap: all large arrays are those of `prepared`.
@@ -43,18 +43,18 @@ pub fn subject_scene(
     prepared: &PreparedSubject,
     settings: &SceneSettings,
     pose: GeometryPose,
-) -> HeartScene {
-    heart_scene(prepared, HeartExtras::default(), settings, pose)
+) -> SubjectScene {
+    scene_with_extras(prepared, SubjectExtras::default(), settings, pose)
 }
 
 /// The scene of a heart with what it does not have by itself, such as its difference to another
 /// heart or its medial surface. A quantity of an analysis without numbers is shown as tissue, without a legend.
-pub fn heart_scene(
+pub fn scene_with_extras(
     prepared: &PreparedSubject,
-    extras: HeartExtras<'_>,
+    extras: SubjectExtras<'_>,
     settings: &SceneSettings,
     pose: GeometryPose,
-) -> HeartScene {
+) -> SubjectScene {
     let numbers = extras.numbers;
     let last = prepared.pose_count().saturating_sub(1);
     let pose = GeometryPose {
@@ -123,7 +123,7 @@ pub fn heart_scene(
     if legend.is_none() {
         legend = atoms.take();
     }
-    HeartScene {
+    SubjectScene {
         legend,
         atom_legend: atoms,
         scene,

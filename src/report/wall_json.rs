@@ -22,7 +22,7 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
         },
         "patch_core": params.core,
         "patch_still": params.akinetic,
-        "patch_border": params.border,
+        "patch_border": params.extent,
         "patch_least_share": params.min_share,
         "patch_least_thickening": params.min_thickening,
         "patch_averaging": params.smoothing,

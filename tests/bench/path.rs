@@ -13,20 +13,25 @@ use egg::egg;
 
 /// The default metric, straight paths.
 fn energy_and_gradient(criterion: &mut Criterion) {
-    for (vertices, level, in_betweens) in [(642, 3, 1), (642, 3, 3), (642, 3, 7), (2_562, 4, 3)] {
+    for (vertices, level, interpolated_poses) in
+        [(642, 3, 1), (642, 3, 3), (642, 3, 7), (2_562, 4, 3)]
+    {
         let sphere = phantom::sphere(level, 1.0);
         let Ok(params) = MetricParams::default().check() else {
             return;
         };
         let metric = Metric::new(sphere.faces(), params);
-        let poses = in_betweens + 2;
+        let poses = interpolated_poses + 2;
         let amount = |k: usize| k as f64 / (poses - 1) as f64;
-        let Ok(mut path) =
-            PathEnergy::new(&metric, &egg(&sphere, 0.0), &egg(&sphere, 1.0), in_betweens)
-        else {
+        let Ok(mut path) = PathEnergy::new(
+            &metric,
+            &egg(&sphere, 0.0),
+            &egg(&sphere, 1.0),
+            interpolated_poses,
+        ) else {
             return;
         };
-        let inner: Vec<f64> = (1..=in_betweens)
+        let inner: Vec<f64> = (1..=interpolated_poses)
             .flat_map(|k| egg(&sphere, amount(k)))
             .flat_map(|p| [p.x, p.y, p.z])
             .collect();
@@ -54,7 +59,7 @@ fn bulged(sphere: &TriMesh) -> Vec<Point3> {
         .collect()
 }
 
-/// The whole path with 3 in-betweens, and one of many on the same faces for the transport: 1 in-between,
+/// The whole path with 3 interpolated poses, and one of many on the same faces for the transport: 1 interpolated pose,
 /// on all vertices and on 500.
 fn whole_paths(criterion: &mut Criterion) {
     for (vertices, level) in [(642, 3), (2_562, 4)] {
@@ -77,7 +82,7 @@ fn whole_paths(criterion: &mut Criterion) {
         });
         for max_vertices in [None, Some(500)] {
             let params = GeodesicParams {
-                in_betweens: 1,
+                interpolated_poses: 1,
                 max_vertices,
                 ..GeodesicParams::default()
             };

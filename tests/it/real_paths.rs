@@ -24,7 +24,7 @@ fn volumes(faces: &Faces, poses: &[Vec<Point3>]) -> Vec<f64> {
     poses.iter().map(|pose| of(pose).abs()).collect()
 }
 
-/// With the default metric and 7 in-betweens: volumes within the range of the ends and a margin, no step
+/// With the default metric and 7 interpolated poses: volumes within the range of the ends and a margin, no step
 /// over twice another, cheaper than the straight line.
 fn is_sound(
     name: &str,
@@ -34,7 +34,7 @@ fn is_sound(
     margin: f64,
 ) -> GeodesicPath {
     let params = GeodesicParams {
-        in_betweens: 7,
+        interpolated_poses: 7,
         tolerance,
         ..GeodesicParams::default()
     };

@@ -196,6 +196,12 @@ pub const EXCEPTIONS: &[(&str, &str, &str)] = &[
         "key that scripts read",
     ),
     ("src/cli/info.rs", "notices", "key that scripts read"),
+    ("src/cli/args.rs", "in-betweens", "option that scripts use"),
+    (
+        "src/cli/experiment_args.rs",
+        "in-betweens",
+        "option that scripts use",
+    ),
     (
         "src/picture/quantity.rs",
         "carried-distance",

@@ -41,7 +41,7 @@ impl PartnerParams {
     /// also what smoothing, area weights and λ bring.
     pub fn all_metrics(transport: CohortTransportParams) -> Self {
         let straight = CohortTransportParams {
-            in_betweens: 0,
+            interpolated_poses: 0,
             ..transport
         };
         let option = |name, transport, one_motion| TransportOption {

@@ -193,7 +193,7 @@ fn motions_are_followed_by_other_objects_and_paths_stay_near_them() {
     let mut params = TransportStudyParams::default();
     params.objects.truncate(1);
     params.cohort.per_class = 1;
-    params.transport.in_betweens = 0;
+    params.transport.interpolated_poses = 0;
     let study = transport_study(&params, &Progress::default()).unwrap();
     assert_eq!(study.cases.len(), 4);
     for case in &study.cases {
@@ -202,7 +202,7 @@ fn motions_are_followed_by_other_objects_and_paths_stay_near_them() {
     }
     let mut params = InterpolationStudyParams::default();
     params.objects.truncate(1);
-    params.geodesic.in_betweens = 1;
+    params.geodesic.interpolated_poses = 1;
     let study = interpolation_study(&params, &Progress::default()).unwrap();
     for case in &study.cases {
         assert!(case.energy_ratio <= 1.0 + 1e-12, "{:?}", case.motion);

@@ -12,10 +12,10 @@ pub(super) fn prolonged(
     found: &[f64],
     coarse_ends: [&[f64]; 2],
     ends: [&[f64]; 2],
-    in_betweens: usize,
+    interpolated_poses: usize,
 ) -> Vec<f64> {
-    let straight = resampled(coarse_ends[0], &[], coarse_ends[1], in_betweens);
-    let mut fine = resampled(ends[0], &[], ends[1], in_betweens);
+    let straight = resampled(coarse_ends[0], &[], coarse_ends[1], interpolated_poses);
+    let mut fine = resampled(ends[0], &[], ends[1], interpolated_poses);
     let size = coarse_ends[0].len().max(1);
     let offsets: Vec<f64> = (found.iter().zip(&straight))
         .map(|(found, straight)| found - straight)

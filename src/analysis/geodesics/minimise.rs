@@ -71,19 +71,24 @@ pub(super) fn improve(
 /// Bisecting does not pay where the preconditioner inverts the coupling in time: many poses then take
 /// about as many iterations as few, and the levels before are lost time.
 /// It pays where there are many minima, which are then found from few poses on.
-pub(super) fn time_levels(in_betweens: usize) -> Vec<usize> {
+pub(super) fn time_levels(interpolated_poses: usize) -> Vec<usize> {
     let mut levels = Vec::new();
     let mut next = 1;
-    while next < in_betweens {
+    while next < interpolated_poses {
         levels.push(next);
         next = 2 * next + 1;
     }
-    levels.push(in_betweens);
+    levels.push(interpolated_poses);
     levels
 }
 
 /// The same way with another number of interpolated poses, evenly spread along its parameter.
-pub(super) fn resampled(start: &[f64], inner: &[f64], end: &[f64], in_betweens: usize) -> Vec<f64> {
+pub(super) fn resampled(
+    start: &[f64],
+    inner: &[f64],
+    end: &[f64],
+    interpolated_poses: usize,
+) -> Vec<f64> {
     let size = start.len();
     let old_steps = inner.len().checked_div(size).unwrap_or_default() + 1;
     let pose = |k: usize| {
@@ -95,9 +100,9 @@ pub(super) fn resampled(start: &[f64], inner: &[f64], end: &[f64], in_betweens: 
             &inner[(k - 1) * size..k * size]
         }
     };
-    let mut out = Vec::with_capacity(size * in_betweens);
-    for k in 1..=in_betweens {
-        let at = k as f64 * old_steps as f64 / (in_betweens + 1) as f64;
+    let mut out = Vec::with_capacity(size * interpolated_poses);
+    for k in 1..=interpolated_poses {
+        let at = k as f64 * old_steps as f64 / (interpolated_poses + 1) as f64;
         let from = at.floor();
         let t = at - from;
         let (a, b) = (pose(from as usize), pose(from as usize + 1));

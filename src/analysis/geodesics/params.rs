@@ -8,7 +8,7 @@ pub struct GeodesicParams {
     /// What the way costs.
     pub metric: MetricParams,
     /// Poses between the two ends.
-    pub in_betweens: u16,
+    pub interpolated_poses: u16,
     /// Stop when eight iterations lowered the energy by less than this share of itself, and the next one
     /// is not expected to lower it by more.
     pub tolerance: f64,
@@ -31,7 +31,7 @@ impl Default for GeodesicParams {
     fn default() -> Self {
         Self {
             metric: MetricParams::default(),
-            in_betweens: 3,
+            interpolated_poses: 3,
             tolerance: 1e-3,
             max_iterations: 1_000,
             max_vertices: None,
@@ -40,7 +40,7 @@ impl Default for GeodesicParams {
 }
 
 /// More interpolated poses than any screen shows; memory grows with them.
-const MAX_IN_BETWEENS: u16 = 1_023;
+const MAX_INTERPOLATED_POSES: u16 = 1_023;
 
 /// A coarser mesh would no longer have the shape of a ventricle.
 const MIN_VERTICES: u32 = 12;
@@ -81,10 +81,10 @@ impl GeodesicParams {
     /// If a weight, the tolerance or a count is out of range, or there is no least path.
     pub fn check(self) -> Result<CheckedGeodesicParams, GeodesicParamError> {
         let metric = self.metric.check()?;
-        if self.in_betweens > MAX_IN_BETWEENS {
-            return Err(GeodesicParamError::InBetweens {
-                in_betweens: self.in_betweens,
-                most: MAX_IN_BETWEENS,
+        if self.interpolated_poses > MAX_INTERPOLATED_POSES {
+            return Err(GeodesicParamError::InterpolatedPoses {
+                interpolated_poses: self.interpolated_poses,
+                most: MAX_INTERPOLATED_POSES,
             });
         }
         if !(self.tolerance.is_finite() && self.tolerance >= 0.0) {
@@ -97,12 +97,12 @@ impl GeodesicParams {
             });
         }
         // With one interpolated pose both steps touch a fixed end, and cannot be made free.
-        if self.in_betweens >= 2
+        if self.interpolated_poses >= 2
             && self.metric.lambda == 0.0
             && self.metric.path_energy_can_vanish()
         {
             return Err(GeodesicParamError::NoLeastPath {
-                in_betweens: self.in_betweens,
+                interpolated_poses: self.interpolated_poses,
             });
         }
         Ok(CheckedGeodesicParams {
@@ -119,10 +119,10 @@ pub enum GeodesicParamError {
     #[error(transparent)]
     Metric(#[from] ParamError),
     /// So many interpolated poses are not computed.
-    #[error("at most {most} interpolated poses are computed, not {in_betweens}")]
-    InBetweens {
+    #[error("at most {most} interpolated poses are computed, not {interpolated_poses}")]
+    InterpolatedPoses {
         /// What was asked for.
-        in_betweens: u16,
+        interpolated_poses: u16,
         /// The limit.
         most: u16,
     },
@@ -139,11 +139,11 @@ pub enum GeodesicParamError {
     },
     /// The energy has no minimum above zero.
     #[error(
-        "with {in_betweens} interpolated poses this form has no shortest path: poses can collapse at no cost; \
+        "with {interpolated_poses} interpolated poses this form has no shortest path: poses can collapse at no cost; \
          set lambda above 0, use at most one interpolated pose, or the additive form"
     )]
     NoLeastPath {
         /// What was asked for.
-        in_betweens: u16,
+        interpolated_poses: u16,
     },
 }

@@ -85,9 +85,9 @@ impl GeodesicSolver {
         &self,
         start: &[Point3],
         end: &[Point3],
-        in_betweens: usize,
+        interpolated_poses: usize,
     ) -> Result<PathEnergy, MetricError> {
-        let energy = PathEnergy::new(&self.metric, start, end, in_betweens)?;
+        let energy = PathEnergy::new(&self.metric, start, end, interpolated_poses)?;
         Ok(energy.with_size_of_ends())
     }
 
@@ -112,7 +112,7 @@ impl GeodesicSolver {
         go_on: &dyn Fn() -> bool,
     ) -> Result<GeodesicPath, GeodesicError> {
         check_ends(&self.faces, start, end)?;
-        let count = usize::from(self.params.in_betweens);
+        let count = usize::from(self.params.interpolated_poses);
         let ends = [flat(start), flat(end)];
         let ends = [ends[0].as_slice(), ends[1].as_slice()];
         let mut energy = self.path_energy(start, end, count)?;
@@ -187,7 +187,7 @@ impl GeodesicSolver {
             let few = [flat(&start), flat(&end)];
             let few = [few[0].as_slice(), few[1].as_slice()];
             let mut inner = solver.search(&start, &end, few, go_on)?;
-            let count = usize::from(self.params.in_betweens);
+            let count = usize::from(self.params.interpolated_poses);
             inner.coordinates = prolonged(decimation, &inner.coordinates, few, ends, count);
             return Ok(inner);
         }
@@ -196,7 +196,7 @@ impl GeodesicSolver {
             tolerance: self.params.tolerance,
             max_iterations: self.params.max_iterations as usize,
         };
-        let count = usize::from(self.params.in_betweens);
+        let count = usize::from(self.params.interpolated_poses);
         let from = |levels: &[usize], stiffness: Option<&Stiffness>| {
             cheapest(
                 |count| self.path_energy(start, end, count),
@@ -243,7 +243,7 @@ impl GeodesicSolver {
             CurvatureRole::Unused | CurvatureRole::Term => return Ok(None),
             CurvatureRole::FrozenFactor => 1.0,
             // Each of the steps makes an equal part of the change of the ends.
-            CurvatureRole::StepFactor => f64::from(self.params.in_betweens) + 1.0,
+            CurvatureRole::StepFactor => f64::from(self.params.interpolated_poses) + 1.0,
         };
         let (a, b) = (self.metric.prepare(start)?, self.metric.prepare(end)?);
         let weights: Vec<f64> = (self.metric.frozen_weights(&a, &b).iter())

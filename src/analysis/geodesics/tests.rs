@@ -37,12 +37,12 @@ proptest! {
     fn a_path_costs_no_more_than_the_straight_line(amount in 0.05..0.4_f64, phase in 0.0..6.0_f64) {
         let mesh = bowl();
         let end = bent(mesh.vertices(), amount, phase);
-        for in_betweens in [1, 2, 3, 5] {
-            let params = GeodesicParams { in_betweens, ..GeodesicParams::default() };
+        for interpolated_poses in [1, 2, 3, 5] {
+            let params = GeodesicParams { interpolated_poses, ..GeodesicParams::default() };
             let path = found(mesh.faces(), mesh.vertices(), &end, params);
             prop_assert!(path.converged && !path.stopped);
             prop_assert!(path.energy > 0.0 && path.energy <= path.energy_linear);
-            prop_assert_eq!(path.poses.len(), usize::from(in_betweens) + 2);
+            prop_assert_eq!(path.poses.len(), usize::from(interpolated_poses) + 2);
             let of_steps: f64 = path.step_lengths.iter().map(|l| 2.0 * l * l).sum();
             prop_assert!((of_steps / path.energy - 1.0).abs() < 1e-12);
         }
@@ -118,7 +118,7 @@ fn growing_by_a_factor_goes_in_equal_steps() {
     let ball = phantom::sphere(2, 1.0);
     let end: Vec<Point3> = ball.vertices().iter().map(|p| p * 2.0).collect();
     let params = GeodesicParams {
-        in_betweens: 15,
+        interpolated_poses: 15,
         ..exact()
     };
     let path = found(ball.faces(), ball.vertices(), &end, params);
@@ -142,11 +142,11 @@ fn equal_ends_need_no_iteration() {
 }
 
 #[test]
-fn without_in_betweens_the_path_is_its_ends() {
+fn without_interpolated_poses_the_path_is_its_ends() {
     let mesh = bowl();
     let end = bent(mesh.vertices(), 0.2, 1.0);
     let params = GeodesicParams {
-        in_betweens: 0,
+        interpolated_poses: 0,
         ..exact()
     };
     let path = found(mesh.faces(), mesh.vertices(), &end, params);

@@ -48,13 +48,13 @@ impl PathEnergy {
         metric: &Metric,
         start: &[Point3],
         end: &[Point3],
-        in_betweens: usize,
+        interpolated_poses: usize,
     ) -> Result<Self, MetricError> {
         let ends = [metric.prepare(start)?, metric.prepare(end)?];
         let frozen = metric.frozen_weights(&ends[0], &ends[1]);
         let plan = Plan {
-            in_betweens,
-            blocks: (in_betweens + 1).div_ceil(LANES),
+            interpolated_poses,
+            blocks: (interpolated_poses + 1).div_ceil(LANES),
             frozen: frozen.into_iter().map(f64::sqrt).collect(),
             rest_factor: None,
             side_parts: metric.mesh.side_parts(metric.params.area_weights).collect(),
@@ -65,7 +65,7 @@ impl PathEnergy {
         let mut path = Self {
             state: PathState::new(&plan),
             gradients: Gradients::new(&plan),
-            steps: vec![0.0; in_betweens + 1],
+            steps: vec![0.0; interpolated_poses + 1],
             factor_of_ends: 0.5 * (ends[0].regulariser_factor + ends[1].regulariser_factor),
             plan,
         };
@@ -98,7 +98,7 @@ impl PathEnergy {
         backpropagation::backpropagate(&self.plan, &self.state, &mut self.gradients);
         let (coordinates, blocks) = (3 * self.plan.mesh.vertex_count, self.plan.blocks);
         let poses = gradient.chunks_exact_mut(coordinates.max(1));
-        for (k, pose) in poses.take(self.plan.in_betweens).enumerate() {
+        for (k, pose) in poses.take(self.plan.interpolated_poses).enumerate() {
             let (block, lane) = (k / LANES, k % LANES);
             for (v, point) in pose.chunks_exact_mut(3).enumerate() {
                 let slope = &self.gradients.points[v * blocks + block];
@@ -114,7 +114,7 @@ impl PathEnergy {
     pub fn energy(&mut self, inner: &[f64]) -> f64 {
         let coordinates = 3 * self.plan.mesh.vertex_count;
         let poses = inner.chunks_exact(coordinates.max(1));
-        for (k, pose) in poses.take(self.plan.in_betweens).enumerate() {
+        for (k, pose) in poses.take(self.plan.interpolated_poses).enumerate() {
             for (item, &x) in pose.iter().enumerate() {
                 self.state.points.put(item, k + 1, x);
             }
@@ -133,8 +133,8 @@ impl PathEnergy {
     }
 
     /// How many poses lie between the ends.
-    pub fn in_betweens(&self) -> usize {
-        self.plan.in_betweens
+    pub fn interpolated_poses(&self) -> usize {
+        self.plan.interpolated_poses
     }
 
     /// Lets all poses from `first` on be the same.

@@ -40,7 +40,7 @@ pub(super) fn smallest_detectable(
     let enough = |area: f64| {
         let profile = Profile::new(area, found.share);
         profile.area_below(core) >= CORE_AREA * found.min_share
-            && profile.area_below(params.border) >= found.min_share
+            && profile.area_below(params.extent) >= found.min_share
     };
     if !enough(LARGEST) {
         return None;

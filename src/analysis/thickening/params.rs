@@ -20,7 +20,8 @@ pub struct ThickeningParams {
     #[serde(rename = "still")]
     pub akinetic: f64,
     /// It reaches as far as the wall thickens by less than this share of what remote myocardium does.
-    pub border: f64,
+    #[serde(rename = "border")]
+    pub extent: f64,
     /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
     /// both are doubled where fewer than four poses tell.
     #[serde(rename = "least_share")]
@@ -48,7 +49,7 @@ impl Default for ThickeningParams {
             ratio: RatioForm::GeometricMean,
             core: 0.2,
             akinetic: 1.1_f64.ln(),
-            border: 0.4,
+            extent: 0.4,
             min_share: 0.02,
             min_thickening: 1.1_f64.ln(),
             smoothing: 0.01,
@@ -89,12 +90,12 @@ pub enum ThickeningParamError {
         most: f64,
     },
     /// The extent threshold is at least the core threshold.
-    #[error("the extent threshold, {border}, must not be below the core threshold, {core}")]
+    #[error("the extent threshold, {extent}, must not be below the core threshold, {core}")]
     Order {
         /// Core threshold.
         core: f64,
         /// Extent threshold.
-        border: f64,
+        extent: f64,
     },
 }
 
@@ -108,7 +109,7 @@ impl ThickeningParams {
             ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),
             ("core threshold", self.core, 0.0, 1.0),
             ("akinetic threshold", self.akinetic, 0.0, 2.0),
-            ("extent threshold", self.border, 0.0, 1.0),
+            ("extent threshold", self.extent, 0.0, 1.0),
             ("minimum area of a patch", self.min_share, 0.0, 0.5),
             ("minimum thickening", self.min_thickening, 0.0, 2.0),
             ("smoothing", self.smoothing, 0.0, 0.5),
@@ -129,10 +130,10 @@ impl ThickeningParams {
                 });
             }
         }
-        if self.border < self.core {
+        if self.extent < self.core {
             return Err(ThickeningParamError::Order {
                 core: self.core,
-                border: self.border,
+                extent: self.extent,
             });
         }
         Ok(CheckedThickeningParams(self))

@@ -27,7 +27,7 @@ pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
 /// Share of the least area of a patch that its core must have, so that one atom in noise makes none.
 pub(super) const CORE_AREA: f64 = 0.5;
 
-/// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `border` of what
+/// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `extent` of what
 /// remote myocardium does, with the least area together, half of which thickens by less than `core` of it and
 /// less than `akinetic`. By falling area.
 pub(super) fn akinetic_regions(
@@ -39,7 +39,7 @@ pub(super) fn akinetic_regions(
     params: &CheckedThickeningParams,
 ) -> Vec<Vec<u32>> {
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
-        .map(|(&value, &area)| area > 0.0 && value <= params.border * remote)
+        .map(|(&value, &area)| area > 0.0 && value <= params.extent * remote)
         .collect();
     // The absolute limit guards against calling a moderately thickening part akinetic beside a very good rest.
     let core = params.akinetic.min(params.core * remote);

@@ -31,7 +31,7 @@ pub struct TransportParams {
     /// are none (see [`crate::analysis::metrics`]) stand for the additive one.
     pub metric: MetricParams,
     /// Poses of the geodesic between the subjects; 0: the straight line.
-    pub in_betweens: u16,
+    pub interpolated_poses: u16,
     /// Whether the norm of a displacement is kept, not only its product with the path's direction.
     pub keep_norm: bool,
     /// In which norm the field changes least.
@@ -66,7 +66,7 @@ pub struct CohortTransportParams {
     /// What all are transported onto.
     pub reference: Reference,
     /// As in [`TransportParams`].
-    pub in_betweens: u16,
+    pub interpolated_poses: u16,
     /// As in [`TransportParams`].
     pub keep_norm: bool,
     /// As in [`TransportParams`].
@@ -88,7 +88,7 @@ impl Default for CohortTransportParams {
     fn default() -> Self {
         Self {
             reference: Reference::Mean,
-            in_betweens: 3,
+            interpolated_poses: 3,
             keep_norm: true,
             geodesics: Geodesics::First,
             max_vertices: Some(500),
@@ -101,7 +101,7 @@ impl CohortTransportParams {
     pub fn with_metric(self, metric: MetricParams) -> TransportParams {
         TransportParams {
             metric,
-            in_betweens: self.in_betweens,
+            interpolated_poses: self.interpolated_poses,
             keep_norm: self.keep_norm,
             nearness: Nearness::Metric,
             geodesics: self.geodesics,
@@ -139,7 +139,7 @@ impl TransportParams {
         }
         let geodesic = GeodesicParams {
             metric: self.metric,
-            in_betweens: self.in_betweens,
+            interpolated_poses: self.interpolated_poses,
             max_vertices: self.max_vertices,
             // Ways of neighbouring steps must differ by their ends alone, not by where a search ended.
             tolerance: 1e-6,
@@ -149,7 +149,7 @@ impl TransportParams {
         Ok(CheckedTransportParams {
             params: self,
             metric: self.metric.check()?,
-            geodesic: (self.in_betweens > 0).then_some(geodesic),
+            geodesic: (self.interpolated_poses > 0).then_some(geodesic),
         })
     }
 }

@@ -99,7 +99,7 @@ fn study(subjects: Vec<Subject>) -> Study {
 
 fn straight() -> CheckedTransportParams {
     let params = TransportParams {
-        in_betweens: 0,
+        interpolated_poses: 0,
         ..TransportParams::default()
     };
     params.check().unwrap()

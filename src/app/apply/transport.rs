@@ -1,7 +1,7 @@
 //! Commands about transported motions and interpolated poses.
 
 use crate::document::ViewMode;
-use crate::engine::{InBetweens, Topic, Transfer};
+use crate::engine::{InterpolatedPoses, MotionTransport, Topic};
 use crate::panes::TransportCommand;
 use crate::picture::Quantity;
 
@@ -26,10 +26,12 @@ pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> V
         TransportCommand::StopTransport => {
             change(state, moment, None, |document| document.transported = None)
         }
-        TransportCommand::SetInBetweens(count) => {
-            change(state, moment, None, |document| document.in_betweens = count);
+        TransportCommand::SetInterpolatedPoses(count) => {
+            change(state, moment, None, |document| {
+                document.interpolated_poses = count
+            });
             // Whoever chooses a number wants them, even if they were stopped before.
-            return vec![Effect::Retry(Topic::of::<InBetweens>())];
+            return vec![Effect::Retry(Topic::of::<InterpolatedPoses>())];
         }
         TransportCommand::StepPose(step) => step_pose(state, moment, step),
     }
@@ -73,7 +75,7 @@ fn start_transport(state: &mut State, moment: &Moment, from: usize, onto: usize)
     });
     state.play.playing = plays;
     // Asked for once more, what was stopped begins again.
-    let retry = again.then_some(Effect::Retry(Topic::of::<Transfer>()));
+    let retry = again.then_some(Effect::Retry(Topic::of::<MotionTransport>()));
     retry.into_iter().collect()
 }
 
@@ -82,7 +84,7 @@ fn step_pose(state: &mut State, moment: &Moment, step: i32) {
     let Some(subject) = state.document.selected() else {
         return;
     };
-    let between = (state.in_betweens_of(state.document.subject))
+    let between = (state.interpolated_poses_of(state.document.subject))
         .map_or_else(Vec::new, |beat| beat.positions());
     let mut positions: Vec<f64> = (0..subject.sequence.frame_count())
         .map(|frame| frame as f64)
@@ -113,9 +115,9 @@ mod tests {
 
     use super::*;
     use crate::app::apply::apply;
-    use crate::document::answers::InBetweensAnswer;
-    use crate::document::in_betweens::tests::straight_paths;
-    use crate::document::in_betweens::{BeatMemo, geodesic_params};
+    use crate::document::answers::InterpolationAnswer;
+    use crate::document::interpolated_poses::tests::straight_paths;
+    use crate::document::interpolated_poses::{BeatMemo, geodesic_params};
     use crate::document::testing::{state_of, subject_with_frames};
     use crate::mesh::phantom;
     use crate::panes::{BeatCommand, Command, EditCommand, ViewCommand};
@@ -164,7 +166,7 @@ mod tests {
             &mut state,
             Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
         );
-        assert_eq!(again, [Effect::Retry(Topic::of::<Transfer>())]);
+        assert_eq!(again, [Effect::Retry(Topic::of::<MotionTransport>())]);
         give(&mut state, Command::Edit(EditCommand::Undo));
         assert_eq!(state.document, before);
         give(&mut state, Command::Edit(EditCommand::Redo));
@@ -250,12 +252,12 @@ mod tests {
         );
         assert_eq!(
             state.document.position, 1.0,
-            "without in-betweens, frame by frame"
+            "without interpolated poses, frame by frame"
         );
         let paths = straight_paths(&subject, 3);
         let mut memo = BeatMemo::default();
         memo.put(&subject, &params, 0, &paths);
-        state.answers.in_betweens = vec![InBetweensAnswer {
+        state.answers.interpolated_poses = vec![InterpolationAnswer {
             subject: 0,
             beat: memo.get(&subject, &params).cloned(),
             stopped: false,
@@ -289,7 +291,7 @@ mod tests {
         );
         give(
             &mut state,
-            Command::Transport(TransportCommand::SetInBetweens(0)),
+            Command::Transport(TransportCommand::SetInterpolatedPoses(0)),
         );
         give(
             &mut state,

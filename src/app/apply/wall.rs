@@ -77,16 +77,16 @@ mod tests {
     fn a_drag_of_a_threshold_is_one_step_of_undo() {
         let mut state = state();
         let before = state.document.thickening;
-        for border in [0.3, 0.35, 0.5] {
+        for extent in [0.3, 0.35, 0.5] {
             let mut settings = before;
-            settings.thickening.border = border;
+            settings.thickening.extent = extent;
             give(
                 &mut state,
                 Command::Wall(WallCommand::SetThickening(settings)),
                 true,
             );
         }
-        assert_eq!(state.document.thickening.thickening.border, 0.5);
+        assert_eq!(state.document.thickening.thickening.extent, 0.5);
         give(&mut state, Command::Edit(EditCommand::Undo), false);
         assert_eq!(state.document.thickening, before);
     }
@@ -96,7 +96,7 @@ mod tests {
         let mut state = state();
         let before = state.document.thickening;
         let mut settings = before;
-        settings.thickening.border = 0.1;
+        settings.thickening.extent = 0.1;
         give(
             &mut state,
             Command::Wall(WallCommand::SetThickening(settings)),

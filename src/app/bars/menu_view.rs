@@ -29,7 +29,7 @@ pub fn action_state(state: &State, layout: &Layout) -> ActionState {
         shading: document.visibility.shading,
         view_mode: document.view_mode,
         quantity: document.quantity,
-        in_betweens: document.in_betweens,
+        interpolated_poses: document.interpolated_poses,
         has_other: document.compared().is_some(),
         transporting: document.visible_transport().is_some(),
         theme: state.theme,

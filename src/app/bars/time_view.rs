@@ -23,7 +23,7 @@ pub fn time_bar_view<'a>(beat: &'a BeatData, state: &State) -> TimeBarView<'a> {
         end_systole,
         time_ms: time.map(|time| 1e3 * time.0),
         between: beat.between.short,
-        in_betweens: &beat.in_betweens,
+        interpolated_poses: &beat.interpolated_poses,
         note: &beat.note,
     }
 }

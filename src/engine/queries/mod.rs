@@ -3,10 +3,11 @@
 mod classes;
 mod contribution;
 mod deformation_map;
-mod in_betweens;
+mod interpolated_poses;
 mod measures;
 mod medial_beat;
 mod medial_map;
+mod motion_transport;
 mod pose_distances;
 mod pose_map;
 mod subject;
@@ -14,18 +15,18 @@ mod subject;
 mod tests;
 mod thickening;
 mod thickness;
-mod transfer;
 mod verdicts;
 
 pub use classes::{ClassesError, ClassesSettings};
 pub use contribution::{Contribution, ContributionError};
 pub use deformation_map::{DeformationMapSettings, DeformationsError};
-pub use in_betweens::{InBetweens, InBetweensError, Interval, LookedAt};
+pub use interpolated_poses::{InterpolatedPoses, InterpolatedPosesError, Interval, LookedAt};
 pub use measures::Measures;
 pub use medial_beat::{MedialBeatError, MedialSurfaces, medial_words};
 pub use medial_map::{
     MedialMapParams, MedialMapQueryError, MedialPaths, StudyPaths, map_of, paths_of,
 };
+pub use motion_transport::{MotionTransport, MotionTransportError};
 pub use pose_distances::{DistancesError, distance_words, metric_words};
 pub use pose_map::{PoseMap, PoseMapError, PoseMapParams};
 pub use subject::NoSubject;
@@ -36,5 +37,4 @@ pub use thickness::{
     ComparedMethod, FrameThickness, FrameThicknessError, MethodResult, PoseThickness,
     ThicknessSettings,
 };
-pub use transfer::{Transfer, TransferError};
 pub use verdicts::{VerdictSettings, VerdictsError, examined, verdicts_of};

@@ -137,18 +137,18 @@ fn classes() -> ClassesSettings {
     }
 }
 
-fn few_in_betweens() -> GeodesicParams {
+fn few_interpolated_poses() -> GeodesicParams {
     GeodesicParams {
-        in_betweens: 1,
+        interpolated_poses: 1,
         max_iterations: 3,
         ..GeodesicParams::default()
     }
 }
 
-fn in_betweens() -> InBetweens {
-    InBetweens {
+fn interpolated_poses() -> InterpolatedPoses {
+    InterpolatedPoses {
         subject: 1,
-        params: few_in_betweens(),
+        params: few_interpolated_poses(),
         looked_at: LookedAt::default(),
     }
 }
@@ -157,7 +157,7 @@ fn interval(interval: usize) -> Interval {
     Interval {
         subject: 1,
         interval,
-        params: few_in_betweens(),
+        params: few_interpolated_poses(),
     }
 }
 
@@ -170,12 +170,12 @@ fn contribution() -> Contribution {
     }
 }
 
-fn transfer() -> Transfer {
-    Transfer {
+fn transfer() -> MotionTransport {
+    MotionTransport {
         from: 3,
         onto: 0,
         params: TransportParams {
-            in_betweens: 0,
+            interpolated_poses: 0,
             ..TransportParams::default()
         },
     }
@@ -222,9 +222,9 @@ fn classes_are_classified_on_the_rows_of_the_deformation_map() {
 }
 
 #[test]
-fn a_beat_has_in_betweens_in_every_interval_and_the_last_runs_into_the_first() {
+fn a_motion_has_interpolated_poses_in_every_interval_and_the_last_runs_into_the_first() {
     let (study, store) = (study(), store());
-    let paths = ask(&store, &study, &in_betweens());
+    let paths = ask(&store, &study, &interpolated_poses());
     let sequence = &study.subjects[1].sequence;
     assert_eq!(paths.len(), sequence.frame_count());
     let last = paths.last().unwrap();
@@ -240,7 +240,7 @@ fn a_beat_has_in_betweens_in_every_interval_and_the_last_runs_into_the_first() {
 #[test]
 fn the_interval_looked_at_is_found_first() {
     let (study, store) = (study(), store());
-    let query = in_betweens();
+    let query = interpolated_poses();
     query.looked_at.set(5);
     store.ask(&study, &query);
     while store.answers::<Interval>() == 0 {
@@ -265,7 +265,7 @@ fn a_stopped_path_is_no_answer() {
         subject: 1,
         interval: 0,
         params: GeodesicParams {
-            in_betweens: 127,
+            interpolated_poses: 127,
             tolerance: 0.0,
             max_iterations: u32::MAX,
             ..GeodesicParams::default()
@@ -347,7 +347,7 @@ fn distances_after_a_transfer_are_another_answer() {
         ask(&store, &study, &params)
     };
     let straight = CohortTransportParams {
-        in_betweens: 0,
+        interpolated_poses: 0,
         ..CohortTransportParams::default()
     };
     let (plain, transported) = (distances(None), distances(Some(straight)));
@@ -368,7 +368,7 @@ fn no_question_is_answered_once_stopped_and_nothing_is_kept() {
         &DeformationMapSettings::default()
     ));
     assert!(is_stopped(&store, &study, &classes()));
-    assert!(is_stopped(&store, &study, &in_betweens()));
+    assert!(is_stopped(&store, &study, &interpolated_poses()));
     assert!(is_stopped(&store, &study, &interval(0)));
     assert!(is_stopped(&store, &study, &transfer()));
     assert!(is_stopped(&store, &study, &contribution()));
@@ -380,16 +380,16 @@ fn what_is_not_there_is_named() {
     let (study, store) = (study(), store());
     let message = refusal(&store, &study, &interval(9));
     assert_eq!(message, "there is no interval 9 in a sequence of 8 frames");
-    let query = Transfer {
+    let query = MotionTransport {
         from: 0,
         onto: 4,
         params: TransportParams::default(),
     };
     let message = refusal(&store, &study, &query);
     assert_eq!(message, "there is no subject 4 among 4");
-    let nobody = InBetweens {
+    let nobody = InterpolatedPoses {
         subject: 4,
-        ..in_betweens()
+        ..interpolated_poses()
     };
     assert_eq!(refusal(&store, &study, &nobody), message);
 }

@@ -207,7 +207,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         ratio,
         core,
         akinetic,
-        border,
+        extent,
         min_share,
         min_thickening,
         smoothing,
@@ -222,7 +222,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
     };
     format!(
         "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core}, akinetic threshold {akinetic:.3}, \
-         extent threshold {border}, minimum area {min_share}, minimum thickening {min_thickening:.3}, \
+         extent threshold {extent}, minimum area {min_share}, minimum thickening {min_thickening:.3}, \
          averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)

@@ -18,7 +18,7 @@ pub enum TransportCommand {
     /// Show the other subject with its own motion again.
     StopTransport,
     /// How many poses are computed between two frames; 0 blends frames straight.
-    SetInBetweens(u16),
+    SetInterpolatedPoses(u16),
     /// Poses forward or back, those between frames included.
     StepPose(i32),
 }
@@ -28,10 +28,10 @@ pub enum TransportCommand {
 pub(super) static ACTIONS: &[Row<TransportCommand>] = &[
     row(Menu::Analysis, 0, "Next pose, recorded or interpolated", Some((NONE, Key::Period)), TransportCommand::StepPose(1)),
     row(Menu::Analysis, 0, "Previous pose, recorded or interpolated", Some((NONE, Key::Comma)), TransportCommand::StepPose(-1)),
-    row(Menu::Analysis, 4, "Interpolated poses: off", None, TransportCommand::SetInBetweens(0)),
-    row(Menu::Analysis, 4, "Interpolated poses: 1 per interval", None, TransportCommand::SetInBetweens(1)),
-    row(Menu::Analysis, 4, "Interpolated poses: 3 per interval", None, TransportCommand::SetInBetweens(3)),
-    row(Menu::Analysis, 4, "Interpolated poses: 7 per interval", None, TransportCommand::SetInBetweens(7)),
+    row(Menu::Analysis, 4, "Interpolated poses: off", None, TransportCommand::SetInterpolatedPoses(0)),
+    row(Menu::Analysis, 4, "Interpolated poses: 1 per interval", None, TransportCommand::SetInterpolatedPoses(1)),
+    row(Menu::Analysis, 4, "Interpolated poses: 3 per interval", None, TransportCommand::SetInterpolatedPoses(3)),
+    row(Menu::Analysis, 4, "Interpolated poses: 7 per interval", None, TransportCommand::SetInterpolatedPoses(7)),
     row(Menu::Analysis, 5, "Transport motion to the other subject", Some((NONE, Key::T)), TransportCommand::TransportToOther),
     row(Menu::Analysis, 5, "Show own motion", None, TransportCommand::StopTransport),
 ];

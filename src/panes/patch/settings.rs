@@ -12,7 +12,7 @@ use crate::ui::style::{medium, note};
 use crate::ui::theme::space;
 
 /// Extent threshold: share of remote thickening below which a patch extends, in percent.
-const BORDERS: RangeInclusive<f64> = 5.0..=90.0;
+const EXTENTS: RangeInclusive<f64> = 5.0..=90.0;
 /// Deviation of PT from one up to which an atom is akinetic, in percent.
 const TOLERANCES: RangeInclusive<f64> = 1.0..=50.0;
 
@@ -21,13 +21,13 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     ui.label(medium("Thresholds"));
     let now = view.settings.thickening;
     let mut wanted = now;
-    let mut border = 100.0 * now.border;
+    let mut extent = 100.0 * now.extent;
     let what = "Thickening relative to remote myocardium below which tissue belongs to a patch; its core is \
                 below half of this";
-    if slider_ui(ui, "Extent threshold", &mut border, BORDERS, what) {
-        wanted = with_border(now, 0.01 * border);
+    if slider_ui(ui, "Extent threshold", &mut extent, EXTENTS, what) {
+        wanted = with_extent(now, 0.01 * extent);
     }
-    ui.add(egui::Label::new(note(border_note(view.well, now.border))).wrap());
+    ui.add(egui::Label::new(note(extent_note(view.well, now.extent))).wrap());
     let in_force = now.tolerance.or(view.tolerance);
     let mut tolerance = 100.0 * in_force.map_or(0.05, |ln| ln.exp() - 1.0);
     let what = "An atom is akinetic if the thickness ratio PT of two successive frames deviates from 1 \
@@ -53,12 +53,12 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     }
 }
 
-/// The core keeps its share of the border, so that one slider moves both.
-fn with_border(now: ThickeningParams, border: f64) -> ThickeningParams {
+/// The core keeps its share of the extent, so that one slider moves both.
+fn with_extent(now: ThickeningParams, extent: f64) -> ThickeningParams {
     let default = ThickeningParams::default();
     ThickeningParams {
-        border,
-        core: border * default.core / default.border,
+        extent,
+        core: extent * default.core / default.extent,
         ..now
     }
 }
@@ -89,12 +89,12 @@ fn slider_ui(
     changed
 }
 
-fn border_note(well: Option<f64>, border: f64) -> String {
+fn extent_note(well: Option<f64>, extent: f64) -> String {
     match well {
         Some(well) => format!(
             "relative to remote thickening ({:.0} %): thickening below {:.0} %",
             100.0 * well,
-            100.0 * ((border * well.ln_1p()).exp() - 1.0)
+            100.0 * ((extent * well.ln_1p()).exp() - 1.0)
         ),
         None => "relative to remote thickening".to_owned(),
     }

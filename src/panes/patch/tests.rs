@@ -142,8 +142,8 @@ fn the_border_moves_by_keyboard_and_takes_its_core_along() {
     let Some(Command::Wall(WallCommand::SetThickening(settings))) = commands.first() else {
         panic!("{commands:?}");
     };
-    let (core, border) = (settings.thickening.core, settings.thickening.border);
-    assert!(border > 0.4, "{border}");
-    assert!((core / border - 0.5).abs() < 1e-9);
+    let (core, extent) = (settings.thickening.core, settings.thickening.extent);
+    assert!(extent > 0.4, "{extent}");
+    assert!((core / extent - 0.5).abs() < 1e-9);
     assert!(settings.thickening.check().is_ok());
 }

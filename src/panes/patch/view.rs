@@ -4,7 +4,7 @@ use crate::analysis::thickening::Patch;
 use crate::document::state::State;
 use crate::engine::{Showing, SubjectThickening};
 use crate::panes::patch::words::standing_note;
-use crate::panes::viewport::shown_heart::ShownHeart;
+use crate::panes::viewport::shown_subject::ShownSubject;
 use crate::panes::{PatchLine, PatchPanelView, WallState};
 use crate::picture::{
     PatchStanding, WallPart, extent_words, facing_patch, patch_heading, segment_words,
@@ -32,7 +32,7 @@ pub struct PatchData {
 
 impl PatchData {
     /// What is known of the selected heart's wall. `shown` is the heart on screen, for cameras.
-    pub fn of(state: &State, shown: Option<&ShownHeart>) -> Self {
+    pub fn of(state: &State, shown: Option<&ShownSubject>) -> Self {
         let document = &state.document;
         let known = state.wall_of(document.subject);
         let wall = wall_state(state);
@@ -144,7 +144,7 @@ fn without_segments(found: &SubjectThickening) -> String {
 }
 
 /// A camera in the heart's axes that looks straight at a patch, base up.
-fn patch_camera(found: &SubjectThickening, patch: &Patch, shown: &ShownHeart) -> Option<Camera> {
+fn patch_camera(found: &SubjectThickening, patch: &Patch, shown: &ShownSubject) -> Option<Camera> {
     let rest = found.beat.frames.get(found.thickening.end_diastole)?;
     let reach = (patch.atoms.iter())
         .filter_map(|&atom| rest.atoms.get(atom as usize))

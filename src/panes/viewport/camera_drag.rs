@@ -7,7 +7,7 @@ use crate::panes::{Command, ViewCommand};
 use crate::render::Camera;
 
 use crate::document::state::State;
-use crate::panes::viewport::shown_heart::Cell;
+use crate::panes::viewport::shown_subject::Cell;
 
 /// A drag over the shorter side of the view turns the heart by this much.
 const TURN_PER_SIDE_RAD: f32 = std::f32::consts::PI;

@@ -11,8 +11,8 @@ use crate::panes::{
     subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
-    CohortLimits, HeartScene, MedialSettings, PatchLook, PictureTheme, Quantity, SceneSettings,
-    WallPart, heart_scene,
+    CohortLimits, MedialSettings, PatchLook, PictureTheme, Quantity, SceneSettings, SubjectScene,
+    WallPart, scene_with_extras,
 };
 use crate::render::{Camera, ViewId};
 use crate::ui::theme::{colours, line, radius, type_size};
@@ -27,12 +27,12 @@ use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
 use crate::panes::viewport::pictures::{Heart, Pictures};
 use crate::panes::viewport::places::places;
-use crate::panes::viewport::shown_heart::{Cell, ScalarCache, ShownHeart, shown_heart};
+use crate::panes::viewport::shown_subject::{Cell, ScalarCache, ShownSubject, shown_subject};
 
 /// The hearts on screen and what was worked out for them.
 #[derive(Default)]
 pub struct Viewport {
-    shown: Vec<ShownHeart>,
+    shown: Vec<ShownSubject>,
     mode: ViewMode,
     limits: CohortLimits,
     fits: Fits,
@@ -57,7 +57,7 @@ impl Viewport {
         let mut complete = true;
         for place in visible_poses(state) {
             let numbers = &mut self.numbers;
-            match shown_heart(state, pictures, numbers, reference_frames, &place) {
+            match shown_subject(state, pictures, numbers, reference_frames, &place) {
                 Some(heart) => ready.push(heart),
                 None => complete = false,
             }
@@ -82,12 +82,12 @@ impl Viewport {
     }
 
     /// Hearts on screen.
-    pub fn shown(&self) -> &[ShownHeart] {
+    pub fn shown(&self) -> &[ShownSubject] {
         &self.shown
     }
 
     /// The camera of a heart on screen, as last drawn; fitted to a square where it never was.
-    pub fn camera(&self, state: &State, shown: &ShownHeart) -> Camera {
+    pub fn camera(&self, state: &State, shown: &ShownSubject) -> Camera {
         let look = state.document.look;
         let fitted = self.fits.latest(&shown.heart).unwrap_or_else(|| {
             let rotation = look.rotation(&shown.heart.prepared.axes);
@@ -200,13 +200,13 @@ impl Viewport {
         settings: &SceneSettings,
         cells: &[Cell],
         meter: &Arc<AtomicU64>,
-    ) -> Option<(usize, HeartScene)> {
+    ) -> Option<(usize, SubjectScene)> {
         let mut legends = None;
         for (place, cell) in cells.iter().enumerate() {
             let prepared = &cell.heart.heart.prepared;
             let pose = pose_in(prepared, cell.heart.position);
             let settings = cell.heart.settings(settings);
-            let mut picture = heart_scene(prepared, cell.heart.extras(), &settings, pose);
+            let mut picture = scene_with_extras(prepared, cell.heart.extras(), &settings, pose);
             let scene = std::mem::take(&mut picture.scene);
             if legends.is_none() && picture.legend.is_some() {
                 legends = Some((place, picture));
@@ -232,7 +232,7 @@ impl Viewport {
         ui: &mut Ui,
         state: &State,
         cells: &[Cell],
-        (area, legends): (Rect, Option<&(usize, HeartScene)>),
+        (area, legends): (Rect, Option<&(usize, SubjectScene)>),
         commands: &mut Vec<Command>,
     ) {
         let whole_beat = self.mode == ViewMode::AllFrames;

@@ -12,5 +12,5 @@ pub(crate) mod paint;
 pub(crate) mod pick_label;
 pub(crate) mod pictures;
 pub(crate) mod places;
-pub(crate) mod shown_heart;
+pub(crate) mod shown_subject;
 pub(crate) mod spec;

@@ -4,7 +4,7 @@ use crate::document::ViewMode;
 use crate::document::VisiblePose;
 use crate::document::differences::hindrance;
 use crate::document::document::nearest_frame;
-use crate::document::in_betweens::{BetweenWords, between_words};
+use crate::document::interpolated_poses::{BetweenWords, between_words};
 use crate::document::state::State;
 use crate::document::transported::{TransportState, transported_title};
 use crate::panes::beat::straight_because;
@@ -14,7 +14,7 @@ use crate::panes::{
     ViewportOverlayView,
 };
 use crate::picture::{
-    ColourLegend, HeartAxes, HeartScene, PreparedSubject, Quantity, USER_LIMITS, frame_words,
+    ColourLegend, HeartAxes, PreparedSubject, Quantity, SubjectScene, USER_LIMITS, frame_words,
 };
 use crate::render::Camera;
 use crate::study::{LabelRole, Subject};
@@ -62,12 +62,14 @@ impl OverlayData {
         let mut parts: Vec<String> = subject.label.iter().cloned().collect();
         parts.push(frame_words(frame, count));
         parts.extend(phase.map(str::to_owned));
-        let in_betweens = state.in_betweens_of(cell.subject).map(|beat| &**beat);
+        let interpolated_poses = state
+            .interpolated_poses_of(cell.subject)
+            .map(|beat| &**beat);
         Self {
             title: subject.id.clone(),
             subtitle: parts.join(" · "),
             role: document.study().role(subject),
-            between: between_words(in_betweens, cell.position, straight_because(state)),
+            between: between_words(interpolated_poses, cell.position, straight_because(state)),
             missing: missing_colours(state, cell),
             leave: None,
             patch: patch_note(state, cell.subject),
@@ -122,12 +124,14 @@ impl OverlayData {
             (TransportState::Failed, _) => (format!("transport from {} failed", from.id), own),
             _ => (format!("transport from {} is being computed", from.id), own),
         };
-        let in_betweens = state.in_betweens_of(cell.subject).map(|beat| &**beat);
+        let interpolated_poses = state
+            .interpolated_poses_of(cell.subject)
+            .map(|beat| &**beat);
         Self {
             title: onto.id.clone(),
             subtitle: format!("own motion · {standing}"),
             role,
-            between: between_words(in_betweens, cell.position, straight_because(state)),
+            between: between_words(interpolated_poses, cell.position, straight_because(state)),
             missing: None,
             leave: Some(leave),
             patch: None,
@@ -137,7 +141,7 @@ impl OverlayData {
     /// What the overlay shows.
     pub fn view<'a>(
         &'a self,
-        legends: Option<&'a HeartScene>,
+        legends: Option<&'a SubjectScene>,
         prepared: &PreparedSubject,
         camera: &Camera,
         height: f32,

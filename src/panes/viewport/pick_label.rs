@@ -13,7 +13,7 @@ use crate::study::Subject;
 use crate::ui::theme::{colours, line, radius, space, type_size};
 
 use crate::document::play::pose_in;
-use crate::panes::viewport::shown_heart::Cell;
+use crate::panes::viewport::shown_subject::Cell;
 
 /// A vertex of a heart, named so that it stays the same while the beat plays.
 #[derive(Clone)]

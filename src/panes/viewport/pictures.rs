@@ -11,7 +11,7 @@ use crate::picture::{CohortLimits, HeartFrame, PreparedMedial, PreparedSubject, 
 use crate::render::Camera;
 use crate::study::{Study, Subject};
 
-use crate::document::in_betweens::BeatInBetweens;
+use crate::document::interpolated_poses::InterpolatedMotion;
 
 /// Bytes of a vertex at a frame: position, normal and colour values on both sides of the graphics card.
 const BYTES_OF_A_VERTEX: usize = 40;
@@ -39,16 +39,16 @@ impl Heart {
 
 /// What a heart is made from.
 #[derive(Clone, Debug)]
-struct HeartPicture {
+struct SubjectPicture {
     subject: Arc<Subject>,
     reference_frame: usize,
-    in_betweens: Option<Arc<BeatInBetweens>>,
+    interpolated_poses: Option<Arc<InterpolatedMotion>>,
 }
 
-impl PartialEq for HeartPicture {
+impl PartialEq for SubjectPicture {
     /// Whether both are made from the same values, not from equal ones.
     fn eq(&self, other: &Self) -> bool {
-        let same_poses = match (&self.in_betweens, &other.in_betweens) {
+        let same_poses = match (&self.interpolated_poses, &other.interpolated_poses) {
             (Some(a), Some(b)) => Arc::ptr_eq(a, b),
             (None, None) => true,
             (Some(_), None) | (None, Some(_)) => false,
@@ -59,7 +59,7 @@ impl PartialEq for HeartPicture {
     }
 }
 
-impl Query for HeartPicture {
+impl Query for SubjectPicture {
     type Answer = Heart;
     type Error = Infallible;
     const TITLE: &'static str = "Surfaces for the 3D view";
@@ -72,13 +72,16 @@ impl Query for HeartPicture {
     }
 
     fn run(&self, _: &Context<'_>) -> Result<Heart, Interrupted<Infallible>> {
-        let between = self.in_betweens.as_ref();
+        let between = self.interpolated_poses.as_ref();
         let between = between.map_or_else(Vec::new, |beat| beat.inner_poses());
         let prepared =
-            PreparedSubject::with_in_betweens(&self.subject, self.reference_frame, &between);
+            PreparedSubject::with_interpolated_poses(&self.subject, self.reference_frame, &between);
         let sequence = &self.subject.sequence;
         let recorded = sequence.vertex_count() * sequence.frame_count();
-        let computed = self.in_betweens.as_ref().map_or(0, |beat| beat.vertices());
+        let computed = self
+            .interpolated_poses
+            .as_ref()
+            .map_or(0, |beat| beat.vertices());
         Ok(Heart {
             frame: HeartFrame::of(&prepared),
             vertex_frames: recorded + computed,
@@ -196,10 +199,10 @@ impl<'a> Pictures<'a> {
         &self,
         subject: &Arc<Subject>,
         reference_frame: usize,
-        in_betweens: Option<&Arc<BeatInBetweens>>,
+        interpolated_poses: Option<&Arc<InterpolatedMotion>>,
     ) -> Option<Arc<Heart>> {
         let whole =
-            in_betweens.and_then(|beat| self.heart_of(subject, reference_frame, Some(beat)));
+            interpolated_poses.and_then(|beat| self.heart_of(subject, reference_frame, Some(beat)));
         whole.or_else(|| self.heart(subject, reference_frame))
     }
 
@@ -234,12 +237,12 @@ impl<'a> Pictures<'a> {
         &self,
         subject: &Arc<Subject>,
         reference_frame: usize,
-        in_betweens: Option<&Arc<BeatInBetweens>>,
+        interpolated_poses: Option<&Arc<InterpolatedMotion>>,
     ) -> Option<Arc<Heart>> {
-        let query = HeartPicture {
+        let query = SubjectPicture {
             subject: Arc::clone(subject),
             reference_frame,
-            in_betweens: in_betweens.cloned(),
+            interpolated_poses: interpolated_poses.cloned(),
         };
         self.store.ask(self.study, &query).ready().cloned()
     }

@@ -11,7 +11,7 @@ use crate::picture::figure::saved_view::{SavedCamera, SavedView};
 use crate::picture::heart_frame::HeartFrame;
 use crate::picture::page::{FigureFonts, FigureSettings, Page, VIEW_KEY};
 use crate::picture::prepared::PreparedSubject;
-use crate::picture::scene::{HeartExtras, HeartScene, heart_scene};
+use crate::picture::scene::{SubjectExtras, SubjectScene, scene_with_extras};
 use crate::picture::scene_settings::SceneSettings;
 use crate::render::{Camera, GeometryPose, Headless, RenderError};
 
@@ -41,7 +41,7 @@ pub struct FigureOrder<'a> {
     /// The heart, ready for drawing.
     pub prepared: &'a PreparedSubject,
     /// What is drawn beside its surfaces.
-    pub extras: HeartExtras<'a>,
+    pub extras: SubjectExtras<'a>,
     /// Colours and what is drawn.
     pub scene: SceneSettings,
     /// What the bull's-eye shows, here or in the window that takes the view up again.
@@ -73,7 +73,7 @@ pub fn rendered_figure(
     headless: &mut Headless,
     fonts: &FigureFonts,
 ) -> Result<Figure, RenderError> {
-    let heart = heart_scene(order.prepared, order.extras, &order.scene, order.pose);
+    let heart = scene_with_extras(order.prepared, order.extras, &order.scene, order.pose);
     let content = order.content(&heart);
     let frame = FigureFrame::of(order.size, &content, fonts);
     let camera = order.camera(frame.heart_aspect());
@@ -94,7 +94,7 @@ pub fn rendered_figure(
 
 impl FigureOrder<'_> {
     /// What the figure says beside its heart.
-    pub(super) fn content(&self, heart: &HeartScene) -> FigureContent {
+    pub(super) fn content(&self, heart: &SubjectScene) -> FigureContent {
         let legends = [&heart.legend, &heart.atom_legend].into_iter().flatten();
         FigureContent::of(
             self.shown,

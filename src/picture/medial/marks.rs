@@ -17,7 +17,7 @@ use crate::render::{
 use crate::study::SurfaceKind;
 
 use super::outline::{Lies, dashed, rounded};
-use super::settings::{HeartMedial, PatchLook, WallPart};
+use super::settings::{PatchLook, SubjectMedial, WallPart};
 
 /// How far a line lies off its surface, as a share of the radius there.
 const LIFT: f64 = 0.1;
@@ -35,7 +35,7 @@ const ARROW: [f64; 2] = [0.28, 0.05];
 
 /// The colour bar of atoms.
 pub(in crate::picture) fn atom_legend(
-    heart: &HeartMedial<'_>,
+    heart: &SubjectMedial<'_>,
     prepared: &PreparedSubject,
     settings: &SceneSettings,
 ) -> Option<ColourLegend> {
@@ -67,7 +67,7 @@ fn atom_limits(settings: &SceneSettings) -> ColourLimits {
 /// Adds what the settings ask for to the scene of a heart at a pose, told in frames.
 pub(in crate::picture) fn add_marks(
     scene: &mut Scene,
-    heart: &HeartMedial<'_>,
+    heart: &SubjectMedial<'_>,
     prepared: &PreparedSubject,
     settings: &SceneSettings,
     pose: GeometryPose,
@@ -165,7 +165,7 @@ fn single(point: Point3) -> [f32; 3] {
 }
 
 fn disc_surface(
-    heart: &HeartMedial<'_>,
+    heart: &SubjectMedial<'_>,
     settings: &SceneSettings,
     pose: GeometryPose,
 ) -> Option<Surface> {
@@ -188,7 +188,7 @@ fn disc_surface(
     })
 }
 
-fn spokes(heart: &HeartMedial<'_>, now: &Now<'_>) -> Vec<Vec<[f32; 3]>> {
+fn spokes(heart: &SubjectMedial<'_>, now: &Now<'_>) -> Vec<Vec<[f32; 3]>> {
     let beat = &heart.prepared.beat;
     let regular = (0..beat.regular.len()).filter(|&atom| beat.regular[atom]);
     regular
@@ -232,7 +232,7 @@ fn lies(prepared: &PreparedSubject, settings: &SceneSettings) -> Vec<Lies> {
 
 fn add_borders(
     scene: &mut Scene,
-    heart: &HeartMedial<'_>,
+    heart: &SubjectMedial<'_>,
     now: &Now<'_>,
     settings: &SceneSettings,
     places: &[Lies],
@@ -275,7 +275,7 @@ fn add_borders(
 }
 
 /// Rings around the discs of a segment's atoms.
-fn rings(heart: &HeartMedial<'_>, segment: Segment, pose: GeometryPose) -> Vec<Vec<[f32; 3]>> {
+fn rings(heart: &SubjectMedial<'_>, segment: Segment, pose: GeometryPose) -> Vec<Vec<[f32; 3]>> {
     let atoms = heart.wall.segments.iter().enumerate();
     atoms
         .filter(|(_, of)| **of == Some(segment))
@@ -290,7 +290,7 @@ fn rings(heart: &HeartMedial<'_>, segment: Segment, pose: GeometryPose) -> Vec<V
 /// ANV from MP of every patch, or of all akinetic atoms where there is no patch.
 fn add_directions(
     scene: &mut Scene,
-    heart: &HeartMedial<'_>,
+    heart: &SubjectMedial<'_>,
     pose: GeometryPose,
     settings: &SceneSettings,
     colour: Rgba,

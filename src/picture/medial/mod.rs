@@ -14,4 +14,4 @@ pub use facing::facing_patch;
 pub(super) use marks::{add_marks, atom_legend};
 pub(in crate::picture) use outline::rounded;
 pub use prepared::PreparedMedial;
-pub use settings::{HeartMedial, MedialSettings, PatchLook, WallPart};
+pub use settings::{MedialSettings, PatchLook, SubjectMedial, WallPart};

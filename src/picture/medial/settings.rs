@@ -56,7 +56,7 @@ impl MedialSettings {
 
 /// The medial surface of one subject, prepared, and its assessed wall.
 #[derive(Clone, Copy, Debug)]
-pub struct HeartMedial<'a> {
+pub struct SubjectMedial<'a> {
     /// The atoms.
     pub prepared: &'a PreparedMedial,
     /// How they thicken, and the patches.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::medial::{MedialBeat, MedialParams, medial_beat};
 use crate::mesh::phantom;
 use crate::picture::{
-    HeartExtras, PreparedSubject, Quantity, SceneSettings, SurfaceRole, heart_scene,
+    PreparedSubject, Quantity, SceneSettings, SubjectExtras, SurfaceRole, scene_with_extras,
 };
 use crate::progress::Progress;
 use crate::render::{GeometryPose, SurfaceColour};
@@ -60,7 +60,7 @@ fn between_frames_numbers_and_poses_go_in_proportion() {
     let medial = PreparedMedial::new(&subject, &beat(&subject), 0);
     let pose = |frame: usize| subject.sequence.pose(frame).unwrap();
     let between = [pose(0), pose(1), pose(1)];
-    let heart = PreparedSubject::with_in_betweens(&subject, 0, &[&between, &[]]);
+    let heart = PreparedSubject::with_interpolated_poses(&subject, 0, &[&between, &[]]);
     let place = |from, to, blend| heart.pose_in_frames(GeometryPose { from, to, blend });
     assert_eq!((place(1, 2, 0.0).from, place(1, 2, 0.0).blend), (0, 0.25));
     assert_eq!(place(1, 2, 0.5).blend, 0.375);
@@ -108,9 +108,9 @@ fn a_heart_without_numbers_has_no_bar_of_thickness() {
         quantity: Quantity::ThicknessRatio,
         ..SceneSettings::default()
     };
-    let scene = heart_scene(
+    let scene = scene_with_extras(
         &heart,
-        HeartExtras::default(),
+        SubjectExtras::default(),
         &settings,
         GeometryPose::default(),
     );

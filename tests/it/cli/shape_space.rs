@@ -97,7 +97,7 @@ fn a_form_without_a_least_path_is_wrong_usage_and_says_what_to_do() {
     assert_eq!(
         code(&cardiomorph(&options)),
         0,
-        "one in-between has a least path"
+        "one interpolated pose has a shortest path"
     );
 }
 

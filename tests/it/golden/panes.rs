@@ -218,9 +218,9 @@ fn a_motion_on_another_subject_looks_as_it_did() {
     ];
     let (name, size) = ("transport", [480.0, 320.0]);
     compare_pane(name, Pane::VIEWPORT, size, DARK, &commands, |app| {
-        let in_betweens = app.state().in_betweens_of(SUBJECT);
+        let interpolated_poses = app.state().interpolated_poses_of(SUBJECT);
         app.state().transported_subject().is_some()
-            && in_betweens.is_some_and(|beat| beat.complete())
+            && interpolated_poses.is_some_and(|beat| beat.complete())
     });
 }
 

@@ -34,7 +34,7 @@ fn params(case: &Case) -> GeodesicParams {
             regulariser: Regulariser::Uniform,
             ..as_printed(kind, form, corners)
         },
-        in_betweens: stated["k_intermediate"].as_u64().unwrap() as u16,
+        interpolated_poses: stated["k_intermediate"].as_u64().unwrap() as u16,
         tolerance: 1e-6,
         max_iterations: 2_000,
         ..GeodesicParams::default()

@@ -190,7 +190,7 @@ pub fn time(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         end_systole: Some(4),
         time_ms: Some(276.0),
         between: Some("interpolated"),
-        in_betweens: &[2.25, 2.5, 2.75, 3.25, 3.5, 3.75],
+        interpolated_poses: &[2.25, 2.5, 2.75, 3.25, 3.5, 3.75],
         note: "",
     };
     time_bar_ui(ui, &view, commands);

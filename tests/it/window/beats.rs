@@ -1,7 +1,7 @@
 //! Beats in the window: poses between frames, one heart's beat on another, where two hearts differ.
 
 use cardiomorph::document::TransportState;
-use cardiomorph::engine::{InBetweens, PoseMapParams, Topic, Transfer};
+use cardiomorph::engine::{InterpolatedPoses, MotionTransport, PoseMapParams, Topic};
 use cardiomorph::picture::Quantity;
 
 use super::*;
@@ -44,14 +44,19 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
     );
     wait(&mut harness, "the poses between frames", |app| {
         app.state()
-            .in_betweens_of(0)
+            .interpolated_poses_of(0)
             .is_some_and(|beat| beat.complete())
             && !app.busy()
     });
     harness.run();
     assert!(shows(&harness, "R-R · interpolated"));
     assert!(!shows(&harness, "linear interpolation"));
-    let beat = harness.state().state().in_betweens_of(0).unwrap().clone();
+    let beat = harness
+        .state()
+        .state()
+        .interpolated_poses_of(0)
+        .unwrap()
+        .clone();
     assert_eq!(
         beat.positions().len(),
         8 * 3,
@@ -74,16 +79,16 @@ fn the_slider_runs_through_computed_poses_and_says_so() {
     // Another number of poses is another question; none at all is one too.
     give(
         &mut harness,
-        Command::Transport(TransportCommand::SetInBetweens(1)),
+        Command::Transport(TransportCommand::SetInterpolatedPoses(1)),
     );
     give(&mut harness, Command::Beat(BeatCommand::SetPosition(2.4)));
     wait(&mut harness, "one pose per interval", |app| {
-        let beat = app.state().in_betweens_of(0);
+        let beat = app.state().interpolated_poses_of(0);
         beat.is_some_and(|beat| beat.positions().len() == 8)
     });
     give(
         &mut harness,
-        Command::Transport(TransportCommand::SetInBetweens(0)),
+        Command::Transport(TransportCommand::SetInterpolatedPoses(0)),
     );
     harness.run();
     assert!(shows(&harness, "linear interpolation"));
@@ -95,13 +100,13 @@ fn playing_finds_the_poses_of_the_heart_on_screen() {
     let mut harness = cohort_window();
     give(&mut harness, Command::Beat(BeatCommand::SelectSubject(4)));
     assert!(
-        harness.state().state().in_betweens_of(4).is_none(),
+        harness.state().state().interpolated_poses_of(4).is_none(),
         "nothing moves yet"
     );
     give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
     wait(&mut harness, "the poses between frames", |app| {
         app.state()
-            .in_betweens_of(4)
+            .interpolated_poses_of(4)
             .is_some_and(|beat| beat.complete())
     });
     assert!(harness.state().state().play.playing);
@@ -120,12 +125,12 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
     );
     give(&mut harness, Command::Beat(BeatCommand::SetPosition(0.5)));
     harness.step();
-    let works = |app: &App| app.works_on(Topic::of::<InBetweens>());
+    let works = |app: &App| app.works_on(Topic::of::<InterpolatedPoses>());
     assert!(works(harness.state()));
     let begin = Instant::now();
     give(
         &mut harness,
-        Command::Work(WorkCommand::Cancel(Topic::of::<InBetweens>())),
+        Command::Work(WorkCommand::Cancel(Topic::of::<InterpolatedPoses>())),
     );
     wait(&mut harness, "the end of the work", |app| !works(app));
     assert!(begin.elapsed() < Duration::from_secs(2));
@@ -138,7 +143,7 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
     assert!(shows(&harness, "linear interpolation"));
     give(
         &mut harness,
-        Command::Work(WorkCommand::Retry(Topic::of::<InBetweens>())),
+        Command::Work(WorkCommand::Retry(Topic::of::<InterpolatedPoses>())),
     );
     harness.step();
     assert!(works(harness.state()));
@@ -270,7 +275,7 @@ fn a_transport_can_be_stopped_and_asked_for_again() {
     );
     give(
         &mut harness,
-        Command::Transport(TransportCommand::SetInBetweens(0)),
+        Command::Transport(TransportCommand::SetInterpolatedPoses(0)),
     );
     give(
         &mut harness,
@@ -280,7 +285,7 @@ fn a_transport_can_be_stopped_and_asked_for_again() {
     assert!(harness.state().busy());
     give(
         &mut harness,
-        Command::Work(WorkCommand::Cancel(Topic::of::<Transfer>())),
+        Command::Work(WorkCommand::Cancel(Topic::of::<MotionTransport>())),
     );
     wait(&mut harness, "the end of the work", |app| !app.busy());
     wait(&mut harness, "both hearts", |app| {

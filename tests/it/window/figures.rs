@@ -29,10 +29,10 @@ fn arranged_window() -> Harness<'static, App> {
         }),
     );
     let mut settings = harness.state().state().document.thickening;
-    settings.thickening.border = 0.5;
+    settings.thickening.extent = 0.5;
     for command in [
         Command::Wall(WallCommand::SetThickening(settings)),
-        Command::Transport(TransportCommand::SetInBetweens(0)),
+        Command::Transport(TransportCommand::SetInterpolatedPoses(0)),
         Command::Wall(WallCommand::ToggleAtoms),
         Command::View(ViewCommand::ToggleEpicardium),
         Command::View(ViewCommand::SetQuantity(Quantity::AreaRatio)),

@@ -104,7 +104,7 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
         .unwrap();
     // Thresholds that take much of any wall for a patch.
     let mut settings = harness.state().state().document.thickening;
-    settings.thickening.border = 0.9;
+    settings.thickening.extent = 0.9;
     settings.thickening.core = 0.85;
     settings.thickening.akinetic = 1.0;
     give(
@@ -249,7 +249,7 @@ fn other_thresholds_ask_for_other_verdicts_while_those_before_stay() {
     select(&mut harness, PATCHED);
     let before = Arc::clone(harness.state().state().verdicts().unwrap().0);
     let mut settings = harness.state().state().document.thickening;
-    settings.thickening.border = 0.6;
+    settings.thickening.extent = 0.6;
     settings.thickening.core = 0.3;
     give(
         &mut harness,

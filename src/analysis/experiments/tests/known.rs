@@ -93,7 +93,7 @@ fn each_object_keeps_its_own_draws() {
 fn steps_of_a_path_have_a_longest_and_a_shortest_and_its_middle_is_near_the_motion() {
     let mut params = InterpolationStudyParams::default();
     params.objects.truncate(1);
-    params.geodesic.in_betweens = 1;
+    params.geodesic.interpolated_poses = 1;
     let study = interpolation_study(&params, &Progress::default()).unwrap();
     for case in &study.cases {
         assert!((1.0..1.5).contains(&case.step_ratio), "{case:?}");

@@ -55,9 +55,9 @@ fn a_path_through_a_point_does_not_panic() {
         .iter()
         .map(|p| Point3::from(-p.coords))
         .collect();
-    for in_betweens in [1, 2, 3] {
+    for interpolated_poses in [1, 2, 3] {
         let params = GeodesicParams {
-            in_betweens,
+            interpolated_poses,
             ..GeodesicParams::default()
         };
         let params = params.check().unwrap();
@@ -101,14 +101,14 @@ fn squeezed_faces_do_not_panic() {
 }
 
 #[test]
-fn forms_that_collapse_are_refused_from_two_in_betweens_on() {
-    let asked = |metric: MetricParams, in_betweens| {
+fn forms_that_collapse_are_refused_from_two_interpolated_poses_on() {
+    let asked = |metric: MetricParams, interpolated_poses| {
         GeodesicParams {
             metric: MetricParams {
                 lambda: 0.0,
                 ..metric
             },
-            in_betweens,
+            interpolated_poses,
             ..GeodesicParams::default()
         }
         .check()
@@ -120,7 +120,9 @@ fn forms_that_collapse_are_refused_from_two_in_betweens_on() {
         };
         assert_eq!(
             asked(metric, 2).unwrap_err(),
-            GeodesicParamError::NoLeastPath { in_betweens: 2 }
+            GeodesicParamError::NoLeastPath {
+                interpolated_poses: 2
+            }
         );
         assert!(asked(metric, 1).is_ok());
     }
@@ -144,7 +146,7 @@ fn settings_out_of_range_are_refused() {
     let default = GeodesicParams::default();
     for wrong in [
         GeodesicParams {
-            in_betweens: 5_000,
+            interpolated_poses: 5_000,
             ..default
         },
         GeodesicParams {
@@ -176,7 +178,7 @@ fn a_stopped_path_is_the_straight_line_or_better() {
     let ball = phantom::sphere(3, 1.0);
     let end = bent(ball.vertices(), 0.3, 1.0);
     let params = GeodesicParams {
-        in_betweens: 7,
+        interpolated_poses: 7,
         ..exact()
     };
     let params = params.check().unwrap();

@@ -14,7 +14,7 @@ pub(in crate::analysis::metrics) struct Plan {
     pub mesh: Connectivity,
     pub params: CheckedMetricParams,
     pub curvature: CurvatureRole,
-    pub in_betweens: usize,
+    pub interpolated_poses: usize,
     /// Blocks of [`LANES`] steps; those past the end of the path repeat the last pose.
     pub blocks: usize,
     /// |ΔK| of the two ends, per vertex; empty unless the form is frozen.
@@ -47,7 +47,7 @@ impl Plan {
     }
 
     pub fn step_count(&self) -> usize {
-        self.in_betweens + 1
+        self.interpolated_poses + 1
     }
 }
 

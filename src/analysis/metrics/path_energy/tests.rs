@@ -68,10 +68,10 @@ struct Path {
 }
 
 impl Path {
-    fn random(mesh: &TriMesh, in_betweens: usize, random: &mut ChaCha8Rng) -> Self {
+    fn random(mesh: &TriMesh, interpolated_poses: usize, random: &mut ChaCha8Rng) -> Self {
         Self {
             faces: std::sync::Arc::clone(mesh.faces()),
-            poses: (0..in_betweens + 2)
+            poses: (0..interpolated_poses + 2)
                 .map(|_| shaken(mesh, 0.1, random))
                 .collect(),
         }
@@ -97,10 +97,10 @@ impl Path {
 fn the_energy_is_the_sum_over_pairs_to_round_off() {
     let mut random = ChaCha8Rng::seed_from_u64(1);
     for mesh in meshes() {
-        for in_betweens in [0, 1, 3, 4, 7] {
-            let path = Path::random(&mesh, in_betweens, &mut random);
+        for interpolated_poses in [0, 1, 3, 4, 7] {
+            let path = Path::random(&mesh, interpolated_poses, &mut random);
             for params in all_settings() {
-                if params.form == Form::Frozen && in_betweens > 0 {
+                if params.form == Form::Frozen && interpolated_poses > 0 {
                     continue; // Weights of the ends here, of each pair there.
                 }
                 let metric = path.metric(params);

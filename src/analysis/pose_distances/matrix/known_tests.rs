@@ -28,7 +28,7 @@ fn transported_to(reference: Reference) -> PoseDistanceParams {
     PoseDistanceParams {
         transport: Some(CohortTransportParams {
             reference,
-            in_betweens: 0,
+            interpolated_poses: 0,
             ..CohortTransportParams::default()
         }),
         ..PoseDistanceParams::default()

@@ -215,7 +215,7 @@ fn who_cannot_take_part_is_left_out_with_a_reason() {
     let cohort = study(vec![heart(0.0, 3), far, ball, heart(2.0, 3)]);
     let metric = MetricParams::default().check().unwrap();
     let params = CohortTransportParams {
-        in_betweens: 0,
+        interpolated_poses: 0,
         ..CohortTransportParams::default()
     };
     let there = transport_cohort(&cohort, &metric, &params, &Progress::default()).unwrap();
@@ -264,9 +264,9 @@ fn a_stopped_transfer_says_so() {
 #[test]
 fn one_geodesic_bent_for_all_steps_is_near_a_geodesic_for_each() {
     let (from, onto) = (heart(0.0, 4), heart(3.0, 4));
-    let beat = |in_betweens: u16, geodesics: Geodesics| {
+    let beat = |interpolated_poses: u16, geodesics: Geodesics| {
         let params = TransportParams {
-            in_betweens,
+            interpolated_poses,
             geodesics,
             max_vertices: None,
             ..TransportParams::default()

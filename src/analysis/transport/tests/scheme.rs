@@ -97,7 +97,7 @@ fn a_transfer_keeps_the_norm_only_if_it_is_told_to() {
     let ends = [mesh.vertices().to_vec(), onto.clone()];
     let transported = [true, false].map(|keep_norm| {
         let params = TransportParams {
-            in_betweens: 0,
+            interpolated_poses: 0,
             keep_norm,
             ..TransportParams::default()
         };

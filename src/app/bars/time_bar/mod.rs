@@ -41,7 +41,7 @@ pub struct TimeBarView<'a> {
     /// What is shown between frames, such as `interpolated`; `None` on a frame.
     pub between: Option<&'a str>,
     /// Positions of computed poses between frames, ascending; each has a small mark.
-    pub in_betweens: &'a [f64],
+    pub interpolated_poses: &'a [f64],
     /// More about the poses between frames, for whoever points at the line; may be empty.
     pub note: &'a str,
 }
@@ -229,7 +229,7 @@ fn snapped(view: &TimeBarView, share: f64, rail_width: f32) -> f64 {
     }
     let distance = |position: &f64| (axis.share_at(*position) - share).abs();
     let nearest = view
-        .in_betweens
+        .interpolated_poses
         .iter()
         .copied()
         .min_by(|a, b| distance(a).total_cmp(&distance(b)));
@@ -273,9 +273,9 @@ fn draw_rail(ui: &Ui, view: &TimeBarView, rail: Rect, x_at: impl Fn(f64) -> f32)
     let count = view.axis.frame_count();
     // Marks nearer to each other than this would run together.
     let frame_gap = rail.width() / count.max(1) as f32;
-    let per_frame = view.in_betweens.len() as f32 / count.max(1) as f32;
+    let per_frame = view.interpolated_poses.len() as f32 / count.max(1) as f32;
     if frame_gap > 4.0 * (per_frame + 1.0) {
-        for position in view.in_betweens {
+        for position in view.interpolated_poses {
             let share = view.axis.share_at(*position);
             let tick = Rect::from_center_size(pos2(x_at(share), rail.center().y), vec2(1.0, 5.0));
             painter.rect_filled(tick, 0.0, shade(share));

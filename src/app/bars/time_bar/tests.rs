@@ -22,7 +22,7 @@ fn harness() -> Harness<'static, Vec<Command>> {
                     end_systole: Some(2),
                     time_ms: Some(100.0),
                     between: Some("interpolated"),
-                    in_betweens: &[2.25, 2.5, 2.75],
+                    interpolated_poses: &[2.25, 2.5, 2.75],
                     note: "3 interpolated poses per interval",
                 };
                 time_bar_ui(ui, &view, commands);

@@ -94,11 +94,11 @@ fn classes_are_classified_with_their_own_distances_settings_and_labels() {
 fn a_motion_is_transported_with_the_settings_of_its_question() {
     let study = study();
     let params = TransportParams {
-        in_betweens: 0,
+        interpolated_poses: 0,
         nearness: Nearness::Coordinates,
         ..TransportParams::default()
     };
-    let query = Transfer {
+    let query = MotionTransport {
         params,
         ..transfer()
     };

@@ -35,7 +35,7 @@ fn another_tolerance_or_border_fits_no_sphere_again() {
     assert!(Arc::ptr_eq(&first.beat, &second.beat));
     assert_ne!(first.thickening.steps, second.thickening.steps);
     let mut settings = ThickeningSettings::default();
-    settings.thickening.border = 0.6;
+    settings.thickening.extent = 0.6;
     let wider = WallThickening {
         subject: 1,
         settings,

@@ -9,7 +9,7 @@ use crate::picture::figure::patch::frame::PatchFrame;
 use crate::picture::figure::patch::order::PatchOrder;
 use crate::picture::medial::facing_patch;
 use crate::picture::page::FigureFonts;
-use crate::picture::scene::heart_scene;
+use crate::picture::scene::scene_with_extras;
 use crate::render::{Headless, RenderError};
 
 /// Renders a patch figure, by default from where the largest patch is seen best.
@@ -25,7 +25,7 @@ pub fn rendered_patch_figure(
     figure.scene.medial.patch_look = order.standing().look();
     // Patches in a wall that is not resolved may be blur or noise.
     figure.scene.medial.patches &= order.wall.not_assessed.is_none();
-    let heart = heart_scene(figure.prepared, figure.extras, &figure.scene, figure.pose);
+    let heart = scene_with_extras(figure.prepared, figure.extras, &figure.scene, figure.pose);
     let content = PatchContent::of(figure.content(&heart), order);
     let frame = PatchFrame::of(figure.size, &content, fonts);
     let camera = match (figure.view, order.wall.thickening.patches.first()) {

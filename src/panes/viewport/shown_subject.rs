@@ -6,8 +6,8 @@ use egui::Rect;
 
 use crate::document::ViewMode;
 use crate::picture::{
-    HeartExtras, HeartMedial, MedialSettings, PatchLook, PreparedMedial, Quantity, SceneSettings,
-    SurfaceScalars,
+    MedialSettings, PatchLook, PreparedMedial, Quantity, SceneSettings, SubjectExtras,
+    SubjectMedial, SurfaceScalars,
 };
 use crate::render::Camera;
 use crate::study::Subject;
@@ -19,7 +19,7 @@ use crate::panes::viewport::pictures::{Heart, Pictures, ShownMedial};
 
 /// A heart on screen: it stays until the next one is ready.
 #[derive(Clone)]
-pub struct ShownHeart {
+pub struct ShownSubject {
     /// Index into the study's subjects.
     pub index: usize,
     /// Whose heart it is; with a transported motion, a subject of its own.
@@ -38,7 +38,7 @@ pub struct ShownHeart {
     pub overlay: OverlayData,
 }
 
-impl ShownHeart {
+impl ShownSubject {
     /// How it is drawn, where hearts are drawn so.
     pub fn settings(&self, settings: &SceneSettings) -> SceneSettings {
         SceneSettings {
@@ -51,10 +51,10 @@ impl ShownHeart {
     }
 
     /// What is drawn beside its surfaces.
-    pub fn extras(&self) -> HeartExtras<'_> {
-        HeartExtras {
+    pub fn extras(&self) -> SubjectExtras<'_> {
+        SubjectExtras {
             numbers: self.numbers.as_deref(),
-            medial: self.medial.as_ref().map(|medial| HeartMedial {
+            medial: self.medial.as_ref().map(|medial| SubjectMedial {
                 prepared: &medial.prepared,
                 wall: &medial.wall,
             }),
@@ -65,7 +65,7 @@ impl ShownHeart {
 /// One heart of this frame's picture.
 pub struct Cell<'a> {
     /// Which heart.
-    pub heart: &'a ShownHeart,
+    pub heart: &'a ShownSubject,
     /// Where on the screen.
     pub rect: Rect,
     /// From where it is looked at.
@@ -73,13 +73,13 @@ pub struct Cell<'a> {
 }
 
 /// The heart of one place, once it is ready.
-pub fn shown_heart(
+pub fn shown_subject(
     state: &State,
     pictures: Pictures<'_>,
     numbers: &mut ScalarCache,
     reference_frames: &[usize],
     place: &VisiblePose,
-) -> Option<ShownHeart> {
+) -> Option<ShownSubject> {
     let origin = if place.transported {
         state.document.subject
     } else {
@@ -91,7 +91,7 @@ pub fn shown_heart(
         (subject, pictures.heart(subject, reference)?)
     } else {
         let subject = state.subject(place.subject)?;
-        let between = state.in_betweens_of(place.subject);
+        let between = state.interpolated_poses_of(place.subject);
         (
             subject,
             pictures.heart_between(subject, reference, between)?,
@@ -104,7 +104,7 @@ pub fn shown_heart(
         Some((Ok(found), _)) => pictures.medial(subject, found),
         _ => None,
     };
-    Some(ShownHeart {
+    Some(ShownSubject {
         index: place.subject,
         subject: Arc::clone(subject),
         position: place.position,

@@ -11,7 +11,7 @@ use crate::study::{MeshSequence, Study};
 
 /// The motion of one subject on another, in the coordinates of the other.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Transfer {
+pub struct MotionTransport {
     /// Whose motion.
     pub from: usize,
     /// Onto which subject.
@@ -22,7 +22,7 @@ pub struct Transfer {
 
 /// Why a motion cannot be transported.
 #[derive(Debug, thiserror::Error)]
-pub enum TransferError {
+pub enum MotionTransportError {
     /// There is no such subject.
     #[error(transparent)]
     NoSubject(#[from] NoSubject),
@@ -34,15 +34,15 @@ pub enum TransferError {
     Transport(TransportError),
 }
 
-impl Query for Transfer {
+impl Query for MotionTransport {
     type Answer = MeshSequence;
-    type Error = TransferError;
+    type Error = MotionTransportError;
     const TITLE: &'static str = "Motion transport";
     const FAILURE: Option<&'static str> = Some("The motion could not be transported");
 
     fn parameters(&self) -> String {
         let metric = metric_words(&self.params.metric);
-        let count = self.params.in_betweens;
+        let count = self.params.interpolated_poses;
         format!("{count} interpolated poses between the subjects, {metric}")
     }
 
@@ -50,8 +50,8 @@ impl Query for Transfer {
         Dependencies::shapes(study, [self.from, self.onto])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<MeshSequence, Interrupted<TransferError>> {
-        let failed = |error: TransferError| Interrupted::Failed(error);
+    fn run(&self, cx: &Context<'_>) -> Result<MeshSequence, Interrupted<MotionTransportError>> {
+        let failed = |error: MotionTransportError| Interrupted::Failed(error);
         let params = (self.params.check()).map_err(|error| failed(error.into()))?;
         let subject = |index| subject_of(cx.study(), index).map_err(|error| failed(error.into()));
         let (from, onto) = (subject(self.from)?, subject(self.onto)?);
@@ -60,7 +60,7 @@ impl Query for Transfer {
         match transported_motion(from, onto, &params, cx.progress()) {
             Ok(sequence) => Ok(sequence),
             Err(TransportError::Stopped(_)) => Err(Interrupted::Stopped),
-            Err(error) => Err(failed(TransferError::Transport(error))),
+            Err(error) => Err(failed(MotionTransportError::Transport(error))),
         }
     }
 

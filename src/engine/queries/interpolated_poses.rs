@@ -35,7 +35,7 @@ impl PartialEq for LookedAt {
 
 /// Poses within every interval between frames of a beat: one path per interval.
 #[derive(Clone, Debug, PartialEq)]
-pub struct InBetweens {
+pub struct InterpolatedPoses {
     /// Whose beat.
     pub subject: usize,
     /// What the path minimises, and how many poses.
@@ -57,7 +57,7 @@ pub struct Interval {
 
 /// Why there are no interpolated poses.
 #[derive(Debug, thiserror::Error)]
-pub enum InBetweensError {
+pub enum InterpolatedPosesError {
     /// There is no such subject.
     #[error(transparent)]
     NoSubject(#[from] NoSubject),
@@ -77,9 +77,9 @@ pub enum InBetweensError {
     Path(#[from] GeodesicError),
 }
 
-impl Query for InBetweens {
+impl Query for InterpolatedPoses {
     type Answer = Vec<Arc<GeodesicPath>>;
-    type Error = Failure<InBetweensError>;
+    type Error = Failure<InterpolatedPosesError>;
     const TITLE: &'static str = "Interpolated poses";
     const FAILURE: Option<&'static str> = Some("The interpolated poses could not be computed");
 
@@ -94,7 +94,7 @@ impl Query for InBetweens {
     fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted<Self::Error>> {
         let sequence = subject_of(cx.study(), self.subject).map(|subject| &subject.sequence);
         let sequence = sequence.map_err(|error| {
-            let error = InBetweensError::from(error);
+            let error = InterpolatedPosesError::from(error);
             Interrupted::Failed(Failure::Analysis(Arc::new(error)))
         })?;
         let count = interval_count(sequence);
@@ -129,7 +129,7 @@ impl Query for InBetweens {
 
 impl Query for Interval {
     type Answer = GeodesicPath;
-    type Error = InBetweensError;
+    type Error = InterpolatedPosesError;
     const TITLE: &'static str = "Interpolated poses of an interval";
 
     fn parameters(&self) -> String {
@@ -140,7 +140,7 @@ impl Query for Interval {
         Dependencies::shapes(study, [self.subject])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted<InBetweensError>> {
+    fn run(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted<InterpolatedPosesError>> {
         let progress = cx.progress();
         progress.begin_phase("interpolating poses", 0.0, 1.0);
         let path = self.path(cx)?;
@@ -161,8 +161,8 @@ impl Query for Interval {
 }
 
 impl Interval {
-    fn path(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted<InBetweensError>> {
-        let failed = |error: InBetweensError| Interrupted::Failed(error);
+    fn path(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted<InterpolatedPosesError>> {
+        let failed = |error: InterpolatedPosesError| Interrupted::Failed(error);
         let params = (self.params.check()).map_err(|error| failed(error.into()))?;
         let subject = subject_of(cx.study(), self.subject).map_err(|error| failed(error.into()))?;
         let sequence = &subject.sequence;
@@ -170,7 +170,7 @@ impl Interval {
         let next = (self.interval + 1) % frames;
         let ends = (sequence.pose(self.interval)).zip(sequence.pose(next));
         let Some((start, end)) = ends.filter(|_| self.interval < interval_count(sequence)) else {
-            return Err(failed(InBetweensError::NoInterval {
+            return Err(failed(InterpolatedPosesError::NoInterval {
                 interval: self.interval,
                 frames,
             }));
@@ -191,7 +191,7 @@ fn interval_count(sequence: &MeshSequence) -> usize {
 
 fn words(params: &GeodesicParams) -> String {
     let metric = metric_words(&params.metric);
-    format!("{} per interval, {metric}", params.in_betweens)
+    format!("{} per interval, {metric}", params.interpolated_poses)
 }
 
 /// Memory that a path holds.

@@ -24,13 +24,13 @@ pub fn interval_count(subject: &Subject) -> usize {
 
 /// The poses between the frames of one beat, as far as they were computed.
 #[derive(Clone, Debug)]
-pub struct BeatInBetweens {
+pub struct InterpolatedMotion {
     subject: Arc<Subject>,
     params: GeodesicParams,
     paths: Vec<Option<Arc<GeodesicPath>>>,
 }
 
-impl BeatInBetweens {
+impl InterpolatedMotion {
     /// Whether they are those of this beat with these settings.
     pub fn are_of(&self, subject: &Arc<Subject>, params: &GeodesicParams) -> bool {
         Arc::ptr_eq(&self.subject, subject) && self.params == *params
@@ -85,7 +85,7 @@ fn inner(path: &GeodesicPath) -> &[Vec<Point3>] {
 #[derive(Clone, Debug, Default)]
 pub struct BeatMemo {
     /// The one used last stands last.
-    beats: Vec<Arc<BeatInBetweens>>,
+    beats: Vec<Arc<InterpolatedMotion>>,
 }
 
 impl BeatMemo {
@@ -94,7 +94,7 @@ impl BeatMemo {
         &self,
         subject: &Arc<Subject>,
         params: &GeodesicParams,
-    ) -> Option<&Arc<BeatInBetweens>> {
+    ) -> Option<&Arc<InterpolatedMotion>> {
         self.beats.iter().find(|beat| beat.are_of(subject, params))
     }
 
@@ -108,12 +108,12 @@ impl BeatMemo {
     ) -> bool {
         let known = self.get(subject, params);
         let mut beat = known.map_or_else(
-            || BeatInBetweens {
+            || InterpolatedMotion {
                 subject: Arc::clone(subject),
                 params: *params,
                 paths: vec![None; interval_count(subject)],
             },
-            |beat| BeatInBetweens::clone(beat),
+            |beat| InterpolatedMotion::clone(beat),
         );
         let mut news = false;
         for (slot, path) in beat.paths.iter_mut().skip(first).zip(paths) {
@@ -135,9 +135,9 @@ impl BeatMemo {
 
 /// Settings of the interpolated poses that the document asks for; `None` where they are switched off.
 pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
-    (document.in_betweens > 0).then(|| GeodesicParams {
+    (document.interpolated_poses > 0).then(|| GeodesicParams {
         metric: document.map.distances.metric,
-        in_betweens: document.in_betweens,
+        interpolated_poses: document.interpolated_poses,
         ..GeodesicParams::default()
     })
 }
@@ -153,17 +153,17 @@ pub struct BetweenWords {
     pub note: String,
 }
 
-/// Words for the pose at a position. `in_betweens` are those of the beat, if there are any;
+/// Words for the pose at a position. `interpolated_poses` are those of the beat, if there are any;
 /// `pending` says why there are none, and is empty where nothing is known.
 pub fn between_words(
-    in_betweens: Option<&BeatInBetweens>,
+    interpolated_poses: Option<&InterpolatedMotion>,
     position: f64,
     pending: &str,
 ) -> BetweenWords {
     if !is_between(position) {
         return BetweenWords::default();
     }
-    let path = in_betweens.and_then(|beat| beat.path(position.floor() as usize));
+    let path = interpolated_poses.and_then(|beat| beat.path(position.floor() as usize));
     let Some(path) = path else {
         let mut note =
             "Every vertex moves along a straight line from one frame to the next".to_owned();
@@ -248,7 +248,7 @@ pub(crate) mod tests {
         assert!(beat.complete());
         assert_eq!(beat.positions().len(), 12);
         let other = GeodesicParams {
-            in_betweens: 7,
+            interpolated_poses: 7,
             ..params
         };
         assert!(store.get(&subject, &other).is_none());
