@@ -1,4 +1,4 @@
-//! Physical quantities that leave a room carry their unit as a type.
+//! Physical quantities that leave a room have their unit as a type.
 
 /// Declares a unit as a newtype over `f64`, printed as a number with its symbol.
 macro_rules! unit {

@@ -98,7 +98,7 @@ fn walls(state: &State, store: &Store) -> Vec<WallAnswer> {
     let mut walls: Vec<WallAnswer> = Vec::new();
     for place in visible_poses(state)
         .into_iter()
-        .filter(|place| !place.carried)
+        .filter(|place| !place.transported)
     {
         if walls.iter().all(|wall| wall.subject != place.subject) {
             let query = WallThickening {

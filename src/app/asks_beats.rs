@@ -13,7 +13,7 @@ use crate::document::differences::{PosePair, pair_on_screen};
 use crate::document::in_betweens::{BeatInBetweens, BeatMemo, geodesic_params, interval_count};
 use crate::document::play::is_between;
 use crate::document::state::State;
-use crate::document::transported::{CarriedHeart, CarryingState, transport_params};
+use crate::document::transported::{TransportState, TransportedSubject, transport_params};
 use crate::document::{VisiblePose, visible_poses};
 
 /// Where two poses differ, for all poses of a subject.
@@ -25,7 +25,7 @@ pub struct BeatAsks {
     /// By subject: the interval on screen, which is computed first.
     looked_at: HashMap<usize, LookedAt>,
     memo: BeatMemo,
-    carried: Option<CarriedHeart>,
+    transported: Option<TransportedSubject>,
     difference: Option<(Arc<Vec<f64>>, Density)>,
 }
 
@@ -38,7 +38,7 @@ impl BeatAsks {
         {
             answers.in_betweens = self.in_betweens(state, store, params);
         }
-        (answers.carried, answers.carrying) = self.carried(state, store);
+        (answers.transported, answers.transport_state) = self.transported(state, store);
         answers.difference = self.difference(state, store);
     }
 
@@ -55,7 +55,7 @@ impl BeatAsks {
         if let Some(selected) = places.first_mut() {
             selected.position = state.document.position;
         }
-        places.retain(|place| !place.carried);
+        places.retain(|place| !place.transported);
         let beats = places.iter();
         beats
             .filter_map(|place| self.in_betweens_of(state, store, params, place))
@@ -112,9 +112,13 @@ impl BeatAsks {
         })
     }
 
-    fn carried(&mut self, state: &State, store: &Store) -> (Option<CarriedHeart>, CarryingState) {
-        let nothing = (None, CarryingState::Done);
-        let Some(beat) = state.document.carrying() else {
+    fn transported(
+        &mut self,
+        state: &State,
+        store: &Store,
+    ) -> (Option<TransportedSubject>, TransportState) {
+        let nothing = (None, TransportState::Done);
+        let Some(beat) = state.document.visible_transport() else {
             return nothing;
         };
         let (Some(from), Some(onto)) = (state.subject(beat.from), state.subject(beat.onto)) else {
@@ -130,19 +134,19 @@ impl BeatAsks {
         let showing = store.ask(study, &query);
         let Showing::Ready(sequence) = &showing else {
             let standing = match (showing.stopped(), showing.failure()) {
-                (true, _) => CarryingState::Stopped,
-                (false, Some(_)) => CarryingState::Failed,
-                (false, None) => CarryingState::Computing,
+                (true, _) => TransportState::Stopped,
+                (false, Some(_)) => TransportState::Failed,
+                (false, None) => TransportState::Computing,
             };
             return (None, standing);
         };
         let key = (study.revision, beat, params);
         let same =
-            |heart: &CarriedHeart| heart.key == key && Arc::ptr_eq(&heart.sequence, sequence);
-        if !self.carried.as_ref().is_some_and(same) {
-            self.carried = Some(CarriedHeart::new(key, sequence, from, onto));
+            |heart: &TransportedSubject| heart.key == key && Arc::ptr_eq(&heart.sequence, sequence);
+        if !self.transported.as_ref().is_some_and(same) {
+            self.transported = Some(TransportedSubject::new(key, sequence, from, onto));
         }
-        (self.carried.clone(), CarryingState::Done)
+        (self.transported.clone(), TransportState::Done)
     }
 
     /// What is shown of the same subjects stays until the next pair of frames is there.

@@ -93,7 +93,7 @@ fn take_opened(state: &mut State, opened: Opened) {
             push_card(
                 &mut state.errors,
                 "Nothing to open",
-                "no mesh files were found there",
+                "no mesh files found",
                 None,
             );
         }

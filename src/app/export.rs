@@ -91,7 +91,7 @@ impl FigureExport {
         if kind == FigureKind::Patch && shown.medial.is_none() {
             return Err(match state.wall_of(shown.index) {
                 Some((Err(why), _)) => {
-                    NoFigure::Refused(format!("{}: not assessed: {why}", shown.subject.id))
+                    NoFigure::Refused(format!("{} is not assessed: {why}", shown.subject.id))
                 }
                 _ => NoFigure::NotYet,
             });

@@ -82,7 +82,7 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
     let settings = view.thickening;
     let usable = settings.medial.check().is_ok() && settings.thickening.check().is_ok();
     if !usable {
-        let reason = "its thresholds of patches are out of range".to_owned();
+        let reason = "its patch thresholds are out of range".to_owned();
         return refuse(state, reason);
     }
     state.play.playing = false;

@@ -1,4 +1,4 @@
-//! How long the window takes: to its first picture, to the finished map, and for each frame.
+//! How long the window takes: to its first picture, to the finished pose map, and for each frame.
 
 use std::collections::VecDeque;
 use std::io::Write;
@@ -91,7 +91,7 @@ impl Times {
     pub fn begin_frame(&mut self, playing: bool) {
         let seen = [
             ("first picture", self.first_picture.see()),
-            ("finished map", self.finished_map.see()),
+            ("finished pose map", self.finished_map.see()),
         ];
         let elapsed_s = self.started.elapsed().as_secs_f64();
         for (what, drawn) in seen {

@@ -27,7 +27,7 @@ pub(super) fn analyze(args: &AnalyzeArgs) -> Result<(), CliError> {
 ///
 /// # Errors
 /// If nothing can be opened or written, or it was stopped. A figure that cannot be drawn is reported
-/// on standard error and left out, and so is a map of deformations that there are too few of.
+/// on standard error and left out, and so is a deformation map that there are too few of.
 pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
     let folder = args.out.as_path();
     let study = opened_study(&args.study)?;
@@ -49,7 +49,7 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
             .map_err(interrupted)
     })?;
     if let Some(reason) = &tables.without_deformations {
-        say(&format!("cardiomorph: no map of deformations: {reason}"));
+        say(&format!("cardiomorph: no deformation map: {reason}"));
     }
     say_unassessed(&study, tables.unassessed());
     let pictured = Pictured {

@@ -16,7 +16,7 @@ use crate::cli::patch_options::PatchOptions;
 use crate::cli::words::{AlignWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch};
 use crate::io::MeshFormat;
 
-/// Analyses the motion of the left ventricle: moving meshes in 3D, maps of poses, measures and figures.
+/// Analyses the motion of the left ventricle: moving meshes in 3D, pose and deformation maps, measures and figures.
 ///
 /// Research software, not for diagnosis. With no command, opens the window on PATH…, or on the
 /// built-in cohort. Exit codes: 0 done, 1 the input is unusable, 2 wrong usage, 3 stopped by Ctrl-C.
@@ -31,8 +31,8 @@ struct Cli {
     /// Number of threads; results do not depend on it [default: one per core, at least 2]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Memory for answers and prepared subjects, in MiB; what was used longest ago is forgotten and computed again when it
-    /// is needed [default: a quarter of the machine's memory]
+    /// Memory for results and prepared subjects, in MiB; the least recently used are discarded and computed again when
+    /// needed [default: a quarter of the machine's memory]
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u32).range(16..))]
     memory: Option<u32>,
 }
@@ -42,7 +42,7 @@ struct Cli {
 pub enum Command {
     /// Writes the built-in cohort as a study on disk
     Demo(DemoArgs),
-    /// Lists what a study holds: subjects, frames, vertices, defects
+    /// Lists the contents of a study: subjects, frames, vertices, defects
     Info(InfoArgs),
     /// Runs the whole analysis: tables, maps, summary, figures, report
     Analyze(AnalyzeArgs),

@@ -72,7 +72,7 @@ fn noise(args: &NoiseDeformationArgs) -> Result<(), CliError> {
     }
     print(&noise_table(&result))?;
     print(&format!(
-        "parallel transport: {} of {} deformations followed\n{}",
+        "parallel transport: {} of {} deformations reproduced on the target\n{}",
         followed(&transfers),
         transfers.cases.len(),
         args.out.display()
@@ -214,7 +214,7 @@ fn partners(args: &PartnerArgs) -> Result<(), CliError> {
     }));
     if let Some(row) = partners.rows.first() {
         lines.push(format!(
-            "by chance: {:.1} nearest, mean rank {:.1}",
+            "random order: {:.1} nearest, mean rank {:.1}",
             row.ranks.nearest_by_chance, row.ranks.mean_rank_by_chance
         ));
     }

@@ -1,4 +1,4 @@
-//! The options by which commands say how poses and deformations are mapped; defaults are those of the window.
+//! Options for the maps of poses and deformations; defaults are those of the window.
 
 use clap::Args;
 
@@ -23,13 +23,13 @@ pub struct MapOptions {
     /// Also embed poses by Isomap with K nearest neighbours
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
     pub isomap: Option<u16>,
-    /// Weight of time in the curves of deformations [default: RMS radius over standard deviation of time]
+    /// Weight of time in the curves of motions [default: RMS radius over standard deviation of time]
     #[arg(long, value_name = "W", allow_negative_numbers = true)]
     pub time_weight: Option<f64>,
-    /// Nearest neighbours in the map of deformations [default: by the number of subjects]
+    /// Nearest neighbours in the deformation map [default: from the number of subjects]
     #[arg(long, value_name = "K", value_parser = clap::value_parser!(u16).range(1..))]
     pub neighbours: Option<u16>,
-    /// Regularisation of the weights of that map, as a share of the trace
+    /// Regularisation of the weights of the deformation map, as a share of the trace
     #[arg(long, value_name = "R", default_value_t = DeformationMapParams::default().regularisation, allow_negative_numbers = true)]
     pub regularisation: f64,
 }

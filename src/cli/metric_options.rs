@@ -1,4 +1,4 @@
-//! The options by which every command names a metric; defaults are those of the window.
+//! Options that name a metric, the same for every command; defaults are those of the window.
 
 use clap::Args;
 

@@ -1,4 +1,4 @@
-//! The options by which commands say what counts as a patch; defaults are those of the window.
+//! Options for the detection of patches; defaults are those of the window.
 
 use clap::Args;
 
@@ -34,7 +34,7 @@ pub struct PatchOptions {
     /// |ln PT| from pose to pose up to which an atom is akinetic [default: estimated from noise]
     #[arg(long, value_name = "T", allow_negative_numbers = true)]
     pub patch_tolerance: Option<f64>,
-    /// Core threshold of a patch: thickening relative to remote myocardium that part of it is below
+    /// Core threshold of a patch: thickening of its core relative to remote myocardium
     #[arg(long, value_name = "S", default_value_t = ThickeningParams::default().core, allow_negative_numbers = true)]
     pub patch_core: f64,
     /// Core threshold of a patch in ln PT from end-diastole to end-systole, in addition [default: ln 1.1]
@@ -80,7 +80,7 @@ impl PatchOptions {
                 tolerance: self.patch_tolerance,
                 ratio: RatioForm::from(self.patch_ratio),
                 core: self.patch_core,
-                still: self.patch_still.unwrap_or(default.still),
+                akinetic: self.patch_still.unwrap_or(default.akinetic),
                 border: self.patch_border,
                 min_share: self.patch_least_share,
                 min_thickening: (self.patch_least_thickening).unwrap_or(default.min_thickening),
@@ -158,7 +158,7 @@ mod tests {
                 tolerance: Some(0.07),
                 ratio: RatioForm::Product,
                 core: 0.1,
-                still: 0.15,
+                akinetic: 0.15,
                 border: 0.2,
                 min_share: 0.03,
                 min_thickening: 0.04,

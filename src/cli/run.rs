@@ -1,4 +1,4 @@
-//! Carries out a command and turns its end into an exit code.
+//! Runs a command and turns its end into an exit code.
 
 use std::process::ExitCode;
 

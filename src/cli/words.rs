@@ -68,7 +68,7 @@ pub enum Switch {
 /// Words of `--regulariser`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum RegulariserWord {
-    /// All vertices alike
+    /// All vertices with equal weight
     Uniform,
     /// Area-weighted
     Area,
@@ -88,7 +88,7 @@ pub enum AlignWord {
 /// Words of `--geodesics`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum GeodesicsWord {
-    /// Once, between the first poses; later geodesics follow it
+    /// One geodesic, between the first poses; those of later poses are derived from it
     First,
     /// From every pose to the transported one, as in the text
     EveryStep,
@@ -148,7 +148,7 @@ pub enum EmbedMethod {
 /// Words of `--colour`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum QuantityWord {
-    /// Colour of tissue
+    /// Tissue colour
     Tissue,
     /// Displacement from end-diastole
     Displacement,
@@ -181,13 +181,13 @@ pub enum ThemeWord {
 /// Words of `--view`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum ViewWord {
-    /// From the front
+    /// From anterior
     Anterior,
-    /// Onto the inferior wall
+    /// From inferior
     Inferior,
-    /// Onto the septum
+    /// From septal
     Septal,
-    /// Onto the free wall
+    /// From lateral
     Lateral,
     /// From the apex
     Apex,

@@ -9,7 +9,7 @@ use crate::analysis::verdicts::Verdicts;
 use crate::engine::{FrameThickness, Interrupted, PoseMap, Showing, SubjectThickening};
 
 use crate::document::in_betweens::BeatInBetweens;
-use crate::document::transported::{CarriedHeart, CarryingState};
+use crate::document::transported::{TransportState, TransportedSubject};
 
 /// How a wall thickens, or why that cannot be told.
 pub type FoundWall = Result<Arc<SubjectThickening>, String>;
@@ -30,8 +30,8 @@ pub struct Answers {
     pub(crate) thickness: Vec<(usize, Showing<FrameThickness>)>,
     /// Of the beats on screen.
     pub(crate) in_betweens: Vec<InBetweensAnswer>,
-    pub(crate) carried: Option<CarriedHeart>,
-    pub(crate) carrying: CarryingState,
+    pub(crate) transported: Option<TransportedSubject>,
+    pub(crate) transport_state: TransportState,
     /// Where the poses side by side differ: one number per vertex, one list for all poses.
     pub(crate) difference: Option<Arc<Vec<Vec<f32>>>>,
 }
@@ -83,8 +83,8 @@ pub(crate) struct InBetweensAnswer {
 
 impl Answers {
     /// How transporting the motion that the document asks for stands.
-    pub fn carrying(&self) -> CarryingState {
-        self.carrying
+    pub fn transport_state(&self) -> TransportState {
+        self.transport_state
     }
 
     /// Where the poses side by side differ, once that is known.

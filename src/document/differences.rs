@@ -20,7 +20,7 @@ pub struct PosePair {
 }
 
 /// The poses side by side, at their nearest frames; `None` where there are no two hearts, one plays
-/// a carried beat, or they do not correspond.
+/// a transported motion, or they do not correspond.
 pub fn pair_on_screen(document: &Document) -> Option<PosePair> {
     let (selected, subject, other) = both_hearts(document)?;
     if hindrance(document).is_some() {
@@ -45,9 +45,9 @@ pub fn hindrance(document: &Document) -> Option<&'static str> {
     let Some((selected, _, other)) = both_hearts(document) else {
         return Some("The contribution to the distance needs two subjects side by side");
     };
-    if document.carrying().is_some() {
+    if document.visible_transport().is_some() {
         return Some(
-            "For a transported motion, choose the difference from the subject’s own motion",
+            "For a transported motion, choose the difference from the subject's own motion",
         );
     }
     let corresponds = selected.sequence.correspondence() == other.sequence.correspondence();

@@ -54,9 +54,9 @@ impl Default for Visibility {
     }
 }
 
-/// One heart's beat, played on another heart.
+/// One subject's motion, transported to another subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct CarriedBeat {
+pub struct TransportedMotion {
     /// Whose motion: index into the study's subjects.
     pub from: usize,
     /// On whose heart.
@@ -86,7 +86,7 @@ pub struct Document {
     /// The second heart of the side-by-side view; `None` lets the program choose.
     pub compare_with: Option<usize>,
     /// The beat that the second heart plays in place of its own.
-    pub carried: Option<CarriedBeat>,
+    pub transported: Option<TransportedMotion>,
     /// Poses computed between two frames; 0 blends frames straight.
     pub in_betweens: u16,
     /// From where hearts are looked at.
@@ -105,7 +105,7 @@ pub struct Document {
     pub deformation_map: DeformationMapParams,
     /// Whether clusters of deformations are drawn.
     pub shows_clusters: bool,
-    /// What counts as still, and as a patch.
+    /// What is akinetic, and what is a patch.
     pub thickening: ThickeningSettings,
     /// The patch or segment that is selected.
     pub part: Option<WallPart>,
@@ -154,7 +154,7 @@ impl Document {
             position: 0.0,
             view_mode: ViewMode::default(),
             compare_with: None,
-            carried: None,
+            transported: None,
             in_betweens: IN_BETWEENS,
             look: Look::default(),
             free_camera: false,
@@ -240,19 +240,19 @@ impl Document {
             .or_else(|| (count > 1).then(|| (self.subject + 1) % count))
     }
 
-    /// The carried beat that is on screen: it plays beside the heart that it came from.
-    pub fn carrying(&self) -> Option<CarriedBeat> {
-        self.carried.filter(|beat| {
+    /// The transported motion that is on screen: it plays beside the subject that it came from.
+    pub fn visible_transport(&self) -> Option<TransportedMotion> {
+        self.transported.filter(|beat| {
             self.view_mode == ViewMode::SideBySide
                 && self.subject == beat.from
                 && self.compared() == Some(beat.onto)
         })
     }
 
-    /// Ends a carried beat whose hearts are no longer on screen, and its colours with it.
-    pub fn end_carrying_out_of_sight(&mut self) {
-        self.carried = self.carrying();
-        if self.carried.is_none() && self.quantity == Quantity::CarriedDistance {
+    /// Ends a transported motion whose subjects are no longer on screen, and its colours with it.
+    pub fn end_transport_out_of_sight(&mut self) {
+        self.transported = self.visible_transport();
+        if self.transported.is_none() && self.quantity == Quantity::MotionDifference {
             self.quantity = Quantity::Tissue;
         }
     }

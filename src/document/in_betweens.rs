@@ -9,8 +9,8 @@ use crate::study::Subject;
 use crate::document::document::Document;
 use crate::document::play::is_between;
 
-/// Beats whose in-betweens are kept: the hearts side by side, and those looked at before.
-const MOST_BEATS: usize = 6;
+/// Beats whose interpolated poses are kept: the hearts side by side, and those looked at before.
+const MAX_BEATS: usize = 6;
 
 /// Number of intervals with a path: every frame leads to the next, and the last to the first where
 /// there are more than two.
@@ -89,7 +89,7 @@ pub struct BeatMemo {
 }
 
 impl BeatMemo {
-    /// The in-betweens of a beat with these settings, if any interval of it was computed.
+    /// The interpolated poses of a beat with these settings, if any interval of it was computed.
     pub fn get(
         &self,
         subject: &Arc<Subject>,
@@ -125,7 +125,7 @@ impl BeatMemo {
         if news {
             self.beats.retain(|other| !other.are_of(subject, params));
             self.beats.push(Arc::new(beat));
-            if self.beats.len() > MOST_BEATS {
+            if self.beats.len() > MAX_BEATS {
                 self.beats.remove(0);
             }
         }
@@ -133,7 +133,7 @@ impl BeatMemo {
     }
 }
 
-/// Settings of the in-betweens that the document asks for; `None` where they are switched off.
+/// Settings of the interpolated poses that the document asks for; `None` where they are switched off.
 pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
     (document.in_betweens > 0).then(|| GeodesicParams {
         metric: document.map.distances.metric,
@@ -145,7 +145,7 @@ pub fn geodesic_params(document: &Document) -> Option<GeodesicParams> {
 /// What is said of a pose between two frames.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct BetweenWords {
-    /// `interpolated` or `straight in-between`; `None` on a frame.
+    /// `interpolated` or `linear interpolation`; `None` on a frame.
     pub short: Option<&'static str>,
     /// The same, and what is wrong with the pose.
     pub badge: Option<&'static str>,
@@ -181,7 +181,7 @@ pub fn between_words(
         1 => "1 interpolated pose between these frames".to_owned(),
         count => format!("{count} interpolated poses between these frames"),
     };
-    note.push_str(", on the geodesic of the metric of the map");
+    note.push_str(", on the geodesic of the map's metric");
     match path.self_intersections {
         0 => {}
         1 => note.push_str(". 1 pair of faces intersects"),
@@ -268,14 +268,14 @@ pub(crate) mod tests {
     fn only_the_beats_of_late_are_kept() {
         let mut store = BeatMemo::default();
         let params = GeodesicParams::default();
-        let subjects: Vec<_> = (0..MOST_BEATS + 2)
+        let subjects: Vec<_> = (0..MAX_BEATS + 2)
             .map(|_| Arc::new(subject_with_frames("a", 3)))
             .collect();
         for subject in &subjects {
             store.put(subject, &params, 0, &straight_paths(subject, 1));
         }
         let kept = subjects.iter().filter(|s| store.get(s, &params).is_some());
-        assert_eq!(kept.count(), MOST_BEATS);
+        assert_eq!(kept.count(), MAX_BEATS);
         assert!(store.get(&subjects[0], &params).is_none());
     }
 

@@ -28,8 +28,8 @@ pub(crate) mod visible_poses;
 pub use answers::{Answers, FoundWall};
 pub use differences::{PosePair, hindrance, pair_on_screen};
 pub use document::{
-    CarriedBeat, Document, OpeningReport, Sorting, StudyRef, Visibility, nearest_frame, phase_of,
-    position_at_phase,
+    Document, OpeningReport, Sorting, StudyRef, TransportedMotion, Visibility, nearest_frame,
+    phase_of, position_at_phase,
 };
 pub use error_card::ErrorCard;
 pub use in_betweens::{
@@ -38,7 +38,7 @@ pub use in_betweens::{
 pub use play::{PlayClock, SPEEDS, beat_s, is_between, pose_at, pose_in};
 pub use state::{Sheets, State};
 pub use theme_choice::ThemeChoice;
-pub use transported::{CarriedHeart, CarryingState, carried_title, transport_params};
+pub use transported::{TransportState, TransportedSubject, transport_params, transported_title};
 pub use undo::{Gesture, History};
 pub use view_mode::ViewMode;
 pub use viewpoint::{Direction, Look};

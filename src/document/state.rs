@@ -17,7 +17,7 @@ use crate::document::answers::{Answers, FoundWall};
 use crate::document::document::{Document, OpeningReport, StudyRef};
 use crate::document::in_betweens::{BeatInBetweens, geodesic_params};
 use crate::document::play::PlayClock;
-use crate::document::transported::{CarriedHeart, transport_params};
+use crate::document::transported::{TransportedSubject, transport_params};
 use crate::document::undo::History;
 
 /// Which sheets lie over the window.
@@ -101,7 +101,7 @@ impl State {
         self.latest(self.answers.map.as_ref())
     }
 
-    /// The map of deformations of the study on screen.
+    /// The deformation map of the study on screen.
     pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
         self.latest(self.answers.deformations.as_ref())
     }
@@ -118,14 +118,14 @@ impl State {
         beat.are_of(self.subject(index)?, &params).then_some(beat)
     }
 
-    /// The carried beat that the document asks for, once it is computed.
-    pub fn carried_heart(&self) -> Option<&CarriedHeart> {
+    /// The transported motion that the document asks for, once it is computed.
+    pub fn transported_subject(&self) -> Option<&TransportedSubject> {
         let key = (
             self.document.study().revision,
-            self.document.carrying()?,
+            self.document.visible_transport()?,
             transport_params(&self.document),
         );
-        (self.answers.carried.as_ref()).filter(|heart| heart.key == key)
+        (self.answers.transported.as_ref()).filter(|heart| heart.key == key)
     }
 
     /// How a subject's wall thickens: with today's settings, else with those before, and whether it is

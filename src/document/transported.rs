@@ -1,5 +1,5 @@
-//! This beat on that heart: the carried beat as a heart of its own, and how far it lies from the
-//! heart's own beat.
+//! The motion of one subject transported to another, as a subject of its own, and its difference from that
+//! other subject's own motion.
 
 use std::sync::Arc;
 
@@ -7,11 +7,11 @@ use crate::analysis::transport::TransportParams;
 use crate::mesh::Point3;
 use crate::study::{MeshSequence, Revision, Subject};
 
-use crate::document::document::{CarriedBeat, Document, phase_of, position_at_phase};
+use crate::document::document::{Document, TransportedMotion, phase_of, position_at_phase};
 
-/// How the carrying of a beat stands.
+/// How the transport of a motion stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum CarryingState {
+pub enum TransportState {
     /// It was not asked for, or it is there.
     #[default]
     Done,
@@ -23,24 +23,24 @@ pub enum CarryingState {
     Failed,
 }
 
-/// A beat that was carried over to another heart.
+/// A motion that was transported to another subject.
 #[derive(Clone, Debug)]
-pub struct CarriedHeart {
-    /// Whose beat on whose heart, of which state of the study, with which settings.
-    pub key: (Revision, CarriedBeat, TransportParams),
+pub struct TransportedSubject {
+    /// Whose motion on which subject, of which state of the study, with which settings.
+    pub key: (Revision, TransportedMotion, TransportParams),
     /// What came of it, as the engine gave it.
     pub sequence: Arc<MeshSequence>,
-    /// The heart with the carried beat: the frames are those of the beat, the rest is the heart's.
+    /// The subject with the transported motion: frames of the motion, all else of the subject.
     pub subject: Arc<Subject>,
     /// For every frame, the distance of each vertex from where the heart's own beat has it at the
     /// same phase, in the heart's unit; surfaces one after the other.
     pub distances: Arc<Vec<Vec<f32>>>,
 }
 
-impl CarriedHeart {
-    /// Makes a heart of what the engine gave.
+impl TransportedSubject {
+    /// A subject with the sequence that the engine gave.
     pub fn new(
-        key: (Revision, CarriedBeat, TransportParams),
+        key: (Revision, TransportedMotion, TransportParams),
         sequence: &Arc<MeshSequence>,
         from: &Subject,
         onto: &Subject,
@@ -53,13 +53,13 @@ impl CarriedHeart {
             end_systole: from.end_systole,
             anatomy: onto.anatomy,
             ..Subject::new(
-                carried_title(from, onto),
+                transported_title(from, onto),
                 MeshSequence::clone(sequence),
                 onto.unit,
             )
         };
         Self {
-            distances: Arc::new(distances_from_own_beat(&subject, onto)),
+            distances: Arc::new(differences_from_own_motion(&subject, onto)),
             key,
             sequence: Arc::clone(sequence),
             subject: Arc::new(subject),
@@ -68,11 +68,11 @@ impl CarriedHeart {
 }
 
 /// `Motion of P07 on N03`.
-pub fn carried_title(from: &Subject, onto: &Subject) -> String {
+pub fn transported_title(from: &Subject, onto: &Subject) -> String {
     format!("Motion of {} on {}", from.id, onto.id)
 }
 
-/// Settings with which the document has beats carried over.
+/// Settings with which the document has motions transported.
 pub fn transport_params(document: &Document) -> TransportParams {
     TransportParams {
         metric: document.map.distances.metric,
@@ -80,13 +80,16 @@ pub fn transport_params(document: &Document) -> TransportParams {
     }
 }
 
-/// The distance of each vertex of a carried beat from the heart's own beat at the same phase,
+/// The distance of each vertex of a transported motion from the heart's own beat at the same phase,
 /// frame by frame.
-fn distances_from_own_beat(carried: &Subject, own: &Subject) -> Vec<Vec<f32>> {
-    (0..carried.sequence.frame_count())
+fn differences_from_own_motion(transported: &Subject, own: &Subject) -> Vec<Vec<f32>> {
+    (0..transported.sequence.frame_count())
         .filter_map(|frame| {
-            let position = position_at_phase(own, phase_of(carried, frame as f64));
-            let (there, here) = (carried.sequence.pose(frame)?, pose_between(own, position)?);
+            let position = position_at_phase(own, phase_of(transported, frame as f64));
+            let (there, here) = (
+                transported.sequence.pose(frame)?,
+                pose_between(own, position)?,
+            );
             let pairs = there.iter().zip(&here);
             Some(pairs.map(|(a, b)| (a - b).norm() as f32).collect())
         })
@@ -118,25 +121,26 @@ mod tests {
     use crate::document::testing::subject_with_frames;
 
     #[test]
-    fn a_beat_carried_to_its_own_heart_is_nowhere_away_from_it() {
+    fn a_motion_transported_to_its_own_subject_has_no_difference() {
         let heart = subject_with_frames("a", 6);
-        let beat = CarriedBeat { from: 0, onto: 1 };
+        let beat = TransportedMotion { from: 0, onto: 1 };
         let key = (Revision(1), beat, TransportParams::default());
         let sequence = Arc::new(heart.sequence.clone());
-        let carried = CarriedHeart::new(key, &sequence, &heart, &heart);
-        assert_eq!(carried.distances.len(), 6);
-        assert!(carried.distances.iter().flatten().all(|d| *d < 1e-6));
-        assert_eq!(carried.subject.id, "Motion of a on a");
+        let transported = TransportedSubject::new(key, &sequence, &heart, &heart);
+        assert_eq!(transported.distances.len(), 6);
+        assert!(transported.distances.iter().flatten().all(|d| *d < 1e-6));
+        assert_eq!(transported.subject.id, "Motion of a on a");
     }
 
     #[test]
     fn distances_compare_equal_phases_whatever_the_number_of_frames() {
         // The sphere of the tests shrinks by 1 mm a frame: at the same phase, 4 frames are half as far.
         let (fast, slow) = (subject_with_frames("a", 4), subject_with_frames("b", 8));
-        let beat = CarriedBeat { from: 0, onto: 1 };
+        let beat = TransportedMotion { from: 0, onto: 1 };
         let key = (Revision(1), beat, TransportParams::default());
-        let carried = CarriedHeart::new(key, &Arc::new(fast.sequence.clone()), &fast, &slow);
-        for (frame, distances) in carried.distances.iter().enumerate() {
+        let transported =
+            TransportedSubject::new(key, &Arc::new(fast.sequence.clone()), &fast, &slow);
+        for (frame, distances) in transported.distances.iter().enumerate() {
             let wanted = frame as f32;
             assert!(
                 distances.iter().all(|d| (d - wanted).abs() < 1e-4),

@@ -5,7 +5,7 @@ use std::collections::VecDeque;
 use crate::document::document::Document;
 
 /// How many steps can be taken back.
-const MOST_STEPS: usize = 200;
+const MAX_STEPS: usize = 200;
 
 /// Repeats of one kind of change within this time are one step, such as turns of a wheel and
 /// typed letters: shorter than a person needs to look at the result and decide again.
@@ -58,7 +58,7 @@ impl History {
             return;
         }
         self.past.push_back(before);
-        if self.past.len() > MOST_STEPS {
+        if self.past.len() > MAX_STEPS {
             self.past.pop_front();
         }
     }
@@ -142,7 +142,7 @@ mod tests {
     #[test]
     fn the_oldest_steps_fall_off_the_end() {
         let mut history = History::default();
-        for step in 0..(MOST_STEPS + 10) {
+        for step in 0..(MAX_STEPS + 10) {
             history.record(document(step as f64), None, false, 0.0);
         }
         let mut current = document(-1.0);
@@ -151,7 +151,7 @@ mod tests {
             current = previous;
             count += 1;
         }
-        assert_eq!(count, MOST_STEPS);
+        assert_eq!(count, MAX_STEPS);
         assert_eq!(current.position, 10.0);
     }
 

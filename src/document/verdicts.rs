@@ -48,9 +48,9 @@ mod tests {
                 probability: 0.5,
                 features: Features::default(),
                 patched: 0.1,
-                alike_normal: Vec::new(),
-                alike_abnormal: Vec::new(),
-                familiarity: None,
+                similar_normal: Vec::new(),
+                similar_abnormal: Vec::new(),
+                training_set_distance: None,
             }),
         };
         Arc::new(Verdicts {
@@ -71,7 +71,7 @@ mod tests {
         let found = verdicts(&[
             Some(Finding::Patch),
             Some(Finding::Nothing),
-            Some(Finding::GlobalFailure),
+            Some(Finding::GlobalHypokinesia),
             None,
         ]);
         state.answers.verdicts = Some(Showing::Ready(found));

@@ -11,8 +11,8 @@ pub struct VisiblePose {
     pub subject: usize,
     /// Place in its beat, counted in frames.
     pub position: f64,
-    /// Whether it plays a carried beat, whose frames the position then counts.
-    pub carried: bool,
+    /// Whether it plays a transported motion, whose frames the position then counts.
+    pub transported: bool,
 }
 
 /// The hearts on the view, first the selected one.
@@ -24,7 +24,7 @@ pub fn visible_poses(state: &State) -> Vec<VisiblePose> {
     let one = VisiblePose {
         subject: document.subject,
         position: document.position,
-        carried: false,
+        transported: false,
     };
     match document.view_mode {
         ViewMode::Single => vec![one],
@@ -32,17 +32,17 @@ pub fn visible_poses(state: &State) -> Vec<VisiblePose> {
             let other = document
                 .compared()
                 .and_then(|index| Some((index, state.subject(index)?)));
-            let carried = state.carried_heart().is_some();
+            let transported = state.transported_subject().is_some();
             let other = other.map(|(subject, heart)| VisiblePose {
                 subject,
-                // A carried beat has the frames of the heart that it came from. Otherwise linked
+                // A transported motion has the frames of the heart that it came from. Otherwise linked
                 // by phase: hearts with other frame counts beat in step.
-                position: if carried {
+                position: if transported {
                     document.position
                 } else {
                     position_at_phase(heart, phase_of(selected, document.position))
                 },
-                carried,
+                transported,
             });
             [Some(one), other].into_iter().flatten().collect()
         }
@@ -50,7 +50,7 @@ pub fn visible_poses(state: &State) -> Vec<VisiblePose> {
             .map(|frame| VisiblePose {
                 subject: document.subject,
                 position: frame as f64,
-                carried: false,
+                transported: false,
             })
             .collect(),
     }

@@ -20,7 +20,7 @@ pub enum JobError<E> {
     #[error(transparent)]
     Failed(E),
     /// A bug of the program; other jobs go on.
-    #[error("the computation hit a bug: {message}")]
+    #[error("internal error: {message}")]
     Panicked {
         /// What the panic said.
         message: String,
@@ -332,10 +332,7 @@ mod tests {
         let mut job: Job<(), Stopped> =
             Job::spawn(&pool, Arc::new(|| ()), |_| panic!("index out of range"));
         let error = wait(&mut job).unwrap_err();
-        assert_eq!(
-            error.to_string(),
-            "the computation hit a bug: index out of range"
-        );
+        assert_eq!(error.to_string(), "internal error: index out of range");
         let mut next: Job<u32, Stopped> = Job::spawn(&pool, Arc::new(|| ()), |_| Ok(1));
         assert!(matches!(wait(&mut next), Ok(1)), "the thread lives on");
     }

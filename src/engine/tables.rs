@@ -45,9 +45,9 @@ pub struct AnalysisTables {
     pub measures: Arc<Vec<SubjectMeasures>>,
     /// The verdicts, for the report.
     pub verdicts: Arc<Verdicts>,
-    /// The map of poses by classical scaling.
+    /// The pose map by classical scaling.
     pub poses: Arc<PoseMap>,
-    /// The map of deformations.
+    /// The deformation map.
     pub deformations: Option<Arc<DeformationMap>>,
     /// Name of each file and what it holds, without those of walls.
     pub tables: Vec<(String, String)>,
@@ -56,7 +56,7 @@ pub struct AnalysisTables {
     folder: PathBuf,
     /// What `summary.json` says, without the list of files.
     pub summary: Value,
-    /// Why there is no map of deformations, where there is none.
+    /// Why there is no deformation map, where there is none.
     pub without_deformations: Option<String>,
 }
 
@@ -67,7 +67,7 @@ impl AnalysisTables {
     ///
     /// # Errors
     /// If stopped, the study has no answer, or the folder cannot be written to. Too few subjects for a
-    /// map of deformations are no error, and neither are subjects whose wall cannot be assessed.
+    /// deformation map are no error, and neither are subjects whose wall cannot be assessed.
     pub fn of(
         store: &Store,
         study: &Arc<Study>,

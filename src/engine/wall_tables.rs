@@ -25,7 +25,7 @@ pub enum TablesError {
     /// There are no measures.
     #[error(transparent)]
     Measures(Failure<Infallible>),
-    /// There is no map of poses.
+    /// There is no pose map.
     #[error(transparent)]
     Map(Failure<PoseMapError>),
     /// There are no verdicts.

@@ -7,7 +7,7 @@ use crate::study::Notice;
 /// Reads one file, of which `file_name` only serves to tell the format by its ending.
 ///
 /// Content that clearly is another format than the ending says is read as what it is, with a
-/// notice. A glTF file that keeps its numbers in other files needs [`read_mesh_with_siblings`].
+/// note. A glTF file that keeps its numbers in other files needs [`read_mesh_with_siblings`].
 ///
 /// # Errors
 /// With the line or byte that is wrong, and why.
@@ -59,7 +59,7 @@ pub fn read_mesh_with_siblings(
     let mut file = (format.read)(&source).map_err(on_one_line)?;
     if named.is_some_and(|named| named.name != format.name) {
         file.notices.push(Notice::info(format!(
-            "read as {} by its content, against its file name extension",
+            "read as {} by its content, despite its file name extension",
             format.name
         )));
     }

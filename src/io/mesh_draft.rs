@@ -166,7 +166,7 @@ impl MeshDraft {
         self.notices.push(notice);
     }
 
-    /// The mesh, with a notice for everything that was left out or changed.
+    /// The mesh, with a note for everything that was left out or changed.
     ///
     /// # Errors
     /// If a face refers to a point that never came, or there is no triangle.

@@ -24,7 +24,7 @@ pub enum SheetError {
     OneSided,
 }
 
-/// One sheet: faces that hang together, with consistent winding.
+/// One sheet: faces that are connected, with consistent winding.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sheet {
     /// Indices of its faces in the surface, ascending.

@@ -16,7 +16,7 @@ pub struct Contour {
 /// Cuts triangles by the plane through `origin` across `normal`.
 ///
 /// A vertex in the plane counts as above it, so that each triangle is cut by two sides or none, and
-/// chains hang together whatever passes through a vertex. Where a surface branches, chains end.
+/// chains are connected whatever passes through a vertex. Where a surface branches, chains end.
 pub fn plane_section(
     vertices: &[Point3],
     triangles: &[[u32; 3]],

@@ -86,13 +86,13 @@ pub fn lbfgs(
         }
         let slope = search.turn();
         let bound = params.tolerance * search.value.abs();
-        let at_rest = slope == 0.0 || !search.value.is_finite();
+        let stationary = slope == 0.0 || !search.value.is_finite();
         let fall = if values.len() > WINDOW {
             values[0] - search.value
         } else {
             f64::INFINITY
         };
-        if at_rest
+        if stationary
             || (-0.5 * slope <= bound && fall <= bound)
             || -slope <= ROUNDING * search.value.abs()
         {

@@ -57,7 +57,7 @@ pub struct ActionState {
     pub quantity: Quantity,
     /// Which metric compares poses.
     pub metric: MetricKind,
-    /// How distances become the map of poses.
+    /// How distances become the pose map.
     pub map_method: MapMethod,
     /// Poses computed between two frames.
     pub in_betweens: u16,
@@ -84,7 +84,9 @@ impl ActionState {
             Command::View(ViewCommand::SetQuantity(Quantity::Contribution)) => {
                 self.has_other && self.view_mode == ViewMode::SideBySide
             }
-            Command::View(ViewCommand::SetQuantity(Quantity::CarriedDistance)) => self.transporting,
+            Command::View(ViewCommand::SetQuantity(Quantity::MotionDifference)) => {
+                self.transporting
+            }
             Command::File(FileCommand::ChooseFiles)
             | Command::File(FileCommand::ChooseFolder)
             | Command::File(FileCommand::Open(_))

@@ -21,4 +21,4 @@ pub const EJECTION_FRACTION: NormalRange = NormalRange {
 
 /// Why volumes and mass come without a range.
 pub const NO_VOLUME_RANGE: &str = "No normal range is shown: limits depend on sex, body size and \
-                                   imaging, which the study does not state";
+                                   imaging, which the study does not contain";

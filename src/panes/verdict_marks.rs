@@ -24,7 +24,7 @@ impl VerdictMark {
     /// In a word or two, as a narrow column has room for.
     pub fn word(self) -> &'static str {
         match self {
-            Self::NoAbnormality => "no finding",
+            Self::NoAbnormality => "normal",
             Self::AbnormalWithoutPatch => "abnormal",
             Self::GlobalHypokinesia => "hypokinesia",
             Self::Patch => "patch",

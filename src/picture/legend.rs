@@ -66,7 +66,7 @@ impl ColourLegend {
             Quantity::AreaRatio => ("Area relative to end-diastole", ""),
             Quantity::ThicknessRatio => ("PT, thickness ratio to end-diastole", ""),
             Quantity::Contribution => ("Contribution to the distance", "relative to the mean"),
-            Quantity::CarriedDistance => ("Difference from own motion", unit.length_symbol()),
+            Quantity::MotionDifference => ("Difference from own motion", unit.length_symbol()),
         };
         Some(Self {
             title: title.to_owned(),
@@ -88,7 +88,7 @@ pub(crate) fn colour_map(quantity: Quantity) -> Option<ColourMap> {
         Quantity::Tissue => None,
         Quantity::Displacement => Some(ColourMap::viridis()),
         Quantity::AreaRatio | Quantity::ThicknessRatio => Some(ColourMap::ratio()),
-        Quantity::Contribution | Quantity::CarriedDistance => Some(ColourMap::cividis()),
+        Quantity::Contribution | Quantity::MotionDifference => Some(ColourMap::cividis()),
     }
 }
 

@@ -39,7 +39,7 @@ const CONTRIBUTION: ColourLimits = ColourLimits {
     logarithmic: false,
 };
 
-/// From half to double: a well wall thickens by half, and the scale is even about unchanged.
+/// From half to double: a normal wall thickens by half, and the scale is even about unchanged.
 pub(crate) const THICKNESS_RATIO: ColourLimits = ColourLimits {
     low: 0.5,
     high: 2.0,
@@ -78,7 +78,7 @@ impl CohortLimits {
         match quantity {
             Quantity::Tissue | Quantity::Displacement => self.displacement,
             // Two beats differ by less than either moves; a round share keeps colours comparable.
-            Quantity::CarriedDistance => ColourLimits {
+            Quantity::MotionDifference => ColourLimits {
                 high: 0.5 * self.displacement.high,
                 ..self.displacement
             },

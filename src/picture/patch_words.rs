@@ -90,7 +90,7 @@ pub fn part_name(standing: PatchStanding, index: usize) -> String {
 
 /// How much the wall thickens, in a sentence.
 pub fn extent_words(thickening: &Thickening) -> String {
-    let remote = percent(thickening.well.exp() - 1.0);
+    let remote = percent(thickening.remote.exp() - 1.0);
     match thickening.extent {
         Extent::HardlyAnywhere => {
             format!(
@@ -231,17 +231,17 @@ mod tests {
 
     #[test]
     fn segments_are_said_as_a_person_would() {
-        let said = |segments: &[u8]| segment_words(&patch(segments));
-        assert_eq!(said(&[8]), "mid anteroseptal");
-        assert_eq!(said(&[2, 8]), "basal–mid anteroseptal");
-        assert_eq!(said(&[1, 13]), "basal and apical anterior");
-        assert_eq!(said(&[7, 17, 1, 13]), "basal–apical anterior, apex");
-        let wide = said(&[8, 2, 14, 16, 15, 9]);
+        let words = |segments: &[u8]| segment_words(&patch(segments));
+        assert_eq!(words(&[8]), "mid anteroseptal");
+        assert_eq!(words(&[2, 8]), "basal–mid anteroseptal");
+        assert_eq!(words(&[1, 13]), "basal and apical anterior");
+        assert_eq!(words(&[7, 17, 1, 13]), "basal–apical anterior, apex");
+        let wide = words(&[8, 2, 14, 16, 15, 9]);
         assert_eq!(
             wide,
             "basal–mid anteroseptal, apical septal, lateral and inferior, mid inferoseptal"
         );
-        assert_eq!(said(&[]), "");
+        assert_eq!(words(&[]), "");
     }
 
     #[test]

@@ -41,7 +41,7 @@ impl PreparedSurface {
             Quantity::Tissue
             | Quantity::ThicknessRatio
             | Quantity::Contribution
-            | Quantity::CarriedDistance => None,
+            | Quantity::MotionDifference => None,
             Quantity::Displacement => Some(&self.displacement),
             Quantity::AreaRatio => Some(&self.area_ratio),
         }
@@ -182,7 +182,7 @@ impl PreparedSubject {
     }
 }
 
-/// One surface's vertices at every pose, frames and in-betweens in order.
+/// One surface's vertices at every pose, frames and interpolated poses in order.
 fn poses<'a>(
     surface: &'a SurfaceSequence,
     offset: usize,
@@ -227,7 +227,7 @@ fn prepared_surface(
         displacement.push(moved.collect());
         let areas = vertex_areas(points, triangles);
         let ratios = areas.iter().zip(&start_areas).map(|(now, then)| {
-            // A vertex of no face, or of faces without area, has no ratio: grey.
+            // A vertex of no face, or of faces of zero area, has no ratio: grey.
             if *then > 0.0 {
                 (now / then) as f32
             } else {
@@ -350,7 +350,7 @@ mod tests {
             assert_eq!(surface.geometry.positions.len(), 6);
             assert_eq!(surface.geometry.normals.len(), 6);
         }
-        // The first picture does not move when in-betweens arrive.
+        // The first picture does not move when interpolated poses arrive.
         assert!(plain.all_positions().eq(heart.all_positions()));
     }
 }

@@ -18,7 +18,8 @@ pub enum Quantity {
     /// Share in the squared distance of the two poses side by side, per area, relative to the mean.
     Contribution,
     /// Difference of a transported motion from the subject's own motion at the same phase.
-    CarriedDistance,
+    #[serde(rename = "carried-distance")]
+    MotionDifference,
 }
 
 impl Quantity {
@@ -31,7 +32,7 @@ impl Quantity {
     ];
 
     /// Those that two hearts have together.
-    pub const OF_TWO: [Self; 2] = [Self::Contribution, Self::CarriedDistance];
+    pub const OF_TWO: [Self; 2] = [Self::Contribution, Self::MotionDifference];
 
     /// The word in menus.
     pub fn name(self) -> &'static str {
@@ -41,11 +42,11 @@ impl Quantity {
             Self::AreaRatio => "Area ratio",
             Self::ThicknessRatio => "Thickness ratio",
             Self::Contribution => "Contribution to the distance",
-            Self::CarriedDistance => "Difference from the subject's own motion",
+            Self::MotionDifference => "Difference from the subject's own motion",
         }
     }
 
-    /// The word on the command line and in the text that a picture file carries.
+    /// The word on the command line and in the text that a picture file holds.
     pub fn word(self) -> &'static str {
         match self {
             Self::Tissue => "tissue",
@@ -53,7 +54,7 @@ impl Quantity {
             Self::AreaRatio => "area-ratio",
             Self::ThicknessRatio => "thickness-ratio",
             Self::Contribution => "contribution",
-            Self::CarriedDistance => "carried-distance",
+            Self::MotionDifference => "carried-distance",
         }
     }
 
@@ -63,7 +64,7 @@ impl Quantity {
             Self::Tissue => Self::Displacement,
             Self::Displacement => Self::AreaRatio,
             Self::AreaRatio => Self::ThicknessRatio,
-            Self::ThicknessRatio | Self::Contribution | Self::CarriedDistance => Self::Tissue,
+            Self::ThicknessRatio | Self::Contribution | Self::MotionDifference => Self::Tissue,
         }
     }
 
@@ -71,7 +72,7 @@ impl Quantity {
     pub fn is_analysed(self) -> bool {
         matches!(
             self,
-            Self::ThicknessRatio | Self::Contribution | Self::CarriedDistance
+            Self::ThicknessRatio | Self::Contribution | Self::MotionDifference
         )
     }
 }

@@ -140,7 +140,7 @@ fn shows(role: SurfaceRole, settings: &SceneSettings) -> bool {
     }
 }
 
-/// The outer side carries colours only where it is not seen through.
+/// The outer side has colours only where it is not seen through.
 fn is_coloured(surface: &PreparedSurface, settings: &SceneSettings) -> bool {
     !(surface.role == SurfaceRole::Outer && settings.inner)
 }

@@ -30,9 +30,9 @@ pub struct AnalysisReport<'a> {
     pub distance_params: &'a PoseDistanceParams,
     /// The same in a sentence.
     pub metric: &'a str,
-    /// Maps of poses, each with the word for its method.
+    /// Pose maps, each with the word for its method.
     pub maps: Vec<(&'static str, &'a Embedding)>,
-    /// The map of deformations and the classification on it, where there is one.
+    /// The deformation map and the classification on it, where there is one.
     pub deformations: Option<(&'a DeformationMap, &'a Classes)>,
     /// Verdicts on the subjects.
     pub verdicts: &'a Verdicts,

@@ -204,21 +204,23 @@ impl<R: 'static> Column<R> {
     /// A column of lengths in coordinates.
     pub(super) const fn length(
         key: &'static str,
+        heading: &'static str,
         explanation: &'static str,
         cell: fn(&R) -> Cell,
     ) -> Self {
         let digits = Digits::Places(1);
-        Self::new(key, key, Unit::Length, digits, explanation, cell)
+        Self::new(key, heading, Unit::Length, digits, explanation, cell)
     }
 
     /// A column of PT, the thickness ratio.
     pub(super) const fn thickness_ratio(
         key: &'static str,
+        heading: &'static str,
         explanation: &'static str,
         cell: fn(&R) -> Cell,
     ) -> Self {
         let digits = Digits::Places(2);
-        Self::new(key, "PT", Unit::Symbol("×"), digits, explanation, cell)
+        Self::new(key, heading, Unit::Symbol("×"), digits, explanation, cell)
     }
 
     /// With another heading where there is little room.
@@ -267,6 +269,7 @@ impl<R: 'static> Column<R> {
     pub(super) fn described(&self) -> ColumnWords {
         ColumnWords {
             key: self.key,
+            heading: self.heading,
             unit: self.unit.words(),
             explanation: self.explanation,
         }
@@ -278,6 +281,8 @@ impl<R: 'static> Column<R> {
 pub struct ColumnWords {
     /// Its name in files.
     pub key: &'static str,
+    /// What people read above it.
+    pub heading: &'static str,
     /// What its numbers count; empty for none.
     pub unit: &'static str,
     /// What it is.

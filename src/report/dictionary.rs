@@ -60,12 +60,14 @@ pub fn columns_md(files: &[&str]) -> String {
             present.join(", "),
             table.row
         ));
-        line(format_args!("| column | unit | meaning |\n|---|---|---|\n"));
+        line(format_args!(
+            "| column | heading | unit | meaning |\n|---|---|---|---|\n"
+        ));
         for column in &table.columns {
             let meaning = column.explanation.replace('|', "\\|");
             line(format_args!(
-                "| `{}` | {} | {meaning} |\n",
-                column.key, column.unit
+                "| `{}` | {} | {} | {meaning} |\n",
+                column.key, column.heading, column.unit
             ));
         }
         if let Some(further) = table.further {
@@ -87,6 +89,8 @@ mod tests {
             assert!(keys.windows(2).all(|two| two[0] != two[1]), "{table:?}");
             for column in &table.columns {
                 assert!(column.explanation.len() > 3, "{column:?}");
+                assert_ne!(column.heading, column.key, "{column:?}");
+                assert_ne!(column.explanation, column.heading, "{column:?}");
                 assert!(!column.explanation.ends_with('.'), "{column:?}");
             }
         }
@@ -96,7 +100,7 @@ mod tests {
     fn the_dictionary_holds_the_tables_that_are_there_and_no_other() {
         let text = columns_md(&["measures.csv", "subjects.csv", "patches.csv"]);
         assert!(text.contains("## `subjects.csv`, `measures.csv`"));
-        assert!(text.contains("| `area_cm2` | cm² | Area on the medial surface"));
+        assert!(text.contains("| `area_cm2` | Area | cm² | Area on the medial surface"));
         assert!(!text.contains("atoms.csv"));
     }
 }

@@ -75,10 +75,15 @@ impl Row for NoiseRow {
             "Distribution of the noise, or clean",
             |row| row.family.into(),
         ),
-        percentage("percent", "Level of noise", |row| row.percent.into()),
+        percentage(
+            "percent",
+            "Level of noise",
+            "Level of noise, a share of the quantity in percent_of",
+            |row| row.percent.into(),
+        ),
         Column::plain(
             "percent_of",
-            "Of",
+            "Level relative to",
             "What the level is a share of: shape or displacement",
             |row| reference_word(row.reference).into(),
         ),
@@ -88,20 +93,30 @@ impl Row for NoiseRow {
             "Kind of object, or all for the mean over objects",
             |row| row.object.into(),
         ),
-        percentage("tau_percent", "Cluster agreement τ", |row| {
-            percent(row.tau)
-        }),
+        percentage(
+            "tau_percent",
+            "Cluster agreement τ",
+            "Cluster agreement τ: share of deformations whose cluster stands for their class",
+            |row| percent(row.tau),
+        ),
         percentage(
             "standard_error",
+            "Standard error of τ",
             "Standard error of τ over redraws",
             |row| row.standard_error.map(percent).into(),
         ),
-        percentage("baseline", "Permutation mean of τ", |row| {
-            row.baseline.map(percent).into()
-        }),
-        percentage("published", "Value of table 3.1, where it has one", |row| {
-            row.published.map(percent).into()
-        }),
+        percentage(
+            "baseline",
+            "Permutation mean of τ",
+            "Mean of τ over permuted labels",
+            |row| row.baseline.map(percent).into(),
+        ),
+        percentage(
+            "published",
+            "Table 3.1",
+            "Value of τ in table 3.1 of the text, where it has one",
+            |row| row.published.map(percent).into(),
+        ),
     ];
 }
 
@@ -114,59 +129,83 @@ impl Row for ComparisonRow {
     const ROW: &'static str =
         "`experiment metrics`: classification by every metric, a row per level of noise and method";
     const COLUMNS: &'static [Column<Self>] = &[
-        percentage("noise_percent", "Level of noise", |row| row.percent.into()),
+        percentage(
+            "noise_percent",
+            "Level of noise",
+            "Level of noise of the copies; 0 for the study itself",
+            |row| row.percent.into(),
+        ),
         Column::plain("method", "Method", "Metric and form", |row| {
             row.method.into()
         }),
-        Column::plain("labelled", "Labelled", "Subjects with a label", |row| {
-            row.labelled.into()
+        Column::plain(
+            "labelled",
+            "Labelled",
+            "Number of subjects with a label",
+            |row| row.labelled.into(),
+        ),
+        Column::plain("copies", "Copies", "Number of noisy copies", |row| {
+            row.copies.into()
         }),
-        Column::plain("copies", "Copies", "Noisy copies", |row| row.copies.into()),
         percentage(
             "nearest_neighbour_percent",
+            "Nearest neighbour",
             "Accuracy of the nearest-neighbour classifier, leave-one-out",
             |row| percent(row.nearest_neighbour.share),
         ),
-        percentage("nearest_neighbour_standard_error", ERROR, |row| {
+        percentage("nearest_neighbour_standard_error", "±", ERROR, |row| {
             percent(row.nearest_neighbour.standard_error)
         }),
-        percentage("nearest_neighbour_baseline", PERMUTED, |row| {
-            percent(row.nearest_neighbour.baseline)
-        }),
+        percentage(
+            "nearest_neighbour_baseline",
+            "Permutation mean",
+            PERMUTED,
+            |row| percent(row.nearest_neighbour.baseline),
+        ),
         percentage(
             "linear_rule_percent",
+            "Linear classifier",
             "Accuracy of the linear classifier on distances, leave-one-out",
             |row| percent(row.linear_classifier.share),
         ),
-        percentage("linear_rule_standard_error", ERROR, |row| {
+        percentage("linear_rule_standard_error", "±", ERROR, |row| {
             percent(row.linear_classifier.standard_error)
         }),
-        percentage("linear_rule_baseline", PERMUTED, |row| {
-            percent(row.linear_classifier.baseline)
-        }),
+        percentage(
+            "linear_rule_baseline",
+            "Permutation mean",
+            PERMUTED,
+            |row| percent(row.linear_classifier.baseline),
+        ),
         percentage(
             "plane_rule_percent",
+            "Classifier on the 2-D embedding",
             "Accuracy of the classifier on the 2-D embedding, leave-one-out",
             |row| percent(row.plane_classifier.share),
         ),
-        percentage("plane_rule_standard_error", ERROR, |row| {
+        percentage("plane_rule_standard_error", "±", ERROR, |row| {
             percent(row.plane_classifier.standard_error)
         }),
-        percentage("plane_rule_baseline", PERMUTED, |row| {
+        percentage("plane_rule_baseline", "Permutation mean", PERMUTED, |row| {
             percent(row.plane_classifier.baseline)
         }),
-        percentage("tau_percent", "Cluster agreement τ", |row| {
-            percent(row.tau.share)
-        }),
-        percentage("tau_standard_error", ERROR, |row| {
+        percentage(
+            "tau_percent",
+            "Cluster agreement τ",
+            "Cluster agreement τ: share of subjects whose cluster stands for their class",
+            |row| percent(row.tau.share),
+        ),
+        percentage("tau_standard_error", "±", ERROR, |row| {
             percent(row.tau.standard_error)
         }),
-        percentage("tau_baseline", PERMUTED, |row| percent(row.tau.baseline)),
+        percentage("tau_baseline", "Permutation mean", PERMUTED, |row| {
+            percent(row.tau.baseline)
+        }),
     ];
 }
 
-const ERROR: &str = "Its standard error over copies";
-const PERMUTED: &str = "Its permutation mean";
+const ERROR: &str = "Standard error over copies of the accuracy or τ before it";
+const PERMUTED: &str = "Mean of the accuracy or τ before it over permuted labels";
 
 impl Row for PartnerRow {
     const FILES: &'static [&'static str] = &["partners.csv"];
@@ -175,7 +214,7 @@ impl Row for PartnerRow {
         Column::plain(
             "transfer",
             "Transport",
-            "How motions are transported first",
+            "How motions are transported before they are compared",
             |row| row.transport.into(),
         ),
         Column::plain("method", "Method", "Metric and form", |row| {
@@ -184,43 +223,43 @@ impl Row for PartnerRow {
         Column::plain(
             "pairs",
             "Sequences",
-            "Sequences with another one of the same patient",
+            "Number of sequences with a partner: another sequence of the same patient",
             |row| row.ranks.pairs.into(),
         ),
         Column::plain(
             "nearer_than_median",
             "Nearer than the median",
-            "Sequences whose other one is nearer than the median of all",
+            "Number of sequences whose partner is nearer than the median of all others",
             |row| row.ranks.nearer_than_median.into(),
         ),
         Column::plain(
             "nearest",
             "Nearest",
-            "Sequences whose other one is the nearest",
+            "Number of sequences whose partner is the nearest of all others",
             |row| row.ranks.nearest.into(),
         ),
         Column::plain(
             "mean_rank",
             "Mean rank",
-            "Mean rank of the other one, from 1",
+            "Mean rank of the partner among all others by distance, from 1",
             |row| row.ranks.mean_rank.into(),
         ),
         Column::plain(
             "nearest_by_chance",
-            "Nearest by chance",
-            "Expected number of nearest ones for random order",
+            "Nearest, random order",
+            "Expected number of such sequences if distances were in random order",
             |row| row.ranks.nearest_by_chance.into(),
         ),
         Column::plain(
             "mean_rank_by_chance",
-            "Mean rank by chance",
-            "Expected mean rank for random order",
+            "Mean rank, random order",
+            "Expected mean rank if distances were in random order",
             |row| row.ranks.mean_rank_by_chance.into(),
         ),
         Column::plain(
             "mean_distance",
             "Mean distance",
-            "Mean distance to the other one, relative to the median of all",
+            "Mean distance to the partner, relative to the median distance to all others",
             |row| row.ranks.mean_distance.into(),
         ),
     ];
@@ -257,19 +296,19 @@ impl Row for TransportCase {
         Column::plain(
             "norm_ratio",
             "Norm ratio",
-            "Norm of the transported over the true one",
+            "Norm of the transported deformation relative to that of the true one",
             |row| row.norm_ratio.into(),
         ),
         Column::plain(
             "flipped_faces",
             "Flipped faces",
-            "Faces that turn over",
+            "Number of faces whose normal the transported deformation reverses",
             |row| row.flipped_faces.into(),
         ),
         Column::plain(
             "followed",
-            "Followed",
-            "true if the target follows the motion",
+            "Reproduced",
+            "true if the cosine is at least 0.9, the norm within a third of the true one and no face flipped",
             |row| Cell::Word(if row.followed { "true" } else { "false" }),
         ),
     ];
@@ -287,26 +326,26 @@ impl Row for InterpolationCase {
         }),
         Column::plain(
             "energy_over_linear",
-            "Energy",
-            "Energy of the path over that of linear interpolation",
+            "Energy ratio",
+            "Energy of the path relative to that of linear interpolation",
             |row| row.energy_ratio.into(),
         ),
         Column::plain(
             "longest_over_shortest_step",
             "Step ratio",
-            "Longest over shortest step of the path",
+            "Longest step of the path relative to the shortest",
             |row| row.step_ratio.into(),
         ),
         Column::plain(
             "least_volume_ratio",
             "Minimum volume ratio",
-            "Minimum of volume over its interpolation between the ends",
+            "Minimum over the path of volume relative to its linear interpolation between the ends",
             |row| row.volume_ratios[0].into(),
         ),
         Column::plain(
             "greatest_volume_ratio",
             "Maximum volume ratio",
-            "Maximum of the same",
+            "Maximum over the path of volume relative to its linear interpolation between the ends",
             |row| row.volume_ratios[1].into(),
         ),
         Column::plain(
@@ -318,7 +357,7 @@ impl Row for InterpolationCase {
         Column::plain(
             "self_intersections",
             "Self-intersections",
-            "Pairs of faces that intersect",
+            "Number of pairs of faces that intersect",
             |row| row.self_intersections.into(),
         ),
     ];
@@ -335,12 +374,13 @@ pub(super) fn reference_word(reference: NoiseReference) -> &'static str {
 /// A column in percent.
 pub(super) const fn percentage<R>(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&R) -> Cell,
 ) -> Column<R> {
     Column::new(
         key,
-        key,
+        heading,
         Unit::Percent,
         Digits::Places(1),
         explanation,

@@ -16,11 +16,13 @@ use crate::study::Study;
 const POSE_COLUMNS: [ColumnWords; 2] = [
     ColumnWords {
         key: "subject",
+        heading: "Subject",
         unit: "",
         explanation: "Pseudonym of the pose's subject",
     },
     ColumnWords {
         key: "frame",
+        heading: "Frame",
         unit: "",
         explanation: "Frame of the pose, numbered from 0",
     },
@@ -133,8 +135,7 @@ impl PoseRow {
 impl Row for PoseRow {
     const FILES: &'static [&'static str] =
         &["poses_mds.csv", "poses_smacof.csv", "poses_isomap.csv"];
-    const ROW: &'static str =
-        "Poses on a map of their distances (classical MDS, SMACOF, Isomap), a row per pose";
+    const ROW: &'static str = "Pose map: embedding of the distances between poses (classical MDS, SMACOF, Isomap), a row per pose";
     const COLUMNS: &'static [Column<Self>] = &[
         Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
             (&row.subject).into()
@@ -142,16 +143,16 @@ impl Row for PoseRow {
         Column::plain("frame", "Frame", "Frame, numbered from 0", |row| {
             row.frame.into()
         }),
-        coordinate("x", "First coordinate on the map", |row| {
+        coordinate("x", "Map x", "First coordinate on the map", |row| {
             row.place[0].into()
         }),
-        coordinate("y", "Second coordinate on the map", |row| {
+        coordinate("y", "Map y", "Second coordinate on the map", |row| {
             row.place[1].into()
         }),
     ];
 }
 
-/// Place of one subject's deformation over the beat on the map of deformations.
+/// Place of one subject's deformation over the beat on the deformation map.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct DeformationRow {
     /// Pseudonym.
@@ -179,7 +180,7 @@ impl DeformationRow {
 impl Row for DeformationRow {
     const FILES: &'static [&'static str] = &["deformations_lle.csv"];
     const ROW: &'static str =
-        "Deformations over the beat on their map (locally linear embedding), a row per subject";
+        "Deformation map: locally linear embedding (LLE) of whole motions, a row per subject";
     const COLUMNS: &'static [Column<Self>] = &[
         Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
             (&row.subject).into()
@@ -192,10 +193,11 @@ impl Row for DeformationRow {
         ),
         coordinate(
             "x",
-            "First coordinate on the map, whose columns have length 1",
+            "Map x",
+            "First coordinate on the map; each coordinate has root sum of squares 1 over the subjects",
             |row| row.place[0].into(),
         ),
-        coordinate("y", "Second coordinate on the map", |row| {
+        coordinate("y", "Map y", "Second coordinate on the map", |row| {
             row.place[1].into()
         }),
     ];
@@ -210,7 +212,7 @@ pub struct MedialPoseRow {
     pub step_from: usize,
     /// Last frame of the step.
     pub step_to: usize,
-    /// Number of the patch, from 0; `None` for all still atoms together.
+    /// Number of the patch, from 0; `None` for all akinetic atoms together.
     pub patch: Option<usize>,
     /// Its place.
     pub place: [Option<f64>; 2],
@@ -237,7 +239,7 @@ impl MedialPoseRow {
 
 impl Row for MedialPoseRow {
     const FILES: &'static [&'static str] = &["medial_mds.csv"];
-    const ROW: &'static str = "Still parts of the wall in the medial shape space on a map (classical MDS), a row per step of a path";
+    const ROW: &'static str = "Medial map: classical MDS of the poses of akinetic regions in the medial shape space, a row per step of a path";
     const COLUMNS: &'static [Column<Self>] = &[
         Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
             (&row.subject).into()
@@ -257,13 +259,13 @@ impl Row for MedialPoseRow {
         Column::plain(
             "patch",
             "Patch",
-            "Number of the patch as in patches.csv; empty for all still atoms together",
+            "Number of the patch as in patches.csv; empty for all akinetic atoms together",
             |row| row.patch.into(),
         ),
-        coordinate("x", "First coordinate on the map", |row| {
+        coordinate("x", "Map x", "First coordinate on the map", |row| {
             row.place[0].into()
         }),
-        coordinate("y", "Second coordinate on the map", |row| {
+        coordinate("y", "Map y", "Second coordinate on the map", |row| {
             row.place[1].into()
         }),
     ];
@@ -272,10 +274,18 @@ impl Row for MedialPoseRow {
 /// Coordinates on a map have no unit.
 const fn coordinate<R>(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&R) -> super::column::Cell,
 ) -> Column<R> {
-    Column::new(key, key, Unit::None, Digits::Places(3), explanation, cell)
+    Column::new(
+        key,
+        heading,
+        Unit::None,
+        Digits::Places(3),
+        explanation,
+        cell,
+    )
 }
 
 fn place(map: &Embedding, item: usize) -> [Option<f64>; 2] {
@@ -339,12 +349,12 @@ mod tests {
     #[test]
     fn distances_name_the_metric_by_the_words_of_its_options() {
         let params = PoseDistanceParams::default();
-        let said = distances_json(&study(), &params, "in one sentence");
-        assert_eq!(said["metric"], "quasi-conformal");
-        assert_eq!(said["form"], "additive");
-        assert_eq!(said["in_words"], "in one sentence");
-        assert_eq!(said["transfer"], "none");
-        assert_eq!(said["mu"], params.metric.mu);
+        let written = distances_json(&study(), &params, "in one sentence");
+        assert_eq!(written["metric"], "quasi-conformal");
+        assert_eq!(written["form"], "additive");
+        assert_eq!(written["in_words"], "in one sentence");
+        assert_eq!(written["transfer"], "none");
+        assert_eq!(written["mu"], params.metric.mu);
     }
 
     #[test]

@@ -27,7 +27,7 @@ pub struct SubjectRow {
     pub sv: Option<f64>,
     /// Ejection fraction as a fraction.
     pub ef: Option<f64>,
-    /// Mass of the muscle in grams.
+    /// Mass of the myocardium in grams.
     pub mass_g: Option<f64>,
     /// Unit of coordinates.
     pub unit: LengthUnit,
@@ -59,14 +59,14 @@ impl SubjectRow {
         "Label that the study gives the subject; empty without one",
         |row| row.label.clone().into(),
     );
-    /// Frame of the largest filling.
+    /// Frame of end-diastole.
     pub const END_DIASTOLE: Column<Self> = Column::plain(
         "end_diastole",
         "ED",
         "Frame of end-diastole, numbered from 0",
         |row| row.end_diastole.into(),
     );
-    /// Frame of the smallest filling.
+    /// Frame of end-systole.
     pub const END_SYSTOLE: Column<Self> = Column::plain(
         "end_systole",
         "ES",
@@ -75,9 +75,14 @@ impl SubjectRow {
     );
     /// End-diastolic volume.
     pub const EDV: Column<Self> =
-        volume("edv", "EDV", "End-diastolic volume", |row| row.edv.into());
+        volume("edv", "EDV", "End-diastolic volume of the cavity", |row| {
+            row.edv.into()
+        });
     /// End-systolic volume.
-    pub const ESV: Column<Self> = volume("esv", "ESV", "End-systolic volume", |row| row.esv.into());
+    pub const ESV: Column<Self> =
+        volume("esv", "ESV", "End-systolic volume of the cavity", |row| {
+            row.esv.into()
+        });
     /// Stroke volume.
     pub const SV: Column<Self> =
         volume("sv", "Stroke volume", "Stroke volume, EDV − ESV", |row| {
@@ -92,7 +97,7 @@ impl SubjectRow {
         "Ejection fraction, (EDV − ESV) / EDV, as a fraction",
         |row| row.ef.into(),
     );
-    /// Mass of the muscle.
+    /// Mass of the myocardium.
     pub const MASS_G: Column<Self> = Column::new(
         "mass_g",
         "Mass",
@@ -166,7 +171,7 @@ impl Row for SubjectRow {
         Column::plain(
             "phase_source",
             "Frames set by",
-            "Where end-diastole and end-systole come from: volume curve, or stated by the study or the user",
+            "Source of end-diastole and end-systole: volume curve, or stated: set by the user or the study",
             |row| {
                 Cell::Word(if row.phases_stated {
                     "stated"
@@ -194,7 +199,7 @@ pub struct FrameRow {
     pub endo_volume: Option<f64>,
     /// Volume inside the epicardium.
     pub epi_volume: Option<f64>,
-    /// Volume of the muscle.
+    /// Volume of the myocardium.
     pub wall_volume: Option<f64>,
     /// Area of the endocardium or cavity.
     pub endo_area: Option<f64>,
@@ -326,11 +331,11 @@ mod tests {
         // A sphere that shrinks to four fifths loses 1 − 0.8³ of its volume.
         assert!((ef - 0.488).abs() < 1e-9, "{ef}");
         assert_eq!([&row[2], &row[3]], ["0", "1"]);
-        let said = subjects_json(&subjects);
-        assert_eq!(said[0]["id"], "P, \"1\"");
-        assert_eq!(said[0]["ef"], ef);
-        assert_eq!(said[0]["phase_source"], "volume curve");
-        let keys: Vec<&String> = said[0].as_object().unwrap().keys().collect();
+        let written = subjects_json(&subjects);
+        assert_eq!(written[0]["id"], "P, \"1\"");
+        assert_eq!(written[0]["ef"], ef);
+        assert_eq!(written[0]["phase_source"], "volume curve");
+        let keys: Vec<&String> = written[0].as_object().unwrap().keys().collect();
         assert_eq!(keys[..3], ["id", "label", "end_diastole"]);
     }
 }

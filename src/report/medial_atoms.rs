@@ -43,39 +43,84 @@ impl Row for MedialAtomRow {
             "Vertex of the template, numbered from 0",
             |row| row.vertex.into(),
         ),
-        Column::length("x", "x of the centre of the inscribed sphere", |row| {
-            row.atom.position.x.into()
-        }),
-        Column::length("y", "y of the centre", |row| row.atom.position.y.into()),
-        Column::length("z", "z of the centre", |row| row.atom.position.z.into()),
-        Column::length("r", "Radius of the inscribed sphere", |row| {
-            row.atom.radius.into()
-        }),
-        direction("s0x", "x of the unit spoke to the inner side", |row| {
-            row.atom.spokes[0].x.into()
-        }),
-        direction("s0y", "y of the spoke to the inner side", |row| {
-            row.atom.spokes[0].y.into()
-        }),
-        direction("s0z", "z of the spoke to the inner side", |row| {
-            row.atom.spokes[0].z.into()
-        }),
-        direction("s1x", "x of the unit spoke to the outer side", |row| {
-            row.atom.spokes[1].x.into()
-        }),
-        direction("s1y", "y of the spoke to the outer side", |row| {
-            row.atom.spokes[1].y.into()
-        }),
-        direction("s1z", "z of the spoke to the outer side", |row| {
-            row.atom.spokes[1].z.into()
-        }),
+        Column::length(
+            "x",
+            "Centre x",
+            "x of the centre of the inscribed sphere",
+            |row| row.atom.position.x.into(),
+        ),
+        Column::length(
+            "y",
+            "Centre y",
+            "y of the centre of the inscribed sphere",
+            |row| row.atom.position.y.into(),
+        ),
+        Column::length(
+            "z",
+            "Centre z",
+            "z of the centre of the inscribed sphere",
+            |row| row.atom.position.z.into(),
+        ),
+        Column::length(
+            "r",
+            "Radius",
+            "Radius of the inscribed sphere, half of the wall thickness",
+            |row| row.atom.radius.into(),
+        ),
+        direction(
+            "s0x",
+            "Inner spoke x",
+            "x of the unit spoke to the inner side",
+            |row| row.atom.spokes[0].x.into(),
+        ),
+        direction(
+            "s0y",
+            "Inner spoke y",
+            "y of the unit spoke to the inner side",
+            |row| row.atom.spokes[0].y.into(),
+        ),
+        direction(
+            "s0z",
+            "Inner spoke z",
+            "z of the unit spoke to the inner side",
+            |row| row.atom.spokes[0].z.into(),
+        ),
+        direction(
+            "s1x",
+            "Outer spoke x",
+            "x of the unit spoke to the outer side",
+            |row| row.atom.spokes[1].x.into(),
+        ),
+        direction(
+            "s1y",
+            "Outer spoke y",
+            "y of the unit spoke to the outer side",
+            |row| row.atom.spokes[1].y.into(),
+        ),
+        direction(
+            "s1z",
+            "Outer spoke z",
+            "z of the unit spoke to the outer side",
+            |row| row.atom.spokes[1].z.into(),
+        ),
         direction(
             "nx",
+            "Normal x",
             "x of the unit normal from the inner to the outer side",
             |row| row.normal.x.into(),
         ),
-        direction("ny", "y of the normal", |row| row.normal.y.into()),
-        direction("nz", "z of the normal", |row| row.normal.z.into()),
+        direction(
+            "ny",
+            "Normal y",
+            "y of the unit normal from the inner to the outer side",
+            |row| row.normal.y.into(),
+        ),
+        direction(
+            "nz",
+            "Normal z",
+            "z of the unit normal from the inner to the outer side",
+            |row| row.normal.z.into(),
+        ),
         Column::plain(
             "end",
             "End",
@@ -87,8 +132,16 @@ impl Row for MedialAtomRow {
 
 const fn direction(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&MedialAtomRow) -> Cell,
 ) -> Column<MedialAtomRow> {
-    Column::new(key, key, Unit::None, Digits::Places(3), explanation, cell)
+    Column::new(
+        key,
+        heading,
+        Unit::None,
+        Digits::Places(3),
+        explanation,
+        cell,
+    )
 }

@@ -74,6 +74,7 @@ impl Row for SegmentRow {
         }),
         Column::length(
             "thickness_ed",
+            "Thickness at ED",
             "Mean wall thickness at end-diastole, area-weighted",
             |row| {
                 row.thickening
@@ -83,7 +84,8 @@ impl Row for SegmentRow {
         ),
         Column::length(
             "thickness_es",
-            "Mean wall thickness at end-systole",
+            "Thickness at ES",
+            "Mean wall thickness at end-systole, area-weighted",
             |row| {
                 row.thickening
                     .map(|place| place.thickness.end_systole)
@@ -110,7 +112,8 @@ impl Row for SegmentRow {
         ),
         Column::thickness_ratio(
             "pt",
-            "PT: thickness at end-systole relative to end-diastole, geometric mean",
+            "Thickness ratio PT",
+            "Thickness ratio PT: thickness at end-systole relative to end-diastole, geometric mean over the segment",
             |row| row.thickening.map(|place| place.pt).into(),
         ),
         Column::new(

@@ -8,7 +8,7 @@ use crate::analysis::embedding::Embedding;
 use crate::analysis::medial_map::MedialMap;
 use crate::study::Study;
 
-/// How well a map of poses keeps distances.
+/// How well a pose map keeps distances.
 pub(super) fn map_json(map: &Embedding) -> Value {
     json!({
         "stress": map.stress,
@@ -46,7 +46,7 @@ pub(super) fn medial_map_json(study: &Study, map: Result<&MedialMap, &str>) -> V
     })
 }
 
-/// How the map of deformations is made, and its reconstruction error.
+/// How the deformation map is made, and its reconstruction error.
 pub(super) fn deformations_json(map: &DeformationMap) -> Value {
     json!({
         "count": map.subjects.len(),

@@ -23,9 +23,9 @@ pub struct VerdictRow {
     /// Whether the probability is calibrated on the labelled subjects.
     pub calibrated: Option<bool>,
     /// The most similar subjects with a normal label, nearest first.
-    pub alike_normal: Vec<String>,
+    pub similar_normal: Vec<String>,
     /// And with an abnormal label.
-    pub alike_abnormal: Vec<String>,
+    pub similar_abnormal: Vec<String>,
     /// Distance to the nearest subject of the training set.
     pub distance_from_seen: Option<f64>,
     /// Median of the same distance within the training set.
@@ -94,10 +94,10 @@ impl VerdictRow {
                 ClassifierSource::Cohort { .. } => true,
                 ClassifierSource::Uncalibrated { .. } => false,
             }),
-            alike_normal: names(&verdict.alike_normal),
-            alike_abnormal: names(&verdict.alike_abnormal),
-            distance_from_seen: verdict.familiarity.map(|near| near.distance),
-            usual_distance: verdict.familiarity.map(|near| near.usual),
+            similar_normal: names(&verdict.similar_normal),
+            similar_abnormal: names(&verdict.similar_abnormal),
+            distance_from_seen: verdict.training_set_distance.map(|near| near.distance),
+            usual_distance: verdict.training_set_distance.map(|near| near.median),
             features: verdict.features.clone(),
             ..self
         }
@@ -153,81 +153,97 @@ impl Row for VerdictRow {
             "alike_normal",
             "Most similar normal",
             "Most similar subjects with a normal label, nearest first",
-            |row| row.alike_normal.join(" ").into(),
+            |row| row.similar_normal.join(" ").into(),
         ),
         Column::plain(
             "alike_abnormal",
             "Most similar abnormal",
             "Most similar subjects with an abnormal label, nearest first",
-            |row| row.alike_abnormal.join(" ").into(),
+            |row| row.similar_abnormal.join(" ").into(),
         ),
         distance(
             "distance_from_seen",
-            "Distance to the nearest subject of the training set, in standardised features",
+            "Distance to training set",
+            "Distance to the nearest subject of the training set, in standard deviations of the model features",
             |row| row.distance_from_seen.into(),
         ),
         distance(
             "usual_distance",
-            "Median of that distance within the training set",
+            "Median distance in training set",
+            "Median over the training set of the distance to its nearest other subject, in standard deviations of the model features",
             |row| row.usual_distance.into(),
         ),
         share(
             "still_share",
-            "Share of the wall with thickening below 10 % (akinetic)",
-            |row| row.features.get(Feature::StillShare).into(),
+            "Akinetic region",
+            "Share of the wall with thickening below 10 % from end-diastole to end-systole (akinetic)",
+            |row| row.features.get(Feature::AkineticShare).into(),
         ),
         ln_pt(
             "median_ln_pt",
-            "Area-weighted median of thickening",
+            "Median thickening",
+            "Area-weighted median over the wall of ln PT from end-diastole to end-systole",
             |row| row.features.get(Feature::Median).into(),
         ),
         ln_pt(
             "spread_ln_pt",
-            "Area-weighted standard deviation of thickening",
+            "SD of thickening",
+            "Area-weighted standard deviation over the wall of ln PT",
             |row| row.features.get(Feature::Spread).into(),
         ),
         distance(
             "relative_spread",
-            "Standard deviation of thickening relative to the remote myocardium",
+            "Thickening heterogeneity",
+            "Standard deviation of ln PT over the wall relative to ln PT of the remote myocardium, which counts as at least ln 1.1",
             |row| row.features.get(Feature::RelativeSpread).into(),
         ),
         ln_pt(
             "weakest_tenth_ln_pt",
-            "Tenth percentile of thickening over the wall",
-            |row| row.features.get(Feature::WeakestTenth).into(),
+            "10th percentile of thickening",
+            "Area-weighted 10th percentile over the wall of ln PT",
+            |row| row.features.get(Feature::TenthPercentile).into(),
         ),
-        ln_pt("well_ln_pt", "Thickening of the remote myocardium", |row| {
-            row.features.get(Feature::Well).into()
-        }),
+        ln_pt(
+            "well_ln_pt",
+            "Remote thickening",
+            "ln PT of the remote myocardium from end-diastole to end-systole",
+            |row| row.features.get(Feature::Remote).into(),
+        ),
         ln_pt(
             "reach_ln_pt",
-            "Thickening of the remote myocardium plus twice the standard deviation",
-            |row| row.features.get(Feature::Reach).into(),
+            "Upper range of thickening",
+            "ln PT of the remote myocardium plus twice the standard deviation over the wall",
+            |row| row.features.get(Feature::UpperRange).into(),
         ),
         share(
             "patch_share",
-            "Share of the wall in patches, weighted by detection stability",
+            "Wall in patches",
+            "Share of the wall in patches, each weighted by its detection stability",
             |row| row.features.get(Feature::PatchShare).into(),
         ),
         share(
             "patch_confidence",
-            "Detection stability of the largest patch; 0 without one",
+            "Detection stability",
+            "Detection stability of the largest patch: share of noise redraws in which it is detected again; 0 without a patch",
             |row| row.features.get(Feature::Confidence).into(),
         ),
         distance(
             "patch_relative_thickening",
-            "Ratio of patch to remote thickening (largest patch); 1 without one",
+            "Ratio of patch to remote thickening",
+            "ln PT of the largest patch relative to that of the remote myocardium; 1 without a patch",
             |row| row.features.get(Feature::PatchThickening).into(),
         ),
         distance(
             "patch_compactness",
-            "Compactness of the largest patch, 4π area / border length²; 0 without one",
+            "Compactness",
+            "Compactness of the largest patch, 4π × area / perimeter², at most 1; 0 without a patch",
             |row| row.features.get(Feature::Compactness).into(),
         ),
         distance(
             "pose_distance",
-            "Mean pose distance in the medial shape space, of the largest patch or of all still atoms",
-            |row| row.features.get(Feature::Closeness).into(),
+            "Mean pose distance",
+            "Mean distance between poses in the medial shape space, of the largest patch or, without one, of all akinetic atoms",
+            |row| row.features.get(Feature::MeanPoseDistance).into(),
         ),
         Column::new(
             "normal_spread_rad",
@@ -240,38 +256,48 @@ impl Row for VerdictRow {
         Column::new(
             "gap_sizes",
             "Distance of MP",
-            Unit::Symbol("heart sizes"),
+            Unit::Symbol("× size"),
             Digits::Places(3),
-            "Mean distance of the mean position (MP) from the medial surface, relative to the size of the heart",
-            |row| row.features.get(Feature::Gap).into(),
+            "Mean distance of the mean position (MP) from the medial surface, relative to the size of the medial surface",
+            |row| row.features.get(Feature::MeanPositionDistance).into(),
         ),
     ];
 }
 
 const fn share(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&VerdictRow) -> Cell,
 ) -> Column<VerdictRow> {
-    Column::new(key, key, Unit::Share, Digits::Places(0), explanation, cell)
+    Column::new(
+        key,
+        heading,
+        Unit::Share,
+        Digits::Places(0),
+        explanation,
+        cell,
+    )
 }
 
 const fn ln_pt(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&VerdictRow) -> Cell,
 ) -> Column<VerdictRow> {
     let unit = Unit::Symbol("ln PT");
-    Column::new(key, key, unit, Digits::Places(2), explanation, cell)
+    Column::new(key, heading, unit, Digits::Places(2), explanation, cell)
 }
 
 /// Distances and ratios without a unit.
 const fn distance(
     key: &'static str,
+    heading: &'static str,
     explanation: &'static str,
     cell: fn(&VerdictRow) -> Cell,
 ) -> Column<VerdictRow> {
-    Column::plain(key, key, explanation, cell)
+    Column::plain(key, heading, explanation, cell)
 }
 
 #[cfg(test)]

@@ -92,19 +92,36 @@ impl Row for AtomRow {
             "Vertex of the endocardium, numbered from 0",
             |row| row.vertex.into(),
         ),
-        Column::length("x", "x of the centre of the inscribed sphere", |row| {
-            row.position.x.into()
-        }),
-        Column::length("y", "y of the centre", |row| row.position.y.into()),
-        Column::length("z", "z of the centre", |row| row.position.z.into()),
+        Column::length(
+            "x",
+            "Centre x",
+            "x of the centre of the inscribed sphere",
+            |row| row.position.x.into(),
+        ),
+        Column::length(
+            "y",
+            "Centre y",
+            "y of the centre of the inscribed sphere",
+            |row| row.position.y.into(),
+        ),
+        Column::length(
+            "z",
+            "Centre z",
+            "z of the centre of the inscribed sphere",
+            |row| row.position.z.into(),
+        ),
         Column::length(
             "r",
+            "Radius",
             "Radius of the inscribed sphere, half of the wall thickness",
             |row| row.radius.into(),
         ),
-        Column::thickness_ratio("pt", "PT: radius relative to end-diastole", |row| {
-            row.thickness_ratio.into()
-        }),
+        Column::thickness_ratio(
+            "pt",
+            "Thickness ratio PT",
+            "Thickness ratio PT: radius relative to end-diastole",
+            |row| row.thickness_ratio.into(),
+        ),
         Column::plain(
             "in_patch",
             "In patch",
@@ -114,13 +131,13 @@ impl Row for AtomRow {
         Column::plain(
             "regular",
             "Regular",
-            "1 if the atom takes part; 0 if the medial surface ends there in any frame",
+            "1 if the atom is used; 0 if the medial surface ends there in any frame",
             |row| row.regular.into(),
         ),
         Column::plain(
             "patch",
             "Patch",
-            "Number of the patch as in patches.csv",
+            "Number of the patch as in patches.csv; empty outside patches",
             |row| row.patch.into(),
         ),
     ];
@@ -255,11 +272,24 @@ impl Row for PatchRow {
             "AHA segments that the patch touches, by falling share of the patch",
             |row| row.listed(|part| part.segment.number().to_string()),
         ),
-        Column::length("x", "x of the centroid at end-diastole", |row| {
-            row.centroid.x.into()
-        }),
-        Column::length("y", "y of the centroid", |row| row.centroid.y.into()),
-        Column::length("z", "z of the centroid", |row| row.centroid.z.into()),
+        Column::length(
+            "x",
+            "Centroid x",
+            "x of the centroid at end-diastole",
+            |row| row.centroid.x.into(),
+        ),
+        Column::length(
+            "y",
+            "Centroid y",
+            "y of the centroid at end-diastole",
+            |row| row.centroid.y.into(),
+        ),
+        Column::length(
+            "z",
+            "Centroid z",
+            "z of the centroid at end-diastole",
+            |row| row.centroid.z.into(),
+        ),
         Self::STABILITY,
         Column::plain(
             "segment_shares",

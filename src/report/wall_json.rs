@@ -21,7 +21,7 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
             RatioForm::Product => "product",
         },
         "patch_core": params.core,
-        "patch_still": params.still,
+        "patch_still": params.akinetic,
         "patch_border": params.border,
         "patch_least_share": params.min_share,
         "patch_least_thickening": params.min_thickening,
@@ -35,10 +35,10 @@ pub fn thickening_params_json(medial: &MedialParams, params: &ThickeningParams) 
 pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
     let found = wall.thickening;
     let regular = wall.beat.regular.iter().filter(|&&regular| regular).count();
-    let well_share = |half: HalfBeat| {
+    let remote_share = |half: HalfBeat| {
         let steps: Vec<f64> = (found.steps.iter())
             .filter(|step| step.half == half)
-            .map(|step| step.well_share)
+            .map(|step| step.remote_share)
             .collect();
         (!steps.is_empty()).then(|| steps.iter().sum::<f64>() / steps.len() as f64)
     };
@@ -59,10 +59,10 @@ pub fn wall_json(wall: &AssessedWall<'_>) -> Value {
         "area_unit": wall.unit.area_symbol(),
         "tolerance": found.tolerance,
         "noise": found.noise,
-        "well_pt": found.well.exp(),
+        "well_pt": found.remote.exp(),
         "averaged_share": found.averaged_share,
-        "well_share_contraction": well_share(HalfBeat::Contraction),
-        "well_share_expansion": well_share(HalfBeat::Expansion),
+        "well_share_contraction": remote_share(HalfBeat::Contraction),
+        "well_share_expansion": remote_share(HalfBeat::Expansion),
         "oriented": wall.axis.is_some_and(|axis| axis.is_oriented()),
         "smallest_patch": found.smallest.map(|least| {
             json!({ "share": least.share, "area_cm2": least.area_cm2 })

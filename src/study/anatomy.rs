@@ -4,7 +4,7 @@ use crate::mesh::{Point3, Vector3};
 
 /// Orientation landmarks of one subject, in the coordinates of its first frame.
 ///
-/// Anatomical names are shown only for subjects that carry one.
+/// Anatomical names are shown only for subjects that have one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Anatomy {
     /// The tip of the ventricle.

@@ -1,6 +1,6 @@
 //! One line of the load report.
 
-/// How much a notice matters.
+/// How much a note matters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Severity {
     /// Something was assumed or found, and nothing is wrong with it.
@@ -19,7 +19,7 @@ pub struct Notice {
 }
 
 impl Notice {
-    /// A remark.
+    /// A note.
     pub fn info(text: impl Into<String>) -> Self {
         Self {
             severity: Severity::Info,

@@ -29,13 +29,13 @@ fn rest_and_stress_of_one_patient_are_nearer_than_most_others_by_the_defaults() 
         );
         assert_eq!(row.ranks.pairs, 20);
     }
-    let [own, carried] = [found.rows[0].ranks, found.rows[1].ranks];
+    let [own, transported] = [found.rows[0].ranks, found.rows[1].ranks];
     assert!(own.nearer_than_median >= 18, "{own:?}");
     assert!(own.nearest >= 9, "{own:?}");
     assert!(own.mean_rank < 2.0, "{own:?}");
     // Motion alone tells a patient less surely, but by far more than chance.
     assert!(
-        carried.nearer_than_median >= 14 && carried.nearest >= 4,
-        "{carried:?}"
+        transported.nearer_than_median >= 14 && transported.nearest >= 4,
+        "{transported:?}"
     );
 }

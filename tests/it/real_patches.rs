@@ -163,7 +163,7 @@ fn each_infarcted_heart_has_patches_with_segments_area_and_centroid() {
                 assert!(atoms.count() > 0, "{}: {:?}", subject.id, part.segment);
             }
             // It stands still beside the rest of the wall.
-            assert!(patch.thickening < 0.5 * found.well, "{}", subject.id);
+            assert!(patch.thickening < 0.5 * found.remote, "{}", subject.id);
         }
     }
     assert!(without <= 1, "{without}");

@@ -14,7 +14,7 @@ use rayon::prelude::*;
 
 use crate::shared::{opened, shared_data, thickened};
 
-fn judged(study: &Study) -> Verdicts {
+fn verdicts_of(study: &Study) -> Verdicts {
     let hearts: Vec<_> = study.subjects.par_iter().map(|s| thickened(s)).collect();
     let params = VerdictParams::default().check().unwrap();
     let inputs: Vec<_> = (hearts.iter())
@@ -71,20 +71,22 @@ fn median(group: &[&Verdict], feature: Feature) -> f64 {
 fn infarctions_are_told_from_normal_and_from_dilated_hearts() {
     let path = shared_data("acdc_walls/study.toml");
     let study = opened(path);
-    let found = judged(&study);
+    let found = verdicts_of(&study);
     let labels = ["HCM", "NOR", "RV", "MINF", "DCM"];
     let groups: BTreeMap<&str, Vec<&Verdict>> = labels
         .into_iter()
         .map(|label| (label, group(&study, &found, label)))
         .collect();
-    println!("label: hearts, median PT, no patch / patch / global failure / elsewhere");
+    println!(
+        "label: subjects, median PT, no patch / patch / global hypokinesia / abnormal without a patch"
+    );
     for label in labels {
         let group = &groups[label];
         let counts = [
             Finding::Nothing,
             Finding::Patch,
-            Finding::GlobalFailure,
-            Finding::Elsewhere,
+            Finding::GlobalHypokinesia,
+            Finding::WithoutPatch,
         ]
         .map(|finding| count(group, finding));
         let pt = median(group, Feature::Median).exp();
@@ -111,7 +113,7 @@ fn infarctions_are_told_from_normal_and_from_dilated_hearts() {
     assert!(ill >= 0.99);
     assert!(count(&groups["NOR"], Finding::Patch) <= 2);
     assert!(count(&groups["MINF"], Finding::Patch) >= 18);
-    for feature in [Feature::Spread, Feature::Reach] {
+    for feature in [Feature::Spread, Feature::UpperRange] {
         let regional = auc(&groups["MINF"], &groups["DCM"], of(feature));
         assert!(regional >= 0.93, "{}: {regional}", feature.name());
     }
@@ -121,7 +123,7 @@ fn infarctions_are_told_from_normal_and_from_dilated_hearts() {
 #[test]
 fn normal_hearts_of_the_built_in_cohort_have_no_patch_and_ill_ones_have() {
     let built_in = cohort(&BuiltInParams::default()).unwrap();
-    let found = judged(&built_in.study);
+    let found = verdicts_of(&built_in.study);
     let mut false_patches = 0;
     for (truth, verdict) in built_in.truths.iter().zip(&found.subjects) {
         let finding = verdict.as_ref().unwrap().finding;
@@ -129,7 +131,7 @@ fn normal_hearts_of_the_built_in_cohort_have_no_patch_and_ill_ones_have() {
             Abnormality::None => false_patches += usize::from(finding != Finding::Nothing),
             // They are ill, but their walls thicken well.
             Abnormality::Hypertrophic => assert_ne!(finding, Finding::Patch),
-            Abnormality::Dilated => assert_eq!(finding, Finding::GlobalFailure),
+            Abnormality::Dilated => assert_eq!(finding, Finding::GlobalHypokinesia),
             _ => assert_eq!(finding, Finding::Patch),
         }
     }
@@ -144,7 +146,7 @@ fn normal_hearts_of_the_built_in_cohort_have_no_patch_and_ill_ones_have() {
 fn blurred_hearts_are_not_assessed() {
     let path = shared_data("gated_spect/meshes");
     let study = opened(path);
-    let found = judged(&study);
+    let found = verdicts_of(&study);
     assert_eq!(found.subjects.len(), 20);
     for (subject, verdict) in study.subjects.iter().zip(&found.subjects) {
         let reason = verdict.as_ref().unwrap_err().to_string();

@@ -18,7 +18,7 @@ use rand_chacha::ChaCha8Rng;
 /// The variable `CARDIOMORPH_MUTATIONS` asks for more.
 const MUTATIONS_OF_EACH_FILE: u64 = 1_000;
 const LONGEST_READ: Duration = Duration::from_secs(2);
-const MOST_MEMORY_KIB: u64 = 1 << 20;
+const MAX_MEMORY_KIB: u64 = 1 << 20;
 const IN_CHILD: &str = "CARDIOMORPH_ROBUSTNESS_CHILD";
 
 /// Numbers that headers and data should not be trusted with.
@@ -206,7 +206,7 @@ fn read_all_mutations() {
                 if grown > greatest.0 {
                     greatest = (grown, what.clone());
                 }
-                assert!(grown < MOST_MEMORY_KIB, "{what} took {grown} KiB of memory");
+                assert!(grown < MAX_MEMORY_KIB, "{what} took {grown} KiB of memory");
             }
         }
     }

@@ -15,7 +15,7 @@ const MAX_STEPS: usize = 300;
 ///
 /// From each of `restarts` starts, rows join their nearest centre and centres move to the mean of their
 /// rows until no row changes; the inertia Σ |x − centre|² never rises. Starts are drawn as k-means++: each
-/// next centre is a row, chosen with a chance that grows with its squared distance from the centres so
+/// next centre is a row, chosen with a probability that grows with its squared distance from the centres so
 /// far. A centre that loses all rows moves to the row farthest from its own. Of starts that end
 /// with the same inertia the first counts. There are not more clusters than rows.
 ///

@@ -20,7 +20,7 @@ pub struct DeformationDistances {
 ///
 /// φ runs through the frames of i and, with the same weight, through those of j; where both have
 /// their frames at the same phases, that is the mean over frames. Between two frames A, A′ of a
-/// subject, at the share u of the way, the pose is taken to lie on the straight way between them. For
+/// subject, at the share u of the way, the pose is taken to lie on the straight line between them. For
 /// such points B of another way, B = (1 − v) B₀ + v B₁, Stewart's theorem gives
 ///
 /// d² = Σ pₖ qₗ d(Aₖ, Bₗ)² − u(1 − u) d(A₀, A₁)² − v(1 − v) d(B₀, B₁)²,

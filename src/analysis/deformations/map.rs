@@ -1,4 +1,4 @@
-//! From the map of poses to the map of whole deformations.
+//! From the pose map to the map of whole deformations.
 
 use crate::analysis::embedding::{Embedding, EmbeddingError, LleParamError, LleParams, lle};
 use crate::analysis::pose_distances::PoseId;
@@ -15,19 +15,19 @@ const DIMENSIONS: usize = 2;
 /// Fewer points always lie on a line.
 const FEWEST: usize = 3;
 
-/// Why there is no map of deformations.
+/// Why there is no deformation map.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DeformationMapError {
     /// It was asked to stop.
     #[error(transparent)]
     Stopped(#[from] Stopped),
     /// A plane needs three points.
-    #[error("a map of deformations needs at least {FEWEST} of them, not {deformations}")]
+    #[error("a deformation map needs at least {FEWEST} of them, not {deformations}")]
     TooFew {
         /// Deformations there are.
         deformations: usize,
     },
-    /// The map of poses is of other poses.
+    /// The pose map is of other poses.
     #[error("a map of {items} poses was given for {poses} poses")]
     Poses {
         /// Rows of the map.

@@ -1,8 +1,8 @@
-//! Which whole deformations are alike?
+//! Which whole deformations are similar?
 //!
 //! A deformation is the way of one subject through the space of poses over its beat. On the map of
 //! poses it is a curve (x, y), with time as third coordinate (x, y, w t); curves, not poses, are
-//! compared and laid out on a plane, one point per subject.
+//! compared and embedded in a plane, one point per subject.
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, section 3.3.4.
 

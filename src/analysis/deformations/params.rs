@@ -2,7 +2,7 @@
 
 use crate::analysis::embedding::{LleParamError, LleParams};
 
-/// Settings of the map of deformations; [`DeformationMapParams::check`] makes them usable.
+/// Settings of the deformation map; [`DeformationMapParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeformationMapParams {
     /// Weight w of time in the curves (x, y, w t), t the share of the beat. `None`: the root mean
@@ -44,7 +44,7 @@ impl Default for DeformationMapParams {
 /// On the built-in cohort (23 subjects) the nearest neighbour on the plane has the same label, by the
 /// number of neighbours, for
 ///
-/// | map of poses | 3 | 4 | 5 | 6 | 8 | 10 | 12 | 16 | 20 | the curves themselves |
+/// | pose map | 3 | 4 | 5 | 6 | 8 | 10 | 12 | 16 | 20 | the curves themselves |
 /// |---|---|---|---|---|---|---|---|---|---|---|
 /// | SMACOF | 11 | 15 | 16 | 20 | 18 | 19 | 18 | 18 | 18 | 20 |
 /// | classical MDS | 20 | 20 | 19 | 18 | 21 | 20 | 20 | 21 | 21 | 21 |

@@ -159,7 +159,7 @@ fn settled(
     vectors: &[Vec<f64>],
 ) -> Result<(Vec<f64>, Vec<Vec<f64>>), EmbeddingError> {
     let count = vectors.len();
-    let images: Vec<Vec<f64>> = vectors.iter().map(|v| missed(weights, v)).collect();
+    let images: Vec<Vec<f64>> = vectors.iter().map(|v| residual(weights, v)).collect();
     let mut products = vec![0.0; count * count];
     for i in 0..count {
         for j in 0..count {
@@ -180,7 +180,7 @@ fn settled(
 }
 
 /// v − W v.
-fn missed(weights: &LocalWeights, v: &[f64]) -> Vec<f64> {
+fn residual(weights: &LocalWeights, v: &[f64]) -> Vec<f64> {
     let neighbours = weights.neighbours();
     (v.iter().enumerate())
         .map(|(item, here)| {
@@ -232,7 +232,7 @@ mod tests {
         let unit = |at: usize| {
             let mut v = vec![0.0; 30];
             v[at] = 1.0;
-            missed(&weights, &v)
+            residual(&weights, &v)
         };
         for column in 0..30 {
             let image = unit(column);

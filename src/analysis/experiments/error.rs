@@ -56,8 +56,8 @@ pub enum ExperimentError {
     },
     /// There is nobody else to be nearer than.
     #[error(
-        "all {sequences} sequences that correspond are of one patient, {patient}: whether partners are \
-         near shows beside other patients only"
+        "all {sequences} sequences that correspond are of one patient, {patient}: the rank of a partner \
+         needs sequences of other patients"
     )]
     OnePatient {
         /// How many were looked at.
@@ -80,7 +80,7 @@ pub enum ExperimentError {
     /// Settings of distances.
     #[error(transparent)]
     Distances(#[from] PoseDistanceParamError),
-    /// Settings of the map of deformations.
+    /// Settings of the deformation map.
     #[error(transparent)]
     Deformations(#[from] DeformationParamError),
     /// Settings of the classifiers.

@@ -41,14 +41,14 @@ pub struct InterpolationCase {
     pub energy_ratio: f64,
     /// Longest over shortest step.
     pub step_ratio: f64,
-    /// Least and greatest volume of an in-between (boundaries are none) over that at rest.
+    /// Least and greatest volume of an interpolated pose (boundaries are none) over that at rest.
     pub volume_ratios: [f64; 2],
     /// Distance of the middle pose from the motion at half its amplitude, after rigid alignment, over
     /// the whole displacement.
     pub midpoint_error: f64,
     /// Pairs of faces that cross.
     pub self_intersections: usize,
-    /// Start, in-betweens, end, for a picture.
+    /// Start, interpolated poses, end, for a picture.
     pub poses: Vec<Vec<Point3>>,
 }
 

@@ -40,9 +40,9 @@ impl MedialMethod {
     /// What tables call it.
     pub fn name(self) -> &'static str {
         match self {
-            Self::PatchFound => "patch found (default)",
-            Self::Paths => "closeness of poses",
-            Self::PathsPrinted => "closeness of poses, as printed",
+            Self::PatchFound => "patch detection (default)",
+            Self::Paths => "mean pose distance",
+            Self::PathsPrinted => "mean pose distance, as printed",
             Self::PosesPrinted => "clusters of poses, as printed",
         }
     }

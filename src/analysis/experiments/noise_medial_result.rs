@@ -97,12 +97,12 @@ impl MedialNoiseResult {
         vec![
             format!(
                 "{} deformations of medial surfaces like a left ventricle's, {} without and {} with a patch of \
-                 {least} to {most} % of the sheet anywhere on it, in which thickness is constant while the rest \
-                 thickens (r grows by half) and thins over a beat of 8 poses; the patch moves as all of it does.",
+                 {least} to {most} % of the sheet anywhere on it, in which thickness is constant while the other \
+                 atoms thicken (r grows by half) and thin over a beat of 8 poses; the patch moves with the sheet.",
                 2 * params.per_class, params.per_class, params.per_class,
             ),
             format!(
-                "Axes vary by ±{:.0} %, thickness by ±{:.0} %, shortening, inward motion, twist, thickening and pace \
+                "Axes vary by ±{:.0} %, thickness by ±{:.0} %, shortening, inward motion, twist, thickening and timing \
                  of the beat by ±{:.0} %; thickening is uneven within each sheet and least at the apex; sheets lie \
                  within 8 mm and 9° of each other about each axis.",
                 100.0 * sheets.shape_jitter,
@@ -112,22 +112,22 @@ impl MedialNoiseResult {
             "Noise is independent for every atom, coordinate, radius and pose; its variance is the level times the \
              variance per coordinate of the clean sheet at end-diastole for positions, and times the variance of \
              the clean radii over atoms and poses for radii; uniform noise has half-width √3 σ. Normals, spokes, \
-             areas and sizes are computed from noisy atoms. End-diastole and end-systole are stated, the rim is \
+             areas and sizes are computed from noisy atoms. End-diastole and end-systole are given, the rim is \
              left out."
                 .to_owned(),
-            "Patch found: abnormal is where the search for patches finds one, each deformation assessed alone with \
-             the program's default settings, none of them chosen on these data."
+            "Patch detection: a deformation is classified as abnormal if a patch is detected in it. Each is assessed \
+             alone with the program's default settings, none of which was chosen on these data."
                 .to_owned(),
             format!(
-                "Closeness of poses: akinetic atoms of every step, their descriptors, distances 4.5.1 with positions in \
+                "Mean pose distance: akinetic atoms of every step, their descriptors, distances 4.5.1 with positions in \
                  sizes of the sheet, the plane of all poses, and k-means (2 clusters, {} starts) of how far the \
-                 points of each deformation scatter on it; tolerance from noise, steps in which a well wall \
+                 points of each deformation scatter on it; tolerance from noise, steps in which a normal wall \
                  changes. As printed: |PT − 1| ≤ 5 %, r̂ a product, all steps. Clusters of poses: k-means of the \
-                 points themselves, a deformation goes with most of its poses.",
+                 points themselves, a deformation is assigned to the cluster of most of its poses.",
                 params.restarts
             ),
             format!(
-                "τ: share of deformations classified correctly, clusters matched to classes as well as can be; {} redraws of \
+                "τ: share of deformations classified correctly, with the best matching of clusters to classes; {} redraws of \
                  sheets, patches and noise, seed {}, mean ± standard error from the scatter between redraws; \
                  baseline: τ of permuted labels.",
                 params.redraws, params.seed

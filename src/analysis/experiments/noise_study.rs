@@ -23,7 +23,7 @@ use super::{
 /// The same bits for any number of threads.
 ///
 /// # Errors
-/// If settings are out of range, it was stopped, or a map cannot be laid out.
+/// If settings are out of range, it was stopped, or a map cannot be computed.
 pub fn noise_deformation(
     params: &NoiseDeformationParams,
     progress: &Progress,

@@ -37,7 +37,7 @@ pub struct PartnerParams {
 
 impl PartnerParams {
     /// All kinds and forms, plain displacement and the default without smoothing; as they are, transported
-    /// onto the mean along geodesics or straight ways as given, and with one motion for all. As they are
+    /// onto the mean along geodesics or linear interpolation as given, and with one motion for all. As they are
     /// also what smoothing, area weights and λ bring.
     pub fn all_metrics(transport: CohortTransportParams) -> Self {
         let straight = CohortTransportParams {
@@ -65,9 +65,9 @@ impl PartnerParams {
             transport_options: vec![
                 option("none", None, false),
                 option("geodesics", Some(transport), false),
-                option("straight ways", Some(straight), false),
-                option("one motion for all, none", None, true),
-                option("one motion for all, geodesics", Some(transport), true),
+                option("linear interpolation", Some(straight), false),
+                option("same motion for all, none", None, true),
+                option("same motion for all, geodesics", Some(transport), true),
             ],
             untransported: vec![
                 Method {

@@ -1,4 +1,4 @@
-//! The search for the cheapest path on one mesh, from few in-betweens to many.
+//! The search for the cheapest path on one mesh, from few interpolated poses to many.
 
 use crate::analysis::metrics::{MetricError, PathEnergy};
 use crate::numeric::{Ending, LbfgsParams, Objective, lbfgs};
@@ -82,7 +82,7 @@ pub(super) fn time_levels(in_betweens: usize) -> Vec<usize> {
     levels
 }
 
-/// The same way with another number of in-betweens, evenly spread along its parameter.
+/// The same way with another number of interpolated poses, evenly spread along its parameter.
 pub(super) fn resampled(start: &[f64], inner: &[f64], end: &[f64], in_betweens: usize) -> Vec<f64> {
     let size = start.len();
     let old_steps = inner.len().checked_div(size).unwrap_or_default() + 1;
@@ -106,7 +106,7 @@ pub(super) fn resampled(start: &[f64], inner: &[f64], end: &[f64], in_betweens: 
     out
 }
 
-/// Finds the cheapest path: starts with few in-betweens, bisects, and improves each time.
+/// Finds the cheapest path: starts with few interpolated poses, bisects, and improves each time.
 pub(super) fn cheapest(
     energy_of: impl Fn(usize) -> Result<PathEnergy, MetricError>,
     stiffness: Option<&Stiffness>,

@@ -24,10 +24,10 @@ pub struct GeodesicParams {
 }
 
 impl Default for GeodesicParams {
-    /// Tolerance: from frame 0 to 11 of a subject in cine MRI, with 7 in-betweens, 1e-3 ends after 12 iterations
+    /// Tolerance: from frame 0 to 11 of a subject in cine MRI, with 7 interpolated poses, 1e-3 ends after 12 iterations
     /// on the endocardium and 17 on the epicardium; 1e-6 takes 342 and 733, and lowers the energy by another
     /// 0.14 % and 0.12 % (`cardiomorph interpolate ED ES --poses 7 --tolerance T` says energy and iterations).
-    /// That is won by wrinkles below the scale at which the default metric charges curvature.
+    /// That is won by wrinkles below the scale at which the default metric penalises curvature.
     fn default() -> Self {
         Self {
             metric: MetricParams::default(),
@@ -39,7 +39,7 @@ impl Default for GeodesicParams {
     }
 }
 
-/// More in-betweens than any screen shows; memory grows with them.
+/// More interpolated poses than any screen shows; memory grows with them.
 const MAX_IN_BETWEENS: u16 = 1_023;
 
 /// A coarser mesh would no longer have the shape of a ventricle.
@@ -71,7 +71,7 @@ impl CheckedGeodesicParams {
 impl GeodesicParams {
     /// Checks the settings once; an algorithm takes the checked type only.
     ///
-    /// Forms without a least path are refused: from two in-betweens on and without regulariser
+    /// Forms without a least path are refused: from two interpolated poses on and without regulariser
     /// (λ = 0), raw corners cost nothing at size 0, since they grow with the eighth power of size:
     /// shrinking, deforming and growing back by s costs s⁸ of the direct way. And
     /// where curvature change is a factor, steps that change curvature but no angle alternate with
@@ -96,7 +96,7 @@ impl GeodesicParams {
                 fewest: MIN_VERTICES,
             });
         }
-        // With one in-between both steps touch a fixed end, and cannot be made free.
+        // With one interpolated pose both steps touch a fixed end, and cannot be made free.
         if self.in_betweens >= 2
             && self.metric.lambda == 0.0
             && self.metric.path_energy_can_vanish()
@@ -118,7 +118,7 @@ pub enum GeodesicParamError {
     /// The metric's own settings are wrong.
     #[error(transparent)]
     Metric(#[from] ParamError),
-    /// So many in-betweens are not computed.
+    /// So many interpolated poses are not computed.
     #[error("at most {most} interpolated poses are computed, not {in_betweens}")]
     InBetweens {
         /// What was asked for.

@@ -6,9 +6,9 @@ use crate::mesh::Point3;
 /// Poses from one end to the other, both included, and what the way costs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeodesicPath {
-    /// Start, in-betweens, end.
+    /// Start, interpolated poses, end.
     pub poses: Vec<Vec<Point3>>,
-    /// Energy of the straight line with as many in-betweens.
+    /// Energy of the straight line with as many interpolated poses.
     pub energy_linear: f64,
     /// Energy of this path, never above that of the straight line.
     pub energy: f64,
@@ -16,7 +16,7 @@ pub struct GeodesicPath {
     pub step_lengths: Vec<f64>,
     /// Iterations of the minimisation, of all levels together.
     pub iterations: usize,
-    /// Pairs of faces that cross each other, over all in-betweens; the method cannot exclude them.
+    /// Pairs of faces that cross each other, over all interpolated poses; the method cannot exclude them.
     pub self_intersections: usize,
     /// Whether the tolerance was met.
     pub converged: bool,
@@ -39,7 +39,9 @@ pub enum GeodesicError {
         expected: usize,
     },
     /// A coordinate is NaN or infinite, or overflows when squared.
-    #[error("vertex {vertex} of the {end} is at ({x}, {y}, {z}), which cannot be computed with")]
+    #[error(
+        "vertex {vertex} of the {end} is at ({x}, {y}, {z}), which is not a finite number of moderate size"
+    )]
     NotFinite {
         /// `start` or `end`.
         end: &'static str,

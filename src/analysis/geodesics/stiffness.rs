@@ -4,8 +4,8 @@ use crate::analysis::metrics::{CheckedMetricParams, Corners, Regulariser};
 use crate::mesh::{Faces, Point3, Vector3};
 use crate::numeric::SparseCholesky;
 
-/// Added to the diagonal, as a share of its mean, so that fields which the metric does not charge
-/// do not make the matrix singular; small enough not to be felt by those it charges.
+/// Added to the diagonal, as a share of its mean, so that fields which the metric does not penalise
+/// do not make the matrix singular; small enough not to be felt by those it penalises.
 const SHIFT: f64 = 1e-6;
 
 /// Stiffness of sides against turning, as a share of that against stretching.

@@ -5,13 +5,13 @@ use crate::mesh::{CappedSheet, Faces, MeshError, Point3, Sheet, Vector3, sheets}
 /// Why the inner side of a closed wall cannot be determined.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum InnerSideError {
-    /// The middle of the surface lies in muscle: this is no cup.
-    #[error("the middle of the closed surface lies in the muscle, not in a cavity")]
+    /// The middle of the surface lies in myocardium: this is no cup.
+    #[error("the centre of the closed surface lies in the myocardium, not in a cavity")]
     NoCavity,
     /// Faces that look to the middle do not make one side with one rim.
     #[error(
-        "the faces that look to the middle make no single cup: \
-         {part:.0} % of their area hangs together, with {loops} rims"
+        "the faces towards the centre form no single cup: \
+         {part:.0} % of their area is connected, with {loops} boundary loops"
     )]
     NoSingleCup {
         /// Share of the largest piece, in percent.
@@ -26,12 +26,12 @@ pub enum InnerSideError {
 
 /// The inner side of a closed cup-shaped wall, closed by a lid on its rim.
 ///
-/// With normals pointing out of the muscle, a face is inner if n · (c − o) < 0, where c is its
+/// With normals pointing out of the myocardium, a face is inner if n · (c − o) < 0, where c is its
 /// centroid and o the area-weighted centroid of the whole surface. For a cup, o lies in
 /// the cavity; every inner face looks to o if the cavity is star-shaped around o, every outer
 /// one away, and the faces of the rim, which look past the base, away. Unambiguous means: o is
-/// not in the muscle (winding number below ½), and at least 98 % of the area of inner faces
-/// hangs together in one piece with one rim; single faces that look the other way, at a
+/// not in the myocardium (winding number below ½), and at least 98 % of the area of inner faces
+/// is connected in one piece with one rim; single faces that look the other way, at a
 /// crumpled rim, make up the rest.
 pub(super) fn inner_side(
     vertices: &[Point3],

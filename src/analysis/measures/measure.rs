@@ -10,7 +10,7 @@ use crate::units::{Grams, LengthUnit};
 use super::result::{FrameMeasures, PhaseSource, SubjectMeasures};
 use super::volumes::{SubjectGeometry, UnknownVolume};
 
-/// Density of muscle in g/ml, by which its volume becomes a mass.
+/// Density of myocardium in g/ml, by which its volume becomes a mass.
 ///
 /// Source: Taimouri, *Shape Analysis in Shape Space*, 4.1.1 (printed there as g/cm).
 const MUSCLE_DENSITY_G_PER_ML: f64 = 1.05;
@@ -103,7 +103,7 @@ fn frame_measures(
         subject.unit.volume_from_cubic(),
         subject.unit.area_from_square(),
     );
-    let told = |value: f64| Some(value).filter(|value| value.is_finite());
+    let finite = |value: f64| Some(value).filter(|value| value.is_finite());
     let points = subject
         .sequence
         .surfaces()
@@ -111,11 +111,11 @@ fn frame_measures(
         .flat_map(|surface| surface.frames()[frame].vertices());
     let corner = |point: Point3| [point.x, point.y, point.z];
     FrameMeasures {
-        endo_volume: sizes.endo.and_then(|endo| told(cubic * endo.volume)),
-        epi_volume: sizes.epi.and_then(|epi| told(cubic * epi.volume)),
-        wall_volume: sizes.wall_volume.and_then(|volume| told(cubic * volume)),
-        endo_area: sizes.endo.and_then(|endo| told(square * endo.area)),
-        epi_area: sizes.epi.and_then(|epi| told(square * epi.area)),
+        endo_volume: sizes.endo.and_then(|endo| finite(cubic * endo.volume)),
+        epi_volume: sizes.epi.and_then(|epi| finite(cubic * epi.volume)),
+        wall_volume: sizes.wall_volume.and_then(|volume| finite(cubic * volume)),
+        endo_area: sizes.endo.and_then(|endo| finite(square * endo.area)),
+        epi_area: sizes.epi.and_then(|epi| finite(square * epi.area)),
         bounding_box: bounding_box(points)
             .map_or_else(Default::default, |[low, high]| [corner(low), corner(high)]),
     }

@@ -19,7 +19,7 @@ pub struct FrameMeasures {
     pub endo_volume: Option<f64>,
     /// Volume inside the epicardium, closed at the base.
     pub epi_volume: Option<f64>,
-    /// Volume of the muscle: epicardial less endocardial, or that of a closed wall.
+    /// Volume of the myocardium: epicardial less endocardial, or that of a closed wall.
     pub wall_volume: Option<f64>,
     /// Area of the endocardium or cavity.
     pub endo_area: Option<f64>,
@@ -50,6 +50,6 @@ pub struct SubjectMeasures {
     pub sv: Option<f64>,
     /// Ejection fraction, SV / EDV, as a fraction.
     pub ef: Option<f64>,
-    /// Mass of the muscle at end-diastole, where coordinates are millimetres.
+    /// Mass of the myocardium at end-diastole, where coordinates are millimetres.
     pub mass: Option<Grams>,
 }

@@ -152,7 +152,7 @@ fn what_cannot_be_told_is_said_with_its_reason() {
     for (kind, mesh, reason) in [
         (SurfaceKind::Wall, &beside, "neither lies inside the other"),
         (SurfaceKind::Wall, &three, "3 separate sheets"),
-        (SurfaceKind::Wall, &ball, "lies in the muscle"),
+        (SurfaceKind::Wall, &ball, "lies in the myocardium"),
         (SurfaceKind::Wall, &phantom::bowl(1.0, 5, 20), "1 open ends"),
         (
             SurfaceKind::Cavity,

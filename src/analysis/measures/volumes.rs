@@ -27,8 +27,8 @@ pub enum UnknownVolume {
     /// The wall's inner side cannot be distinguished from its outer one.
     #[error("wall: {0}; the cavity's volume is not known")]
     InnerSide(#[from] InnerSideError),
-    /// A wall of one sheet is open, so that it encloses no muscle.
-    #[error("wall: one sheet with {loops} open ends encloses no muscle")]
+    /// A wall of one sheet is open, so that it encloses no myocardium.
+    #[error("wall: one sheet with {loops} open ends encloses no myocardium")]
     OpenWall {
         /// Its boundary loops.
         loops: usize,
@@ -71,7 +71,7 @@ pub(super) struct SubjectGeometry<'a> {
     pub unknown: Vec<UnknownVolume>,
 }
 
-/// A surface that encloses blood, or blood and muscle.
+/// A surface that encloses blood, or blood and myocardium.
 #[derive(Clone, Debug)]
 struct Enclosure<'a> {
     surface: &'a SurfaceSequence,
@@ -212,7 +212,7 @@ impl<'a> Wall<'a> {
                 FrameVolumes {
                     endo,
                     // The outer side is what is left of the surface; with the rim's ring of
-                    // muscle it holds muscle and blood.
+                    // myocardium it holds myocardium and blood.
                     epi: endo.map(|endo| SurfaceSize {
                         volume: muscle.volume + endo.volume,
                         area: muscle.area - endo.area,

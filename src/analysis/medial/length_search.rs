@@ -112,10 +112,11 @@ impl LengthSearch<'_> {
                 smooth_from(self.connectivity, shape, points, length, PASSES)
             })
             .collect();
-        let told: Vec<[f64; 2]> = (self.poses.par_iter().zip(&smoothed))
+        let estimates: Vec<[f64; 2]> = (self.poses.par_iter().zip(&smoothed))
             .map(|(points, smoothed)| self.risk_and_area(points, smoothed, length))
             .collect();
-        let mean = |what: usize| told.iter().map(|t| t[what]).sum::<f64>() / told.len() as f64;
+        let mean =
+            |what: usize| estimates.iter().map(|t| t[what]).sum::<f64>() / estimates.len() as f64;
         Tried {
             length,
             risk: mean(0),

@@ -1,4 +1,4 @@
-//! Turns every sheet so that its normals point into the muscle, and tells about how thick the muscle is.
+//! Turns every sheet so that its normals point into the myocardium, and tells about how thick the myocardium is.
 
 use rayon::prelude::*;
 
@@ -19,13 +19,13 @@ const SAMPLE: usize = 600;
 /// The golden ratio's fraction: its multiples fall evenly between 0 and 1, in step with no row of a grid.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Two ranges of faces between which the muscle lies; of a wall that is one closed sheet there are none.
+/// Two ranges of faces between which the myocardium lies; of a wall that is one closed sheet there are none.
 pub(super) type Opposite = Option<[[u32; 2]; 2]>;
 
-/// Turns sheets so that normals point into the muscle, by the shape at one pose.
+/// Turns sheets so that normals point into the myocardium, by the shape at one pose.
 ///
 /// Of two surfaces, or a surface of two large sheets, each looks to the other: a sample of its faces has its nearest
-/// vertices of the other side in front. A closed sheet holds the muscle inside.
+/// vertices of the other side in front. A closed sheet holds the myocardium inside.
 pub(super) fn turn_into_muscle(connectivity: &mut Connectivity, points: &[Point3]) -> Opposite {
     let opposite = opposite_sides(connectivity, points);
     for sheet in 0..connectivity.sheet_count() {
@@ -35,7 +35,7 @@ pub(super) fn turn_into_muscle(connectivity: &mut Connectivity, points: &[Point3
             let side = sides.iter().position(own)?;
             Some(sides[1 - side])
         });
-        // A sheet without a counterpart encloses the muscle itself, so that its normals point inwards where its
+        // A sheet without a counterpart encloses the myocardium itself, so that its normals point inwards where its
         // volume is negative.
         let triangles = connectivity.sheet(sheet);
         let score = match across {

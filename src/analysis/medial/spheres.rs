@@ -21,7 +21,7 @@ const COS_MOST_TURN: f64 = 0.906;
 pub(super) struct WallOfPose<'a> {
     pub faces: FacesOfPose<'a>,
     pub tree: &'a FaceTree<'a>,
-    /// Unit normals of vertices, into the muscle; zero where a vertex has no face.
+    /// Unit normals of vertices, into the myocardium; zero where a vertex has no face.
     pub normals: &'a [Vector3],
     /// Whether vertices lie on an open boundary.
     pub boundary: &'a [bool],
@@ -163,11 +163,11 @@ impl WallOfPose<'_> {
             && carriers.map(|(&v, _)| v).all(|v| self.boundary[v as usize]);
         let normal = self.normals[vertex as usize];
         let centre = self.faces.points[vertex as usize] + radius * normal;
-        // A vertex that lies beyond the other side sees its outer face: there is no muscle between them.
+        // A vertex that lies beyond the other side sees its outer face: there is no myocardium between them.
         let from_behind = self.interpolated_normal(found).dot(&(centre - found.point)) <= 0.0;
         let fit = match (radius <= 0.0 || from_behind, at_boundary) {
             (true, false) => Fit::NoRoom,
-            // At an open rim the nearest point is the edge of the data, not of the muscle: the atom ends the sheet.
+            // At an open rim the nearest point is the edge of the data, not of the myocardium: the atom ends the sheet.
             (_, true) => Fit::TouchesBoundary,
             (false, false) => Fit::Touches,
         };

@@ -227,7 +227,7 @@ impl WallAtlas {
                 let position = wall.faces.points[vertex] + sphere.radius * inwards;
                 let across = sphere.across.try_normalize(0.0).unwrap_or(inwards);
                 let mut spokes = [-inwards, across];
-                // S₁ − S₀ vanishes where both spokes agree; the direction into the muscle is then the only one known.
+                // S₁ − S₀ vanishes where both spokes agree; the direction into the myocardium is then the only one known.
                 let mut normal = (across + inwards).try_normalize(1e-9).unwrap_or(inwards);
                 // Of a closed wall both sides have atoms, whose normals would point against each other.
                 if self.both_sides && normal.dot(&(position - middle)) < 0.0 {

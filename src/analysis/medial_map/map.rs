@@ -1,4 +1,4 @@
-//! All paths on one map: distances 4.5.1 in axes that the subjects share, laid out by multidimensional scaling.
+//! All paths on one map: distances 4.5.1 in axes that the subjects share, embedded by multidimensional scaling.
 
 use crate::analysis::embedding::{EmbeddingError, MapMethod, embed};
 use crate::analysis::medial_space::pose_distance;

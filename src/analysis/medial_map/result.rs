@@ -95,7 +95,7 @@ pub struct Spread {
     pub mean_distance: Option<f64>,
 }
 
-/// The map of poses of the medial shape space.
+/// The pose map of the medial shape space.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MedialMap {
     /// What each row is; paths follow each other, by subject, part and step.

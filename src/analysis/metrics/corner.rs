@@ -77,7 +77,7 @@ pub(super) fn face_shape<T: Arithmetic>(a: Axes<T>, b: Axes<T>, c: Axes<T>) -> (
     (dot(normal, normal).sqrt(), products)
 }
 
-/// Cotangents of the angles at the corners; zero in a face without area.
+/// Cotangents of the angles at the corners; zero in a face of zero area.
 #[inline(always)]
 pub(super) fn cotangents<T: Arithmetic>((doubled_area, products): (T, [T; 3])) -> [T; 3] {
     three(|c| products[c].over(doubled_area))

@@ -142,7 +142,7 @@ fn sides(points: &[Point3], field: &[Vector3], triangle: &[u32; 3]) -> [(f64, f6
     })
 }
 
-/// Cotangents of the angles at a, b, c; zero in a face without area.
+/// Cotangents of the angles at a, b, c; zero in a face of zero area.
 fn face_cotangents(points: &[Point3], triangle: &[u32; 3]) -> [f64; 3] {
     let [a, b, c] = triangle.map(|index| points[index as usize].coords.into());
     cotangents(face_shape(a, b, c))

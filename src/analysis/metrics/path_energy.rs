@@ -91,7 +91,7 @@ impl PathEnergy {
 
     /// Energy of the path with these poses between its ends, and its gradient.
     ///
-    /// `inner` holds x, y, z of every vertex, pose after pose: 3 · vertices · in-betweens numbers, and so
+    /// `inner` holds x, y, z of every vertex, pose after pose: 3 · vertices · number of interpolated poses, and so
     /// does `gradient`; missing ones count as where they were before. Allocates nothing.
     pub fn evaluate(&mut self, inner: &[f64], gradient: &mut [f64]) -> f64 {
         let energy = self.energy(inner);
@@ -161,7 +161,7 @@ impl Metric {
         b: &[Point3],
     ) -> Result<(PairNorms, [Vec<Vector3>; 2]), MetricError> {
         // A path that waits at both ends: waiting costs nothing, and has no slope.
-        // With two in-betweens, both poses of the step are free and so have a gradient.
+        // With two interpolated poses, both poses of the step are free and so have a gradient.
         let mut path = PathEnergy::new(self, a, b, 2)?;
         let inner: Vec<f64> = (a.iter().chain(b))
             .flat_map(|p| p.iter().copied())

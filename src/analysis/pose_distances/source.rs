@@ -18,7 +18,7 @@ enum Points<'a> {
     /// As measured; the size is yet to be normalised.
     Own(Comparable<'a>),
     /// After transport.
-    Carried(&'a [Point3]),
+    Transported(&'a [Point3]),
 }
 
 impl Source<'_> {
@@ -31,7 +31,7 @@ impl Source<'_> {
                     .map(|point| member.scale.normalised(point))
                     .collect()
             }
-            Points::Carried(points) => Cow::Borrowed(points),
+            Points::Transported(points) => Cow::Borrowed(points),
         }
     }
 }
@@ -68,7 +68,7 @@ pub(super) fn transported_sources(cohort: &TransportedCohort) -> Vec<Source<'_>>
                     subject: member.subject,
                     frame,
                 },
-                points: Points::Carried(points),
+                points: Points::Transported(points),
             })
         })
         .collect()

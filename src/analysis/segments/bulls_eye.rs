@@ -1,4 +1,4 @@
-//! A surface laid flat on the bull's-eye: vertices in the unit disc, and which faces can be drawn.
+//! A surface mapped onto the bull's-eye: vertices in the unit disc, and which faces can be drawn.
 
 use crate::mesh::Point3;
 
@@ -75,7 +75,7 @@ pub struct FlatMap {
     /// Faces to draw.
     pub faces: Vec<[u32; 3]>,
     /// Indices of the faces left out, ascending: those that are folded over others or wrap around the
-    /// middle the wrong way, and those without area on the map, as above the base.
+    /// middle the wrong way, and those of zero area on the map, as above the base.
     pub dropped: Vec<u32>,
 }
 

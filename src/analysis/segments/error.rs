@@ -4,7 +4,7 @@
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SegmentError {
     /// The frame is past the last one.
-    #[error("frame {frame} of a beat of {frames} frames")]
+    #[error("there is no frame {frame} in a sequence of {frames} frames")]
     NoFrame {
         /// The frame asked for.
         frame: usize,

@@ -35,7 +35,7 @@ pub fn long_axis(subject: &Subject, frame: usize) -> Result<LongAxis, SegmentErr
     };
     let rims = rims(rim_side, frame);
     let axis = match &subject.anatomy {
-        Some(anatomy) => carried(anatomy, &rims, [rim_side, tip_side], frame)?,
+        Some(anatomy) => moved_anatomy(anatomy, &rims, [rim_side, tip_side], frame)?,
         None => found(&rims, [rim_side, tip_side], frame)?,
     };
     Ok(with_cavity(axis, &sides, frame))
@@ -136,7 +136,7 @@ fn area_centroid(vertices: &[Point3], triangles: &[[u32; 3]]) -> Point3 {
     Point3::from(sum / whole.max(f64::MIN_POSITIVE))
 }
 
-fn carried(
+fn moved_anatomy(
     anatomy: &Anatomy,
     rims: &[Vec<u32>],
     [rim_side, tip_side]: [&Side<'_>; 2],

@@ -6,7 +6,7 @@ use super::{Level, LongAxis, Segment};
 
 /// Share of the cavity's length, at its end, that counts as the apex.
 ///
-/// The standard's segment 17 is the muscle beyond the end of the cavity, of which a surface along the
+/// The standard's segment 17 is the myocardium beyond the end of the cavity, of which a surface along the
 /// cavity has nothing. Over a rounded end 6 % of the length are near the seventeenth part of the area
 /// that the standard means the cap to have.
 pub const CAP_SHARE: f64 = 0.06;

@@ -5,7 +5,7 @@ use super::diffusion::Diffusion;
 use super::error::ThickeningError;
 use super::noise::{MIN_POSES, noise_of};
 use super::params::CheckedThickeningParams;
-use super::regions::{WELL_QUANTILE, area_quantile};
+use super::regions::{REMOTE_QUANTILE, area_quantile};
 use super::surface::Surface;
 
 /// Averaging goes on over twice, four times… the area, up to so many times what it begins with, while noise is above …
@@ -34,7 +34,7 @@ pub(super) struct Averaged {
     pub share: f64,
     pub diffusion: Diffusion,
     pub curve: ThickeningCurve,
-    pub well: f64,
+    pub remote: f64,
     /// Standard deviation of the noise of `thickening`.
     pub noise: f64,
     /// And of ln r of one atom at one pose.
@@ -69,11 +69,13 @@ impl Averaged {
                     *value = 0.0;
                 }
             }
-            let well = area_quantile(&thickening, &mesh.areas, WELL_QUANTILE);
+            let remote = area_quantile(&thickening, &mesh.areas, REMOTE_QUANTILE);
             let noise = curve.rise * noise_of(&means, &curve, &mesh.areas, neighbours);
             // Doubling the area halves the variance of independent noise.
             let wider = 2.0 * share;
-            if noise <= MAX_NOISE * well || wider > MAX_AVERAGING * params.smoothing || share == 0.0
+            if noise <= MAX_NOISE * remote
+                || wider > MAX_AVERAGING * params.smoothing
+                || share == 0.0
             {
                 return Ok(Self {
                     // From what is not averaged: the tolerance of a single step is about single atoms.
@@ -83,7 +85,7 @@ impl Averaged {
                     share,
                     diffusion,
                     curve,
-                    well,
+                    remote,
                     noise,
                 });
             }
@@ -91,8 +93,8 @@ impl Averaged {
         }
     }
 
-    /// Whether even the part that works best hardly thickens, or by no more than noise.
+    /// Whether even remote myocardium hardly thickens, or by no more than noise.
     pub fn hardly_thickens(&self, params: &CheckedThickeningParams) -> bool {
-        self.well < params.min_thickening.max(SURE * self.noise)
+        self.remote < params.min_thickening.max(SURE * self.noise)
     }
 }

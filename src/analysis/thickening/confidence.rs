@@ -8,7 +8,7 @@ use crate::progress::{Progress, Stopped};
 use super::averaged::Averaged;
 use super::diffusion::RegularMesh;
 use super::params::CheckedThickeningParams;
-use super::regions::{WELL_QUANTILE, area_quantile, still_parts};
+use super::regions::{REMOTE_QUANTILE, akinetic_regions, area_quantile};
 use super::surface::Surface;
 
 /// Share of redraws in which at least half of each part's area lies in a part again.
@@ -35,11 +35,11 @@ pub(super) fn confidences(
         random.set_stream(u64::from(redraw));
         let drawn = redrawn(estimate, mesh, &mut random);
         // The reference is redrawn as well: it is estimated from the same noisy values.
-        let well = area_quantile(&drawn, &mesh.areas, WELL_QUANTILE);
+        let remote = area_quantile(&drawn, &mesh.areas, REMOTE_QUANTILE);
         let mut again = vec![false; drawn.len()];
-        for part in still_parts(
+        for part in akinetic_regions(
             &drawn,
-            well,
+            remote,
             mesh,
             &surface.neighbours,
             estimate.min_share,
@@ -54,7 +54,7 @@ pub(super) fn confidences(
                     .map(|atom| mesh.areas[atom])
                     .sum()
             };
-            // Half of the area: a patch that moves by its border is the same patch.
+            // Half of the area: a patch that moves at its outline is the same patch.
             *found += u32::from(2.0 * area(&|atom| again[atom]) >= area(&|_| true));
         }
     }

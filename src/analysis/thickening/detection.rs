@@ -25,18 +25,18 @@ const MIN_ATOMS: f64 = 4.0;
 /// hides even the largest.
 ///
 /// A disc in a plane that thickens by 0 where all around thickens as remote myocardium does, averaged as thickening
-/// is, is found where its core and its border hold the areas that a patch needs, the core with noise on top.
+/// is, is detected where its core and its extent hold the areas that a patch needs, the core with noise on top.
 pub(super) fn smallest_detectable(
     found: &Averaged,
     mesh: &RegularMesh,
     params: &CheckedThickeningParams,
 ) -> Option<f64> {
     // Where remote myocardium does not thicken, no patch can stand out.
-    if found.hardly_thickens(params) || found.well <= 0.0 {
+    if found.hardly_thickens(params) || found.remote <= 0.0 {
         return None;
     }
     // The core must stay below its limit although noise may lift it.
-    let core = params.core.min(params.still / found.well) - SURE * found.noise / found.well;
+    let core = params.core.min(params.akinetic / found.remote) - SURE * found.noise / found.remote;
     let enough = |area: f64| {
         let profile = Profile::new(area, found.share);
         profile.area_below(core) >= CORE_AREA * found.min_share

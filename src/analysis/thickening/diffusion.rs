@@ -72,7 +72,7 @@ impl Diffusion {
                 let [i, j, k] = [0, 1, 2].map(|step| triangle[(corner + step) % 3] as usize);
                 let (u, v) = (positions[j] - positions[i], positions[k] - positions[i]);
                 let doubled_area = u.cross(&v).norm();
-                // A face without area has no angles and conducts nothing.
+                // A face of zero area has no angles and conducts nothing.
                 if doubled_area > 0.0 {
                     // ½ cot of the corner at i, times half the time of the two steps.
                     let weight = 0.25 * time * u.dot(&v) / doubled_area;

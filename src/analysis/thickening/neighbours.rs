@@ -1,4 +1,4 @@
-//! Which atoms lie beside each other, and which hang together.
+//! Which atoms lie beside each other, and which are connected.
 
 /// Atoms across one edge of the regular mesh.
 #[derive(Clone, Debug)]

@@ -1,4 +1,4 @@
-//! What counts as still, as a patch, and as noise.
+//! Settings: what is akinetic, what is a patch, and what is noise.
 
 use serde::{Deserialize, Serialize};
 
@@ -9,7 +9,7 @@ use crate::analysis::medial_space::RatioForm;
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct ThickeningParams {
-    /// |ln PT| of a step up to which an atom counts as still (M̂ of 4.4). `None`: as much as noise alone
+    /// |ln PT| of a step up to which an atom is akinetic (M̂ of 4.4). `None`: as much as noise alone
     /// makes of PT = 1, twice its standard deviation, but at least ln 1.05.
     pub tolerance: Option<f64>,
     /// What r̂ of a descriptor is made of.
@@ -17,14 +17,15 @@ pub struct ThickeningParams {
     /// A patch has a core that thickens over the beat by less than this share of what remote myocardium does …
     pub core: f64,
     /// … and by less than this in ln PT from end-diastole to end-systole: "roughly equal to one".
-    pub still: f64,
+    #[serde(rename = "still")]
+    pub akinetic: f64,
     /// It reaches as far as the wall thickens by less than this share of what remote myocardium does.
     pub border: f64,
     /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
     /// both are doubled where fewer than four poses tell.
     #[serde(rename = "least_share")]
     pub min_share: f64,
-    /// Where even the part that works best thickens by less than this (ln PT from end-diastole to
+    /// Where even remote myocardium thickens by less than this (ln PT from end-diastole to
     /// end-systole), hypokinesia is global and no part of it is called a patch.
     #[serde(rename = "least_thickening")]
     pub min_thickening: f64,
@@ -39,14 +40,14 @@ pub struct ThickeningParams {
 impl Default for ThickeningParams {
     /// Chosen on the built-in cohort and the labels of ACDC as wholes, not on single subjects. In the cohort (23 subjects, 2,450
     /// vertices) patches thicken by 0.05 to 0.2 of remote myocardium, the apex of normal subjects by 0.3 and that of
-    /// hypertrophic ones by 0.2; the border between is where a patch ends by half. `still` keeps normal
+    /// hypertrophic ones by 0.2; the extent threshold between is where a patch ends by half. `akinetic` keeps normal
     /// subjects of ACDC, which thicken unevenly but everywhere (median PT 1.8), from having patches.
     fn default() -> Self {
         Self {
             tolerance: None,
             ratio: RatioForm::GeometricMean,
             core: 0.2,
-            still: 1.1_f64.ln(),
+            akinetic: 1.1_f64.ln(),
             border: 0.4,
             min_share: 0.02,
             min_thickening: 1.1_f64.ln(),
@@ -87,12 +88,12 @@ pub enum ThickeningParamError {
         /// The largest value that is accepted.
         most: f64,
     },
-    /// The border must take in the core.
+    /// The extent threshold is at least the core threshold.
     #[error("the extent threshold, {border}, must not be below the core threshold, {core}")]
     Order {
-        /// Share of the core.
+        /// Core threshold.
         core: f64,
-        /// Share of the border.
+        /// Extent threshold.
         border: f64,
     },
 }
@@ -101,12 +102,12 @@ impl ThickeningParams {
     /// Checks the settings once; an algorithm takes the checked type only.
     ///
     /// # Errors
-    /// If a number is out of range or not a number, or the border lies below the core.
+    /// If a number is out of range or not a number, or the extent threshold lies below the core threshold.
     pub fn check(self) -> Result<CheckedThickeningParams, ThickeningParamError> {
         let ranges = [
             ("tolerance", self.tolerance.unwrap_or(0.0), 0.0, 2.0),
             ("core threshold", self.core, 0.0, 1.0),
-            ("akinetic threshold", self.still, 0.0, 2.0),
+            ("akinetic threshold", self.akinetic, 0.0, 2.0),
             ("extent threshold", self.border, 0.0, 1.0),
             ("minimum area of a patch", self.min_share, 0.0, 0.5),
             ("minimum thickening", self.min_thickening, 0.0, 2.0),

@@ -1,4 +1,4 @@
-//! Properties of a patch: area, segments, centroid, border, and its path over the beat.
+//! Properties of a patch: area, segments, centroid, outline, and its path over the beat.
 
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::medial_space::RatioForm;

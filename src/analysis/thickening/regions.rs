@@ -1,12 +1,12 @@
-//! Connected parts of the wall that do not thicken: found by their core, followed to their border.
+//! Connected parts of the wall that do not thicken: found by their core, grown to the extent threshold.
 
 use super::diffusion::RegularMesh;
 use super::neighbours::Neighbours;
 use super::params::CheckedThickeningParams;
 
-/// Thickening of the part of the wall that works well: the value that a fifth of the area exceeds. With patches of up to
+/// Thickening of remote myocardium: the value that a fifth of the area exceeds. With patches of up to
 /// three fifths of the wall it is the median of what is left.
-pub(super) const WELL_QUANTILE: f64 = 0.8;
+pub(super) const REMOTE_QUANTILE: f64 = 0.8;
 
 /// Value below which a share of the area lies; 0 without area.
 pub(super) fn area_quantile(values: &[f64], areas: &[f64], share: f64) -> f64 {
@@ -29,20 +29,20 @@ pub(super) const CORE_AREA: f64 = 0.5;
 
 /// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `border` of what
 /// remote myocardium does, with the least area together, half of which thickens by less than `core` of it and
-/// less than `still`. By falling area.
-pub(super) fn still_parts(
+/// less than `akinetic`. By falling area.
+pub(super) fn akinetic_regions(
     thickening: &[f64],
-    well: f64,
+    remote: f64,
     mesh: &RegularMesh,
     neighbours: &Neighbours,
     min_share: f64,
     params: &CheckedThickeningParams,
 ) -> Vec<Vec<u32>> {
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
-        .map(|(&value, &area)| area > 0.0 && value <= params.border * well)
+        .map(|(&value, &area)| area > 0.0 && value <= params.border * remote)
         .collect();
     // The absolute limit guards against calling a moderately thickening part akinetic beside a very good rest.
-    let core = params.still.min(params.core * well);
+    let core = params.akinetic.min(params.core * remote);
     let area_below = |part: &[u32], limit: f64| -> f64 {
         (part.iter().map(|&atom| atom as usize))
             .filter(|&atom| thickening[atom] <= limit)

@@ -25,10 +25,10 @@ pub struct ThickeningStep {
     /// PT = r(t₂) / r(t₁) of every atom, whether it takes part or not.
     pub pt: Vec<f64>,
     /// M̂: regular atoms with |ln PT| within the tolerance, ascending.
-    pub still: Vec<u32>,
+    pub akinetic: Vec<u32>,
     /// Share of the regular area that does what table 4.1 asks of remote myocardium: PT above one in
     /// contraction, below one in expansion, by more than the tolerance.
-    pub well_share: f64,
+    pub remote_share: f64,
     /// Whether remote myocardium changes in this step by more than twice the tolerance: where even it
     /// hardly moves, as in diastasis, all of it is still and M̂ tells nothing.
     pub telling: bool,
@@ -133,10 +133,10 @@ pub struct Thickening {
     /// Thickening of every atom, ln PT from end-diastole to end-systole as all poses tell it, averaged over its
     /// neighbourhood; 0 where an atom does not take part.
     pub thickening: Vec<f64>,
-    /// Thickening of the part that works well.
-    pub well: f64,
-    /// ln r of the part that works well over the beat, less that at end-diastole, as the subject's own curve has it.
-    pub well_curve: Vec<f64>,
+    /// Thickening of remote myocardium.
+    pub remote: f64,
+    /// ln r of remote myocardium over the beat, less that at end-diastole, as the subject's own curve has it.
+    pub remote_curve: Vec<f64>,
     /// Least area that made a patch, as a share of the regular medial surface: twice the setting where fewer than
     /// four poses tell.
     pub min_share: f64,

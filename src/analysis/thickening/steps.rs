@@ -38,7 +38,7 @@ pub fn half_beat_of(
 /// Criteria by which the atoms of a step are classified.
 pub(super) struct StepCriteria<'a> {
     /// ln r of remote myocardium over the beat.
-    pub well_curve: &'a [f64],
+    pub remote_curve: &'a [f64],
     /// Of |ln PT|.
     pub tolerance: f64,
     /// What r̂ is made of.
@@ -54,7 +54,7 @@ pub(super) fn steps(
     progress: &Progress,
 ) -> Result<Vec<ThickeningStep>, Stopped> {
     let (poses, tolerance) = (beat.frames.len(), criteria.tolerance);
-    let well_at = |pose: usize| criteria.well_curve[pose];
+    let remote_at = |pose: usize| criteria.remote_curve[pose];
     (0..poses)
         .map(|from| {
             progress.step()?;
@@ -63,34 +63,34 @@ pub(super) fn steps(
             let pt = thickness_ratios(&beat.frames[from], &beat.frames[to]);
             let half = half_beat_of(from, ed, es, poses);
             let takes_part = |&atom: &usize| mesh.areas[atom] > 0.0;
-            let still: Vec<u32> = (0..pt.len())
+            let akinetic: Vec<u32> = (0..pt.len())
                 .filter(takes_part)
                 .filter(|&atom| pt[atom].ln().abs() <= tolerance)
                 .map(|atom| atom as u32)
                 .collect();
-            let well: f64 = (0..pt.len())
+            let remote: f64 = (0..pt.len())
                 .filter(takes_part)
-                .filter(|&atom| works_well(half, pt[atom], tolerance))
+                .filter(|&atom| changes_as_remote(half, pt[atom], tolerance))
                 .map(|atom| mesh.areas[atom])
                 .sum();
-            let descriptor = descriptor_of(&beat.frames[from], &pt, &still, criteria.ratio);
+            let descriptor = descriptor_of(&beat.frames[from], &pt, &akinetic, criteria.ratio);
             Ok(ThickeningStep {
                 from,
                 to,
                 half,
-                telling: (well_at(to) - well_at(from)).abs() > 2.0 * tolerance,
-                well_share: well / mesh.whole,
+                telling: (remote_at(to) - remote_at(from)).abs() > 2.0 * tolerance,
+                remote_share: remote / mesh.whole,
                 gap: gap_of(beat, from, descriptor.as_ref()),
                 descriptor,
                 pt,
-                still,
+                akinetic,
             })
         })
         .collect()
 }
 
 /// Table 4.1: remote myocardium thickens in contraction and thins in expansion.
-fn works_well(half: HalfBeat, pt: f64, tolerance: f64) -> bool {
+fn changes_as_remote(half: HalfBeat, pt: f64, tolerance: f64) -> bool {
     match half {
         HalfBeat::Contraction => pt.ln() > tolerance,
         HalfBeat::Expansion => pt.ln() < -tolerance,
@@ -104,7 +104,7 @@ pub(super) fn descriptor_of(
     atoms: &[u32],
     form: RatioForm,
 ) -> Option<PoseDescriptor> {
-    let still: Vec<AkineticAtom> = (atoms.iter().map(|&atom| atom as usize))
+    let akinetic: Vec<AkineticAtom> = (atoms.iter().map(|&atom| atom as usize))
         .map(|atom| AkineticAtom {
             position: surface.atoms[atom].position,
             log_pt: pt[atom].ln(),
@@ -112,7 +112,7 @@ pub(super) fn descriptor_of(
             spoke_angle_rad: spoke_angle_rad(&surface.normals[atom], &surface.atoms[atom].spokes),
         })
         .collect();
-    pose_descriptor(&still, form)
+    pose_descriptor(&akinetic, form)
 }
 
 /// From MP to the medial surface of its pose, in coordinates.
@@ -169,8 +169,11 @@ mod tests {
         for (pt, contracts, expands) in
             [(1.2, true, false), (0.8, false, true), (1.03, false, false)]
         {
-            assert_eq!(works_well(HalfBeat::Contraction, pt, 0.05), contracts);
-            assert_eq!(works_well(HalfBeat::Expansion, pt, 0.05), expands);
+            assert_eq!(
+                changes_as_remote(HalfBeat::Contraction, pt, 0.05),
+                contracts
+            );
+            assert_eq!(changes_as_remote(HalfBeat::Expansion, pt, 0.05), expands);
         }
     }
 }

@@ -109,8 +109,8 @@ fn mean_shape(beat: &MedialBeat) -> Vec<Point3> {
 /// least area of the medial surface.
 pub fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
     let count = beat.frames.len();
-    let told = |pose: Option<usize>| pose.filter(|&pose| pose < count);
-    match [told(measures.end_diastole), told(measures.end_systole)] {
+    let within = |pose: Option<usize>| pose.filter(|&pose| pose < count);
+    match [within(measures.end_diastole), within(measures.end_systole)] {
         [Some(ed), Some(es)] if ed != es => [ed, es],
         _ => {
             let area = |pose: usize| {

@@ -113,15 +113,15 @@ mod tests {
             normal: Some(Vector3::y()),
             ..pose
         };
-        let still = temporal_consistency(
+        let akinetic = temporal_consistency(
             &[Some(pose), None, Some(pose)],
             &[Some(1.0), None, Some(3.0)],
             10.0,
         );
-        assert_eq!(still.poses, 2);
-        assert_eq!(still.normal_spread_rad, Some(0.0));
-        assert_eq!(still.position_spread, Some(0.0));
-        assert_eq!(still.gap, Some(0.2));
+        assert_eq!(akinetic.poses, 2);
+        assert_eq!(akinetic.normal_spread_rad, Some(0.0));
+        assert_eq!(akinetic.position_spread, Some(0.0));
+        assert_eq!(akinetic.gap, Some(0.2));
         let wandering = temporal_consistency(&[Some(pose), Some(moved)], &[], 10.0);
         let quarter = std::f64::consts::FRAC_PI_4;
         assert!((wandering.normal_spread_rad.unwrap() - quarter).abs() < 1e-12);

@@ -98,7 +98,7 @@ fn a_wall_that_thickens_evenly_has_no_patch_and_the_curve_is_its_own() {
     let found = found(&beat);
     assert_eq!(found.extent, Extent::Everywhere);
     assert!(found.patches.is_empty());
-    assert!((found.well - WELL).abs() < 1e-12 && found.noise < 1e-12);
+    assert!((found.remote - WELL).abs() < 1e-12 && found.noise < 1e-12);
     assert!((found.tolerance - 1.05_f64.ln()).abs() < 1e-15);
     assert!(
         found
@@ -116,7 +116,7 @@ fn a_wall_that_thickens_evenly_has_no_patch_and_the_curve_is_its_own() {
     let wells: Vec<f64> = found
         .steps
         .iter()
-        .map(|step| step.well_share.round())
+        .map(|step| step.remote_share.round())
         .collect();
     assert_eq!(wells, [1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 0.0, 0.0]);
     assert!(found.steps[6].gap.unwrap() > 5.0 && found.steps[0].descriptor.is_none());
@@ -182,9 +182,9 @@ fn a_patch_of_three_fifths_of_the_wall_is_a_patch_and_a_whole_wall_is_none() {
     assert!((0.5..0.72).contains(&large.patches[0].share));
     // ANV of so large a patch still points one way, but its MP lies off the surface (4.6.3).
     assert!(large.patches[0].temporal_consistency.gap.unwrap() > 0.1);
-    let still = found(&beat(&CURVE, |_| 0.02));
-    assert_eq!(still.extent, Extent::HardlyAnywhere);
-    assert!(still.patches.is_empty());
+    let akinetic = found(&beat(&CURVE, |_| 0.02));
+    assert_eq!(akinetic.extent, Extent::HardlyAnywhere);
+    assert!(akinetic.patches.is_empty());
 }
 
 #[test]
@@ -200,7 +200,7 @@ fn with_two_poses_thickening_is_the_logarithm_of_pt() {
         assert!((found.thickening[atom] - found.ed_to_es[atom].ln()).abs() < 1e-9);
     }
     assert_eq!(found.patches.len(), 1);
-    assert_eq!(found.steps[0].still, found.patches[0].atoms);
+    assert_eq!(found.steps[0].akinetic, found.patches[0].atoms);
 }
 
 #[test]
@@ -264,9 +264,9 @@ proptest! {
     fn rigid_motion_and_scale_change_no_patch(
         turn in proptest::array::uniform3(-3.0..3.0_f64), shift in -50.0..50.0_f64, scale in 0.2..5.0_f64,
     ) {
-        let still = beat(&CURVE, patch_at(SIDE, 0.5));
+        let placed = beat(&CURVE, patch_at(SIDE, 0.5));
         let turn = Rotation3::from_scaled_axis(Vector3::from(turn));
-        let mut moved = still.clone();
+        let mut moved = placed.clone();
         for frame in &mut moved.frames {
             for atom in &mut frame.atoms {
                 atom.position = Point3::from(turn * (atom.position.coords * scale)) + Vector3::repeat(shift);
@@ -275,14 +275,14 @@ proptest! {
             }
             frame.normals.iter_mut().for_each(|normal| *normal = turn * *normal);
         }
-        let (a, b) = (found(&still), found(&moved));
+        let (a, b) = (found(&placed), found(&moved));
         prop_assert_eq!(&a.patches[0].atoms, &b.patches[0].atoms);
         prop_assert_eq!(&a.patches[0].border, &b.patches[0].border);
         prop_assert!((a.patches[0].share - b.patches[0].share).abs() < 1e-9);
         prop_assert!((a.patches[0].area * scale * scale / b.patches[0].area - 1.0).abs() < 1e-9);
         let (from, to) = (a.patches[0].temporal_consistency, b.patches[0].temporal_consistency);
         prop_assert!((from.gap.unwrap() - to.gap.unwrap()).abs() < 0.02);
-        prop_assert!((a.well - b.well).abs() < 1e-9);
+        prop_assert!((a.remote - b.remote).abs() < 1e-9);
     }
 
     #[test]

@@ -12,7 +12,7 @@ use super::detection::smallest_detectable;
 use super::error::ThickeningError;
 use super::params::CheckedThickeningParams;
 use super::patches::{Wall, segments_of};
-use super::regions::{still_parts, tidied};
+use super::regions::{akinetic_regions, tidied};
 use super::result::{Extent, SmallestPatch, Thickening};
 use super::steps::{StepCriteria, steps, thickness_ratios};
 use super::surface::Surface;
@@ -61,11 +61,11 @@ pub fn thickening(
     // PT compares two poses, each with its own noise.
     let tolerance = (params.tolerance)
         .unwrap_or_else(|| (2.0 * 2.0_f64.sqrt() * found.atom_noise).max(1.05_f64.ln()));
-    let well_curve: Vec<f64> = (0..beat.frames.len())
-        .map(|pose| found.curve.step(found.well, ed, pose))
+    let remote_curve: Vec<f64> = (0..beat.frames.len())
+        .map(|pose| found.curve.step(found.remote, ed, pose))
         .collect();
     let criteria = StepCriteria {
-        well_curve: &well_curve,
+        remote_curve: &remote_curve,
         tolerance,
         ratio: params.ratio,
     };
@@ -75,9 +75,9 @@ pub fn thickening(
         Vec::new()
     } else {
         let least = found.min_share;
-        still_parts(
+        akinetic_regions(
             &found.thickening,
-            found.well,
+            found.remote,
             mesh,
             &surface.neighbours,
             least,
@@ -121,8 +121,8 @@ pub fn thickening(
             (false, true) => Extent::Everywhere,
             (false, false) => Extent::AllButPatches,
         },
-        well: found.well,
-        well_curve,
+        remote: found.remote,
+        remote_curve,
         min_share: found.min_share,
         averaged_share: found.share,
         averaged_noise: found.noise,

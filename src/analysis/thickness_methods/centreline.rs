@@ -85,8 +85,8 @@ pub(super) fn centreline(
     let at = |vertex: Point3| {
         let depth = axis.depth(vertex);
         let place = depth * slices as f64 - 0.5;
-        let told = (depth < 1.0 - CAP_SHARE).then(|| between(&found, place, frame.flat(vertex)));
-        told.flatten()
+        let local = (depth < 1.0 - CAP_SHARE).then(|| between(&found, place, frame.flat(vertex)));
+        local.flatten()
     };
     Ok(inner
         .vertices()

@@ -68,7 +68,7 @@ pub enum ThicknessError {
         expected: usize,
     },
     /// The frame is past the last one.
-    #[error("frame {frame} of a beat of {frames} frames")]
+    #[error("there is no frame {frame} in a sequence of {frames} frames")]
     NoFrame {
         /// The frame asked for.
         frame: usize,

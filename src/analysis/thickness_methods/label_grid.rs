@@ -7,7 +7,7 @@ use super::ThicknessError;
 pub enum VoxelLabel {
     /// Beyond the outer side.
     Outside,
-    /// Muscle.
+    /// Myocardium.
     Wall,
     /// Within the inner side.
     Cavity,

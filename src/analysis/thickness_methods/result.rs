@@ -42,22 +42,22 @@ pub struct ThicknessMap {
     pub method: ThicknessMethod,
     /// The surface whose vertices these are.
     pub surface: SurfaceKind,
-    /// Per vertex of that surface, in coordinates; `None` where the method says nothing.
+    /// Per vertex of that surface, in coordinates; `None` where the method gives none.
     pub thickness: Vec<Option<f64>>,
 }
 
 impl ThicknessMap {
     /// How many vertices have a thickness.
-    pub fn told(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.thickness.iter().flatten().count()
     }
 
-    /// Middle of the thicknesses that are known, in coordinates.
+    /// Median of the thicknesses that are known, in coordinates.
     pub fn median(&self) -> Option<f64> {
-        let mut told: Vec<f64> = self.thickness.iter().flatten().copied().collect();
-        told.sort_unstable_by(f64::total_cmp);
-        let upper = *told.get(told.len() / 2)?;
-        let lower = *told.get((told.len().max(1) - 1) / 2)?;
+        let mut values: Vec<f64> = self.thickness.iter().flatten().copied().collect();
+        values.sort_unstable_by(f64::total_cmp);
+        let upper = *values.get(values.len() / 2)?;
+        let lower = *values.get((values.len().max(1) - 1) / 2)?;
         Some(0.5 * (lower + upper))
     }
 }

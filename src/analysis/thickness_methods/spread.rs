@@ -92,15 +92,15 @@ mod tests {
         let values = (0..=100).rev().map(|i| Some(f64::from(i) / 10.0));
         let gaps = values.flat_map(|value| [value, None]);
         let found = ThicknessSpread::of(gaps).unwrap();
-        let told = [
+        let quantiles = [
             found.low,
             found.quarter,
             found.median,
             found.three_quarters,
             found.high,
         ];
-        for (told, wanted) in told.into_iter().zip([0.5, 2.5, 5.0, 7.5, 9.5]) {
-            assert!((told - wanted).abs() < 1e-12, "{told} {wanted}");
+        for (quantile, wanted) in quantiles.into_iter().zip([0.5, 2.5, 5.0, 7.5, 9.5]) {
+            assert!((quantile - wanted).abs() < 1e-12, "{quantile} {wanted}");
         }
         assert_eq!(found.count, 101);
         let middle = ThicknessSpread::of([Some(1.0), Some(4.0)].into_iter()).unwrap();

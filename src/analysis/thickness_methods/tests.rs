@@ -95,9 +95,9 @@ fn field_lines_of_closed_spheres_converge_with_the_voxels() {
                 &progress,
             )
             .unwrap();
-            assert_eq!(map.told(), map.thickness.len());
+            assert_eq!(map.count(), map.thickness.len());
             let errors = map.thickness.iter().flatten().map(|t| (t - 8.0).powi(2));
-            (errors.sum::<f64>() / map.told() as f64).sqrt()
+            (errors.sum::<f64>() / map.count() as f64).sqrt()
         })
         .to_vec();
     // Upwind differences are of first order: errors halve.

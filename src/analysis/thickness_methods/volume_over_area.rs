@@ -32,7 +32,7 @@ pub(super) fn piece(axis: &LongAxis, point: Point3) -> Option<usize> {
 /// V / A of each piece, in coordinates; `None` where a piece has no wall or misses a side.
 ///
 /// Source: V. Taimouri, *Shape Analysis in Shape Space*, 4.1.2: V the volume of a small element of the
-/// muscle, A the average area of its inner and outer surface. Volumes are counted in voxels.
+/// myocardium, A the average area of its inner and outer surface. Volumes are counted in voxels.
 pub(super) fn volume_over_area(
     inner: &TriMesh,
     outer: &TriMesh,
@@ -79,8 +79,8 @@ pub(super) fn volume_over_area(
     Ok(std::array::from_fn(|piece| {
         let [inside, outside] = areas[piece];
         // The end of the cavity has a cap outside only; there the inner area is nil by nature.
-        let told = volumes[piece] > 0.0 && inside > 0.0 && outside > 0.0;
-        told.then(|| volumes[piece] / (0.5 * (inside + outside)))
+        let measurable = volumes[piece] > 0.0 && inside > 0.0 && outside > 0.0;
+        measurable.then(|| volumes[piece] / (0.5 * (inside + outside)))
     }))
 }
 

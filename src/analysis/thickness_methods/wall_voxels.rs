@@ -191,8 +191,8 @@ impl WallVoxels {
                 index[axis] = place as usize;
             }
             let voxel = index[0] + nx * (index[1] + ny * index[2]);
-            let told = field.nodes[voxel].map(|node| field.thickness[node as usize]);
-            if let Some(thickness) = told.filter(|value| value.is_finite()) {
+            let solved = field.nodes[voxel].map(|node| field.thickness[node as usize]);
+            if let Some(thickness) = solved.filter(|value| value.is_finite()) {
                 whole += weight;
                 sum += weight * thickness;
             }

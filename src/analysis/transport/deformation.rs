@@ -95,7 +95,7 @@ impl DeformationTransport {
         Ok(transported)
     }
 
-    /// How far each in-between of the geodesic lies from the straight line.
+    /// How far each interpolated pose of the geodesic lies from the straight line.
     fn bend(
         &self,
         start: &[Point3],
@@ -125,7 +125,7 @@ impl DeformationTransport {
     }
 }
 
-/// The straight line from start to end with one in-between per bend, moved by it.
+/// The straight line from start to end with one interpolated pose per bend, moved by it.
 fn bent_line(start: &[Point3], end: &[Point3], bends: &[Vec<Vector3>]) -> Vec<Vec<Point3>> {
     let steps = bends.len() + 1;
     let mut path = vec![start.to_vec()];

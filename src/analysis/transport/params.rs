@@ -30,7 +30,7 @@ pub struct TransportParams {
     /// What lengths and angles of displacements are. Transport needs an inner product: forms that
     /// are none (see [`crate::analysis::metrics`]) stand for the additive one.
     pub metric: MetricParams,
-    /// Poses of the geodesic between the subjects; 0: the straight way.
+    /// Poses of the geodesic between the subjects; 0: the straight line.
     pub in_betweens: u16,
     /// Whether the norm of a displacement is kept, not only its product with the path's direction.
     pub keep_norm: bool,
@@ -76,13 +76,13 @@ pub struct CohortTransportParams {
 }
 
 impl Default for CohortTransportParams {
-    /// What a transport needs, and no more: so few in-betweens and a coarse mesh do, and one geodesic per
+    /// What a transport needs, and no more: so few interpolated poses and a coarse mesh do, and one geodesic per
     /// subject, since those of later steps bend alike, and on meshes of real subjects they follow noise. What is
     /// left out changes where a transported pose lies by far less than it moved on smooth subjects, but takes several
     /// times as long. Nor does it tell more of patients: on gated SPECT 16 of 20 sequences have the same
     /// patient's other one nearer than the median of the others, and 7 have it nearest, for 1, 3 and 7
-    /// in-betweens and for straight ways, on 200, 500 and all vertices, and for geodesics at every step with 1
-    /// in-between (`cardiomorph experiment partners STUDY --in-betweens K --geodesics WORD
+    /// interpolated poses and for linear interpolation, on 200, 500 and all vertices, and for geodesics at every step with 1
+    /// interpolated pose (`cardiomorph experiment partners STUDY --in-betweens K --geodesics WORD
     /// --coarse-vertices N --out DIR`; what that means is said at
     /// [`partner_study`](crate::analysis::experiments::partner_study)).
     fn default() -> Self {

@@ -29,7 +29,7 @@ pub(super) struct Trained {
     pub classifier: Classifier,
     pub calibration: Calibration,
     /// Subjects of the training set, ascending.
-    pub seen: Vec<usize>,
+    pub training_set: Vec<usize>,
     pub left_out: LeftOut,
     pub quality: ClassifierQuality,
 }
@@ -71,13 +71,13 @@ impl Cohort {
         if self.normal.len().min(self.abnormal.len()) < min_count {
             return Ok(None);
         }
-        let mut seen = [self.normal.as_slice(), &self.abnormal].concat();
-        seen.sort_unstable();
-        let rows: Vec<&[f64]> = seen
+        let mut training_set = [self.normal.as_slice(), &self.abnormal].concat();
+        training_set.sort_unstable();
+        let rows: Vec<&[f64]> = training_set
             .iter()
             .map(|&index| self.rows[index].as_slice())
             .collect();
-        let labels: Vec<bool> = seen
+        let labels: Vec<bool> = training_set
             .iter()
             .map(|index| self.abnormal.binary_search(index).is_ok())
             .collect();
@@ -87,7 +87,7 @@ impl Cohort {
         Ok(Some(Trained {
             classifier: Classifier::new(&rows, &labels, params.ridge, None),
             calibration: Calibration::new(&left_out.scores, &labels),
-            seen,
+            training_set,
             left_out,
             quality,
         }))

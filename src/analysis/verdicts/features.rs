@@ -6,8 +6,8 @@ use crate::analysis::medial::MedialBeat;
 use crate::analysis::thickening::{Patch, Thickening};
 use crate::mesh::{Point3, area};
 
-/// PT from end-diastole to end-systole below which wall counts as still: "roughly equal to one" (4.4).
-const STILL_PT: f64 = 1.1;
+/// PT from end-diastole to end-systole below which a wall is akinetic: "roughly equal to one" (4.4).
+const AKINETIC_PT: f64 = 1.1;
 
 /// What a verdict is made of: one subject's medial surfaces and its thickening.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,7 @@ pub struct VerdictInput<'a> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Feature {
     /// Share of the wall whose thickness grows by less than a tenth from end-diastole to end-systole.
-    StillShare,
+    AkineticShare,
     /// Area-weighted median of thickening, ln PT from end-diastole to end-systole.
     Median,
     /// Area-weighted standard deviation of thickening over the wall, ln PT.
@@ -30,12 +30,12 @@ pub enum Feature {
     /// The same over the thickening of remote myocardium, at least ln 1.1.
     RelativeSpread,
     /// Thickening that a tenth of the wall does not reach, ln PT.
-    WeakestTenth,
-    /// Thickening of the part that works well, ln PT.
-    Well,
+    TenthPercentile,
+    /// Thickening of remote myocardium, ln PT.
+    Remote,
     /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall fails, large where
     /// a part does or none.
-    Reach,
+    UpperRange,
     /// Share of the wall in patches, each times its confidence.
     PatchShare,
     /// Confidence of the largest patch; 0 without one.
@@ -45,11 +45,11 @@ pub enum Feature {
     /// Compactness of the largest patch, 4π area / length of its border², at most 1; 0 without one.
     Compactness,
     /// Mean distance 4.5.1 between poses, of the largest patch or of M̂ (4.7).
-    Closeness,
+    MeanPoseDistance,
     /// Spread of ANV over the poses (4.4.1).
     NormalSpread,
     /// Mean distance of MP from the medial surface (4.4.2).
-    Gap,
+    MeanPositionDistance,
 }
 
 /// How many there are.
@@ -58,53 +58,43 @@ const COUNT: usize = 14;
 impl Feature {
     /// All of them, in the order of tables.
     pub const ALL: [Self; COUNT] = [
-        Self::StillShare,
+        Self::AkineticShare,
         Self::Median,
         Self::Spread,
         Self::RelativeSpread,
-        Self::WeakestTenth,
-        Self::Well,
-        Self::Reach,
+        Self::TenthPercentile,
+        Self::Remote,
+        Self::UpperRange,
         Self::PatchShare,
         Self::Confidence,
         Self::PatchThickening,
         Self::Compactness,
-        Self::Closeness,
+        Self::MeanPoseDistance,
         Self::NormalSpread,
-        Self::Gap,
+        Self::MeanPositionDistance,
     ];
 
     /// The three that the classifier reads. Those of 4.4–4.7 (compactness, closeness, ANV, MP) tell less and are shown as
     /// evidence: see [`verdicts`](super::verdicts()) for both measured side by side.
-    pub const MODEL_FEATURES: [Self; 3] = [Self::StillShare, Self::Median, Self::RelativeSpread];
+    pub const MODEL_FEATURES: [Self; 3] = [Self::AkineticShare, Self::Median, Self::RelativeSpread];
 
     /// In words.
     pub fn name(self) -> &'static str {
         match self {
-            Self::StillShare => "akinetic share of the wall",
+            Self::AkineticShare => "akinetic share of the wall",
             Self::Median => "median thickening",
             Self::Spread => "thickening heterogeneity",
             Self::RelativeSpread => "heterogeneity relative to remote myocardium",
-            Self::WeakestTenth => "10th percentile of thickening",
-            Self::Well => "thickening of remote myocardium",
-            Self::Reach => "upper range of thickening",
+            Self::TenthPercentile => "10th percentile of thickening",
+            Self::Remote => "thickening of remote myocardium",
+            Self::UpperRange => "upper range of thickening",
             Self::PatchShare => "share of the wall in patches",
             Self::Confidence => "detection stability of the largest patch",
             Self::PatchThickening => "ratio of patch to remote thickening",
             Self::Compactness => "compactness of the largest patch",
-            Self::Closeness => "mean pose distance",
+            Self::MeanPoseDistance => "mean pose distance",
             Self::NormalSpread => "angular SD of ANV",
-            Self::Gap => "distance of the mean position from the medial surface",
-        }
-    }
-
-    /// Its unit; empty for a share or ratio.
-    pub fn unit(self) -> &'static str {
-        match self {
-            Self::Median | Self::Spread | Self::WeakestTenth | Self::Well | Self::Reach => "ln PT",
-            Self::NormalSpread => "rad",
-            Self::Gap => "subject sizes",
-            _ => "",
+            Self::MeanPositionDistance => "distance of the mean position from the medial surface",
         }
     }
 }
@@ -120,24 +110,24 @@ impl Features {
         let rest = positions(beat, thickening.end_diastole);
         let areas = regular_areas(beat, &rest);
         let values = Weighted::new(&thickening.thickening, &areas);
-        let still = STILL_PT.ln();
+        let akinetic = AKINETIC_PT.ln();
         // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();
         let temporal_consistency = patch.map_or(&thickening.temporal_consistency, |patch| {
             &patch.temporal_consistency
         });
-        let well = thickening.well;
+        let remote = thickening.remote;
         let spread = values.deviation();
         Self(Feature::ALL.map(|feature| {
             match feature {
-                Feature::StillShare => Some(values.share_below(still)),
+                Feature::AkineticShare => Some(values.share_below(akinetic)),
                 Feature::Median => Some(values.quantile(0.5)),
                 Feature::Spread => Some(spread),
                 // Where hardly anything thickens a ratio to that would be noise.
-                Feature::RelativeSpread => Some(spread / well.max(still)),
-                Feature::WeakestTenth => Some(values.quantile(0.1)),
-                Feature::Well => Some(well),
-                Feature::Reach => Some(well + 2.0 * spread),
+                Feature::RelativeSpread => Some(spread / remote.max(akinetic)),
+                Feature::TenthPercentile => Some(values.quantile(0.1)),
+                Feature::Remote => Some(remote),
+                Feature::UpperRange => Some(remote + 2.0 * spread),
                 Feature::PatchShare => Some(
                     // Weighted by detection stability, so that a doubtful patch counts less.
                     (thickening.patches.iter())
@@ -145,12 +135,12 @@ impl Features {
                 ),
                 Feature::Confidence => Some(patch.map_or(0.0, |patch| patch.confidence)),
                 Feature::PatchThickening => {
-                    Some(patch.map_or(1.0, |patch| patch.thickening / well.max(still)))
+                    Some(patch.map_or(1.0, |patch| patch.thickening / remote.max(akinetic)))
                 }
                 Feature::Compactness => Some(patch.map_or(0.0, |patch| compactness(patch, &rest))),
-                Feature::Closeness => temporal_consistency.pose_distance,
+                Feature::MeanPoseDistance => temporal_consistency.pose_distance,
                 Feature::NormalSpread => temporal_consistency.normal_spread_rad,
-                Feature::Gap => temporal_consistency.gap,
+                Feature::MeanPositionDistance => temporal_consistency.gap,
             }
         }))
     }

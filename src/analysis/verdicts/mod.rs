@@ -6,11 +6,11 @@ mod classifier;
 mod cohort;
 mod error;
 mod features;
-mod likeness;
 mod logistic;
 mod params;
 mod result;
 mod score;
+mod similarity;
 #[cfg(test)]
 mod tests;
 #[expect(
@@ -23,7 +23,7 @@ pub use error::VerdictError;
 pub use features::{Feature, Features, VerdictInput};
 pub use params::{CheckedVerdictParams, VerdictParamError, VerdictParams};
 pub use result::{
-    ClassifierQuality, ClassifierSource, Examined, Familiarity, Finding, NotAssessed, Verdict,
-    Verdicts,
+    ClassifierQuality, ClassifierSource, Examined, Finding, NotAssessed, TrainingSetDistance,
+    Verdict, Verdicts,
 };
 pub use verdicts::{examine, verdicts};

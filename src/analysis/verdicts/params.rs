@@ -7,7 +7,7 @@ pub struct VerdictParams {
     pub ridge: f64,
     /// Fewest assessed subjects of each role from which a classifier is trained.
     pub min_labelled: u32,
-    /// Least share of its volume at end-diastole that the wall still has at end-systole. Muscle keeps
+    /// Least share of its volume at end-diastole that the wall still has at end-systole. Myocardium keeps
     /// nearly all of it; a wall that loses more is blurred, and its thickening hidden.
     pub min_wall_volume: f64,
     /// Permutations of the labels for the baselines.

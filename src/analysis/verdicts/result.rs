@@ -22,10 +22,10 @@ pub enum NotAssessed {
     /// There is no wall, there are too few frames …: what the thickening says.
     #[error("{0}")]
     NoThickening(String),
-    /// The wall loses volume that muscle cannot lose.
+    /// The wall loses volume that myocardium cannot lose.
     #[error(
-        "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, and muscle keeps \
-         nearly all of it; blur hides thickening",
+        "the wall is not resolved: at end-systole it has {:.0} % of its volume at end-diastole, but \
+         myocardium is nearly incompressible; blur hides thickening",
         100.0 * share
     )]
     WallNotResolved {
@@ -37,13 +37,13 @@ pub enum NotAssessed {
         "the wall is not resolved: noise of thickening, {:.0} %, is not small against the {:.0} % by which remote \
          myocardium thickens",
         100.0 * noise.exp_m1(),
-        100.0 * well.exp_m1()
+        100.0 * remote.exp_m1()
     )]
     Noise {
         /// Standard deviation of averaged thickening, in ln PT.
         noise: f64,
-        /// Thickening of the part that works best, in ln PT.
-        well: f64,
+        /// Thickening of remote myocardium, in ln PT.
+        remote: f64,
     },
     /// A feature is not a finite number.
     #[error("{feature} is not a finite number")]
@@ -61,9 +61,9 @@ pub enum Finding {
     /// A part of the wall does not thicken.
     Patch,
     /// The whole wall hardly thickens, or thickens too little without a part that stands out.
-    GlobalFailure,
+    GlobalHypokinesia,
     /// Unlike the normal subjects, but the wall thickens and no part of it is akinetic.
-    Elsewhere,
+    WithoutPatch,
 }
 
 impl Finding {
@@ -72,8 +72,8 @@ impl Finding {
         match self {
             Self::Nothing => "no regional abnormality",
             Self::Patch => "abnormal patch",
-            Self::GlobalFailure => "global hypokinesia",
-            Self::Elsewhere => "abnormal without a patch",
+            Self::GlobalHypokinesia => "global hypokinesia",
+            Self::WithoutPatch => "abnormal without a patch",
         }
     }
 
@@ -82,19 +82,19 @@ impl Finding {
         match self {
             Self::Nothing => "no abnormal patch",
             Self::Patch => "abnormal patch",
-            Self::GlobalFailure => "global failure",
-            Self::Elsewhere => "abnormal without a patch",
+            Self::GlobalHypokinesia => "global failure",
+            Self::WithoutPatch => "abnormal without a patch",
         }
     }
 }
 
 /// How near a subject lies to the training set, by the classifier's standardised features.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Familiarity {
+pub struct TrainingSetDistance {
     /// Distance to the nearest subject of the training set, itself left out.
     pub distance: f64,
     /// Median of the same distance within the training set.
-    pub usual: f64,
+    pub median: f64,
     /// Share of the training set that lies at least as far from the others: near 0, the subject is unlike all of it.
     pub as_far: f64,
 }
@@ -113,12 +113,12 @@ pub struct Verdict {
     pub features: Features,
     /// Share of the wall in patches, 0..=1, whatever the finding: a region of low thickening is no finding by itself.
     pub patched: f64,
-    /// The three most alike subjects with a normal label, nearest first, by the classifier's standardised features.
-    pub alike_normal: Vec<usize>,
-    /// The three most alike with an abnormal label.
-    pub alike_abnormal: Vec<usize>,
+    /// The three most similar subjects with a normal label, nearest first, by the classifier's standardised features.
+    pub similar_normal: Vec<usize>,
+    /// The three most similar with an abnormal label.
+    pub similar_abnormal: Vec<usize>,
     /// How near it lies to the training set; `None` for default thresholds, which have none.
-    pub familiarity: Option<Familiarity>,
+    pub training_set_distance: Option<TrainingSetDistance>,
 }
 
 /// Where the classifier comes from.

@@ -1,6 +1,6 @@
 //! How well scores separate two classes.
 
-/// Area under the ROC curve: the chance that a positive case has a higher score than a negative one, a draw
+/// Area under the ROC curve: the probability that a positive case has a higher score than a negative one, a draw
 /// counting half (Mann and Whitney's U over the number of pairs); one half where a class is empty.
 pub(super) fn auc(scores: &[f64], positive: &[bool]) -> f64 {
     let mut order: Vec<usize> = (0..scores.len()).collect();

@@ -68,7 +68,7 @@ fn measured(beat: MedialBeat) -> Heart {
 }
 
 /// A wall that thickens everywhere, subjects differing a little.
-fn well(number: u32) -> Heart {
+fn healthy(number: u32) -> Heart {
     let amount = 0.42 + 0.011 * f64::from(number);
     heart(move |d| amount * (1.0 + 0.08 * d.x), amount)
 }
@@ -134,8 +134,8 @@ fn input((beat, thickening): &Heart) -> Result<Examined, NotAssessed> {
 
 /// Seven healthy subjects, seven with a patch, and without labels one of each and one that fails as a whole.
 fn cohort() -> (Vec<Heart>, Vec<Option<&'static str>>) {
-    let mut hearts: Vec<Heart> = (0..7).map(well).chain((0..7).map(ill)).collect();
-    hearts.extend([well(9), ill(9), failing()]);
+    let mut hearts: Vec<Heart> = (0..7).map(healthy).chain((0..7).map(ill)).collect();
+    hearts.extend([healthy(9), ill(9), failing()]);
     let mut labels = [vec![Some("normal"); 7], vec![Some("abnormal"); 7]].concat();
     labels.extend([None; 3]);
     (hearts, labels)
@@ -161,7 +161,7 @@ fn subjects_with_a_patch_are_classified_with_and_without_labels() {
     assert_eq!(findings[7..14], [Finding::Patch; 7]);
     assert_eq!(
         findings[14..],
-        [Finding::Nothing, Finding::Patch, Finding::GlobalFailure]
+        [Finding::Nothing, Finding::Patch, Finding::GlobalHypokinesia]
     );
     let quality = found.quality.unwrap();
     assert_eq!((quality.accuracy.correct, quality.accuracy.of), (14, 14));
@@ -180,14 +180,16 @@ fn subjects_with_a_patch_are_classified_with_and_without_labels() {
         // Seven of each do not make it certain.
         assert!(verdict.probability > 1e-3 && verdict.probability < 1.0);
         assert_eq!(
-            (verdict.alike_normal.len(), verdict.alike_abnormal.len()),
+            (verdict.similar_normal.len(), verdict.similar_abnormal.len()),
             (3, 3)
         );
-        assert!(!verdict.alike_normal.contains(&index) && !verdict.alike_abnormal.contains(&index));
-        assert!(verdict.alike_normal.iter().all(|&other| other < 7));
+        assert!(
+            !verdict.similar_normal.contains(&index) && !verdict.similar_abnormal.contains(&index)
+        );
+        assert!(verdict.similar_normal.iter().all(|&other| other < 7));
         assert!(
             verdict
-                .alike_abnormal
+                .similar_abnormal
                 .iter()
                 .all(|other| (7..14).contains(other))
         );
@@ -199,7 +201,7 @@ fn features_are_what_was_built_in() {
     let (hearts, labels) = cohort();
     let found = classified(&hearts, &labels);
     let of = |subject: usize, feature| assessed(&found, subject).features.get(feature).unwrap();
-    assert_eq!(of(0, Feature::StillShare), 0.0);
+    assert_eq!(of(0, Feature::AkineticShare), 0.0);
     assert!((of(0, Feature::Median) - 0.42).abs() < 0.01);
     assert_eq!(
         (of(0, Feature::Compactness), of(0, Feature::PatchThickening)),
@@ -207,11 +209,11 @@ fn features_are_what_was_built_in() {
     );
     // A cap of angle a is 1 − cos a of the hemisphere; averaging takes its rim away.
     let cap = 1.0 - radius_rad(4).cos();
-    assert!(of(11, Feature::StillShare) < cap && of(11, Feature::StillShare) > 0.6 * cap);
+    assert!(of(11, Feature::AkineticShare) < cap && of(11, Feature::AkineticShare) > 0.6 * cap);
     assert!(of(11, Feature::Compactness) > 0.7 && of(11, Feature::Confidence) == 1.0);
-    assert!(of(11, Feature::NormalSpread) < 0.1 && of(11, Feature::Closeness) < 0.2);
-    let reach = of(11, Feature::Well) + 2.0 * of(11, Feature::Spread);
-    assert_eq!(of(11, Feature::Reach), reach);
+    assert!(of(11, Feature::NormalSpread) < 0.1 && of(11, Feature::MeanPoseDistance) < 0.2);
+    let reach = of(11, Feature::Remote) + 2.0 * of(11, Feature::Spread);
+    assert_eq!(of(11, Feature::UpperRange), reach);
 }
 
 #[test]
@@ -237,11 +239,11 @@ fn without_enough_labels_the_fixed_rule_speaks_and_says_so() {
             matches!(found.classifier, ClassifierSource::Uncalibrated { .. }),
             "{case}"
         );
-        assert!(found.quality.is_none() && assessed(&found, 3).familiarity.is_none());
+        assert!(found.quality.is_none() && assessed(&found, 3).training_set_distance.is_none());
         for index in 0..17 {
             let expected = match index {
                 0..7 | 14 => Finding::Nothing,
-                16 => Finding::GlobalFailure,
+                16 => Finding::GlobalHypokinesia,
                 _ => Finding::Patch,
             };
             assert_eq!(assessed(&found, index).finding, expected, "{case}: {index}");
@@ -253,9 +255,9 @@ fn without_enough_labels_the_fixed_rule_speaks_and_says_so() {
 fn a_heart_unlike_any_that_was_seen_is_said_to_be_so() {
     let (hearts, labels) = cohort();
     let found = classified(&hearts, &labels);
-    let [near, far] = [14, 16].map(|index| assessed(&found, index).familiarity.unwrap());
+    let [near, far] = [14, 16].map(|index| assessed(&found, index).training_set_distance.unwrap());
     assert!(
-        far.distance > 2.0 * near.distance && far.usual == near.usual,
+        far.distance > 2.0 * near.distance && far.median == near.median,
         "{near:?} {far:?}"
     );
     assert_eq!(far.as_far, 0.0);
@@ -263,7 +265,7 @@ fn a_heart_unlike_any_that_was_seen_is_said_to_be_so() {
 
 #[test]
 fn labels_that_have_nothing_to_do_with_the_hearts_give_a_useless_classifier() {
-    let hearts: Vec<Heart> = (0..12).map(well).collect();
+    let hearts: Vec<Heart> = (0..12).map(healthy).collect();
     // Neither more nor less thickening than the others, nor more or less spread.
     let labels = [0, 1, 1, 0, 1, 0, 0, 1, 0, 1, 1, 0].map(|i| Some(["normal", "abnormal"][i]));
     let quality = classified(&hearts, &labels).quality.unwrap();
@@ -273,7 +275,7 @@ fn labels_that_have_nothing_to_do_with_the_hearts_give_a_useless_classifier() {
 
 #[test]
 fn equal_hearts_are_neither_normal_nor_abnormal() {
-    let hearts = vec![well(0); 10];
+    let hearts = vec![healthy(0); 10];
     let labels: Vec<_> = (0..10)
         .map(|i| Some(["normal", "abnormal"][i % 2]))
         .collect();
@@ -289,7 +291,7 @@ fn what_cannot_be_told_is_not_assessed_and_takes_no_part() {
     let (mut hearts, labels) = cohort();
     // A wall that shrinks without thickening has lost half of its volume.
     hearts[3] = heart(|_| 0.02, 0.7);
-    let mut rough = well(1).0;
+    let mut rough = healthy(1).0;
     for (index, frame) in rough.frames.iter_mut().enumerate() {
         for (atom, place) in frame.atoms.iter_mut().zip(1..) {
             let x = 2.0
@@ -332,6 +334,6 @@ fn what_cannot_be_told_is_not_assessed_and_takes_no_part() {
             abnormal: 6
         }
     );
-    let alike = &assessed(&found, 1).alike_normal;
-    assert!(!alike.contains(&0) && !alike.contains(&3));
+    let nearest_rows = &assessed(&found, 1).similar_normal;
+    assert!(!nearest_rows.contains(&0) && !nearest_rows.contains(&3));
 }

@@ -8,36 +8,36 @@ use super::classifier::Standard;
 use super::cohort::{Cohort, Trained};
 use super::error::VerdictError;
 use super::features::{Feature, Features, VerdictInput, wall_volume_ratio};
-use super::likeness::{alike, familiarity, usual_distances};
 use super::logistic::sigmoid;
 use super::params::CheckedVerdictParams;
 use super::result::{ClassifierSource, Examined, Finding, NotAssessed, Verdict, Verdicts};
+use super::similarity::{nearest_distances, nearest_rows, training_set_distance};
 
 /// Thickening of remote myocardium, in standard deviations of averaged noise, or of the least that counts as
 /// thickening: nearer to noise nothing is reported.
 const SURE: f64 = 3.0;
 /// ln PT that counts as thickening at all, PT = 1.1.
 const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
-/// Still share at which the uncalibrated classifier is undecided: between the most of 20 normal subjects (5.0 %) and the
+/// Akinetic share at which the uncalibrated classifier is undecided: between the most of 20 normal subjects (5.0 %) and the
 /// least of the built-in patches (5.9 %).
-const STILL_LIMIT: f64 = 0.055;
+const AKINETIC_LIMIT: f64 = 0.055;
 /// How far from there it is for odds of e to one.
-const STILL_SCALE: f64 = 0.01;
+const AKINETIC_SCALE: f64 = 0.01;
 /// Reach below which an abnormal subject's hypokinesia is global: all 20 normal subjects reach further, as do
 /// 19 of 20 with infarction and all built-in subjects with a patch, and 15 of 20 dilated ones do not.
 const REGIONAL_REACH: f64 = 0.65;
-/// Most alike subjects that are shown.
+/// Most similar subjects that are shown.
 const ALIKE: usize = 3;
 
 /// Finding and probability of each subject.
 ///
-/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that muscle cannot lose, and where
+/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that myocardium cannot lose, and where
 ///    noise of thickening is a third of what remote myocardium does or more.
 /// 2. The rest is classified by a logistic classifier on [`Feature::MODEL_FEATURES`], standardised, both classes
-///    weighing alike, trained on the subjects whose label counts as normal or abnormal. The verdict on a labelled
+///    weighing alike, trained on the subjects whose label is of class normal or abnormal. The verdict on a labelled
 ///    subject comes from a classifier trained without it, calibrated by the scores of the others. With too few labels
 ///    a fixed classifier stands in: the akinetic share of the wall beside 5.5 %.
-/// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::Reach`] is small: then
+/// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::UpperRange`] is small: then
 ///    hypokinesia is global.
 ///
 /// # Measured
@@ -106,14 +106,14 @@ pub fn examine(
 ) -> Result<Examined, NotAssessed> {
     let share = wall_volume_ratio(heart.beat, heart.thickening);
     // A wall without volume has no share of it, either.
-    // Muscle is incompressible: a wall that loses volume was not seen, and its thickening is an artefact.
+    // Myocardium is incompressible: a wall that loses volume is not resolved, and its thickening is an artefact.
     if share.is_nan() || share < params.min_wall_volume {
         return Err(NotAssessed::WallNotResolved { share });
     }
-    let (noise, well) = (heart.thickening.averaged_noise, heart.thickening.well);
+    let (noise, remote) = (heart.thickening.averaged_noise, heart.thickening.remote);
     // With noise this large a normal wall looks uneven and an akinetic one may look normal.
-    if SURE * noise > well.max(MIN_THICKENING) {
-        return Err(NotAssessed::Noise { noise, well });
+    if SURE * noise > remote.max(MIN_THICKENING) {
+        return Err(NotAssessed::Noise { noise, remote });
     }
     let features = Features::new(heart);
     match features.not_finite() {
@@ -134,7 +134,7 @@ struct Classification<'a> {
     trained: Option<&'a Trained>,
     /// Standardised rows; empty where not assessed.
     standardised: Vec<Vec<f64>>,
-    usual: Vec<f64>,
+    nearest_distances: Vec<f64>,
 }
 
 impl<'a> Classification<'a> {
@@ -151,14 +151,14 @@ impl<'a> Classification<'a> {
             |trained| trained.classifier.standard.clone(),
         );
         let standardised: Vec<Vec<f64>> = cohort.rows.iter().map(|row| standard.of(row)).collect();
-        let usual = trained.map_or_else(Vec::new, |trained| {
-            usual_distances(&standardised, &trained.seen)
+        let nearest_distances = trained.map_or_else(Vec::new, |trained| {
+            nearest_distances(&standardised, &trained.training_set)
         });
         Self {
             cohort,
             trained,
             standardised,
-            usual,
+            nearest_distances,
         }
     }
 
@@ -166,11 +166,11 @@ impl<'a> Classification<'a> {
         let Some(trained) = self.trained else {
             // Without labels nothing can be trained; the akinetic share with a default threshold stands in, and is
             // called a score.
-            let still = features.get(Feature::StillShare).unwrap_or(0.0);
-            return sigmoid((still - STILL_LIMIT) / STILL_SCALE);
+            let akinetic = features.get(Feature::AkineticShare).unwrap_or(0.0);
+            return sigmoid((akinetic - AKINETIC_LIMIT) / AKINETIC_SCALE);
         };
-        match trained.seen.binary_search(&index) {
-            // A subject in the training set gets the leave-one-out result; the whole classifier has seen its label.
+        match trained.training_set.binary_search(&index) {
+            // A subject in the training set gets the leave-one-out result; the classifier of all subjects was trained with its label.
             Ok(place) => trained.left_out.probabilities[place],
             Err(_) => {
                 let score = trained.classifier.score(&self.cohort.rows[index]);
@@ -184,7 +184,7 @@ impl<'a> Classification<'a> {
         let probability = self.probability(index, features);
         // At one half the subject counts as normal.
         let abnormal = probability > 0.5;
-        let alike = |among: &[usize]| alike(&self.standardised, index, among, ALIKE);
+        let nearest_rows = |among: &[usize]| nearest_rows(&self.standardised, index, among, ALIKE);
         Verdict {
             finding: if abnormal {
                 failure(features, subject.extent)
@@ -193,10 +193,15 @@ impl<'a> Classification<'a> {
             },
             abnormal,
             probability,
-            alike_normal: alike(&self.cohort.normal),
-            alike_abnormal: alike(&self.cohort.abnormal),
-            familiarity: (self.trained).and_then(|trained| {
-                familiarity(&self.standardised, index, &trained.seen, &self.usual)
+            similar_normal: nearest_rows(&self.cohort.normal),
+            similar_abnormal: nearest_rows(&self.cohort.abnormal),
+            training_set_distance: (self.trained).and_then(|trained| {
+                training_set_distance(
+                    &self.standardised,
+                    index,
+                    &trained.training_set,
+                    &self.nearest_distances,
+                )
             }),
             features: features.clone(),
             patched: subject.patched,
@@ -206,13 +211,13 @@ impl<'a> Classification<'a> {
 
 /// What fails in an abnormal subject.
 fn failure(features: &Features, extent: Extent) -> Finding {
-    let reach = features.get(Feature::Reach).unwrap_or(0.0);
+    let reach = features.get(Feature::UpperRange).unwrap_or(0.0);
     match extent {
         // Nothing thickens: there is no remote myocardium that a region could be compared with.
-        Extent::HardlyAnywhere => Finding::GlobalFailure,
+        Extent::HardlyAnywhere => Finding::GlobalHypokinesia,
         // Before patches: a wall that fails as a whole often has a weakest part, which is no regional finding.
-        _ if reach < REGIONAL_REACH => Finding::GlobalFailure,
+        _ if reach < REGIONAL_REACH => Finding::GlobalHypokinesia,
         Extent::AllButPatches => Finding::Patch,
-        Extent::Everywhere => Finding::Elsewhere,
+        Extent::Everywhere => Finding::WithoutPatch,
     }
 }

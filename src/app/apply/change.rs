@@ -25,7 +25,7 @@ pub fn change(
 ) {
     let before = state.document.clone();
     edit(&mut state.document);
-    state.document.end_carrying_out_of_sight();
+    state.document.end_transport_out_of_sight();
     if state.document != before {
         state
             .history

@@ -19,7 +19,7 @@ use crate::panes::{Command, EditCommand};
 use crate::document::document::Document;
 use crate::document::state::State;
 
-/// Carries out one command; what reaches beyond the state comes back as effects.
+/// Applies one command; what reaches beyond the state comes back as effects.
 pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> {
     match command {
         Command::Edit(EditCommand::Undo) => {

@@ -8,7 +8,7 @@ use crate::picture::Quantity;
 use super::change::{Moment, change};
 use super::effect::Effect;
 use crate::app::errors::push_card;
-use crate::document::document::CarriedBeat;
+use crate::document::document::TransportedMotion;
 use crate::document::state::State;
 use crate::document::undo::Gesture;
 
@@ -16,15 +16,15 @@ use crate::document::undo::Gesture;
 pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> Vec<Effect> {
     match command {
         TransportCommand::TransportMotion { from, onto } => {
-            return transport(state, moment, from, onto);
+            return start_transport(state, moment, from, onto);
         }
         TransportCommand::TransportToOther => {
             if let Some(onto) = state.document.compared() {
-                return transport(state, moment, state.document.subject, onto);
+                return start_transport(state, moment, state.document.subject, onto);
             }
         }
         TransportCommand::StopTransport => {
-            change(state, moment, None, |document| document.carried = None);
+            change(state, moment, None, |document| document.transported = None)
         }
         TransportCommand::SetInBetweens(count) => {
             change(state, moment, None, |document| document.in_betweens = count);
@@ -36,7 +36,7 @@ pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> V
     Vec::new()
 }
 
-fn transport(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Effect> {
+fn start_transport(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Vec<Effect> {
     let (Some(source), Some(target)) = (state.subject(from), state.subject(onto)) else {
         return Vec::new();
     };
@@ -60,16 +60,16 @@ fn transport(state: &mut State, moment: &Moment, from: usize, onto: usize) -> Ve
         return Vec::new();
     }
     let plays = ours.frame_count() > 1;
-    let beat = CarriedBeat { from, onto };
-    let again = state.document.carrying() == Some(beat);
+    let beat = TransportedMotion { from, onto };
+    let again = state.document.visible_transport() == Some(beat);
     change(state, moment, None, |document| {
         if document.subject != from {
             document.select_subject(from);
         }
         document.view_mode = ViewMode::SideBySide;
         document.compare_with = Some(onto);
-        document.carried = Some(beat);
-        document.quantity = Quantity::CarriedDistance;
+        document.transported = Some(beat);
+        document.quantity = Quantity::MotionDifference;
     });
     state.play.playing = plays;
     // Asked for once more, what was stopped begins again.
@@ -150,15 +150,15 @@ mod tests {
     fn a_dropped_motion_plays_beside_its_target_and_undo_takes_it_back() {
         let mut state = three_subjects();
         let before = state.document.clone();
-        let beat = CarriedBeat { from: 1, onto: 0 };
+        let beat = TransportedMotion { from: 1, onto: 0 };
         let effects = give(
             &mut state,
             Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
         );
         assert_eq!(effects, []);
-        assert_eq!(state.document.carrying(), Some(beat));
+        assert_eq!(state.document.visible_transport(), Some(beat));
         assert_eq!(state.document.subject, 1);
-        assert_eq!(state.document.quantity, Quantity::CarriedDistance);
+        assert_eq!(state.document.quantity, Quantity::MotionDifference);
         assert!(state.play.playing);
         let again = give(
             &mut state,
@@ -168,11 +168,11 @@ mod tests {
         give(&mut state, Command::Edit(EditCommand::Undo));
         assert_eq!(state.document, before);
         give(&mut state, Command::Edit(EditCommand::Redo));
-        assert_eq!(state.document.carrying(), Some(beat));
+        assert_eq!(state.document.visible_transport(), Some(beat));
     }
 
     #[test]
-    fn whatever_shows_other_subjects_ends_the_transported_motion() {
+    fn whatever_shows_other_subjects_ends_the_transport() {
         for command in [
             Command::Transport(TransportCommand::StopTransport),
             Command::Beat(BeatCommand::SelectSubject(0)),
@@ -185,13 +185,13 @@ mod tests {
                 Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
             );
             give(&mut state, command.clone());
-            assert_eq!(state.document.carried, None, "{command:?}");
+            assert_eq!(state.document.transported, None, "{command:?}");
             assert_eq!(state.document.quantity, Quantity::Tissue, "{command:?}");
         }
     }
 
     #[test]
-    fn colours_can_be_chosen_beside_a_carried_beat() {
+    fn colours_can_be_chosen_beside_a_transported_motion() {
         let mut state = three_subjects();
         give(
             &mut state,
@@ -201,7 +201,7 @@ mod tests {
             &mut state,
             Command::View(ViewCommand::SetQuantity(Quantity::Tissue)),
         );
-        assert!(state.document.carrying().is_some());
+        assert!(state.document.visible_transport().is_some());
         assert_eq!(state.document.quantity, Quantity::Tissue);
     }
 
@@ -235,8 +235,8 @@ mod tests {
             &mut state,
             Command::Transport(TransportCommand::TransportToOther),
         );
-        let beat = CarriedBeat { from: 0, onto: 1 };
-        assert_eq!(state.document.carrying(), Some(beat));
+        let beat = TransportedMotion { from: 0, onto: 1 };
+        assert_eq!(state.document.visible_transport(), Some(beat));
     }
 
     #[test]

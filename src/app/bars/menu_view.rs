@@ -31,7 +31,7 @@ pub fn action_state(state: &State, layout: &Layout) -> ActionState {
         quantity: document.quantity,
         in_betweens: document.in_betweens,
         has_other: document.compared().is_some(),
-        transporting: document.carrying().is_some(),
+        transporting: document.visible_transport().is_some(),
         theme: state.theme,
         metric: document.map.distances.metric.kind,
         map_method: document.map.method,

@@ -26,7 +26,7 @@ fn text_ui(ui: &mut Ui, adapter: &str) {
     );
     ui.label(note(concat!("Version ", env!("CARGO_PKG_VERSION"))));
     ui.add_space(space::MEDIUM);
-    ui.label("Analyses how a left ventricle moves: volumes, wall thickening, maps of poses and motions, figures");
+    ui.label("Analyses the motion of the left ventricle: volumes, wall thickening, pose and deformation maps, figures");
     ui.add_space(space::MEDIUM);
     let warning = colours(ui).warning;
     ui.label(

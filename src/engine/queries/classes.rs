@@ -11,7 +11,7 @@ use crate::engine::queries::pose_distances::DistancesError;
 use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
 use crate::study::Study;
 
-/// Share of the time of the classification that the map of deformations takes.
+/// Share of the time of the classification that the deformation map takes.
 const DEFORMATION_MAP_SHARE: f32 = 0.8;
 
 /// Settings of the classification.
@@ -29,7 +29,7 @@ pub enum ClassesError {
     /// A setting is out of range.
     #[error(transparent)]
     Settings(#[from] ClassesParamError),
-    /// There is no map of deformations.
+    /// There is no deformation map.
     #[error(transparent)]
     Deformations(Failure<DeformationsError>),
     /// There are no distances of poses.
@@ -60,7 +60,7 @@ impl Query for ClassesSettings {
 
     fn run(&self, cx: &Context<'_>) -> Result<Classes, Interrupted<ClassesError>> {
         let params = (self.classes.check()).map_err(|error| Interrupted::Failed(error.into()))?;
-        let mapping = cx.part("mapping deformations", 0.0, DEFORMATION_MAP_SHARE);
+        let mapping = cx.part("embedding deformations", 0.0, DEFORMATION_MAP_SHARE);
         let map =
             (mapping.get(&self.deformations)).map_err(|why| why.map(ClassesError::Deformations))?;
         let part = cx.part("classifying", DEFORMATION_MAP_SHARE, 1.0);

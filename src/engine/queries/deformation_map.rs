@@ -8,25 +8,25 @@ use crate::engine::queries::pose_map::{PoseMapError, PoseMapParams, map_words};
 use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
 use crate::study::Study;
 
-/// Share of the time of a map of deformations that its map of poses takes.
+/// Share of the time of a deformation map that its pose map takes.
 const POSE_MAP_SHARE: f32 = 0.95;
 
 /// Settings of the map of whole deformations.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct DeformationMapSettings {
-    /// The map of poses on which deformations are curves.
+    /// The pose map on which deformations are curves.
     pub poses: PoseMapParams,
     /// How curves become a map.
     pub map: DeformationMapParams,
 }
 
-/// Why there is no map of deformations.
+/// Why there is no deformation map.
 #[derive(Debug, thiserror::Error)]
 pub enum DeformationsError {
     /// A setting is out of range.
     #[error(transparent)]
     Settings(#[from] DeformationParamError),
-    /// There is no map of poses.
+    /// There is no pose map.
     #[error(transparent)]
     Poses(Failure<PoseMapError>),
     /// The curves cannot be mapped.
@@ -38,7 +38,7 @@ impl Query for DeformationMapSettings {
     type Answer = DeformationMap;
     type Error = DeformationsError;
     const TITLE: &'static str = "Deformation map";
-    const FAILURE: Option<&'static str> = Some("The map of deformations could not be computed");
+    const FAILURE: Option<&'static str> = Some("The deformation map could not be computed");
 
     fn parameters(&self) -> String {
         deformation_words(self)
@@ -50,10 +50,10 @@ impl Query for DeformationMapSettings {
 
     fn run(&self, cx: &Context<'_>) -> Result<DeformationMap, Interrupted<DeformationsError>> {
         let params = (self.map.check()).map_err(|error| Interrupted::Failed(error.into()))?;
-        let mapping = cx.part("mapping poses", 0.0, POSE_MAP_SHARE);
+        let mapping = cx.part("embedding poses", 0.0, POSE_MAP_SHARE);
         let poses = (mapping.get(&self.poses)).map_err(|why| why.map(DeformationsError::Poses))?;
         let progress = cx.progress();
-        progress.begin_phase("laying out deformations", POSE_MAP_SHARE, 1.0);
+        progress.begin_phase("embedding deformations", POSE_MAP_SHARE, 1.0);
         let rows = &poses.distances.poses;
         match deformation_map(cx.study(), rows, &poses.embedding, &params, progress) {
             Ok(map) => Ok(map),
@@ -74,7 +74,7 @@ impl Query for DeformationMapSettings {
     }
 }
 
-/// Settings of a map of deformations, as the activity list says them.
+/// Settings of a deformation map, as the activity list says them.
 pub(super) fn deformation_words(settings: &DeformationMapSettings) -> String {
     let DeformationMapParams {
         time_weight,

@@ -62,7 +62,7 @@ pub enum InBetweensError {
     #[error(transparent)]
     NoSubject(#[from] NoSubject),
     /// There is no such interval.
-    #[error("interval {interval} of a beat of {frames} frames")]
+    #[error("there is no interval {interval} in a sequence of {frames} frames")]
     NoInterval {
         /// The interval that was asked for.
         interval: usize,
@@ -81,7 +81,7 @@ impl Query for InBetweens {
     type Answer = Vec<Arc<GeodesicPath>>;
     type Error = Failure<InBetweensError>;
     const TITLE: &'static str = "Interpolated poses";
-    const FAILURE: Option<&'static str> = Some("No poses between frames were computed");
+    const FAILURE: Option<&'static str> = Some("The interpolated poses could not be computed");
 
     fn parameters(&self) -> String {
         words(&self.params)

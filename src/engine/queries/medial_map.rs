@@ -1,4 +1,4 @@
-//! The map of poses of the medial shape space: paths of one subject after the other, then their map.
+//! The pose map of the medial shape space: paths of one subject after the other, then their map.
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::medial_map::{
@@ -16,7 +16,7 @@ const WALLS_SHARE: f32 = 0.97;
 /// Settings of the map, from the surfaces on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct MedialMapParams {
-    /// How walls are assessed, and what counts as still.
+    /// How walls are assessed, and what is akinetic.
     pub thickening: ThickeningSettings,
     /// How distances become a map.
     pub method: MapMethod,
@@ -28,7 +28,7 @@ pub type StudyPaths = Vec<Result<SubjectPaths, String>>;
 /// The paths of all subjects in the medial shape space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MedialPaths {
-    /// How walls are assessed, and what counts as akinetic.
+    /// How walls are assessed, and what is akinetic.
     pub thickening: ThickeningSettings,
 }
 
@@ -127,7 +127,7 @@ impl Query for MedialMapParams {
         let paths = part
             .get(&paths)
             .map_err(|why| why.map(MedialMapQueryError::Paths))?;
-        let part = cx.part("laying out the map", share, 1.0);
+        let part = cx.part("embedding poses", share, 1.0);
         map_of(&paths, self.method, part.progress())
     }
 

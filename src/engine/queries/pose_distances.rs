@@ -95,8 +95,8 @@ pub fn metric_words(metric: &MetricParams) -> String {
         Form::Additive => "additive form".to_owned(),
     };
     let corners = match metric.corners {
-        Corners::Raw => "raw corners",
-        Corners::ScaleFree => "scale-free corners",
+        Corners::Raw => "corner terms as printed",
+        Corners::ScaleFree => "scale-invariant corner terms",
     };
     format!("{kind}, {form}, {corners}, λ = {}", metric.lambda)
 }

@@ -32,7 +32,7 @@ pub struct PoseMap {
     pub embedding: Embedding,
 }
 
-/// Why there is no map of poses.
+/// Why there is no pose map.
 #[derive(Debug, thiserror::Error)]
 pub enum PoseMapError {
     /// There are no distances.
@@ -47,7 +47,7 @@ impl Query for PoseMapParams {
     type Answer = PoseMap;
     type Error = PoseMapError;
     const TITLE: &'static str = "Pose map";
-    const FAILURE: Option<&'static str> = Some("The map of poses could not be computed");
+    const FAILURE: Option<&'static str> = Some("The pose map could not be computed");
 
     fn parameters(&self) -> String {
         map_words(self)
@@ -65,7 +65,7 @@ impl Query for PoseMapParams {
         let distances =
             (comparing.get(&self.distances)).map_err(|why| why.map(PoseMapError::Distances))?;
         let progress = cx.progress();
-        progress.begin_phase("laying out the map", share, 1.0);
+        progress.begin_phase("embedding poses", share, 1.0);
         match embed(&distances.distances, self.method, MAP_DIMENSIONS, progress) {
             Ok(embedding) => Ok(PoseMap {
                 distances,
@@ -86,7 +86,7 @@ impl Query for PoseMapParams {
     }
 }
 
-/// Settings of a map of poses, as the activity list says them.
+/// Settings of a pose map, as the activity list says them.
 pub(super) fn map_words(params: &PoseMapParams) -> String {
     let method = method_words(params.method);
     format!("{}, {method}", distance_words(&params.distances))

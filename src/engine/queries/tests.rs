@@ -103,7 +103,7 @@ fn settings_out_of_range_are_an_answer_in_words() {
 fn settings_read_as_a_person_would_say_them() {
     assert_eq!(
         PoseMapParams::default().parameters(),
-        "quasi-conformal, additive form, μ = 0.001, scale-free corners, λ = 3, \
+        "quasi-conformal, additive form, μ = 0.001, scale-invariant corner terms, λ = 3, \
          smoothed over 0.1 √area, SMACOF"
     );
     let mut metric = MetricParams {
@@ -350,11 +350,11 @@ fn distances_after_a_transfer_are_another_answer() {
         in_betweens: 0,
         ..CohortTransportParams::default()
     };
-    let (plain, carried) = (distances(None), distances(Some(straight)));
-    assert_eq!(plain.poses, carried.poses);
+    let (plain, transported) = (distances(None), distances(Some(straight)));
+    assert_eq!(plain.poses, transported.poses);
     // End-diastole of all hearts is one pose then.
     assert!(plain.distances.get(0, 8) > 1e-2);
-    assert!(carried.distances.get(0, 8) < 1e-9);
+    assert!(transported.distances.get(0, 8) < 1e-9);
 }
 
 #[test]
@@ -379,7 +379,7 @@ fn no_question_is_answered_once_stopped_and_nothing_is_kept() {
 fn what_is_not_there_is_named() {
     let (study, store) = (study(), store());
     let message = refusal(&store, &study, &interval(9));
-    assert_eq!(message, "interval 9 of a beat of 8 frames");
+    assert_eq!(message, "there is no interval 9 in a sequence of 8 frames");
     let query = Transfer {
         from: 0,
         onto: 4,

@@ -32,7 +32,7 @@ const ATOMS_SHARE: f32 = 0.8;
 pub struct ThickeningSettings {
     /// How medial spheres are fitted.
     pub medial: MedialParams,
-    /// What counts as still, and as a patch.
+    /// What is akinetic, and what is a patch.
     pub thickening: ThickeningParams,
 }
 
@@ -69,7 +69,7 @@ impl SubjectThickening {
     fn own_bytes(&self) -> usize {
         let thickening = &self.thickening;
         let steps: usize = (thickening.steps.iter())
-            .map(|step| size_of_val(step) + size_of_val(&*step.pt) + size_of_val(&*step.still))
+            .map(|step| size_of_val(step) + size_of_val(&*step.pt) + size_of_val(&*step.akinetic))
             .sum();
         let patches: usize = (thickening.patches.iter())
             .map(|patch| {
@@ -134,7 +134,7 @@ impl Query for WallThickening {
         let beat = part
             .get(&atoms)
             .map_err(|why| why.map(ThickeningQueryError::Medial))?;
-        let part = cx.part("comparing thickness", share, 1.0);
+        let part = cx.part("computing thickening", share, 1.0);
         let measures = self.measures(cx)?;
         let end_diastole = phases(&beat, &measures)[0];
         let (axis, without_axis) = match long_axis(subject, end_diastole) {
@@ -206,7 +206,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         tolerance,
         ratio,
         core,
-        still,
+        akinetic,
         border,
         min_share,
         min_thickening,
@@ -214,14 +214,16 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         redraws,
         seed,
     } = settings.thickening;
-    let tolerance = tolerance.map_or_else(|| "by noise".to_owned(), |t| format!("± {t}"));
+    let tolerance =
+        tolerance.map_or_else(|| "estimated from noise".to_owned(), |t| format!("± {t}"));
     let ratio = match ratio {
         RatioForm::GeometricMean => "geometric mean",
         RatioForm::Product => "product",
     };
     format!(
-        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core {core}, still {still:.3}, border {border}, \
-         least share {min_share}, least thickening {min_thickening:.3}, averaged over {smoothing}, \
+        "{}, tolerance of ln PT {tolerance}, ratio as {ratio}, core threshold {core}, akinetic threshold {akinetic:.3}, \
+         extent threshold {border}, minimum area {min_share}, minimum thickening {min_thickening:.3}, \
+         averaged over {smoothing}, \
          {redraws} redraws, seed {seed}",
         medial_words(&settings.medial)
     )

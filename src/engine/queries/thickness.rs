@@ -200,7 +200,7 @@ impl PoseThickness {
         let spread =
             ThicknessSpread::of(twice_radius.iter().map(|&(_, thickness)| Some(thickness)));
         Ok(Medial {
-            spread: spread.ok_or_else(|| "no atom takes part in the analysis".to_owned()),
+            spread: spread.ok_or_else(|| "no medial atom can be used".to_owned()),
             seconds: seconds_of_one(subject, self.frame, &params, cx.progress())?,
             twice_radius,
         })

@@ -43,7 +43,7 @@ impl Query for Transfer {
     fn parameters(&self) -> String {
         let metric = metric_words(&self.params.metric);
         let count = self.params.in_betweens;
-        format!("{count} poses between the subjects, {metric}")
+        format!("{count} interpolated poses between the subjects, {metric}")
     }
 
     fn depends_on(&self, study: &Study) -> Dependencies {

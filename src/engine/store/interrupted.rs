@@ -40,13 +40,13 @@ pub enum Failure<E: Error + 'static> {
     #[error(transparent)]
     Analysis(Arc<E>),
     /// A bug of the program; other work goes on.
-    #[error("the computation hit a bug: {message}")]
+    #[error("internal error: {message}")]
     Panicked {
         /// What the panic said.
         message: String,
     },
     /// A bug of the program: the question asks, perhaps through others, for its own answer.
-    #[error("the computation hit a bug: {title} waits for its own answer")]
+    #[error("internal error: “{title}” depends on itself")]
     AsksItself {
         /// The question.
         title: &'static str,

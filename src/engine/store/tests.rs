@@ -257,7 +257,10 @@ fn a_panic_is_a_failure_and_takes_nothing_else_with_it() {
     let Err(Interrupted::Failed(failure)) = bug else {
         panic!("{bug:?}");
     };
-    assert!(failure.to_string().contains("a bug: "), "{failure}");
+    assert!(
+        failure.to_string().contains("internal error: "),
+        "{failure}"
+    );
     assert_eq!(*until_ready(&store, &study, &number(&desk, 14)), 14);
 }
 

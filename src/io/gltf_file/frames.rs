@@ -43,7 +43,7 @@ impl Beat<'_> {
     }
 }
 
-/// Makes the frames of all meshes joined into one surface; `draft` carries the notices so far.
+/// Makes the frames of all meshes joined into one surface; `draft` holds the notes so far.
 pub(super) fn make_frames(
     meshes: &[PlacedMesh],
     tracks: &[WeightTrack],

@@ -184,7 +184,7 @@ impl<'a> Search<'a> {
     pub(super) fn entries(&self, folder: &Path) -> Result<Result<Entries, String>, Stopped> {
         let entries = match std::fs::read_dir(folder) {
             Ok(entries) => entries,
-            Err(error) => return Ok(Err(super::read_file::said(&error))),
+            Err(error) => return Ok(Err(super::read_file::reason(&error))),
         };
         let (mut files, mut folders) = (Vec::new(), Vec::new());
         for entry in entries.flatten() {

@@ -231,7 +231,7 @@ fn word_of_frame(frame: FrameName) -> String {
     }
 }
 
-/// Numbers that skip some: an even step is a remark, a gap a warning.
+/// Numbers that skip some: an even step gives a note, a gap a warning.
 fn numbering_notice(frames: &[FrameName]) -> Option<Notice> {
     let numbers: Vec<u64> = frames
         .iter()

@@ -20,7 +20,7 @@ pub(super) fn name_of(path: &Path) -> String {
 /// # Errors
 /// A sentence without the file's name.
 pub(super) fn read_bytes(path: &Path, limits: &Limits) -> Result<Vec<u8>, String> {
-    let facts = std::fs::metadata(path).map_err(|error| said(&error))?;
+    let facts = std::fs::metadata(path).map_err(|error| reason(&error))?;
     if !facts.is_file() {
         return Err("not a file".to_owned());
     }
@@ -34,12 +34,12 @@ pub(super) fn read_bytes(path: &Path, limits: &Limits) -> Result<Vec<u8>, String
     if facts.len() > limits.file_bytes {
         return Err(too_large(facts.len()));
     }
-    let file = File::open(path).map_err(|error| said(&error))?;
+    let file = File::open(path).map_err(|error| reason(&error))?;
     let mut bytes = Vec::with_capacity(facts.len() as usize);
     // Special files tell a size of zero and never end.
     file.take(limits.file_bytes.saturating_add(1))
         .read_to_end(&mut bytes)
-        .map_err(|error| said(&error))?;
+        .map_err(|error| reason(&error))?;
     if bytes.len() as u64 > limits.file_bytes {
         return Err(too_large(bytes.len() as u64));
     }
@@ -58,7 +58,7 @@ pub fn read_head(path: &Path, most: u64) -> Result<Vec<u8>, OpenError> {
         Err(error) => Err(OpenError {
             subject: None,
             path: path.to_owned(),
-            reason: said(&error),
+            reason: reason(&error),
         }),
     }
 }
@@ -104,7 +104,7 @@ fn unless_it_panics<T>(read: impl FnOnce() -> T) -> Result<T, String> {
 }
 
 /// An error of the system, as it is said here.
-pub(super) fn said(error: &io::Error) -> String {
+pub(super) fn reason(error: &io::Error) -> String {
     match error.kind() {
         io::ErrorKind::NotFound => "there is no such file".to_owned(),
         io::ErrorKind::PermissionDenied => "no permission to read it".to_owned(),

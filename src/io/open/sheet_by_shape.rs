@@ -8,7 +8,7 @@ use crate::study::{Notice, SurfaceKind};
 /// The sheet that a ventricle's surface is by its shape, with the sentence that says so.
 ///
 /// The middle of a ventricle's vertices lies in the blood. The surface winds once around it if it
-/// encloses the blood, and not at all if it encloses the muscle, whose inner side takes back what
+/// encloses the blood, and not at all if it encloses the myocardium, whose inner side takes back what
 /// the outer side gives.
 pub(super) fn sheet_by_shape(mesh: &TriMesh) -> (SurfaceKind, Notice) {
     let middle = middle(mesh);

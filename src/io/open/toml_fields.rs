@@ -52,14 +52,14 @@ impl<'t> Fields<'t> {
     }
 
     pub(super) fn string(&mut self, key: &'static str) -> Result<Option<String>, String> {
-        self.read(key, "a text in quotes", |value| {
+        self.read(key, "a string in quotes", |value| {
             value.as_str().map(str::to_owned)
         })
     }
 
     /// One text, or a list of texts.
     pub(super) fn strings(&mut self, key: &'static str) -> Result<Option<Vec<String>>, String> {
-        self.read(key, "a text in quotes or a list of texts", |value| {
+        self.read(key, "a string in quotes or a list of strings", |value| {
             if let Some(one) = value.as_str() {
                 return Some(vec![one.to_owned()]);
             }

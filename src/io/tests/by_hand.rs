@@ -127,7 +127,7 @@ fn content_decides_where_the_ending_is_wrong() {
     assert_eq!(
         file.notices,
         [Notice::info(
-            "read as PLY by its content, against its file name extension"
+            "read as PLY by its content, despite its file name extension"
         )]
     );
     assert_eq!(read("heart", ply).notices, []);

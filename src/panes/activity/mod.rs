@@ -51,7 +51,7 @@ pub fn activity_ui(ui: &mut Ui, items: &[WorkItem], commands: &mut Vec<Command>)
         empty_pane_ui(
             ui,
             "No activity yet",
-            "Files, analyses and exports are listed here with their duration",
+            "Files opened, analyses and exports, with their duration",
             |_| {},
         );
         return;
@@ -163,7 +163,7 @@ mod tests {
     fn item(state: WorkState) -> WorkItem {
         WorkItem {
             kind: Topic::of::<PoseMapParams>(),
-            title: "Map of poses".to_owned(),
+            title: "Pose map".to_owned(),
             parameters: "184 poses".to_owned(),
             duration_s: 1.25,
             state,

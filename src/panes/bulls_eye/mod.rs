@@ -44,9 +44,9 @@ fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>)
     match (view.state, view.without_axis) {
         (WallState::NotAssessed(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
         (WallState::Computing { fraction }, _) => {
-            empty_pane_ui(ui, "Measuring wall thickness", what, |ui| {
+            empty_pane_ui(ui, "Fitting medial spheres", what, |ui| {
                 let width = 180f32.min(ui.available_width());
-                progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
+                progress_bar_ui(ui, width, *fraction, "Fitting medial spheres");
             });
         }
         (WallState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
@@ -56,7 +56,9 @@ fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>)
                 )));
             }
         }),
-        (WallState::Ready, Some(why)) => empty_pane_ui(ui, "No bull's-eye", why, |_| {}),
+        (WallState::Ready, Some(why)) => {
+            empty_pane_ui(ui, "The bull's-eye could not be computed", why, |_| {});
+        }
         _ => empty_pane_ui(ui, "No bull's-eye", what, |_| {}),
     }
 }

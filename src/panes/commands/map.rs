@@ -13,13 +13,13 @@ pub enum MapCommand {
     SetPoseMap(PoseMapParams),
     /// Which metric compares poses.
     SetMetric(MetricKind),
-    /// How distances become the map of poses.
+    /// How distances become the pose map.
     SetMapMethod(MapMethod),
     /// How whole deformations are mapped.
     SetDeformationMap(DeformationMapParams),
     /// All settings of metric and maps as they were at the start.
     ResetMaps,
-    /// Show or hide the clusters of the map of deformations.
+    /// Show or hide the clusters of the deformation map.
     ToggleClusters,
 }
 
@@ -31,8 +31,8 @@ pub(super) static ACTIONS: &[Row<MapCommand>] = &[
     row(Menu::Analysis, 3, "Metric: angle-preserving", None, MapCommand::SetMetric(MetricKind::AnglePreserving)),
     row(Menu::Analysis, 3, "Metric: isometric", None, MapCommand::SetMetric(MetricKind::Isometric)),
     row(Menu::Analysis, 3, "Metric: rigid", None, MapCommand::SetMetric(MetricKind::Rigid)),
-    row(Menu::Analysis, 3, "Map of poses by SMACOF", None, MapCommand::SetMapMethod(MapMethod::Smacof)),
-    row(Menu::Analysis, 3, "Map of poses by classical MDS", None, MapCommand::SetMapMethod(MapMethod::ClassicalMds)),
-    row(Menu::Analysis, 3, "Map of poses by Isomap", None, MapCommand::SetMapMethod(MapMethod::ISOMAP)),
+    row(Menu::Analysis, 3, "Pose map: SMACOF", None, MapCommand::SetMapMethod(MapMethod::Smacof)),
+    row(Menu::Analysis, 3, "Pose map: classical MDS", None, MapCommand::SetMapMethod(MapMethod::ClassicalMds)),
+    row(Menu::Analysis, 3, "Pose map: Isomap", None, MapCommand::SetMapMethod(MapMethod::ISOMAP)),
     row(Menu::Analysis, 3, "Reset metric and maps", None, MapCommand::ResetMaps),
 ];

@@ -75,5 +75,5 @@ pub(super) static ACTIONS: &[Row<ViewCommand>] = &[
     row(Menu::View, 3, "Colour: area ratio", None, ViewCommand::SetQuantity(Quantity::AreaRatio)),
     row(Menu::View, 3, "Colour: thickness ratio", None, ViewCommand::SetQuantity(Quantity::ThicknessRatio)),
     row(Menu::View, 3, "Colour: contribution to the distance", Some((NONE, Key::D)), ViewCommand::SetQuantity(Quantity::Contribution)),
-    row(Menu::View, 3, "Colour: difference from own motion", None, ViewCommand::SetQuantity(Quantity::CarriedDistance)),
+    row(Menu::View, 3, "Colour: difference from own motion", None, ViewCommand::SetQuantity(Quantity::MotionDifference)),
 ];

@@ -19,7 +19,7 @@ impl Pane {
 pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::CURVES,
     title: "Volume",
-    toggle: "Pane: volume",
+    toggle: "Pane: volume curve",
     place: Place::BelowRight,
     header: Header::Note(unit),
     ui,

@@ -67,7 +67,7 @@ pub fn classes_ui(ui: &mut Ui, view: &ClassesView, height: f32) {
             let text = format!("Training classifiers, {:.0} %", 100.0 * fraction);
             line_ui(ui, head, &text);
         }
-        ClassesView::Unanswerable(why) => line_ui(ui, head, &format!("Classes: {why}")),
+        ClassesView::Unanswerable(why) => line_ui(ui, head, &format!("Classifiers: {why}")),
         ClassesView::Ready(rows) => {
             head_ui(ui, head);
             for (index, row) in rows.iter().enumerate() {
@@ -170,9 +170,9 @@ fn head_ui(ui: &mut Ui, head: Rect) {
     }
     let id = ui.scope_id().with("classifiers");
     ui.interact(head, id, Sense::hover()).on_hover_text(
-        "Leave-one-out: each subject in turn is classified by what was trained on all others. \
-         perm. mean: correct on average where labels are permuted; p: share of permutations that \
-         do as well",
+        "Leave-one-out: each subject in turn is classified by a classifier trained on all \
+         others. Permutation mean: mean number of correct subjects over permuted labels; p: share of \
+         permutations with at least that accuracy",
     );
 }
 

@@ -1,4 +1,4 @@
-//! The words of the map of deformations, its note, and the card below it.
+//! The words of the deformation map, its note, and the card below it.
 
 use egui::Ui;
 
@@ -9,7 +9,7 @@ use crate::ui::style::{note, note_font};
 
 use super::classes::{self, ClassesView};
 
-/// What the map of deformations shows.
+/// What the deformation map shows.
 #[derive(Clone, Debug)]
 pub struct DeformationMapView<'a> {
     /// Its points, and how the map stands.
@@ -31,7 +31,7 @@ pub static DEFORMATION_MAP: MapWords = MapWords {
     item: "Deformation",
     empty: "No deformations",
     what: "Every subject is one point here; subjects with similar motion lie near each other.",
-    none: "No deformation map",
+    none: "The deformation map could not be computed",
     hints: &["Click to play this subject"],
     command: play,
 };
@@ -49,8 +49,8 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &DeformationMapView, commands: &mut
 ///
 /// `kept` points of the width are for what stands on the left.
 pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
-    let long = note_parts(view, "neighbours ").join(" · ");
-    let parts = note_parts(view, "k ");
+    let long = note_parts(view, ["neighbours", "reconstruction error"]).join(" · ");
+    let parts = note_parts(view, ["k", "error"]);
     let room = ui.available_width() - kept;
     let fits = |text: &String| {
         let text = text.clone();
@@ -70,15 +70,16 @@ pub fn deformation_note(ui: &mut Ui, view: &DeformationMapView, kept: f32) {
 }
 
 const EXPLANATION: &str = "Locally linear embedding: the motion of every subject is reconstructed \
-                           from its neighbours, and lies in the plane where these reconstructions \
-                           fit best. The error is what they miss, as a share of the spread of the \
-                           motions. Time counts by its weight, in units of the pose map per beat.";
+                           from its neighbours, and is embedded where these reconstructions fit \
+                           best. Error: reconstruction error relative to the variance of the \
+                           motions. Time has this weight, in units of the pose map per cycle.";
 
-/// "neighbours 8", "error 0.012", "time × 1.4", as far as they are known.
-fn note_parts(view: &DeformationMapView, neighbours: &str) -> Vec<String> {
-    let neighbours = view.neighbours.map(|count| format!("{neighbours}{count}"));
-    let error = view.reconstruction_error;
-    let error = error.map(|error| format!("error {}", significant(error)));
+/// "neighbours 8", "reconstruction error 0.012", "time × 1.4", as far as they are known.
+fn note_parts(view: &DeformationMapView, [neighbours, error]: [&str; 2]) -> Vec<String> {
+    let neighbours = view.neighbours.map(|count| format!("{neighbours} {count}"));
+    let error = view
+        .reconstruction_error
+        .map(|value| format!("{error} {}", significant(value)));
     let time = view.time_weight;
     let time = time.map(|weight| format!("time × {}", significant(weight)));
     [neighbours, error, time].into_iter().flatten().collect()

@@ -1,4 +1,4 @@
-//! The map of deformations: a point is the whole beat of one subject, similar motions lie near each
+//! The deformation map: a point is the whole beat of one subject, similar motions lie near each
 //! other; below it, how well classifiers find the labels.
 
 mod classes;

@@ -1,4 +1,4 @@
-//! What the map of deformations says beside and below its points.
+//! What the deformation map says beside and below its points.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 
@@ -57,7 +57,7 @@ fn harness(
 #[test]
 fn a_click_on_a_subject_plays_it_from_the_beginning_of_its_beat() {
     let mut harness = harness(Vec::new(), ClassesView::Absent);
-    harness.get_by_label("neighbours 5 · error 0.012 · time × 1.4");
+    harness.get_by_label("neighbours 5 · reconstruction error 0.012 · time × 1.4");
     harness.get_by_label("Deformation of P1, other").click();
     harness.run();
     let played = Command::Beat(BeatCommand::SelectPose {

@@ -1,4 +1,4 @@
-//! The map of deformations and the accuracy of classifiers: from the latest results, kept until they or the study change.
+//! The deformation map and the accuracy of classifiers: from the latest results, kept until they or the study change.
 
 use std::sync::Arc;
 
@@ -112,7 +112,7 @@ fn deformation_state(state: &State) -> (MapState, Topic) {
     (own, Topic::of::<DeformationMapSettings>())
 }
 
-/// Whether the map of poses holds so many subjects that their deformations can be mapped.
+/// Whether the pose map holds so many subjects that their deformations can be mapped.
 pub fn enough_subjects(state: &State) -> bool {
     state.map().is_some_and(|map| {
         let poses = &map.distances.poses;
@@ -217,14 +217,14 @@ fn classifiers(classes: &Classes) -> Vec<ClassifierView> {
         ),
         row(
             "Classifier on 2-D embedding",
-            "Each subject is classified by a straight line on this map, trained on all others \
-             (leave-one-out)",
+            "Each subject is classified by a linear classifier on the coordinates of this map, \
+             trained on all others (leave-one-out)",
             classes.plane_classifier,
         ),
         row(
             "Cluster agreement τ",
-            "Share of subjects whose cluster stands for their label, where clusters and labels \
-             are matched as well as can be",
+            "Share of subjects whose cluster stands for their label, with the best matching of \
+             clusters to labels",
             classes.tau,
         ),
     ]

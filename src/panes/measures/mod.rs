@@ -119,7 +119,7 @@ fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str) {
 fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     let row = &view.measures;
     let source = if row.phases_stated {
-        " · set by user or study"
+        " · set by the user or the study"
     } else {
         ""
     };

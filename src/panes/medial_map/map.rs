@@ -25,9 +25,9 @@ pub static MEDIAL_MAP: MapWords = MapWords {
     name: "Medial map",
     item: "Medial path",
     empty: "No poses",
-    what: "The akinetic region of each wall is a path here: poses of a patch lie close together, \
-           those of a wall that thickens are spread out.",
-    none: "No map",
+    what: "The akinetic region of each wall is a path here: poses of a patch have small \
+           distances, those of a wall that thickens large ones.",
+    none: "The medial map could not be computed",
     hints: &["Click to play this subject from this pose"],
     command: play,
 };
@@ -43,9 +43,9 @@ pub fn medial_map_note(stress: Option<f64>, frame: &str) -> [String; 2] {
 
 const EXPLANATION: &str = "A point is a step of the beat: mean position, mean thickness ratio and \
                            mean normal of the medial atoms that do not thicken in it, of each patch \
-                           or, without one, of the whole wall. Kruskal's stress 1 says how far \
-                           distances on the map are from those: below 0.1 is good, above 0.2 the \
-                           map misleads. Filled marks begin at end-diastole, open ones at \
+                           or, without one, of the whole wall. Kruskal's stress 1: relative \
+                           error of the distances on the map; below 0.1 good, above 0.2 \
+                           misleading. Filled marks begin at end-diastole, open ones at \
                            end-systole; the axes have no unit.";
 
 /// What the hover card says of a step: the patch with its mean thickness ratio, and how far apart the
@@ -77,7 +77,7 @@ pub fn medial_map_header_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Ve
     );
 }
 
-/// Draws the chooser of the method, for a header that has its own title. The maps of poses and of
+/// Draws the chooser of the method, for a header that has its own title. Pose map and map of
 /// the medial shape space share the method, so that they can be compared.
 pub fn medial_map_choosers_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Vec<Command>) {
     chooser_ui(ui, "Method", method_name(view.method), |ui| {

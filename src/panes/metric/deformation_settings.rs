@@ -41,7 +41,7 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
     let regularisation = NumberField {
         name: "Regularisation",
         unit: "",
-        what: "Limits the reconstruction weights of LLE; a share of the neighbours' spread, no unit",
+        what: "Limits the reconstruction weights of LLE; relative to the trace of the neighbours' Gram matrix, no unit",
         value: Some(params.regularisation),
         automatic: None,
         enabled: true,
@@ -61,8 +61,8 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<Deforma
     let time = NumberField {
         name: "Time weight",
         unit: "/ cycle",
-        what: "Distance between start and end of the cycle, in units of the map of poses; empty: the \
-               spread of the poses; 0: time has no weight",
+        what: "Distance between start and end of the cycle, in units of the pose map; empty: the spread \
+               of the poses; 0: time is ignored",
         value: params.time_weight,
         automatic: Some(&automatic),
         enabled: true,

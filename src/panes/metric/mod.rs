@@ -52,9 +52,9 @@ fn settings_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<Command>)
     poses = metric_settings::metric_ui(ui, view).or(poses);
     heading_ui(ui, "Weights");
     poses = metric_settings::weights_ui(ui, view).or(poses);
-    heading_ui(ui, "Map of poses");
+    heading_ui(ui, "Pose map");
     poses = pose_settings::pose_map_ui(ui, view).or(poses);
-    heading_ui(ui, "Map of deformations");
+    heading_ui(ui, "Deformation map");
     let deformations = deformation_settings::deformation_map_ui(ui, view);
     commands.extend(
         poses

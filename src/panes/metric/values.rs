@@ -15,8 +15,8 @@ pub struct MetricPanelView<'a> {
     pub subjects: &'a [MapSubject],
     /// The selected subject: first among the references.
     pub selected: Option<usize>,
-    /// The neighbours that the map of deformations has now.
+    /// The neighbours that the deformation map has now.
     pub neighbours: Option<usize>,
-    /// The weight of time that the map of deformations has now.
+    /// The weight of time that the deformation map has now.
     pub time_weight: Option<f64>,
 }

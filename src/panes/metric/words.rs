@@ -87,8 +87,8 @@ pub fn form_sentence(metric: &MetricParams) -> &'static str {
 /// One sentence: the effect of size.
 pub fn corners_sentence(corners: Corners) -> &'static str {
     match corners {
-        Corners::ScaleFree => "Scale-invariant: corners are measured relative to their edges",
-        Corners::Raw => "As printed: corners count with the fourth power of their size",
+        Corners::ScaleFree => "Scale-invariant: corner terms are relative to edge lengths",
+        Corners::Raw => "As printed: corner terms scale with the fourth power of edge length",
     }
 }
 

@@ -66,13 +66,13 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
     match view.state {
         WallState::Computing { fraction } => {
             let words = if view.heading.is_empty() {
-                "Measuring wall thickness"
+                "Fitting medial spheres"
             } else {
                 "Results of the previous thresholds"
             };
             ui.label(note(words));
             let width = ui.available_width().min(180.0);
-            progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
+            progress_bar_ui(ui, width, *fraction, "Fitting medial spheres");
         }
         WallState::Stopped => {
             ui.label(note("Stopped"));

@@ -22,8 +22,8 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     let now = view.settings.thickening;
     let mut wanted = now;
     let mut border = 100.0 * now.border;
-    let what = "A patch extends as far as thickening is below this share of that of remote myocardium; \
-                its core is below half of it";
+    let what = "Thickening relative to remote myocardium below which tissue belongs to a patch; its core is \
+                below half of this";
     if slider_ui(ui, "Extent threshold", &mut border, BORDERS, what) {
         wanted = with_border(now, 0.01 * border);
     }
@@ -92,11 +92,11 @@ fn slider_ui(
 fn border_note(well: Option<f64>, border: f64) -> String {
     match well {
         Some(well) => format!(
-            "of remote thickening {:.0} %: thickening below {:.0} %",
+            "relative to remote thickening ({:.0} %): thickening below {:.0} %",
             100.0 * well,
             100.0 * ((border * well.ln_1p()).exp() - 1.0)
         ),
-        None => "of remote thickening".to_owned(),
+        None => "relative to remote thickening".to_owned(),
     }
 }
 

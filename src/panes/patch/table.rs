@@ -146,7 +146,7 @@ fn row_ui(
         });
     }
     response.on_hover_text(match standing {
-        PatchStanding::LowThickening => "Select this region and look at it",
-        _ => "Select this patch and look at it",
+        PatchStanding::LowThickening => "Select this region and centre the view on it",
+        _ => "Select this patch and centre the view on it",
     });
 }

@@ -15,7 +15,7 @@ use crate::report::PatchRow;
 use crate::study::Subject;
 
 /// A framed patch has this much of the heart around it, as a share of the heart's size.
-const LEAST_HALF_HEIGHT: f64 = 0.42;
+const MIN_HALF_HEIGHT: f64 = 0.42;
 
 /// Texts of the patch pane.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -67,7 +67,7 @@ impl PatchData {
                 .collect(),
             noise: Some(thickening.noise),
             tolerance: Some(thickening.tolerance),
-            well: Some(thickening.well.exp() - 1.0),
+            well: Some(thickening.remote.exp() - 1.0),
             state: wall,
         }
     }
@@ -150,7 +150,7 @@ fn patch_camera(found: &SubjectThickening, patch: &Patch, shown: &ShownHeart) ->
         .filter_map(|&atom| rest.atoms.get(atom as usize))
         .map(|atom| (atom.position - patch.centroid).norm())
         .fold(0.0, f64::max);
-    let half_height = (1.25 * reach).max(LEAST_HALF_HEIGHT * found.thickening.size);
+    let half_height = (1.25 * reach).max(MIN_HALF_HEIGHT * found.thickening.size);
     let [x, y, z] = patch.centroid.coords.into();
     let camera = Camera {
         target: glam::DVec3::new(x, y, z).as_vec3(),

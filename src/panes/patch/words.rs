@@ -23,9 +23,9 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
         (PatchStanding::Abnormal, _) => return String::new(),
         (PatchStanding::NoVerdict, _) => "There is no verdict yet",
         (_, Some(Finding::Nothing)) => {
-            "Verdict: no abnormal patch, the wall thickens as in normal subjects"
+            "Verdict: no regional abnormality; the wall thickens as in normal subjects"
         }
-        (_, Some(Finding::GlobalFailure)) => {
+        (_, Some(Finding::GlobalHypokinesia)) => {
             "Verdict: global hypokinesia without a regional abnormality"
         }
         _ => "Verdict: no abnormal patch",
@@ -78,7 +78,7 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
             area.unwrap_or_default(),
             ratio.heading,
             shown(patch.thickening.exp()),
-            shown(thickening.well.exp())
+            shown(thickening.remote.exp())
         ));
     } else {
         for patch in thickening.patches.iter().take(3) {

@@ -1,4 +1,4 @@
-//! The words of the map of poses.
+//! The words of the pose map.
 
 use egui::Ui;
 
@@ -22,7 +22,7 @@ pub static POSE_MAP: MapWords = MapWords {
     item: "Poses",
     empty: "No poses",
     what: "Every pose of every subject is a point here; similar poses lie near each other.",
-    none: "No map",
+    none: "The pose map could not be computed",
     hints: &["Click to play this subject from this pose"],
     command: play,
 };
@@ -35,10 +35,10 @@ pub fn pose_map_note(stress: Option<f64>, neighbours: Option<usize>) -> [String;
     [parts.join(" · "), EXPLANATION.to_owned()]
 }
 
-const EXPLANATION: &str = "Kruskal's stress 1 says how far distances on the map are from those \
-                           between poses: below 0.1 is good, above 0.2 the map misleads. Only \
-                           distances between points mean something; the axes have no unit. Filled \
-                           marks are end-diastole, open ones end-systole.";
+const EXPLANATION: &str = "Kruskal's stress 1: relative error of the distances on the map; below 0.1 \
+                           good, above 0.2 misleading. Only distances between points can be \
+                           interpreted; the axes have no unit. Filled marks are end-diastole, open \
+                           ones end-systole.";
 
 /// Draws the map below its header.
 pub fn pose_map_ui(ui: &mut Ui, view: &PoseMapView, commands: &mut Vec<Command>) {

@@ -1,4 +1,4 @@
-//! The map of poses: a point is a subject at a frame, similar poses lie near each other.
+//! The pose map: a point is a subject at a frame, similar poses lie near each other.
 
 mod header;
 mod map;

@@ -1,4 +1,4 @@
-//! The pane in the window's table. The map of poses.
+//! The pane in the window's table. The pose map.
 
 use egui::Ui;
 
@@ -11,11 +11,11 @@ use super::view::MapData;
 use super::{pose_map_choosers_ui, pose_map_header_ui, pose_map_ui};
 
 impl Pane {
-    /// The map of poses.
+    /// The pose map.
     pub const POSE_MAP: Self = Self::named("pose_map");
 }
 
-/// The map of poses.
+/// The pose map.
 pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::POSE_MAP,
     title: "Poses",
@@ -25,7 +25,7 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-/// The points of the map of poses, which other panes show, too; asks for another picture while they walk.
+/// The points of the pose map, which other panes show, too; asks for another picture while they walk.
 pub fn map_data(ui: &Ui, look: &Look<'_>) -> Kept<MapData> {
     let data = look.memo().get::<MapData>();
     let (now_s, moves) = motion(ui);

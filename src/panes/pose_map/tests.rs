@@ -1,4 +1,4 @@
-//! What the header of the map of poses asks for, and what its note says.
+//! What the header of the pose map asks for, and what its note says.
 
 use egui_kittest::{Harness, kittest::Queryable as _};
 

@@ -1,4 +1,4 @@
-//! The map of poses and the spatiotemporal plot: from the latest map, kept until it or the study
+//! The pose map and the spatiotemporal plot: from the latest map, kept until it or the study
 //! changes.
 
 use crate::analysis::measures::SubjectMeasures;
@@ -15,7 +15,7 @@ use crate::panes::scatter_map::from_state::{
     Details, Shared, details, left_out, map_state, plane, scatter_view,
 };
 
-/// Points and subjects of the map of poses.
+/// Points and subjects of the pose map.
 #[derive(Debug, Default)]
 pub struct MapData {
     data: ScatterData<Shared<PoseMap>, Details>,

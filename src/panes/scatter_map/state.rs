@@ -23,7 +23,7 @@ pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Comman
             empty_pane_ui(
                 ui,
                 "Computing the map",
-                "All other views can be used meanwhile.",
+                "Other panes remain usable.",
                 |ui| {
                     let width = 200f32.min(ui.available_width());
                     progress_bar_ui(ui, width, *fraction, "Computing the map");
@@ -32,12 +32,9 @@ pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Comman
                 },
             );
         }
-        MapState::Stopped => empty_pane_ui(
-            ui,
-            "The map was stopped",
-            "It can be computed again at any time.",
-            |ui| retry_ui(ui, "Compute the map", job, commands),
-        ),
+        MapState::Stopped => empty_pane_ui(ui, "Map computation stopped", words.what, |ui| {
+            retry_ui(ui, "Compute the map", job, commands)
+        }),
         MapState::Failed(why) => empty_pane_ui(ui, words.none, why, |ui| {
             retry_ui(ui, "Retry", job, commands);
         }),

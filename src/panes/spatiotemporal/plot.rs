@@ -29,11 +29,11 @@ pub static SPACE_TIME: MapWords = MapWords {
     name: "Spatiotemporal plot",
     item: "Curve",
     empty: "No poses",
-    what: "The beat of every subject is a curve here, through the map of poses and time.",
-    none: "No map",
+    what: "The motion of every subject is a curve here, through the pose map and time.",
+    none: "The pose map could not be computed",
     hints: &[
         "Click to play this subject from this pose",
-        "Drag to turn, scroll to zoom, double click to turn back",
+        "Drag to turn, scroll to zoom, double click to reset the view",
     ],
     command: play,
 };

@@ -198,7 +198,7 @@ fn strip_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow, strip: &
     };
     numbers(ui, pos2(columns.right, middle), number, colours.text);
     response.on_hover_text(format!(
-        "{} at {}: half of the vertices from {:.1} to {:.1} {}",
+        "{} at {}: interquartile range {:.1} to {:.1} {}",
         row.name, strip.moment, strip.quantiles[1], strip.quantiles[3], view.unit
     ));
 }

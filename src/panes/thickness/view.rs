@@ -1,4 +1,4 @@
-//! Thickness of the selected heart in every way of measuring: strips by pose, differences at the pose on screen.
+//! Thickness of the selected heart by every method: strips by pose, differences at the pose on screen.
 
 use std::sync::Arc;
 
@@ -31,7 +31,8 @@ impl ThicknessData {
         let on_screen = state.document.frame();
         // While the beat plays, what differs is told of end-systole, or of what there is.
         let told = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
-        let rows = ways().map(|way| row(state, way, &known, told.map(|(_, found)| &***found)));
+        let rows =
+            methods().map(|method| row(state, method, &known, told.map(|(_, found)| &***found)));
         let rows: Vec<ThicknessRow> = if known.is_empty() {
             Vec::new()
         } else {
@@ -61,7 +62,7 @@ impl ThicknessData {
     }
 }
 
-fn ways() -> impl Iterator<Item = ComparedMethod> {
+fn methods() -> impl Iterator<Item = ComparedMethod> {
     let others = ThicknessMethod::ALL.into_iter().map(ComparedMethod::Other);
     std::iter::once(ComparedMethod::Medial).chain(others)
 }
@@ -100,35 +101,35 @@ fn standing(state: &State) -> ThicknessState {
 
 fn row(
     state: &State,
-    way: ComparedMethod,
+    method: ComparedMethod,
     known: &[(usize, &Arc<FrameThickness>)],
     told: Option<&FrameThickness>,
 ) -> ThicknessRow {
     let on_screen = state.document.frame();
     let strips = known.iter().filter_map(|(frame, found)| {
-        let spread = answer(found, way)?.thickness.as_ref().ok()?;
+        let spread = answer(found, method)?.thickness.as_ref().ok()?;
         Some(ThicknessStrip {
             moment: moment(state, *frame),
             on_screen: *frame == on_screen,
             quantiles: quantiles(spread),
         })
     });
-    let told = told.and_then(|found| answer(found, way));
+    let told = told.and_then(|found| answer(found, method));
     let agreement = told.and_then(|answer| answer.agreement);
     let mut reasons = known.iter().filter_map(|(_, found)| {
-        let reason = answer(found, way)?.thickness.as_ref().err()?;
+        let reason = answer(found, method)?.thickness.as_ref().err()?;
         Some(reason.clone())
     });
     ThicknessRow {
-        name: sentence_case(way.name()),
-        hint: hint(way),
+        name: sentence_case(method.name()),
+        hint: hint(method),
         strips: strips.collect(),
         difference: agreement.map(|agreement| Difference {
             bias: agreement.bias,
             deviation: agreement.deviation,
             pairs: agreement.pairs,
         }),
-        reference: way == ComparedMethod::Medial,
+        reference: method == ComparedMethod::Medial,
         seconds: told
             .filter(|told| told.thickness.is_ok())
             .map(|told| told.seconds),
@@ -136,8 +137,8 @@ fn row(
     }
 }
 
-fn answer(found: &FrameThickness, way: ComparedMethod) -> Option<&MethodResult> {
-    found.results.iter().find(|result| result.method == way)
+fn answer(found: &FrameThickness, method: ComparedMethod) -> Option<&MethodResult> {
+    found.results.iter().find(|result| result.method == method)
 }
 
 fn quantiles(spread: &ThicknessSpread) -> [f64; 5] {
@@ -157,8 +158,8 @@ fn sentence_case(name: &str) -> String {
     })
 }
 
-fn hint(way: ComparedMethod) -> &'static str {
-    match way {
+fn hint(method: ComparedMethod) -> &'static str {
+    match method {
         ComparedMethod::Medial => {
             "Twice the radius of the sphere inscribed in the wall at each endocardial vertex; spheres at the edge of \
              the medial surface, near the base, are left out"

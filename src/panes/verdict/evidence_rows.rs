@@ -25,7 +25,7 @@ enum Written {
 /// [`Feature::MODEL_FEATURES`], the rest are those of the method (4.4–4.7) and what the patch table knows.
 const SHOWN: [(Feature, &str, &str, Written); 10] = [
     (
-        Feature::StillShare,
+        Feature::AkineticShare,
         "Akinetic region",
         "Share of the wall with thickening below 10 % from end-diastole to end-systole",
         Written::Share,
@@ -44,7 +44,7 @@ const SHOWN: [(Feature, &str, &str, Written); 10] = [
         Written::Ratio,
     ),
     (
-        Feature::Well,
+        Feature::Remote,
         "Remote thickening",
         "Thickening of remote myocardium from end-diastole to end-systole",
         Written::Growth,
@@ -70,7 +70,7 @@ const SHOWN: [(Feature, &str, &str, Written); 10] = [
         Written::Ratio,
     ),
     (
-        Feature::Closeness,
+        Feature::MeanPoseDistance,
         "Mean pose distance",
         "Mean distance between poses in the shape space of the largest patch or, without one, of the akinetic \
          region: small for a region that changes little over the cycle",
@@ -83,7 +83,7 @@ const SHOWN: [(Feature, &str, &str, Written); 10] = [
         Written::Degrees,
     ),
     (
-        Feature::Gap,
+        Feature::MeanPositionDistance,
         "Distance of MP to the surface",
         "Mean distance to the medial surface of the mean position (MP) of the largest patch or of the akinetic \
          region, in percent of the size of the heart: small for one compact patch",

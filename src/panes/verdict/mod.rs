@@ -1,9 +1,9 @@
 //! The verdict on the selected subject, its evidence, the most similar subjects, and the classifier.
 
+mod classifier;
 mod evidence;
 pub(crate) mod evidence_rows;
 mod found;
-mod rule;
 pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
@@ -51,10 +51,10 @@ pub fn verdict_panel_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec
                     state_ui(ui, view, commands);
                     if let Some(report) = view.verdict {
                         evidence::evidence_ui(ui, &report.evidence);
-                        rule::similar_ui(ui, &report.similar, commands);
+                        classifier::similar_ui(ui, &report.similar, commands);
                     }
                     if let Some(report) = view.classifier {
-                        rule::classifier_ui(ui, report);
+                        classifier::classifier_ui(ui, report);
                     }
                 });
         });

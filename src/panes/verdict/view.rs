@@ -1,7 +1,8 @@
 //! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
-    ClassifierQuality, ClassifierSource, Familiarity, Finding, Verdict, VerdictParams, Verdicts,
+    ClassifierQuality, ClassifierSource, Finding, TrainingSetDistance, Verdict, VerdictParams,
+    Verdicts,
 };
 use crate::document::state::State;
 use crate::engine::{Interrupted, Showing};
@@ -114,9 +115,12 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
             }
             (true, _) => "Leave-one-out: this subject was not in the training set",
         },
-        training_distance: verdict.familiarity.as_ref().map(training_distance),
+        training_distance: verdict
+            .training_set_distance
+            .as_ref()
+            .map(training_distance),
         evidence: evidence(study, verdicts, &verdict.features),
-        similar: [&verdict.alike_normal, &verdict.alike_abnormal].map(|hearts| {
+        similar: [&verdict.similar_normal, &verdict.similar_abnormal].map(|hearts| {
             hearts
                 .iter()
                 .filter_map(|&subject| similar(state, subject))
@@ -129,8 +133,8 @@ fn mark(finding: Finding) -> VerdictMark {
     match finding {
         Finding::Nothing => VerdictMark::NoAbnormality,
         Finding::Patch => VerdictMark::Patch,
-        Finding::GlobalFailure => VerdictMark::GlobalHypokinesia,
-        Finding::Elsewhere => VerdictMark::AbnormalWithoutPatch,
+        Finding::GlobalHypokinesia => VerdictMark::GlobalHypokinesia,
+        Finding::WithoutPatch => VerdictMark::AbnormalWithoutPatch,
     }
 }
 
@@ -139,8 +143,8 @@ fn heading(verdict: &Verdict) -> String {
     match verdict.finding {
         Finding::Nothing => "No regional abnormality".to_owned(),
         Finding::Patch => format!("Abnormal patch · {} of the LV", percent(verdict.patched)),
-        Finding::GlobalFailure => "Global hypokinesia".to_owned(),
-        Finding::Elsewhere => "Abnormal without a patch".to_owned(),
+        Finding::GlobalHypokinesia => "Global hypokinesia".to_owned(),
+        Finding::WithoutPatch => "Abnormal without a patch".to_owned(),
     }
 }
 
@@ -154,18 +158,18 @@ fn sentence(verdict: &Verdict) -> String {
         Finding::Patch => {
             "Thickening in part of the wall is far below that of remote myocardium".to_owned()
         }
-        Finding::GlobalFailure => {
+        Finding::GlobalHypokinesia => {
             "Thickening of the whole wall is low, without a regional abnormality".to_owned()
         }
-        Finding::Elsewhere => {
+        Finding::WithoutPatch => {
             "Features differ from those of the normal subjects, without an akinetic region"
                 .to_owned()
         }
     }
 }
 
-fn training_distance(found: &Familiarity) -> TrainingDistance {
-    let times = found.distance / found.usual.max(f64::MIN_POSITIVE);
+fn training_distance(found: &TrainingSetDistance) -> TrainingDistance {
+    let times = found.distance / found.median.max(f64::MIN_POSITIVE);
     let times = if times < 9.95 {
         format!("{times:.1} ×")
     } else {

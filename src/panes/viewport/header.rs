@@ -51,7 +51,7 @@ pub fn quantity_name(quantity: Quantity) -> &'static str {
         Quantity::AreaRatio => "Area ratio",
         Quantity::ThicknessRatio => "Thickness ratio",
         Quantity::Contribution => "Contribution",
-        Quantity::CarriedDistance => "Motion difference",
+        Quantity::MotionDifference => "Motion difference",
     }
 }
 
@@ -138,7 +138,7 @@ fn quantity_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Comman
         ui.separator();
         for (choice, hindrance) in [
             (Quantity::Contribution, view.no_contribution),
-            (Quantity::CarriedDistance, view.no_motion_difference),
+            (Quantity::MotionDifference, view.no_motion_difference),
         ] {
             ui.add_enabled_ui(hindrance.is_none(), |ui| {
                 if choice_ui(ui, choice.name(), choice == view.quantity) {
@@ -315,7 +315,7 @@ mod tests {
             Quantity::Contribution,
         ))];
         assert_eq!(clicked(800.0, &names), wanted);
-        let names = ["Colour: Tissue", Quantity::CarriedDistance.name()];
+        let names = ["Colour: Tissue", Quantity::MotionDifference.name()];
         assert_eq!(clicked(800.0, &names), []);
     }
 

@@ -5,9 +5,8 @@ use crate::document::state::State;
 use crate::panes::ViewportHeaderView;
 use crate::study::{Subject, SurfaceKind};
 
-/// Why there is no distance of a carried beat.
-const NOTHING_CARRIED: &str =
-    "Drag a subject of the cohort onto another one to transport its motion";
+/// Why there is no distance of a transported motion.
+const NO_TRANSPORT: &str = "Drag a subject of the cohort onto another one to transport its motion";
 
 /// What the strip shows; switches of surfaces that the heart lacks are grey.
 pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
@@ -42,6 +41,9 @@ pub fn viewport_header_view(state: &State) -> ViewportHeaderView {
         free_camera: document.free_camera,
         shading: visible.shading,
         no_contribution: hindrance(document),
-        no_motion_difference: document.carrying().is_none().then_some(NOTHING_CARRIED),
+        no_motion_difference: document
+            .visible_transport()
+            .is_none()
+            .then_some(NO_TRANSPORT),
     }
 }

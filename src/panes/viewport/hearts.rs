@@ -27,7 +27,7 @@ use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
 use crate::panes::viewport::pictures::{Heart, Pictures};
 use crate::panes::viewport::places::places;
-use crate::panes::viewport::shown_heart::{Cell, MadeNumbers, ShownHeart, shown_heart};
+use crate::panes::viewport::shown_heart::{Cell, ScalarCache, ShownHeart, shown_heart};
 
 /// The hearts on screen and what was worked out for them.
 #[derive(Default)]
@@ -36,7 +36,7 @@ pub struct Viewport {
     mode: ViewMode,
     limits: CohortLimits,
     fits: Fits,
-    numbers: MadeNumbers,
+    numbers: ScalarCache,
     pinned: Option<Picked>,
     has_device: bool,
 }

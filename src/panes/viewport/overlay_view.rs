@@ -6,7 +6,7 @@ use crate::document::differences::hindrance;
 use crate::document::document::nearest_frame;
 use crate::document::in_betweens::{BetweenWords, between_words};
 use crate::document::state::State;
-use crate::document::transported::{CarryingState, carried_title};
+use crate::document::transported::{TransportState, transported_title};
 use crate::panes::beat::straight_because;
 use crate::panes::patch::words::patch_note;
 use crate::panes::{
@@ -53,7 +53,9 @@ impl OverlayData {
             };
         }
         let document = &state.document;
-        let beside = document.carrying().filter(|beat| beat.onto == cell.subject);
+        let beside = document
+            .visible_transport()
+            .filter(|beat| beat.onto == cell.subject);
         if let Some(from) = beside.and_then(|beat| state.subject(beat.from)) {
             return Self::beside_its_origin(state, cell, from, subject);
         }
@@ -72,7 +74,7 @@ impl OverlayData {
         }
     }
 
-    /// Names the heart that plays a carried beat, or will.
+    /// Names the heart that plays a transported motion, or will.
     fn beside_its_origin(
         state: &State,
         cell: &VisiblePose,
@@ -84,14 +86,14 @@ impl OverlayData {
             "Show own motion",
             Command::Transport(TransportCommand::StopTransport),
         );
-        if cell.carried {
+        if cell.transported {
             let count = from.sequence.frame_count();
             let frame = nearest_frame(cell.position, count);
             let mut parts = vec!["transported motion".to_owned(), frame_words(frame, count)];
             let phase = phase_name(state.phases_of(state.document.subject), frame);
             parts.extend(phase.map(str::to_owned));
             return Self {
-                title: carried_title(from, onto),
+                title: transported_title(from, onto),
                 subtitle: parts.join(" · "),
                 role,
                 between: between_words(
@@ -104,9 +106,9 @@ impl OverlayData {
                 patch: None,
             };
         }
-        let beat = state.document.carried;
-        let (standing, leave) = match (state.answers.carrying, beat) {
-            (CarryingState::Stopped, Some(beat)) => {
+        let beat = state.document.transported;
+        let (standing, leave) = match (state.answers.transport_state, beat) {
+            (TransportState::Stopped, Some(beat)) => {
                 let (from, onto) = (beat.from, beat.onto);
                 let again = (
                     "Transport again",
@@ -117,7 +119,7 @@ impl OverlayData {
                     again,
                 )
             }
-            (CarryingState::Failed, _) => (format!("transport from {} failed", from.id), own),
+            (TransportState::Failed, _) => (format!("transport from {} failed", from.id), own),
             _ => (format!("transport from {} is being computed", from.id), own),
         };
         let in_betweens = state.in_betweens_of(cell.subject).map(|beat| &**beat);

@@ -161,7 +161,7 @@ fn number(prepared: &PreparedSubject, quantity: Quantity, value: f64) -> String 
         Quantity::AreaRatio => format!("area ratio {value:.2}"),
         Quantity::ThicknessRatio => format!("PT {value:.2} ×"),
         Quantity::Contribution => format!("contribution {value:.2} × the mean"),
-        Quantity::CarriedDistance => {
+        Quantity::MotionDifference => {
             format!(
                 "{value:.1} {} from own motion",
                 prepared.unit.length_symbol()
@@ -191,10 +191,10 @@ mod tests {
             blend: 0.5,
         };
         let lists: Vec<Vec<f32>> = (0..5).map(|frame| vec![frame as f32; 42]).collect();
-        let numbers = SurfaceScalars::of_heart(&prepared, Quantity::CarriedDistance, &lists);
+        let numbers = SurfaceScalars::of_heart(&prepared, Quantity::MotionDifference, &lists);
         let words = |quantity| picked.words(&prepared, numbers.as_ref(), quantity, half_way);
-        let carried = words(Quantity::CarriedDistance);
-        assert_eq!(carried, "cavity · vertex 7 · 2.5 mm from own motion");
+        let transported = words(Quantity::MotionDifference);
+        assert_eq!(transported, "cavity · vertex 7 · 2.5 mm from own motion");
         assert_eq!(words(Quantity::Contribution), "cavity · vertex 7");
         assert_eq!(words(Quantity::Tissue), "cavity · vertex 7");
         assert_eq!(

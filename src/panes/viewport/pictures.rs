@@ -62,8 +62,8 @@ impl PartialEq for HeartPicture {
 impl Query for HeartPicture {
     type Answer = Heart;
     type Error = Infallible;
-    const TITLE: &'static str = "Picture of a subject";
-    const FAILURE: Option<&'static str> = Some("A subject cannot be drawn");
+    const TITLE: &'static str = "Surfaces for the 3D view";
+    const FAILURE: Option<&'static str> = Some("The surfaces could not be prepared");
     const URGENCY: Urgency = Urgency::Interactive;
     const LISTED: bool = false;
 
@@ -116,8 +116,8 @@ impl PartialEq for MedialPicture {
 impl Query for MedialPicture {
     type Answer = PreparedMedial;
     type Error = Infallible;
-    const TITLE: &'static str = "Picture of a medial surface";
-    const FAILURE: Option<&'static str> = Some("A medial surface cannot be drawn");
+    const TITLE: &'static str = "Medial surface for the 3D view";
+    const FAILURE: Option<&'static str> = Some("The medial surface could not be prepared");
     const URGENCY: Urgency = Urgency::Interactive;
     const LISTED: bool = false;
 

@@ -22,7 +22,7 @@ use crate::panes::viewport::pictures::{Heart, Pictures, ShownMedial};
 pub struct ShownHeart {
     /// Index into the study's subjects.
     pub index: usize,
-    /// Whose heart it is; with a carried beat, a subject of its own.
+    /// Whose heart it is; with a transported motion, a subject of its own.
     pub subject: Arc<Subject>,
     /// Place in its beat.
     pub position: f64,
@@ -76,18 +76,18 @@ pub struct Cell<'a> {
 pub fn shown_heart(
     state: &State,
     pictures: Pictures<'_>,
-    numbers: &mut MadeNumbers,
+    numbers: &mut ScalarCache,
     reference_frames: &[usize],
     place: &VisiblePose,
 ) -> Option<ShownHeart> {
-    let origin = if place.carried {
+    let origin = if place.transported {
         state.document.subject
     } else {
         place.subject
     };
     let reference = reference_frames.get(origin).copied().unwrap_or(0);
-    let (subject, heart) = if place.carried {
-        let subject = &state.carried_heart()?.subject;
+    let (subject, heart) = if place.transported {
+        let subject = &state.transported_subject()?.subject;
         (subject, pictures.heart(subject, reference)?)
     } else {
         let subject = state.subject(place.subject)?;
@@ -97,7 +97,7 @@ pub fn shown_heart(
             pictures.heart_between(subject, reference, between)?,
         )
     };
-    let found = (!place.carried)
+    let found = (!place.transported)
         .then(|| state.wall_of(place.subject))
         .flatten();
     let medial = match found {
@@ -119,7 +119,7 @@ pub fn shown_heart(
 /// Numbers that were divided over the surfaces of the hearts on screen: the same arrays as long as
 /// hearts and numbers stay, so that playing uploads nothing.
 #[derive(Default)]
-pub struct MadeNumbers(Vec<Made>);
+pub struct ScalarCache(Vec<Made>);
 
 struct Made {
     heart: Arc<Heart>,
@@ -153,7 +153,7 @@ impl Source {
     }
 }
 
-impl MadeNumbers {
+impl ScalarCache {
     /// Forgets the numbers of all other hearts.
     pub fn keep(&mut self, hearts: &[Arc<Heart>]) {
         self.0
@@ -170,8 +170,8 @@ impl MadeNumbers {
         // Where atoms have the colours, the wall under the pointer says PT.
         let quantity = state.document.bar_quantity();
         let source = match quantity {
-            Quantity::CarriedDistance if place.carried => {
-                Source::Lists(Arc::clone(&state.carried_heart()?.distances))
+            Quantity::MotionDifference if place.transported => {
+                Source::Lists(Arc::clone(&state.transported_subject()?.distances))
             }
             Quantity::Contribution if state.document.view_mode == ViewMode::SideBySide => {
                 Source::Lists(Arc::clone(state.answers.difference()?))

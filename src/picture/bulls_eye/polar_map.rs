@@ -200,13 +200,13 @@ mod tests {
                 assert!((still - rest).abs() < 1e-9, "{quantity:?}: {still}");
                 assert!((least..most).contains(&moved), "{quantity:?}: {moved}");
             }
-            let told = moved
+            let valued = moved
                 .values
                 .iter()
                 .filter(|value| value.is_finite())
                 .count();
             let regular = wall.beat.regular.iter().filter(|&&on| on).count();
-            assert_eq!(told, regular, "{quantity:?}");
+            assert_eq!(valued, regular, "{quantity:?}");
         }
         // Another heart's surfaces are not taken for these.
         let ball = vec![phantom::sphere(1, 20.0)];

@@ -41,7 +41,7 @@ pub struct FigureContent {
 }
 
 impl FigureContent {
-    /// Gathers what is known. A subject carries a pseudonym; nothing else names a person.
+    /// Gathers what is known. A subject has a pseudonym; nothing else names a person.
     pub fn of(shown: FigureSubject<'_>, legends: Vec<ColourLegend>, cube: Vec<CubeFace>) -> Self {
         let unit = shown.subject.unit;
         let row = shown

@@ -114,7 +114,7 @@ impl FigureOrder<'_> {
         self.prepared.camera_from(turned, aspect)
     }
 
-    /// What the figure is made with, for the file: in words, and as a view that the window can take up again.
+    /// What the figure is made with, for the file: in words, and as a view that the window can restore.
     pub(super) fn settings(&self, content: &FigureContent, camera: &Camera) -> FigureSettings {
         let version = env!("CARGO_PKG_VERSION");
         let mut settings = vec![

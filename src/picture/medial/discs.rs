@@ -62,8 +62,8 @@ pub(super) fn discs(beat: &MedialBeat, end_diastole: usize) -> Discs {
 
 /// Two directions square to a normal and to each other that turn with it as little as they can over
 /// the beat: those of end-diastole laid into the plane of now.
-fn tangents(normal: &Vector3, at_rest: &Vector3) -> [Vector3; 2] {
-    let start = square_to(at_rest);
+fn tangents(normal: &Vector3, at_end_diastole: &Vector3) -> [Vector3; 2] {
+    let start = square_to(at_end_diastole);
     let across = (start - normal * normal.dot(&start))
         .try_normalize(1e-6)
         .unwrap_or_else(|| square_to(normal));

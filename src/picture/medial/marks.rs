@@ -287,7 +287,7 @@ fn rings(heart: &HeartMedial<'_>, segment: Segment, pose: GeometryPose) -> Vec<V
         .collect()
 }
 
-/// ANV from MP of every patch, or of all still atoms where there is no patch.
+/// ANV from MP of every patch, or of all akinetic atoms where there is no patch.
 fn add_directions(
     scene: &mut Scene,
     heart: &HeartMedial<'_>,

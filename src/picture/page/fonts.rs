@@ -14,7 +14,7 @@ pub enum Weight {
 
 /// A typeface inside the program is damaged: a fault of the build.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the typeface inside the program cannot be read")]
+#[error("the built-in font cannot be read")]
 pub struct FontError;
 
 /// The typefaces of figures.

@@ -40,7 +40,7 @@ pub fn pdf_file(
     let mut typefaces = HashMap::new();
     for weight in [Weight::Regular, Weight::SemiBold] {
         let font = Font::new(weight.file().to_vec().into(), 0);
-        let damaged = || PdfError("the typeface inside the program cannot be read".to_owned());
+        let damaged = || PdfError("the built-in font cannot be read".to_owned());
         typefaces.insert(weight, font.ok_or_else(damaged)?);
     }
     let mut document = Document::new();

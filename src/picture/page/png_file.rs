@@ -1,4 +1,4 @@
-//! A page as a PNG file that carries the settings it was made with.
+//! A page as a PNG file that contains the settings it was made with.
 
 use std::io::{BufRead, Cursor, Seek};
 
@@ -40,7 +40,7 @@ pub fn encoded_png(raster: &Picture, settings: &FigureSettings) -> Result<Vec<u8
     Ok(bytes.into_inner())
 }
 
-/// The text that a PNG file carries under a key before its pixels; `None` where it carries none.
+/// The text that a PNG file holds under a key before its pixels; `None` where it holds none.
 ///
 /// # Errors
 /// If the file is no PNG picture.

@@ -79,8 +79,8 @@ pub(super) fn counts(verdicts: &Verdicts) -> String {
     };
     let mut parts: Vec<String> = [
         Finding::Patch,
-        Finding::GlobalFailure,
-        Finding::Elsewhere,
+        Finding::GlobalHypokinesia,
+        Finding::WithoutPatch,
         Finding::Nothing,
     ]
     .into_iter()

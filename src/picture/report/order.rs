@@ -15,7 +15,7 @@ pub struct ReportOrder<'a> {
     pub measures: &'a [SubjectMeasures],
     /// Verdicts on every subject, and the classifier behind them.
     pub verdicts: &'a Verdicts,
-    /// The map of poses.
+    /// The pose map.
     pub poses: Option<&'a PoseMap>,
     /// The map of whole deformations.
     pub deformations: Option<&'a DeformationMap>,

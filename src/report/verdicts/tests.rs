@@ -5,7 +5,8 @@ use crate::analysis::measures::measure_subject;
 use crate::analysis::medial::{MedialParams, medial_beat};
 use crate::analysis::thickening::{ThickeningParams, thickening};
 use crate::analysis::verdicts::{
-    Familiarity, Features, Finding, NotAssessed, VerdictInput, VerdictParams, examine, verdicts,
+    Features, Finding, NotAssessed, TrainingSetDistance, VerdictInput, VerdictParams, examine,
+    verdicts,
 };
 use crate::mesh::phantom;
 use crate::progress::Progress;
@@ -47,26 +48,26 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         ..whole
     };
     let features = examined.features.clone();
-    let judged = verdicts(&alone, &[Ok(examined)], &params, &progress).unwrap();
-    let table = csv(&VerdictRow::of_study(&alone, &judged));
+    let classified = verdicts(&alone, &[Ok(examined)], &params, &progress).unwrap();
+    let table = csv(&VerdictRow::of_study(&alone, &classified));
     let mut reader = csv::Reader::from_reader(table.as_bytes());
     let columns = reader.headers().unwrap().clone();
     let row = reader.records().next().unwrap().unwrap();
     let names = [
-        (Feature::StillShare, "still_share"),
+        (Feature::AkineticShare, "still_share"),
         (Feature::Median, "median_ln_pt"),
         (Feature::Spread, "spread_ln_pt"),
         (Feature::RelativeSpread, "relative_spread"),
-        (Feature::WeakestTenth, "weakest_tenth_ln_pt"),
-        (Feature::Well, "well_ln_pt"),
-        (Feature::Reach, "reach_ln_pt"),
+        (Feature::TenthPercentile, "weakest_tenth_ln_pt"),
+        (Feature::Remote, "well_ln_pt"),
+        (Feature::UpperRange, "reach_ln_pt"),
         (Feature::PatchShare, "patch_share"),
         (Feature::Confidence, "patch_confidence"),
         (Feature::PatchThickening, "patch_relative_thickening"),
         (Feature::Compactness, "patch_compactness"),
-        (Feature::Closeness, "pose_distance"),
+        (Feature::MeanPoseDistance, "pose_distance"),
         (Feature::NormalSpread, "normal_spread_rad"),
-        (Feature::Gap, "gap_sizes"),
+        (Feature::MeanPositionDistance, "gap_sizes"),
     ];
     assert_eq!(columns.len(), 12 + names.len());
     for (place, (feature, name)) in (12_usize..).zip(names) {
@@ -87,11 +88,11 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
         probability: 0.1 + 0.2,
         features: Features::default(),
         patched: 0.31,
-        alike_normal: vec![1],
-        alike_abnormal: vec![0, 1],
-        familiarity: Some(Familiarity {
+        similar_normal: vec![1],
+        similar_abnormal: vec![0, 1],
+        training_set_distance: Some(TrainingSetDistance {
             distance: 0.5,
-            usual: 0.25,
+            median: 0.25,
             as_far: 0.1,
         }),
     };

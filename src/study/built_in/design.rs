@@ -1,4 +1,4 @@
-//! The 23 subjects: what is drawn by chance, in which ranges, and what is wrong with the patients.
+//! The 23 subjects: what is drawn at random, in which ranges, and what is wrong with the patients.
 //!
 //! The ranges are ours, set to lie inside those of published populations, and quoted only
 //! where a number stands here:
@@ -91,7 +91,7 @@ const NORMAL: Ranges = Ranges {
     atrial_share: [0.20, 0.28],
 };
 
-/// Subjects with patches: what their well muscle does. It makes up a little for the rest.
+/// Subjects with patches: what their normal myocardium does. It makes up a little for the rest.
 const ISCHAEMIC: Ranges = Ranges {
     edv_ml: [125.0, 175.0],
     ejection_fraction: [0.59, 0.68],
@@ -205,7 +205,7 @@ fn design(
         Abnormality::Hypertrophic => &HYPERTROPHIC,
         _ => &ISCHAEMIC,
     };
-    // A ventricle that lost muscle widens: by up to a quarter with the largest patches.
+    // A ventricle that lost myocardium widens: by up to a quarter with the largest patches.
     let remodelling = match abnormality {
         Abnormality::LargePatch => 1.12,
         Abnormality::VeryLargePatch => 1.25,

@@ -19,7 +19,7 @@ use crate::mesh::Point3;
 pub(super) struct MotionDesign {
     /// Share κ of the cross-section that leaves the cavity where the wall is well.
     pub squeeze: f64,
-    /// Share by which well muscle shortens along the axis, from the lower third up.
+    /// Share by which normal myocardium shortens along the axis, from the lower third up.
     pub shortening: f64,
     /// Share by which the wall under the cavity's tip lengthens along the axis.
     pub tip_lengthening: f64,
@@ -36,7 +36,7 @@ pub(super) struct MotionDesign {
 /// Share of the height over which the wall goes from lengthening (tip) to shortening.
 const SHORTENING_FROM: f64 = 0.45;
 
-/// Share of the shortening that muscle which does not work goes without; the rest it is made
+/// Share of the shortening that myocardium which does not work goes without; the rest it is made
 /// to follow by the sheets that it is woven into. With it an ill column of the wall holds the
 /// base up by some millimetres, and an ill place thickens by a few percent.
 const TETHERED: f64 = 0.4;
@@ -133,7 +133,7 @@ impl<'a> Motion<'a> {
         Point3::new(x, y, z + tilt_x * x + tilt_y * y)
     }
 
-    /// 1 − f_Z of well muscle at a height counted from the apex (0) to the base (1).
+    /// 1 − f_Z of normal myocardium at a height counted from the apex (0) to the base (1).
     fn free_shortening(&self, height: f64) -> f64 {
         let above = ramp(height, 0.0, SHORTENING_FROM);
         self.design.shortening * above - self.design.tip_lengthening * (1.0 - above)

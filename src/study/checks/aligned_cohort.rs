@@ -1,4 +1,4 @@
-//! Were the subjects of a cohort laid upon each other, frame by frame?
+//! Were the subjects of a cohort pre-aligned, frame by frame?
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use crate::study::{Notice, Subject};
 /// 0.034; subjects that share only the axis of the camera 0.11; subjects in scanners 1.
 const ALIGNED: f64 = 0.05;
 
-/// Frames in which all subjects of a cohort lie upon each other.
+/// Frames in which all subjects of a cohort coincide.
 ///
 /// Why it matters: subjects that were aligned for an atlas have lost their place in the body, and
 /// where each frame was aligned by itself, the motion of the subject as a whole too.

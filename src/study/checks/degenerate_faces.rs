@@ -1,4 +1,4 @@
-//! Are there triangles without area?
+//! Are there triangles of zero area?
 
 use super::words::{about, counted};
 use crate::mesh::{Point3, TriMesh};

@@ -72,7 +72,7 @@ impl NonManifold {
     }
 }
 
-/// Groups of faces around a vertex that hang together by edges; `sides` lie opposite the vertex.
+/// Groups of faces around a vertex that are connected by edges; `sides` lie opposite the vertex.
 fn fans(sides: &[[u32; 2]]) -> usize {
     let mut group: Vec<usize> = (0..sides.len()).collect();
     let mut first_with: HashMap<u32, usize> = HashMap::with_capacity(sides.len());

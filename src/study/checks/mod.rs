@@ -97,7 +97,7 @@ pub fn check_subject<E>(
     Ok(notices)
 }
 
-/// Puts warnings before remarks and keeps the order within each.
+/// Puts warnings before notes and keeps the order within each.
 pub fn sort_warnings_first(notices: &mut [Notice]) {
     notices.sort_by_key(|notice| match notice.severity {
         Severity::Warning => 0,

@@ -61,7 +61,7 @@ mod tests {
     use crate::mesh::phantom;
     use crate::study::SurfaceKind;
 
-    fn told(radii: &[f64]) -> Option<Notice> {
+    fn note_on(radii: &[f64]) -> Option<Notice> {
         let frames = radii.iter().map(|&r| phantom::sphere(1, r)).collect();
         let surface = SurfaceSequence::new(SurfaceKind::Cavity, frames).unwrap();
         RepeatedFrames::of(&surface).notice(&surface)
@@ -69,13 +69,13 @@ mod tests {
 
     #[test]
     fn copied_frames_are_told_by_number() {
-        assert_eq!(told(&[3.0, 2.0, 2.5]), None);
+        assert_eq!(note_on(&[3.0, 2.0, 2.5]), None);
         assert_eq!(
-            told(&[3.0, 2.0, 2.0, 2.5]).unwrap().text,
+            note_on(&[3.0, 2.0, 2.0, 2.5]).unwrap().text,
             "cavity: frame 2 is identical to frame 1"
         );
         assert_eq!(
-            told(&[3.0, 2.0, 2.0, 2.5, 3.0]).unwrap().text,
+            note_on(&[3.0, 2.0, 2.0, 2.5, 3.0]).unwrap().text,
             "cavity: frames 2, 4 repeat earlier frames"
         );
     }
@@ -83,15 +83,15 @@ mod tests {
     #[test]
     fn a_beat_closed_by_hand_is_a_remark_and_a_still_heart_a_warning() {
         assert_eq!(
-            told(&[3.0, 2.0, 3.0]),
+            note_on(&[3.0, 2.0, 3.0]),
             Some(Notice::info("cavity: the last frame repeats the first"))
         );
         assert_eq!(
-            told(&[3.0, 3.0]),
+            note_on(&[3.0, 3.0]),
             Some(Notice::warning(
                 "cavity: both frames are identical: it does not move"
             ))
         );
-        assert_eq!(told(&[3.0]), None);
+        assert_eq!(note_on(&[3.0]), None);
     }
 }

@@ -6,7 +6,7 @@ use crate::study::{MeshSequence, Notice, SurfaceKind, SurfaceSequence};
 
 /// Frames in which the inner surface encloses at least as much as the outer one.
 ///
-/// Why it matters: the muscle is what lies between; swapped names give a negative mass and a subject
+/// Why it matters: the myocardium is what lies between; swapped names give a negative mass and a subject
 /// that is seen from the wrong side.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct WallOrder {

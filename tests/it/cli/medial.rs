@@ -107,7 +107,7 @@ fn medial_without_a_second_side_is_wrong_usage_and_an_open_wall_is_unusable() {
     let open = cardiomorph(&["medial", "--wall", text(&endo), "--out", text(&out)]);
     assert_eq!(code(&open), 1);
     assert!(
-        said(&open).contains("one sheet with 1 open ends encloses no muscle"),
+        said(&open).contains("one sheet with 1 open ends encloses no myocardium"),
         "{}",
         said(&open)
     );

@@ -102,10 +102,10 @@ fn a_form_without_a_least_path_is_wrong_usage_and_says_what_to_do() {
 }
 
 #[test]
-fn a_beat_carried_to_its_own_heart_comes_back_and_to_another_one_starts_there() {
+fn a_motion_transported_to_its_own_subject_comes_back_and_to_another_one_starts_there() {
     let folder = tempfile::tempdir().unwrap();
     let beat = beat_of("N01", folder.path());
-    let carried = |onto: &Path, name: &str| {
+    let transported = |onto: &Path, name: &str| {
         let out = folder.path().join(name);
         let options = [
             "transfer",
@@ -124,13 +124,13 @@ fn a_beat_carried_to_its_own_heart_comes_back_and_to_another_one_starts_there() 
         assert!(!out.join("pose_008.ply").exists());
         poses
     };
-    let own = carried(&beat.join("endo_000.ply"), "own");
+    let own = transported(&beat.join("endo_000.ply"), "own");
     for (frame, pose) in own.iter().enumerate() {
         let there = vertices(&beat.join(format!("endo_{frame:03}.ply")));
         assert!(farthest(pose, &there) < 1e-4, "frame {frame}");
     }
     let other = demo().join("P02/endo_000.ply");
-    let moved = carried(&other, "other");
+    let moved = transported(&other, "other");
     assert!(
         farthest(&moved[0], &vertices(&other)) < 1e-4,
         "pose 0 is the mesh"
@@ -322,7 +322,7 @@ fn partners_with_one_motion_are_nearest_by_every_metric_and_are_refused_where_th
         "--json",
     ]));
     let rows = answer["partners"].as_array().unwrap();
-    // Ten ways of comparing after five of carrying, and three on hearts as they are.
+    // Ten ways of comparing after five of transport, and three on hearts as they are.
     assert_eq!(rows.len(), 10 * 5 + 3);
     for row in rows {
         assert_eq!(row["pairs"], 6, "{row}");

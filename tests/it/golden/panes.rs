@@ -225,7 +225,8 @@ fn a_motion_on_another_subject_looks_as_it_did() {
     let (name, size) = ("transport", [480.0, 320.0]);
     compare_pane(name, Pane::VIEWPORT, size, DARK, &commands, |app| {
         let in_betweens = app.state().in_betweens_of(SUBJECT);
-        app.state().carried_heart().is_some() && in_betweens.is_some_and(|beat| beat.complete())
+        app.state().transported_subject().is_some()
+            && in_betweens.is_some_and(|beat| beat.complete())
     });
 }
 

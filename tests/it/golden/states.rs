@@ -144,7 +144,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
             };
             let items = [
                 item(
-                    "Map of poses",
+                    "Pose map",
                     "quasi-conformal · additive · SMACOF · 184 poses",
                     2.4,
                     running,
@@ -156,7 +156,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                     12.3,
                     WorkState::Failed("no such folder".to_owned()),
                 ),
-                item("Map of poses", "rigid · MDS", 0.9, WorkState::Stopped),
+                item("Pose map", "rigid · MDS", 0.9, WorkState::Stopped),
             ];
             activity_ui(ui, &items, commands);
         }

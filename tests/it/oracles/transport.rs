@@ -33,7 +33,7 @@ impl GreatCircle {
         Self { points, velocities }
     }
 
-    fn carry(&self, field: Vector3, nearness: Nearness, keep_norm: bool) -> Vector3 {
+    fn transport(&self, field: Vector3, nearness: Nearness, keep_norm: bool) -> Vector3 {
         parallel_transport(self, &[field], nearness, keep_norm)[0]
     }
 }
@@ -79,7 +79,7 @@ fn along_great_circles_the_scheme_is_the_transport_of_geomstats() {
         let path = GreatCircle::new(p, q, 8);
         for nearness in [Nearness::Metric, Nearness::Coordinates] {
             for keep_norm in [false, true] {
-                let there = path.carry(x, nearness, keep_norm);
+                let there = path.transport(x, nearness, keep_norm);
                 assert!(
                     (there - expected).amax() <= 1e-12,
                     "{name}: {there} {expected}"
@@ -95,7 +95,7 @@ fn around_a_triangle_a_vector_turns_by_its_area() {
         let case = Case::load("transport", name);
         let [a, b, c, x] = ["a", "b", "c", "X"].map(|key| vector(&case, "inputs", key));
         let there = [[a, b], [b, c], [c, a]].iter().fold(x, |x, &[p, q]| {
-            GreatCircle::new(p, q, 8).carry(x, Nearness::Metric, true)
+            GreatCircle::new(p, q, 8).transport(x, Nearness::Metric, true)
         });
         let expected = vector(&case, "expected", "transported");
         assert!(
@@ -153,7 +153,7 @@ impl MeshCase {
         [norm2, mixed / speed2.sqrt()]
     }
 
-    fn carry(&self, sample: usize, nearness: Nearness, keep_norm: bool) -> Vec<Vector3> {
+    fn transport(&self, sample: usize, nearness: Nearness, keep_norm: bool) -> Vec<Vector3> {
         let path = PosePath::new(&self.metric, &self.path[..=sample]).unwrap();
         parallel_transport(&path, &self.field, nearness, keep_norm)
     }
@@ -182,7 +182,7 @@ fn between_meshes_the_scheme_of_the_text_agrees_with_numpy() {
             (Nearness::Coordinates, false, "euclid"),
             (Nearness::Coordinates, true, "euclid_keepnorm"),
         ] {
-            let there = mesh.carry(last, nearness, keep_norm);
+            let there = mesh.transport(last, nearness, keep_norm);
             assert!(
                 mesh.gap(&there, key) <= 1e-8,
                 "{name} {key}: {}",
@@ -192,7 +192,8 @@ fn between_meshes_the_scheme_of_the_text_agrees_with_numpy() {
             let rows = mesh.case.numbers("expected", &table);
             assert_eq!(rows.len(), 2 * last);
             for sample in 1..=last {
-                let found = mesh.norm2_and_inner(sample, &mesh.carry(sample, nearness, keep_norm));
+                let found =
+                    mesh.norm2_and_inner(sample, &mesh.transport(sample, nearness, keep_norm));
                 for (found, expected) in found.iter().zip(&rows[2 * (sample - 1)..]) {
                     let scale = norm2.max(1.0);
                     assert!(
@@ -202,7 +203,7 @@ fn between_meshes_the_scheme_of_the_text_agrees_with_numpy() {
                 }
             }
         }
-        let first = mesh.carry(1, Nearness::Coordinates, false);
+        let first = mesh.transport(1, Nearness::Coordinates, false);
         assert!(mesh.gap(&first, "first_step_euclid") <= 1e-8);
         let short = transport_along(&mesh.metric, &mesh.path, &mesh.field, true).unwrap();
         assert!(mesh.gap(&short, "metric_keepnorm") <= 1e-8);

@@ -1,6 +1,6 @@
 //! Beats in the window: poses between frames, one heart's beat on another, where two hearts differ.
 
-use cardiomorph::document::CarryingState;
+use cardiomorph::document::TransportState;
 use cardiomorph::engine::{InBetweens, PoseMapParams, Topic, Transfer};
 use cardiomorph::picture::Quantity;
 
@@ -30,8 +30,8 @@ fn shows(harness: &Harness<'_, App>, text: &str) -> bool {
     harness.query_all_by_label_contains(text).next().is_some()
 }
 
-fn carried(app: &App) -> bool {
-    app.state().carried_heart().is_some() && app.hearts_on_screen().len() == 2
+fn transported(app: &App) -> bool {
+    app.state().transported_subject().is_some() && app.hearts_on_screen().len() == 2
 }
 
 #[test]
@@ -167,7 +167,10 @@ fn a_drag_that_arrives_in_one_frame_moves_the_subject_that_was_pressed() {
     ]);
     harness.run_steps(8);
     let state = harness.state().state();
-    let beat = state.document.carrying().expect("a motion is transported");
+    let beat = state
+        .document
+        .visible_transport()
+        .expect("a motion is transported");
     let id = |index: usize| state.subject(index).unwrap().id.clone();
     assert_eq!((id(beat.from), id(beat.onto)), ("P05".into(), "N02".into()));
 }
@@ -179,11 +182,14 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     let (from, onto) = (row(&harness, "P07"), row(&harness, "N03"));
     drag(&mut harness, from, onto);
     let state = harness.state().state();
-    let beat = state.document.carrying().expect("a beat is carried over");
+    let beat = state
+        .document
+        .visible_transport()
+        .expect("a motion is transported");
     assert_eq!((beat.from, beat.onto), (15, 2));
     assert_eq!(state.document.view_mode, ViewMode::SideBySide);
     assert!(state.play.playing, "it plays beside the original");
-    wait(&mut harness, "the carried beat", carried);
+    wait(&mut harness, "the transported motion", transported);
     give(&mut harness, Command::Beat(BeatCommand::TogglePlay));
     give(&mut harness, Command::Beat(BeatCommand::SetPosition(3.0)));
     harness.run();
@@ -191,13 +197,18 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     assert!(shows(&harness, "transported motion · frame 3 (0–7)"));
     assert_eq!(harness.state().hearts_on_screen(), [(15, 3.0), (2, 3.0)]);
     // At end-diastole it is the heart itself; later it moves otherwise than by its own.
-    let heart = harness.state().state().carried_heart().unwrap().clone();
+    let heart = harness
+        .state()
+        .state()
+        .transported_subject()
+        .unwrap()
+        .clone();
     assert_eq!(heart.subject.sequence.frame_count(), 8);
     assert!(heart.distances[0].iter().all(|distance| *distance < 1e-3));
     assert!(heart.distances[3].iter().any(|distance| *distance > 1.0));
     assert_eq!(
         harness.state().state().document.quantity,
-        Quantity::CarriedDistance
+        Quantity::MotionDifference
     );
     assert!(shows(&harness, "Difference from own motion, mm"));
     // Without colours the bar goes; undo brings them, and then the view before, back.
@@ -209,7 +220,7 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
     assert!(!shows(&harness, "Difference from own motion, mm"));
     harness.get_by_label("Show own motion").click();
     harness.run();
-    assert_eq!(harness.state().state().document.carried, None);
+    assert_eq!(harness.state().state().document.transported, None);
     assert!(!shows(&harness, "Motion of P07 on N03"));
     for _ in 0..8 {
         give(&mut harness, Command::Edit(EditCommand::Undo));
@@ -226,14 +237,16 @@ fn a_subject_let_go_on_a_picture_plays_on_that_heart() {
     let picture = harness.get_by_label("3D viewport").rect().center();
     let from = row(&harness, "P02");
     drag(&mut harness, from, picture);
-    let beat = harness.state().state().document.carrying();
+    let beat = harness.state().state().document.visible_transport();
     assert_eq!(beat.map(|beat| (beat.from, beat.onto)), Some((10, 0)));
     let look = harness.state().state().document.look;
     assert_eq!(look, Default::default(), "the drag turned no heart");
     wait(&mut harness, "both hearts", |app| {
         app.hearts_on_screen().len() == 2
     });
-    assert!(shows(&harness, "transport from P02 is being computed") || carried(harness.state()));
+    assert!(
+        shows(&harness, "transport from P02 is being computed") || transported(harness.state())
+    );
     // By keyboard: the beat of the selected heart on the one beside it, there and back.
     give(
         &mut harness,
@@ -241,11 +254,11 @@ fn a_subject_let_go_on_a_picture_plays_on_that_heart() {
     );
     harness.key_press(egui::Key::T);
     harness.run_steps(3);
-    assert_eq!(harness.state().state().document.carrying(), beat);
+    assert_eq!(harness.state().state().document.visible_transport(), beat);
 }
 
 #[test]
-fn carrying_over_can_be_stopped_and_asked_for_again() {
+fn a_transport_can_be_stopped_and_asked_for_again() {
     let mut harness = window(AppOptions::built_in(BuiltInParams {
         vertices: 6_000,
         ..BuiltInParams::default()
@@ -274,8 +287,8 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
         app.hearts_on_screen().len() == 2
     });
     assert_eq!(
-        harness.state().state().answers.carrying(),
-        CarryingState::Stopped
+        harness.state().state().answers.transport_state(),
+        TransportState::Stopped
     );
     assert!(shows(&harness, "transport from P01 was stopped"));
     assert!(harness.state().state().errors.is_empty());
@@ -283,8 +296,8 @@ fn carrying_over_can_be_stopped_and_asked_for_again() {
     harness.run_steps(3);
     assert!(harness.state().busy());
     assert_eq!(
-        harness.state().state().answers.carrying(),
-        CarryingState::Computing
+        harness.state().state().answers.transport_state(),
+        TransportState::Computing
     );
 }
 

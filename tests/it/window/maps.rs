@@ -1,4 +1,4 @@
-//! Maps of deformations, the spatiotemporal plot, and their settings: from a click to what every view shows.
+//! Deformation maps, the spatiotemporal plot, and their settings: from a click to what every view shows.
 
 use super::*;
 use cardiomorph::panes::{BeatCommand, EditCommand, MapCommand, WindowCommand, WorkCommand};
@@ -286,7 +286,7 @@ fn tabs_of_the_maps_come_to_the_front_from_the_palette() {
     harness.get_by_label("Pose map");
     harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::K);
     harness.run_steps(4);
-    harness.event(egui::Event::Text("map of deformations".to_owned()));
+    harness.event(egui::Event::Text("deformation map".to_owned()));
     harness.run_steps(4);
     harness.key_press(egui::Key::Enter);
     harness.run_steps(6);

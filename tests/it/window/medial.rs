@@ -105,7 +105,7 @@ fn a_stopped_medial_map_stays_stopped_until_it_is_asked_for_again() {
     );
     wait(&mut harness, "rest", |app| !app.busy());
     assert!(medial_map(harness.state()).is_none());
-    harness.get_by_label("The map was stopped");
+    harness.get_by_label("Map computation stopped");
     harness.get_by_label("Compute the map").click();
     harness.step();
     wait(&mut harness, "the medial map", |app| {

@@ -18,7 +18,7 @@ use cardiomorph::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSeque
 /// P05 has a large patch.
 const PATCHED: usize = 13;
 
-fn judged(app: &App) -> bool {
+fn classified(app: &App) -> bool {
     matches!(app.state().verdicts(), Some((_, true))) && !app.busy()
 }
 
@@ -28,7 +28,7 @@ fn verdict(app: &App, subject: usize) -> &Verdict {
 
 fn judged_window() -> Harness<'static, App> {
     let mut harness = cohort_window();
-    wait(&mut harness, "verdicts", judged);
+    wait(&mut harness, "verdicts", classified);
     harness
 }
 
@@ -106,13 +106,13 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     let mut settings = harness.state().state().document.thickening;
     settings.thickening.border = 0.9;
     settings.thickening.core = 0.85;
-    settings.thickening.still = 1.0;
+    settings.thickening.akinetic = 1.0;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),
     );
     select(&mut harness, normal);
-    wait(&mut harness, "verdicts", judged);
+    wait(&mut harness, "verdicts", classified);
     let state = harness.state().state();
     let Some((Ok(wall), true)) = state.wall_of(normal) else {
         panic!("the wall is known");
@@ -133,7 +133,7 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     let low = ["region of low thickening ·", "regions of low thickening ·"];
     assert!((low.iter()).any(|words| harness.query_by_label_contains(words).is_some()));
     let id = state_id(&harness, normal);
-    assert_eq!(told_in_row(&harness, &id).as_deref(), Some("no finding"));
+    assert_eq!(told_in_row(&harness, &id).as_deref(), Some("normal"));
 }
 
 fn state_id(harness: &Harness<'_, App>, subject: usize) -> String {
@@ -151,10 +151,10 @@ fn a_heart_alike_is_selected_from_the_pane() {
     harness.run_steps(2);
     let found = verdict(harness.state(), PATCHED).clone();
     assert_eq!(
-        [found.alike_normal.len(), found.alike_abnormal.len()],
+        [found.similar_normal.len(), found.similar_abnormal.len()],
         [3, 3]
     );
-    let alike = found.alike_normal[0];
+    let alike = found.similar_normal[0];
     let name = format!("Select {}, a similar subject", state_id(&harness, alike));
     // Further down than the pane reaches.
     harness.get_by_label(&name).scroll_to_me();
@@ -190,10 +190,7 @@ fn the_table_is_sorted_and_searched_by_verdict() {
         })
         .collect();
     let first = rows.iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
-    assert!(
-        first.1 != "no finding" && first.1 != "not assessed",
-        "{rows:?}"
-    );
+    assert!(first.1 != "normal" && first.1 != "not assessed", "{rows:?}");
     give(
         &mut harness,
         Command::View(ViewCommand::SetSearch("patch".to_owned())),
@@ -261,11 +258,11 @@ fn other_thresholds_ask_for_other_verdicts_while_those_before_stay() {
     let state = harness.state().state();
     let (shown, of_today) = state.verdicts().unwrap();
     assert!(Arc::ptr_eq(shown, &before) && !of_today);
-    wait(&mut harness, "the new verdicts", judged);
+    wait(&mut harness, "the new verdicts", classified);
     let (shown, _) = harness.state().state().verdicts().unwrap();
     assert_ne!(**shown, *before, "a wider border makes larger patches");
     give(&mut harness, Command::Edit(EditCommand::Undo));
-    wait(&mut harness, "the verdicts of before", judged);
+    wait(&mut harness, "the verdicts of before", classified);
     assert_eq!(**harness.state().state().verdicts().unwrap().0, *before);
 }
 
@@ -332,7 +329,7 @@ fn a_wall_that_is_not_resolved_is_not_assessed_and_says_why() {
             .count()
             >= 1
     );
-    // The other heart is judged, by a rule that says that it is none of this cohort.
+    // The other subject is classified by default thresholds.
     give(&mut harness, Command::Beat(BeatCommand::SelectSubject(1)));
     harness.run_steps(2);
     harness.get_by_label_contains("Uncalibrated score: ");

@@ -40,7 +40,7 @@ fn a_mirror_image_is_never_matched_by_a_reflection() {
 }
 
 #[test]
-fn points_on_a_line_and_a_single_point_are_carried_onto_themselves() {
+fn points_on_a_line_and_a_single_point_are_aligned_with_themselves() {
     let line: Vec<Point3> = (0..5)
         .map(|i| Point3::new(f64::from(i), 0.0, 0.0))
         .collect();

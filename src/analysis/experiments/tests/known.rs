@@ -136,7 +136,7 @@ fn every_copy_of_a_level_has_noise_of_its_own() {
 }
 
 #[test]
-fn what_was_carried_is_held_against_the_truth_and_not_against_itself() {
+fn a_transported_motion_is_compared_with_the_truth_and_not_with_itself() {
     let rest = phantom::sphere(2, 1.0);
     let solid = ObjectKind::ALL[0].solid;
     let moved = |amplitude: f64| -> Vec<Point3> {

@@ -7,7 +7,7 @@ use crate::mesh::{Point3, Vector3};
 pub(in crate::analysis::medial) struct FacesOfPose<'a> {
     pub points: &'a [Point3],
     pub triangles: &'a [[u32; 3]],
-    /// Unit normals; zero for faces without area, which are never found.
+    /// Unit normals; zero for faces of zero area, which are never found.
     pub normals: &'a [Vector3],
 }
 

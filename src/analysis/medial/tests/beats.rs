@@ -132,7 +132,7 @@ fn a_cavity_alone_and_an_open_wall_have_no_atoms() {
     let error = beat(&open).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "wall: one sheet with 1 open ends encloses no muscle"
+        "wall: one sheet with 1 open ends encloses no myocardium"
     );
 }
 

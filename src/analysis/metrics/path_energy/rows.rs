@@ -63,7 +63,7 @@ impl Rows {
     }
 }
 
-/// A step charges the pose where it begins and the one where it ends: what both mean to the poses of
+/// A step adds to the energy of the pose where it begins and the one where it ends: what both mean to the poses of
 /// its block. `carry` brings the first pose of the block behind, which must be done before.
 #[inline(always)]
 pub(super) fn onto_poses(both: [Lanes; 2], carry: &mut f64) -> Lanes {

@@ -35,7 +35,7 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
     let two = Lanes::splat(2.0);
     state.rest.fill([Lanes::default(); 2]);
     for v in 0..plan.mesh.vertex_count {
-        let (mut carry_area, mut carry) = (0.0, [0.0; 3]);
+        let (mut area_before, mut points_before) = (0.0, [0.0; 3]);
         // From the last block back, since the first step of a block adds to the last pose of the one before.
         for b in (0..blocks).rev() {
             let at = v * blocks + b;
@@ -56,12 +56,12 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
                 along_area[side] =
                     of_curvature.scale[side] * bend + lambda[side] * of_rest.scale[side] * length2;
             }
-            gradients.vertex_area[at] = onto_poses(along_area, &mut carry_area);
+            gradients.vertex_area[at] = onto_poses(along_area, &mut area_before);
             gradients.curvature_change[at] += two * mu * change * (w[0] + w[1]);
             let pull = two * (lambda[0] * r[0] + lambda[1] * r[1]);
             for axis in 0..3 {
                 let slope = pull * x[axis];
-                gradients.points[at][axis] = onto_poses([-slope, slope], &mut carry[axis]);
+                gradients.points[at][axis] = onto_poses([-slope, slope], &mut points_before[axis]);
             }
         }
     }
@@ -87,11 +87,11 @@ fn total_area_gradients(plan: &Plan, state: &PathState, gradients: &mut Gradient
     let own_unit = plan.rest_factor.is_none();
     let relative = by_area && own_unit && plan.params.corners == Corners::ScaleFree;
     let rest = once(by_area) + once(relative);
-    let mut carry = 0.0;
+    let mut points_before = 0.0;
     for b in (0..plan.blocks).rev() {
         let total = state.total_area.both(0, b);
         let slope =
             both(|side| -(own * state.own[b][side] + rest * state.rest[b][side]).over(total[side]));
-        gradients.total_area[b] = onto_poses(slope, &mut carry);
+        gradients.total_area[b] = onto_poses(slope, &mut points_before);
     }
 }

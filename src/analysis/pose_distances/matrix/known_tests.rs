@@ -24,7 +24,7 @@ fn hearts() -> Vec<Arc<Subject>> {
     ]
 }
 
-fn carried_onto(reference: Reference) -> PoseDistanceParams {
+fn transported_to(reference: Reference) -> PoseDistanceParams {
     PoseDistanceParams {
         transport: Some(CohortTransportParams {
             reference,
@@ -107,14 +107,14 @@ fn pairs_in_another_order_are_computed_anew() {
 fn after_a_transfer_distances_are_kept_while_the_reference_is_the_same() {
     let hearts = hearts();
     let (two, three) = (study(&hearts[..2]), study(&hearts));
-    let onto_first = carried_onto(Reference::Subject(0));
+    let onto_first = transported_to(Reference::Subject(0));
     assert_eq!(new_pairs(&two, &three, onto_first), 30);
     // The mean of three is not that of two.
-    assert_eq!(new_pairs(&two, &three, carried_onto(Reference::Mean)), 66);
+    assert_eq!(new_pairs(&two, &three, transported_to(Reference::Mean)), 66);
     let labelled = edited(&hearts, 1, |subject| {
         subject.label = Some("MINF".to_owned());
     });
-    for params in [onto_first, carried_onto(Reference::Mean)] {
+    for params in [onto_first, transported_to(Reference::Mean)] {
         assert_eq!(new_pairs(&three, &labelled, params), 0);
     }
     let restated = edited(&hearts, 0, |subject| subject.end_diastole = Some(1));
@@ -133,7 +133,7 @@ fn one_motion_of_two_hearts_is_no_distance_after_a_transfer() {
     let moved = |mesh: &TriMesh| vec![mesh.clone(), grown(mesh, 1.1)];
     let study = study(&[subject("a", moved(&rest)), subject("b", moved(&other))]);
     let plain = computed(&study, PoseDistanceParams::default(), None).distances;
-    let transported = computed(&study, carried_onto(Reference::Subject(0)), None).distances;
+    let transported = computed(&study, transported_to(Reference::Subject(0)), None).distances;
     // At end-diastole all are the reference.
     assert!(plain.distances.get(0, 2) > 1e-2);
     assert!(transported.distances.get(0, 2) < 1e-12);
@@ -143,7 +143,7 @@ fn one_motion_of_two_hearts_is_no_distance_after_a_transfer() {
 #[test]
 fn a_reference_that_is_not_there_is_said() {
     let study = study(&hearts());
-    let params = carried_onto(Reference::Subject(7)).check().unwrap();
+    let params = transported_to(Reference::Subject(7)).check().unwrap();
     let error = pose_distances(&study, &params, &Progress::default()).unwrap_err();
     assert!(error.to_string().contains("subject 7 of 3"), "{error}");
 }
@@ -152,7 +152,7 @@ fn a_reference_that_is_not_there_is_said() {
 fn a_stopped_transfer_says_so() {
     let progress = Progress::default();
     progress.stop();
-    let params = carried_onto(Reference::Mean).check().unwrap();
+    let params = transported_to(Reference::Mean).check().unwrap();
     let stopped = pose_distances(&study(&hearts()), &params, &progress);
     assert_eq!(stopped, Err(PoseDistanceError::Stopped(Stopped)));
 }

@@ -52,7 +52,7 @@ fn a_heart_that_was_turned_and_enlarged_moves_as_it_did_but_larger() {
 }
 
 #[test]
-fn a_beat_starts_from_the_heart_it_is_carried_onto_at_its_own_end_diastole() {
+fn a_motion_starts_from_the_subject_it_is_transported_to_at_its_own_end_diastole() {
     let from = Subject {
         end_diastole: Some(4),
         ..heart(0.0, 5)
@@ -122,7 +122,7 @@ fn hearts_that_do_not_fit_are_refused_with_both_names() {
 }
 
 #[test]
-fn a_cohort_is_carried_onto_its_mean_or_onto_one_of_it() {
+fn a_cohort_is_transported_to_its_mean_or_to_one_of_it() {
     let cohort = study((0..4).map(|who| heart(f64::from(who), 5)).collect());
     let metric = MetricParams::default().check().unwrap();
     for reference in [Reference::Mean, Reference::Subject(2)] {

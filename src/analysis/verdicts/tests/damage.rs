@@ -65,7 +65,7 @@ fn the_order_of_subjects_changes_no_verdict() {
         assert_eq!(a.finding, b.finding);
         let back =
             |others: &[usize]| -> Vec<usize> { others.iter().map(|i| (i + 5) % count).collect() };
-        assert_eq!(back(&b.alike_normal), a.alike_normal);
+        assert_eq!(back(&b.similar_normal), a.similar_normal);
     }
     assert_eq!(first.quality.unwrap().auc, turned.quality.unwrap().auc);
 }
@@ -91,7 +91,10 @@ fn place_turn_and_scale_of_coordinates_change_no_feature() {
         let [a, b] =
             [0, 1].map(|subject| assessed(&verdicts, subject).features.get(feature).unwrap());
         // The subject's size is the largest side of an upright box, which turns do change.
-        let most = if matches!(feature, Feature::Gap | Feature::Closeness) {
+        let most = if matches!(
+            feature,
+            Feature::MeanPositionDistance | Feature::MeanPoseDistance
+        ) {
             0.05
         } else {
             1e-9

@@ -184,9 +184,9 @@ fn stopped_and_wrongly_set_work_keeps_nothing() {
 fn settings_read_as_a_person_would_say_them() {
     assert_eq!(
         query(0, None).parameters(),
-        "smoothed over 0.3 thicknesses, separation 60°, end 120°, tolerance of ln PT by noise, ratio as \
-         geometric mean, core 0.2, still 0.095, border 0.4, least share 0.02, least thickening 0.095, \
-         averaged over 0.01, 50 redraws, seed 2009"
+        "smoothed over 0.3 thicknesses, separation 60°, end 120°, tolerance of ln PT estimated from noise, \
+         ratio as geometric mean, core threshold 0.2, akinetic threshold 0.095, extent threshold 0.4, \
+         minimum area 0.02, minimum thickening 0.095, averaged over 0.01, 50 redraws, seed 2009"
     );
     assert!(query(0, Some(0.05)).parameters().contains("ln PT ± 0.05"));
 }

@@ -106,5 +106,5 @@ fn a_method_that_does_not_apply_has_a_reason_and_the_others_go_on() {
 #[test]
 fn a_frame_that_is_not_there_is_refused_with_its_number() {
     let message = refusal(&store(), &study(&BOTH), &query(7));
-    assert_eq!(message, "frame 7 of a beat of 2 frames");
+    assert_eq!(message, "there is no frame 7 in a sequence of 2 frames");
 }

@@ -238,7 +238,7 @@ fn a_circle_of_questions_is_a_failure_and_no_endless_wait() {
         panic!("{answer:?}");
     };
     assert!(
-        failure.to_string().contains("waits for its own answer"),
+        failure.to_string().contains("depends on itself"),
         "{failure}"
     );
     until(|| store.ask(&study, &Circle(1)).failure().is_some());

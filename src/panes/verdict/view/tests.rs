@@ -13,17 +13,17 @@ fn verdict(finding: Finding, probability: f64) -> Verdict {
         probability,
         features: Features::default(),
         patched: 0.312,
-        alike_normal: vec![1],
-        alike_abnormal: vec![0],
-        familiarity: Some(Familiarity {
+        similar_normal: vec![1],
+        similar_abnormal: vec![0],
+        training_set_distance: Some(TrainingSetDistance {
             distance: 0.6,
-            usual: 0.5,
+            median: 0.5,
             as_far: 0.4,
         }),
     }
 }
 
-fn judged(rule: ClassifierSource) -> State {
+fn classified(classifier: ClassifierSource) -> State {
     let ids = ["a", "b", "c"];
     let mut state = state_of(ids.map(|id| subject_with_frames(id, 3)).to_vec());
     let reason = NotAssessed::WallNotResolved { share: 0.61 };
@@ -33,37 +33,37 @@ fn judged(rule: ClassifierSource) -> State {
             Ok(verdict(Finding::Nothing, 0.04)),
             Err(reason),
         ],
-        classifier: rule,
+        classifier,
         quality: None,
     };
     state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
     state
 }
 
-const LEARNT: ClassifierSource = ClassifierSource::Cohort {
+const TRAINED: ClassifierSource = ClassifierSource::Cohort {
     normal: 9,
     abnormal: 14,
 };
 
 #[test]
 fn only_the_finding_of_a_patch_is_called_one() {
-    let mut state = judged(LEARNT);
+    let mut state = classified(TRAINED);
     let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
     assert_eq!(shown.mark, VerdictMark::Patch);
     assert_eq!(shown.similar[0][0].id, "b");
-    assert_eq!(shown.similar[0][0].verdict, "no finding");
+    assert_eq!(shown.similar[0][0].verdict, "normal");
     state.document.subject = 1;
     let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "No regional abnormality");
     assert!(shown.sentence.ends_with("low thickening in 31 % of the LV"));
-    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "no finding");
+    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "normal");
     assert_eq!(cohort_verdict(&state, 0).unwrap().text(), "patch 31 %");
 }
 
 #[test]
 fn what_is_not_assessed_says_why_in_pane_and_table() {
-    let mut state = judged(LEARNT);
+    let mut state = classified(TRAINED);
     state.document.subject = 2;
     let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "Not assessed");
@@ -76,17 +76,17 @@ fn what_is_not_assessed_says_why_in_pane_and_table() {
 
 #[test]
 fn an_uncalibrated_score_says_so_everywhere() {
-    let state = judged(ClassifierSource::Uncalibrated {
+    let state = classified(ClassifierSource::Uncalibrated {
         normal: 2,
         abnormal: 0,
     });
     let shown = report(&state).unwrap();
     assert!(!shown.calibrated);
     let (verdicts, _) = state.verdicts().unwrap();
-    let rule = classifier_report(verdicts);
-    assert!(rule.source.contains("uncalibrated"), "{}", rule.source);
-    assert!(rule.source.contains("2 normal and 0 abnormal"));
-    assert!(rule.results.is_empty());
+    let report = classifier_report(verdicts);
+    assert!(report.source.contains("uncalibrated"), "{}", report.source);
+    assert!(report.source.contains("2 normal and 0 abnormal"));
+    assert!(report.results.is_empty());
     let words = cohort_verdict(&state, 0).unwrap().words;
     assert!(words.ends_with("uncalibrated score 0.97"), "{words}");
 }
@@ -94,9 +94,9 @@ fn an_uncalibrated_score_says_so_everywhere() {
 #[test]
 fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
     let at = |distance: f64, as_far: f64| {
-        training_distance(&Familiarity {
+        training_distance(&TrainingSetDistance {
             distance,
-            usual: 0.5,
+            median: 0.5,
             as_far,
         })
     };

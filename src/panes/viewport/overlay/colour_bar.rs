@@ -199,7 +199,7 @@ fn limits_ui(ui: &mut Ui, bar: Rect, view: &ColourBarView, commands: &mut Vec<Co
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{name}: {text}"))
         });
-        let response = response.on_hover_text("Set the limits of the colours");
+        let response = response.on_hover_text("Set the colour limits");
         Popup::menu(&response)
             .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
             .show(|ui| limits_form_ui(ui, view, commands));

@@ -164,7 +164,9 @@ impl PatchContent {
             .collect();
         let more = thickening.patches.len().saturating_sub(rows.len());
         let note = match (assessed, more) {
-            (false, _) => "Regions in a wall that is not resolved may be blur or noise".to_owned(),
+            (false, _) => {
+                "In a wall that is not resolved, regions may be due to blur or noise".to_owned()
+            }
             (true, 0) => sentences(&[extent_words(thickening), smallest_words(thickening)]),
             (true, more) => sentences(&[
                 extent_words(thickening),
