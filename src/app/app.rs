@@ -8,7 +8,7 @@ use egui::{Context, ThemePreference, Ui};
 
 use crate::document::ThemeChoice;
 
-use crate::engine::{OpenSource, Topic, Wake};
+use crate::engine::{OpenSource, Query, Topic, Wake};
 use crate::panes::{Command, FileCommand};
 use crate::ui::{self};
 
@@ -108,12 +108,18 @@ impl App {
 
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
-        self.background.busy() || self.state.answers.measures_on()
+        self.background.busy() || self.state.answers.thickness_is_pending()
     }
 
     /// Whether one kind of work goes on.
     pub fn works_on(&self, topic: Topic) -> bool {
         self.background.engine.store().works_on(topic)
+    }
+
+    /// The answer to a question about the study on screen, if it is known.
+    pub fn known<Q: Query>(&self, query: &Q) -> Option<Arc<Q::Answer>> {
+        let store = self.background.engine.store();
+        store.known(self.state.document.study(), query)
     }
 
     /// What is on screen, as subject and place in the beat.

@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use crate::analysis::classification::ClassesParams;
 use crate::engine::{
-    ClassesSettings, DeformationMapSettings, FrameThickness, Measures, MedialMapParams,
-    PoseThickness, Query, Showing, Store, ThicknessSettings, VerdictSettings, WallThickening,
+    ClassesSettings, DeformationMapSettings, FrameThickness, Measures, PoseThickness, Query,
+    Showing, Store, ThicknessSettings, VerdictSettings, WallThickening,
 };
 use crate::panes::Pane;
 
@@ -55,10 +55,6 @@ impl Asks {
             };
             answers.classes = Some(store.ask(study, &classes));
         }
-        if seen.panes.contains(&Pane::MEDIAL_MAP) {
-            let map = ask_at_rest(store, state, seen, &medial_map_params(state));
-            answers.medial_map = Some(map);
-        }
         if seen.panes.contains(&Pane::THICKNESS) {
             answers.thickness = thickness(state, store);
         }
@@ -87,13 +83,6 @@ fn deformation_settings(state: &State) -> DeformationMapSettings {
     DeformationMapSettings {
         poses: state.document.map,
         map: state.document.deformation_map,
-    }
-}
-
-fn medial_map_params(state: &State) -> MedialMapParams {
-    MedialMapParams {
-        thickening: state.document.thickening,
-        method: state.document.map.method,
     }
 }
 

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::medial_map::MedialMap;
 use crate::analysis::verdicts::Verdicts;
 use crate::engine::{FrameThickness, Interrupted, PoseMap, Showing, SubjectThickening};
 
@@ -23,7 +22,6 @@ pub struct Answers {
     pub(crate) measures: Option<Showing<Vec<SubjectMeasures>>>,
     pub(crate) map: Option<Showing<PoseMap>>,
     pub(crate) deformations: Option<Showing<DeformationMap>>,
-    pub(crate) medial_map: Option<Showing<MedialMap>>,
     pub(crate) classes: Option<Showing<Classes>>,
     pub(crate) verdicts: Option<Showing<Verdicts>>,
     /// Of the subjects on screen.
@@ -94,8 +92,8 @@ impl Answers {
         self.difference.as_ref()
     }
 
-    /// Whether poses are still to be measured: between one and the next nothing may run.
-    pub(crate) fn measures_on(&self) -> bool {
+    /// Whether thickness is still to be measured at a frame: between one frame and the next nothing may run.
+    pub(crate) fn thickness_is_pending(&self) -> bool {
         let mut poses = self.thickness.iter().map(|(_, showing)| showing);
         poses.clone().all(|showing| !showing.stopped()) && poses.any(Showing::computing)
     }

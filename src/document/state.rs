@@ -6,7 +6,6 @@ use std::sync::Arc;
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::medial_map::MedialMap;
 use crate::analysis::transport::Reference;
 use crate::document::ErrorCard;
 use crate::document::ThemeChoice;
@@ -105,11 +104,6 @@ impl State {
     /// The deformation map of the study on screen.
     pub fn deformations(&self) -> Option<&Arc<DeformationMap>> {
         self.latest(self.answers.deformations.as_ref())
-    }
-
-    /// The map of the medial shape space of the study on screen.
-    pub fn medial_map(&self) -> Option<&Arc<MedialMap>> {
-        self.latest(self.answers.medial_map.as_ref())
     }
 
     /// How well the classes of the study on screen can be told apart.

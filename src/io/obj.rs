@@ -92,9 +92,12 @@ pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
     draft.finish()
 }
 
-/// The line up to its comment, with the lines that a backslash at its end joins to it.
+/// The line up to its comment, with the lines that a backslash at its end joins to it. A backslash in a comment joins
+/// nothing: the line below it may be a face.
 fn whole_line<'a>(text: &'a [u8], lines: &mut TextLines<'a>) -> Cow<'a, [u8]> {
-    let continued = |text: &[u8]| text.trim_ascii_end().ends_with(b"\\");
+    let continued = |text: &[u8]| {
+        without_comment(text).len() == text.len() && text.trim_ascii_end().ends_with(b"\\")
+    };
     if !continued(text) {
         return without_comment(text).into();
     }
@@ -110,8 +113,12 @@ fn whole_line<'a>(text: &'a [u8], lines: &mut TextLines<'a>) -> Cow<'a, [u8]> {
     without_comment(&joined).to_vec().into()
 }
 
+/// A comment begins a word: the `#` of `-1.#IND`, which is how some C libraries print what is no number, begins none, and
+/// such a number must be refused, not read as -1.
 fn without_comment(text: &[u8]) -> &[u8] {
-    text.split(|&b| b == b'#').next().unwrap_or_default()
+    let begins = |at: usize| at == 0 || text[at - 1].is_ascii_whitespace();
+    let comment = (0..text.len()).find(|&at| text[at] == b'#' && begins(at));
+    &text[..comment.unwrap_or(text.len())]
 }
 
 /// After x, y, z: nothing, a weight, or a colour of three or four parts.

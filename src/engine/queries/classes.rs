@@ -83,4 +83,8 @@ impl Query for ClassesSettings {
     fn memory(classes: &Classes, memory: &mut Memory) {
         memory.own(size_of_val(&*classes.of_row) + size_of_val(&*classes.clustering.clusters));
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }

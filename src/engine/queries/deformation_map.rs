@@ -68,6 +68,10 @@ impl Query for DeformationMapSettings {
         }
         memory.own(size_of_val(&*map.embedding.coordinates));
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// Settings of a deformation map, as the activity list says them.

@@ -31,4 +31,8 @@ impl Query for Measures {
             memory.own(size_of_val(&*subject.frames));
         }
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }

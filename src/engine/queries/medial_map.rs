@@ -62,6 +62,10 @@ impl Query for MedialPaths {
     fn memory(paths: &StudyPaths, memory: &mut Memory) {
         memory.own(paths_bytes(paths));
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// The paths that the answer about one wall holds. What is measured in a wall that is not resolved would be blur or noise.
@@ -129,6 +133,10 @@ impl Query for MedialMapParams {
 
     fn memory(map: &MedialMap, memory: &mut Memory) {
         memory.own(map_bytes(map));
+    }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
     }
 }
 

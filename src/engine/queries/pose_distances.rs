@@ -53,6 +53,10 @@ impl Query for PoseDistanceParams {
     fn memory(distances: &PoseDistances, memory: &mut Memory) {
         memory.own(distances_bytes(distances));
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// Memory that distances hold.

@@ -80,6 +80,10 @@ impl Query for PoseMapParams {
         memory.shared(&map.distances, distances_bytes(&map.distances));
         memory.own(size_of_val(&*map.embedding.coordinates));
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// Settings of a pose map, as the activity list says them.

@@ -76,6 +76,10 @@ impl Query for VerdictSettings {
     fn memory(verdicts: &Verdicts, memory: &mut Memory) {
         memory.own(size_of_val(&*verdicts.subjects));
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// What a verdict reads of the answer about one wall.

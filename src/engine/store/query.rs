@@ -48,10 +48,9 @@ pub trait Query: Clone + PartialEq + Debug + Send + Sync + 'static {
     /// Counts the memory of an answer.
     fn memory(answer: &Self::Answer, memory: &mut Memory);
 
-    /// Whether the answer to `other`, on the same surfaces, may stay on screen until this one is there.
-    fn replaces(&self, _other: &Self) -> bool {
-        true
-    }
+    /// Whether the answer to `other`, on the same surfaces, may stay on screen until this one is there. It may not where
+    /// it is about another subject: a number of one must never stand under the name of another.
+    fn replaces(&self, other: &Self) -> bool;
 
     /// Whether `begun`, which is under way, is finished before this one begins: settings that are dragged would
     /// otherwise stop each other's work, and nothing would follow the drag.

@@ -113,6 +113,10 @@ impl Query for Number {
     fn memory(_: &u32, memory: &mut Memory) {
         memory.own(1_000_000);
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 fn store() -> Store {

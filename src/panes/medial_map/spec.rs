@@ -2,6 +2,8 @@
 
 use egui::Ui;
 
+use crate::document::State;
+use crate::engine::MedialMapParams;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
 use crate::panes::look::motion;
@@ -26,18 +28,27 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-/// Hands what the pane shows to `draw`.
+/// What the pane asks the store.
+pub fn medial_map_query(state: &State) -> MedialMapParams {
+    MedialMapParams {
+        thickening: state.document.thickening,
+        method: state.document.map.method,
+    }
+}
+
+/// Asks for the map, and hands what the pane shows to `draw`.
 fn with_view(ui: &mut Ui, look: &Look<'_>, draw: impl FnOnce(&mut Ui, &MedialMapView<'_>)) {
     let state = look.state();
+    let showing = look.ask_at_rest(&medial_map_query(state));
     let poses = map_data(ui, look);
     let poses = poses.borrow_mut();
     let data = look.memo().get::<MedialMapData>();
     let mut data = data.borrow_mut();
     let (now_s, moves) = motion(ui);
-    if data.refresh(state, now_s, moves) {
+    if data.refresh(state, showing.latest(), now_s, moves) {
         ui.ctx().request_repaint();
     }
-    let view = data.view(state, poses.subjects(), state.answers.medial_map.as_ref());
+    let view = data.view(state, poses.subjects(), &showing);
     draw(ui, &view);
 }
 

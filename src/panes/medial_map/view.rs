@@ -1,5 +1,7 @@
 //! The medial map: from the latest map, kept until it or the study changes.
 
+use std::sync::Arc;
+
 use crate::analysis::medial_map::{MedialMap, MedialPose};
 use crate::document::document::phase_of;
 use crate::document::state::State;
@@ -24,8 +26,14 @@ pub struct MedialMapData {
 impl MedialMapData {
     /// Makes points again where the study, the map or the measures changed, and moves those that
     /// are on their way; whether any still are. Without `motion` they are there at once.
-    pub fn refresh(&mut self, state: &State, now_s: f64, motion: bool) -> bool {
-        let (study, map) = (state.document.study(), state.medial_map());
+    pub fn refresh(
+        &mut self,
+        state: &State,
+        map: Option<&Arc<MedialMap>>,
+        now_s: f64,
+        motion: bool,
+    ) -> bool {
+        let study = state.document.study();
         let opening = state.document.study.opening;
         let sources = (opening, Shared::of(map), details(state));
         let changed = self.data.refresh(sources, now_s, motion, || {
@@ -44,14 +52,14 @@ impl MedialMapData {
         &'a self,
         state: &State,
         subjects: &'a [MapSubject],
-        showing: Option<&Showing<MedialMap>>,
+        showing: &Showing<MedialMap>,
     ) -> MedialMapView<'a> {
-        let map = state.medial_map();
+        let map = showing.latest();
         let [note, explanation] = medial_map_note(
             map.and_then(|map| map.embedding.stress),
             map.map_or("", |map| map.frame.words()),
         );
-        let map_state = map_state(state, showing);
+        let map_state = map_state(state, Some(showing));
         let points = self.data.points();
         MedialMapView {
             map: ScatterView {

@@ -157,10 +157,14 @@ fn after_a_drag_points_are_hit_where_they_are_seen_and_a_double_click_shows_all(
     assert!((seen(&harness) - (point + vec2(-50.0, 20.0))).length() < 2.0);
     click(&mut harness, point + vec2(-50.0, 20.0));
     assert_eq!(*harness.state(), [played(1, 0)]);
-    for _ in 0..2 {
-        harness.drag_at(ground);
-        harness.drop_at(ground);
-        harness.step();
+    // Two clicks without the pointer leaving in between.
+    for pressed in [true, false, true, false] {
+        harness.event(egui::Event::PointerButton {
+            pos: ground,
+            button: egui::PointerButton::Primary,
+            pressed,
+            modifiers: egui::Modifiers::NONE,
+        });
     }
     harness.run();
     assert!((seen(&harness) - at_first).length() < 0.5);

@@ -17,7 +17,7 @@ impl Pane {
 /// The spatiotemporal plot: poses and time in three dimensions.
 pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::SPATIOTEMPORAL,
-    title: "Spatiotemporal",
+    title: "3D plot",
     toggle: "Pane: spatiotemporal plot",
     place: Place::Above,
     header: Header::Title,

@@ -165,6 +165,10 @@ impl Query for ColourRanges {
     }
 
     fn memory(_: &CohortLimits, _: &mut Memory) {}
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// A medial surface on screen: the drawn one, and the assessed wall.

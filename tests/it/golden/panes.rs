@@ -3,6 +3,7 @@
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::App;
 use cardiomorph::document::{ThemeChoice, ViewMode};
+use cardiomorph::engine::MedialMapParams;
 use cardiomorph::panes::{
     BeatCommand, Command, Pane, TransportCommand, ViewCommand, WallCommand, WindowCommand,
 };
@@ -133,7 +134,12 @@ fn poses_through_time_look_as_they_did() {
 fn the_map_of_the_medial_shape_space_looks_as_it_did() {
     let size = [360.0, 320.0];
     compare_pane("medial_map", Pane::MEDIAL_MAP, size, LIGHT, &[], |app| {
-        app.state().medial_map().is_some()
+        let document = &app.state().document;
+        let query = MedialMapParams {
+            thickening: document.thickening,
+            method: document.map.method,
+        };
+        app.known(&query).is_some()
     });
 }
 

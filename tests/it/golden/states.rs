@@ -124,7 +124,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 |ui| {
                     tab_ui(ui, "Poses", false);
                     tab_ui(ui, "Deformations", true);
-                    tab_ui(ui, "Spatiotemporal", false);
+                    tab_ui(ui, "3D plot", false);
                 },
                 |ui| deformation_note(ui, &view, 200.0),
             );

@@ -6,8 +6,12 @@ use cardiomorph::panes::{BeatCommand, WindowCommand, WorkCommand};
 
 use cardiomorph::analysis::medial_map::MedialMap;
 
-fn medial_map(app: &App) -> Option<&Arc<MedialMap>> {
-    app.state().medial_map()
+fn medial_map(app: &App) -> Option<Arc<MedialMap>> {
+    let document = &app.state().document;
+    app.known(&MedialMapParams {
+        thickening: document.thickening,
+        method: document.map.method,
+    })
 }
 
 /// A window with the map in front.

@@ -31,6 +31,10 @@ impl Query for Tenfold {
     }
 
     fn memory(_: &u32, _: &mut Memory) {}
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 /// The sum of tenfolds: two steps deep.
@@ -51,6 +55,10 @@ impl Query for Sum {
     }
 
     fn memory(_: &u32, _: &mut Memory) {}
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 #[test]
@@ -215,6 +223,10 @@ impl Query for Circle {
     }
 
     fn memory(_: &u32, _: &mut Memory) {}
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 #[test]

@@ -88,6 +88,10 @@ impl Query for Dragged {
     fn lets_finish(&self, _begun: &Self) -> bool {
         true
     }
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 #[test]
@@ -130,6 +134,10 @@ impl Query for Statistics {
     }
 
     fn memory(_: &u32, _: &mut Memory) {}
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
 }
 
 #[test]
