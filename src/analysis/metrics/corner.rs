@@ -41,7 +41,7 @@ pub(super) fn times<T: Arithmetic>(a: [T; 3], b: [T; 3]) -> [T; 3] {
     [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
 }
 
-/// What a face is charged for its terms: (Σ_c |T_c|)² where printed, else Σ_c T_c².
+/// Energy of a face from its terms: (Σ_c |T_c|)² where printed, else Σ_c T_c².
 #[inline(always)]
 pub(super) fn energy<T: Arithmetic>(t: [T; 3], printed: bool) -> T {
     if printed {
@@ -52,7 +52,7 @@ pub(super) fn energy<T: Arithmetic>(t: [T; 3], printed: bool) -> T {
     }
 }
 
-/// Slope of [`charge`] along each term; where printed, the subgradient that is 0 at 0.
+/// Slope of [`energy`] along each term; where printed, the subgradient that is 0 at 0.
 #[inline(always)]
 pub(super) fn energy_gradient<T: Arithmetic>(t: [T; 3], printed: bool) -> [T; 3] {
     let two = T::splat(2.0);

@@ -24,11 +24,11 @@ pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> V
             }
         }
         TransportCommand::StopTransport => {
-            change(state, moment, None, |document| document.transported = None)
+            change(state, moment, None, |document| document.transported = None);
         }
         TransportCommand::SetInterpolatedPoses(count) => {
             change(state, moment, None, |document| {
-                document.interpolated_poses = count
+                document.interpolated_poses = count;
             });
             // Whoever chooses a number wants them, even if they were stopped before.
             return vec![Effect::Retry(Topic::of::<InterpolatedPoses>())];

@@ -46,7 +46,7 @@ struct Typed {
 /// Greatest number of lines shown.
 const MAX_LINES: usize = 50;
 
-/// Draws the palette. It pushes the chosen command after [`Command::Window(WindowCommand::TogglePalette)`], which closes it.
+/// Draws the palette. It pushes the chosen command after [`WindowCommand::TogglePalette`], which closes it.
 pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
     let id = Id::unique("command palette");

@@ -56,7 +56,7 @@ pub struct CohortRow {
     pub correspondence: usize,
 }
 
-/// Columns in the order of [`crate::panes::Command::SortCohort`].
+/// Columns in the order of `ViewCommand::SortCohort`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CohortColumn {
     /// Shape of the label's role.

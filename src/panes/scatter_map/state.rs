@@ -33,7 +33,7 @@ pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Comman
             );
         }
         MapState::Stopped => empty_pane_ui(ui, "Map computation stopped", words.what, |ui| {
-            retry_ui(ui, "Compute the map", job, commands)
+            retry_ui(ui, "Compute the map", job, commands);
         }),
         MapState::Failed(why) => empty_pane_ui(ui, words.none, why, |ui| {
             retry_ui(ui, "Retry", job, commands);

@@ -46,7 +46,7 @@ fn the_medial_map_is_made_when_it_is_seen_and_says_how_far_it_can_be_trusted() {
     wait(&mut harness, "the medial map", |app| {
         medial_map(app).is_some() && !app.busy()
     });
-    let map = medial_map(harness.state()).unwrap().clone();
+    let map = medial_map(harness.state()).unwrap();
     assert!(map.poses.len() > 100, "{} poses", map.poses.len());
     let state = harness.state().state();
     let patch_of = |subject: usize| {
@@ -63,7 +63,7 @@ fn the_medial_map_is_made_when_it_is_seen_and_says_how_far_it_can_be_trusted() {
 #[test]
 fn a_click_on_a_step_selects_its_heart_and_the_frame_at_which_it_begins() {
     let mut harness = medial_window();
-    let map = medial_map(harness.state()).unwrap().clone();
+    let map = medial_map(harness.state()).unwrap();
     // The loneliest step has no neighbour within reach of the click.
     let place: Vec<egui::Pos2> = (0..map.poses.len())
         .map(|row| place_of(&harness, row))
