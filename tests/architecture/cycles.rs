@@ -38,7 +38,7 @@ impl Crate {
         let files = files.into_iter().filter(|file| !is_test(file));
         Self(
             files
-                .map(|file| (module_of(&file), ModuleFile::new(file)))
+                .map(|file| (module_of(&file), ModuleFile::new(&file)))
                 .collect(),
         )
     }
@@ -132,7 +132,7 @@ impl Crate {
 }
 
 impl ModuleFile {
-    fn new(file: SourceFile) -> Self {
+    fn new(file: &SourceFile) -> Self {
         let text = without_tests(&file.text);
         let (mut body, mut imports) = (String::new(), Vec::new());
         let mut item: Option<String> = None;
