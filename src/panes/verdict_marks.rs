@@ -21,10 +21,10 @@ pub enum VerdictMark {
 }
 
 impl VerdictMark {
-    /// In a word or two, as a narrow column has room for.
+    /// In a word or two, as a narrow column has room for; never "normal", which is a label of the study.
     pub fn word(self) -> &'static str {
         match self {
-            Self::NoAbnormality => "normal",
+            Self::NoAbnormality => "no finding",
             Self::AbnormalWithoutPatch => "abnormal",
             Self::GlobalHypokinesia => "hypokinesia",
             Self::Patch => "patch",

@@ -250,7 +250,7 @@ mod tests {
         rows[2].verdict = verdict(VerdictMark::NoAbnormality, None, Some(0.03));
         let texts = rows.iter().map(|row| row.verdict.as_ref().unwrap().text());
         let texts: Vec<String> = texts.collect();
-        assert_eq!(texts, ["patch 31 %", "not assessed", "normal"]);
+        assert_eq!(texts, ["patch 31 %", "not assessed", "no finding"]);
         assert_eq!(visible_rows(&rows, "patch", None), [0]);
         assert_eq!(visible_rows(&rows, "not assessed", None), [1]);
         for (descending, order) in [(false, [2, 0, 1]), (true, [0, 2, 1])] {

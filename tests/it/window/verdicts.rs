@@ -133,7 +133,7 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
     let low = ["region of low thickening ·", "regions of low thickening ·"];
     assert!((low.iter()).any(|words| harness.query_by_label_contains(words).is_some()));
     let id = state_id(&harness, normal);
-    assert_eq!(told_in_row(&harness, &id).as_deref(), Some("normal"));
+    assert_eq!(told_in_row(&harness, &id).as_deref(), Some("no finding"));
 }
 
 fn state_id(harness: &Harness<'_, App>, subject: usize) -> String {
@@ -190,7 +190,10 @@ fn the_table_is_sorted_and_searched_by_verdict() {
         })
         .collect();
     let first = rows.iter().min_by(|a, b| a.0.total_cmp(&b.0)).unwrap();
-    assert!(first.1 != "normal" && first.1 != "not assessed", "{rows:?}");
+    assert!(
+        first.1 != "no finding" && first.1 != "not assessed",
+        "{rows:?}"
+    );
     give(
         &mut harness,
         Command::View(ViewCommand::SetSearch("patch".to_owned())),
