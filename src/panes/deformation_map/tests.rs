@@ -85,5 +85,5 @@ fn accuracies_stand_beside_the_permutation_mean() {
 #[test]
 fn too_few_labels_are_reported() {
     harness(Vec::new(), ClassesView::Unanswerable("not enough labels"))
-        .get_by_label("Classes: not enough labels");
+        .get_by_label("Classifiers: not enough labels");
 }

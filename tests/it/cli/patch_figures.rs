@@ -55,7 +55,7 @@ fn a_patch_figure_names_the_heart_the_patch_and_how_it_was_told() {
         "PT, thickness ratio",
         "Thickening ED to ES, %",
         " mm",
-        "border 0.5",
+        "extent threshold 0.5",
         "not for diagnosis",
         env!("CARGO_PKG_VERSION"),
     ] {
