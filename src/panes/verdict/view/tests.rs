@@ -52,12 +52,12 @@ fn only_the_finding_of_a_patch_is_called_one() {
     assert_eq!(shown.heading, "Abnormal patch · 31 % of the LV");
     assert_eq!(shown.mark, VerdictMark::Patch);
     assert_eq!(shown.similar[0][0].id, "b");
-    assert_eq!(shown.similar[0][0].verdict, "normal");
+    assert_eq!(shown.similar[0][0].verdict, "no finding");
     state.document.subject = 1;
     let shown = report(&state).unwrap();
     assert_eq!(shown.heading, "No regional abnormality");
     assert!(shown.sentence.ends_with("low thickening in 31 % of the LV"));
-    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "normal");
+    assert_eq!(cohort_verdict(&state, 1).unwrap().text(), "no finding");
     assert_eq!(cohort_verdict(&state, 0).unwrap().text(), "patch 31 %");
 }
 
