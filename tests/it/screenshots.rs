@@ -30,15 +30,18 @@ fn folder() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)
 }
 
+/// Steps until all work is done. Between one piece of work and the next nothing runs for a moment, so the rest must last.
 fn settle(harness: &mut Harness<'_, App>) {
     let begin = Instant::now();
-    while harness.state().state().map().is_none()
-        || harness.state().hearts_on_screen().is_empty()
-        || harness.state().busy()
-    {
+    let mut quiet_steps = 0;
+    while quiet_steps < 40 {
         assert!(begin.elapsed() < Duration::from_secs(120), "no picture");
         harness.step();
         std::thread::sleep(Duration::from_millis(5));
+        let app = harness.state();
+        let drawn = app.state().map().is_some() && !app.hearts_on_screen().is_empty();
+        let settled = drawn && !app.busy();
+        quiet_steps = if settled { quiet_steps + 1 } else { 0 };
     }
     harness.run();
 }
@@ -101,7 +104,7 @@ fn screenshots_are_taken_when_asked_for() {
             ],
         },
         Shot {
-            name: "carried_beat.png",
+            name: "transported_motion.png",
             pixels_per_point: 1.0,
             commands: vec![
                 dark.clone(),
