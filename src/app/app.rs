@@ -21,6 +21,7 @@ use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::settings::Settings;
 use super::times::Times;
+use super::window_picture::{self, KeepPicture};
 use crate::document::state::State;
 use crate::panes::look::{Kept, Memo};
 use crate::panes::viewport::hearts::Viewport;
@@ -60,7 +61,11 @@ impl App {
         ui::install(&ctx);
         choose_theme(&ctx, settings.theme);
         if let Some(device) = &cc.wgpu_render_state {
-            paint::install(device);
+            let scenes = paint::install(device, options.live);
+            if options.live {
+                window_picture::install(device, scenes);
+                ctx.add_plugin(KeepPicture::default());
+            }
         }
         let wake: Wake = Arc::new(move || ctx.request_repaint());
         let mut background = Background::start(&wake)?;

@@ -19,6 +19,9 @@ pub struct AppOptions {
     pub started: Instant,
     /// Who is asked for files and folders.
     pub ask_paths: AskPaths,
+    /// Whether somebody looks on: only what changed is drawn again, and with fewer pixels while something moves if the
+    /// machine is slow. Otherwise every picture is drawn whole and in full.
+    pub live: bool,
 }
 
 impl AppOptions {
@@ -29,6 +32,7 @@ impl AppOptions {
             built_in: BuiltInParams::default(),
             started: Instant::now(),
             ask_paths: system_dialogs(),
+            live: false,
         }
     }
 

@@ -28,6 +28,7 @@ mod settings;
 mod sheets;
 mod start;
 mod times;
+mod window_picture;
 
 pub use app::App;
 pub use app_options::AppOptions;

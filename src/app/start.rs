@@ -56,7 +56,10 @@ pub fn run_window(paths: Vec<PathBuf>) -> Result<(), StartError> {
     if cfg!(all(unix, not(target_os = "macos"))) && !display_is_named() {
         return Err(StartError::NoDisplay);
     }
-    let options = AppOptions::opening(paths);
+    let options = AppOptions {
+        live: true,
+        ..AppOptions::opening(paths)
+    };
     // winit panics where libxkbcommon-x11 is missing: until the window is open, that panic is caught and
     // reported as an error; afterwards panics are reported as usual.
     let hook = Arc::new(Mutex::new(Some(std::panic::take_hook())));

@@ -2,7 +2,7 @@
 
 use super::pipelines::{layout, texture_entry, uniform_entry};
 use super::targets::Resolved;
-use super::uniforms::BlitUniform;
+use super::uniforms::{BlitUniform, Quality};
 use super::uploads::Gpu;
 
 /// The whole shader text.
@@ -12,7 +12,9 @@ pub(super) const SHADER: &str = include_str!("shaders/blit.wgsl");
 pub(super) struct BlitPass {
     layout: wgpu::BindGroupLayout,
     pipeline: wgpu::RenderPipeline,
-    sampler: wgpu::Sampler,
+    nearest: wgpu::Sampler,
+    /// For pictures of fewer pixels than their place in the window has.
+    linear: wgpu::Sampler,
     encodes_srgb: bool,
 }
 
@@ -45,13 +47,26 @@ impl BlitPass {
         Self {
             pipeline: blit_pipeline(device, &layout, format),
             layout,
-            sampler: device.create_sampler(&wgpu::SamplerDescriptor::default()),
+            nearest: device.create_sampler(&wgpu::SamplerDescriptor::default()),
+            linear: device.create_sampler(&wgpu::SamplerDescriptor {
+                mag_filter: wgpu::FilterMode::Linear,
+                ..wgpu::SamplerDescriptor::default()
+            }),
             encodes_srgb: format.is_srgb(),
         }
     }
 
     /// Makes what a view needs for its finished picture.
-    pub fn target(&self, device: &wgpu::Device, picture: &Resolved) -> BlitTarget {
+    pub fn target(
+        &self,
+        device: &wgpu::Device,
+        picture: &Resolved,
+        quality: Quality,
+    ) -> BlitTarget {
+        let sampler = match quality {
+            Quality::Full => &self.nearest,
+            Quality::Moving => &self.linear,
+        };
         let uniform = device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("blit"),
             size: size_of::<BlitUniform>() as u64,
@@ -72,7 +87,7 @@ impl BlitPass {
                 },
                 wgpu::BindGroupEntry {
                     binding: 2,
-                    resource: wgpu::BindingResource::Sampler(&self.sampler),
+                    resource: wgpu::BindingResource::Sampler(sampler),
                 },
             ],
         });

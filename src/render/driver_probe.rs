@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::error_scope::ErrorScope;
 use super::targets::Capabilities;
-use super::uniforms::{Shot, Tile};
+use super::uniforms::{Quality, Shot, Tile};
 use super::uploads::Gpu;
 use super::{
     Camera, Geometry, GeometryPose, Lines, Points, Scene, Shading, Surface, SurfaceColour,
@@ -29,6 +29,7 @@ fn works(gpu: Gpu<'_>, draw: Draw<'_>, capabilities: Capabilities) -> Result<Cap
     let mut encoder = gpu.device.create_command_encoder(&descriptor);
     let shot = Shot {
         tile: Tile::all([8, 8]),
+        quality: Quality::Full,
         pixels_per_point: 1.0,
         folds: true,
         occlusion_of: None,

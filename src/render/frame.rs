@@ -76,6 +76,40 @@ impl Frame<'_> {
         draws
     }
 
+    /// One pass with one sample a pixel, for a picture that another follows at once: translucent surfaces lie over what
+    /// is opaque in the order of their triangles, which for a film of one colour is the same in any order.
+    pub fn encode_moving(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        depth: &wgpu::TextureView,
+        colour: &wgpu::TextureView,
+    ) -> u64 {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("moving"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: colour,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT),
+                    store: wgpu::StoreOp::Store,
+                },
+            })],
+            depth_stencil_attachment: Some(wgpu::RenderPassDepthStencilAttachment {
+                view: depth,
+                depth_ops: Some(wgpu::Operations {
+                    load: wgpu::LoadOp::Clear(0.0),
+                    store: wgpu::StoreOp::Discard,
+                }),
+                stencil_ops: None,
+            }),
+            ..wgpu::RenderPassDescriptor::default()
+        });
+        pass.set_bind_group(0, self.view, &[]);
+        self.draw(&mut pass, Stage::Moving, |drawn| !drawn.translucent)
+            + self.draw(&mut pass, Stage::MovingFilm, |drawn| drawn.translucent)
+    }
+
     fn depth(
         &self,
         encoder: &mut wgpu::CommandEncoder,

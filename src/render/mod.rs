@@ -26,9 +26,12 @@ mod targets;
 mod tests;
 mod uniforms;
 mod uploads;
+mod view;
 
 pub use bounds::Bounds;
 pub use camera::{Camera, Projected, Ray};
+#[cfg(test)]
+pub(crate) use offscreen::read_back;
 pub use offscreen::{Headless, LARGEST_PICTURE, Picture, RenderError};
 pub use pick::{Hit, pick, pick_along};
 pub use renderer::{Counters, Renderer, ViewId};
@@ -36,3 +39,4 @@ pub use scene::{
     ColourLimits, Geometry, GeometryPose, Lines, Points, Rgba, Scene, Shading, Surface,
     SurfaceColour, VertexScalars, Wireframe,
 };
+pub use uniforms::{Quality, Resolution};

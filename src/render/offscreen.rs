@@ -3,7 +3,7 @@
 use super::error_scope::{ErrorScope, finished};
 use super::renderer::{Renderer, ViewId};
 use super::targets::COLOUR;
-use super::uniforms::{Shot, Tile};
+use super::uniforms::{Quality, Shot, Tile};
 use super::uploads::Gpu;
 use super::{Camera, Rgba, Scene};
 
@@ -158,6 +158,7 @@ impl Headless {
         let whole = [width, height];
         let shot = |tile, occlusion_of| Shot {
             tile,
+            quality: Quality::Full,
             pixels_per_point,
             folds: true,
             occlusion_of,
@@ -223,12 +224,26 @@ impl Headless {
         height: u32,
         format: wgpu::TextureFormat,
     ) -> Result<Picture, RenderError> {
+        let full = super::Resolution::full([width, height], 1.0);
+        self.blitted_at(scene, camera, [width, height], format, full)
+    }
+
+    /// The same of a picture that may have fewer pixels than the window.
+    #[cfg(test)]
+    pub(super) fn blitted_at(
+        &mut self,
+        scene: &Scene,
+        camera: &Camera,
+        [width, height]: [u32; 2],
+        format: wgpu::TextureFormat,
+        resolution: super::Resolution,
+    ) -> Result<Picture, RenderError> {
         let (device, queue) = (&self.device, &self.queue);
         let mut renderer = Renderer::new(device, format);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         let view = ViewId(3);
         let size = [width, height];
-        renderer.prepare(device, queue, &mut encoder, view, scene, camera, size, 1.0);
+        renderer.prepare(device, queue, &mut encoder, view, scene, camera, resolution);
         let window = super::targets::window(device, size, format);
         let target = window.create_view(&wgpu::TextureViewDescriptor::default());
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -252,7 +267,7 @@ impl Headless {
 }
 
 /// Submits the work and fetches a texture of four bytes a pixel: rows without gaps.
-fn read_back(
+pub(crate) fn read_back(
     device: &wgpu::Device,
     queue: &wgpu::Queue,
     mut encoder: wgpu::CommandEncoder,

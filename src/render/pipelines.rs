@@ -16,10 +16,27 @@ pub(super) enum Stage {
     Colour,
     /// Light of a whole translucent surface before what is opaque, under what is already there; needs no depths but those.
     Translucent,
+    /// Depth and light at once, of one sample a pixel: what is opaque, in a picture that another follows.
+    Moving,
+    /// The same of translucent surfaces, over what is opaque before them.
+    MovingFilm,
+}
+
+impl Stage {
+    fn samples(self) -> u32 {
+        match self {
+            Self::Moving | Self::MovingFilm => 1,
+            _ => SAMPLES,
+        }
+    }
+
+    fn writes_depth(self) -> bool {
+        !matches!(self, Self::Colour | Self::Translucent | Self::MovingFilm)
+    }
 }
 
 const KINDS: usize = 5;
-const STAGES: usize = 5;
+const STAGES: usize = 7;
 
 /// Bind group layouts shared by the passes.
 pub(super) struct Layouts {
@@ -155,15 +172,18 @@ fn scene_pipeline(
         Kind::Surface | Kind::EdgedSurface | Kind::Rim => &layouts.surface,
         Kind::Lines | Kind::Points => &layouts.mark,
     };
+    let moving = matches!(stage, Stage::Moving | Stage::MovingFilm);
     let (entry, buffers) = match kind {
+        Kind::Surface if moving => ("vs_moving", vec![]),
         Kind::Surface => ("vs_indexed", vec![]),
+        Kind::EdgedSurface if moving => ("vs_moving_corners", vec![Some(CORNERS)]),
         Kind::EdgedSurface => ("vs_corners", vec![Some(CORNERS)]),
         Kind::Rim => ("vs_rim", vec![Some(RIM)]),
         Kind::Lines => ("vs_segment", vec![Some(SEGMENTS)]),
         Kind::Points => ("vs_disc", DISCS.map(Some).to_vec()),
     };
     let groups: &[Option<&wgpu::BindGroupLayout>] = match stage {
-        Stage::OpaqueDepth => &[Some(&layouts.view), Some(own)],
+        Stage::OpaqueDepth | Stage::Moving | Stage::MovingFilm => &[Some(&layouts.view), Some(own)],
         Stage::FirstDepth | Stage::PeelDepth => {
             &[Some(&layouts.view), Some(own), Some(&layouts.peel)]
         }
@@ -176,12 +196,17 @@ fn scene_pipeline(
         bind_group_layouts: groups,
         immediate_size: 0,
     });
-    let under = [Some(wgpu::ColorTargetState {
-        format: COLOUR,
-        blend: Some(wgpu::BlendState {
+    let blend = match stage {
+        Stage::Moving => None,
+        Stage::MovingFilm => Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+        _ => Some(wgpu::BlendState {
             color: UNDER,
             alpha: UNDER,
         }),
+    };
+    let colour = [Some(wgpu::ColorTargetState {
+        format: COLOUR,
+        blend,
         write_mask: wgpu::ColorWrites::ALL,
     })];
     let fragment = |entry_point, targets| wgpu::FragmentState {
@@ -202,7 +227,7 @@ fn scene_pipeline(
         primitive: wgpu::PrimitiveState::default(),
         depth_stencil: Some(wgpu::DepthStencilState {
             format: DEPTH,
-            depth_write_enabled: Some(!matches!(stage, Stage::Colour | Stage::Translucent)),
+            depth_write_enabled: Some(stage.writes_depth()),
             depth_compare: Some(match stage {
                 Stage::Colour => wgpu::CompareFunction::Equal,
                 _ => wgpu::CompareFunction::Greater,
@@ -211,17 +236,22 @@ fn scene_pipeline(
             bias: wgpu::DepthBiasState::default(),
         }),
         multisample: wgpu::MultisampleState {
-            count: SAMPLES,
+            count: stage.samples(),
             ..wgpu::MultisampleState::default()
         },
         fragment: match stage {
             Stage::OpaqueDepth => None,
             Stage::FirstDepth => Some(fragment("fs_first", &[])),
             Stage::PeelDepth => Some(fragment("fs_peel", &[])),
-            Stage::Colour | Stage::Translucent if kind == Kind::Rim => {
-                Some(fragment("fs_rim", &under))
+            _ => {
+                let entry_point = match kind {
+                    Kind::Rim => "fs_rim",
+                    Kind::Surface if moving => "fs_moving",
+                    Kind::EdgedSurface if moving => "fs_moving_edged",
+                    _ => "fs_colour",
+                };
+                Some(fragment(entry_point, &colour))
             }
-            Stage::Colour | Stage::Translucent => Some(fragment("fs_colour", &under)),
         },
         multiview_mask: None,
         cache: None,

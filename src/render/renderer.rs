@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use super::blit_pass::{BlitPass, BlitTarget};
+use super::blit_pass::BlitPass;
 use super::drawn::Drawn;
 use super::error_scope::ErrorScope;
 use super::frame::Frame;
@@ -10,9 +10,10 @@ use super::identity::same_scene;
 use super::occlusion_pass::OcclusionPass;
 use super::pipelines::{Layouts, Pipelines, Stage};
 use super::surface_pass::Nothing;
-use super::targets::{Capabilities, Resolved, Scratch};
-use super::uniforms::{Shot, Tile, UNIFORM_STRIDE, ViewUniform};
+use super::targets::{Capabilities, Scratch};
+use super::uniforms::{Quality, Resolution, Shot, Tile, UNIFORM_STRIDE, ViewUniform};
 use super::uploads::{Gpu, Uploads};
+use super::view::{Shown, View};
 use super::{Camera, Scene, driver_probe, line_pass, point_pass, surface_pass};
 
 /// Names one of several pictures that are kept at the same time, such as two views side by side.
@@ -34,22 +35,6 @@ pub struct Counters {
 const OCCLUSION_REACH: f32 = 0.30;
 /// Shared textures of a size that no view used for so many redraws are let go.
 const SCRATCH_KEPT_REDRAWS: u64 = 64;
-
-/// What a picture was drawn from.
-struct Shown {
-    scene: Scene,
-    camera: Camera,
-    shot: Shot,
-}
-
-struct View {
-    shown: Option<Shown>,
-    resolved: Resolved,
-    blit: BlitTarget,
-    view_uniform: wgpu::Buffer,
-    view_group: wgpu::BindGroup,
-    draw_uniforms: wgpu::Buffer,
-}
 
 /// The renderer: one per device, for any number of views.
 pub struct Renderer {
@@ -107,9 +92,14 @@ impl Renderer {
         }
     }
 
+    /// Whether a view's last picture shows this, in whatever quality; if so, in which.
+    pub fn shows(&self, view: ViewId, scene: &Scene, camera: &Camera) -> Option<Quality> {
+        let shown = self.views.get(&view)?.shown.as_ref()?;
+        let same = shown.camera == *camera && same_scene(&shown.scene, scene);
+        same.then_some(shown.shot.quality)
+    }
+
     /// Draws a view's picture if anything changed since it was last drawn; returns whether it did.
-    ///
-    /// `size` is in physical pixels; widths in the scene are multiplied by `pixels_per_point`.
     #[expect(
         clippy::too_many_arguments,
         reason = "the callback of the window has exactly these at hand"
@@ -122,13 +112,13 @@ impl Renderer {
         view: ViewId,
         scene: &Scene,
         camera: &Camera,
-        size: [u32; 2],
-        pixels_per_point: f32,
+        resolution: Resolution,
     ) -> bool {
         let most = device.limits().max_texture_dimension_2d;
         let shot = Shot {
-            tile: Tile::all(size.map(|n| n.clamp(1, most))),
-            pixels_per_point,
+            tile: Tile::all(resolution.pixels.map(|n| n.clamp(1, most))),
+            quality: resolution.quality,
+            pixels_per_point: resolution.pixels_per_point,
             folds: !self.software,
             occlusion_of: None,
         };
@@ -150,8 +140,8 @@ impl Renderer {
 
     /// Lays a view's last picture over its background into the pass's viewport.
     pub fn blit(&self, pass: &mut wgpu::RenderPass<'_>, view: ViewId) {
-        if let Some(view) = self.views.get(&view) {
-            self.blit.blit(pass, &view.blit);
+        if let Some(finished) = self.views.get(&view).and_then(View::finished) {
+            self.blit.blit(pass, &finished.blit);
         }
     }
 
@@ -171,7 +161,8 @@ impl Renderer {
 
     /// The finished picture of a view, premultiplied and without its background.
     pub(super) fn picture(&self, view: ViewId) -> Option<&wgpu::Texture> {
-        self.views.get(&view).map(|view| &view.resolved.texture)
+        let finished = self.views.get(&view)?.finished()?;
+        Some(&finished.resolved.texture)
     }
 
     /// Keeps the occlusion of the last picture of this size for shots that name it, until the next picture in pieces.
@@ -211,30 +202,38 @@ impl Renderer {
             .clone()?;
         let error_scope = ErrorScope::begin(gpu.device);
         let (tile, pixels_per_point) = (shot.tile, shot.pixels_per_point);
+        let moving = shot.quality == Quality::Moving;
         let count = scene.surfaces.len() + scene.lines.len() + scene.points.len();
-        let mut view = self.view(gpu.device, id, tile, count);
+        let mut view = self.views.remove(&id).unwrap_or_default();
+        let uniforms = view.uniforms(gpu.device, &self.layouts, count);
         let (drawn, blocks, reach) =
-            self.collect(gpu, scene, pixels_per_point, &view.draw_uniforms);
+            self.collect(gpu, scene, pixels_per_point, &uniforms.draw_uniforms);
         let occlusion = self
             .occlusion
             .as_ref()
-            .filter(|_| capabilities == Capabilities::Peeled);
+            .filter(|_| capabilities == Capabilities::Peeled && !moving);
         let reach = occlusion.map_or(0.0, |_| reach);
-        gpu.queue.write_buffer(&view.draw_uniforms, 0, &blocks);
+        gpu.queue.write_buffer(&uniforms.draw_uniforms, 0, &blocks);
         let uniform = ViewUniform::new(camera, shot, reach, scene.background);
         gpu.queue
-            .write_buffer(&view.view_uniform, 0, bytemuck::bytes_of(&uniform));
-        self.blit.set_background(gpu, &view.blit, scene.background);
+            .write_buffer(&uniforms.view_uniform, 0, bytemuck::bytes_of(&uniform));
+        let view_group = uniforms.view_group.clone();
+        let (finished, depth) = view.target(gpu.device, &self.blit, shot);
+        self.blit
+            .set_background(gpu, &finished.blit, scene.background);
         prepare_pipelines(
             &mut self.pipelines,
             (gpu.device, &self.layouts),
             &drawn,
-            capabilities,
+            (capabilities, shot.quality),
         );
-        let mut scratch = take_scratch(&mut self.scratch, gpu.device, tile.size, capabilities);
-        scratch.last_used = self.redraws + 1;
-        if capabilities == Capabilities::Peeled && drawn.iter().any(|drawn| drawn.translucent) {
-            scratch.layers(gpu.device);
+        let mut scratch =
+            (!moving).then(|| take_scratch(&mut self.scratch, gpu.device, tile.size, capabilities));
+        if let Some(scratch) = &mut scratch {
+            scratch.last_used = self.redraws + 1;
+            if capabilities == Capabilities::Peeled && drawn.iter().any(|drawn| drawn.translucent) {
+                scratch.layers(gpu.device);
+            }
         }
         if let Err(reason) = error_scope.end() {
             self.pipelines = Pipelines::default();
@@ -250,16 +249,21 @@ impl Renderer {
             capabilities,
             backward: camera.backward(),
             folds: shot.folds,
-            view: &view.view_group,
+            view: &view_group,
             drawn: &drawn,
             kept_occlusion: self
                 .kept_occlusion
                 .as_ref()
                 .filter(|_| shot.occlusion_of.is_some()),
         };
-        self.draws += frame.encode(encoder, &mut scratch, &view.resolved.view);
+        let resolved = &finished.resolved.view;
+        self.draws += match (&mut scratch, depth) {
+            (Some(scratch), _) => frame.encode(encoder, scratch, resolved),
+            (None, Some(depth)) => frame.encode_moving(encoder, &depth, resolved),
+            (None, None) => 0,
+        };
         self.redraws += 1;
-        self.scratch.push(scratch);
+        self.scratch.extend(scratch);
         let now = self.redraws;
         self.scratch
             .retain(|scratch| now - scratch.last_used <= SCRATCH_KEPT_REDRAWS);
@@ -271,43 +275,6 @@ impl Renderer {
         });
         self.views.insert(id, view);
         Ok(())
-    }
-
-    /// Takes a view out, with textures of the right size and room for its draws.
-    fn view(&mut self, device: &wgpu::Device, id: ViewId, tile: Tile, draws: usize) -> View {
-        let room = UNIFORM_STRIDE * (draws as u64).max(1).next_power_of_two();
-        match self.views.remove(&id) {
-            Some(view) if view.resolved.size == tile.size && view.draw_uniforms.size() >= room => {
-                view
-            }
-            _ => {
-                let uniforms = |size| {
-                    device.create_buffer(&wgpu::BufferDescriptor {
-                        label: Some("view"),
-                        size,
-                        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-                        mapped_at_creation: false,
-                    })
-                };
-                let resolved = Resolved::new(device, tile);
-                let view_uniform = uniforms(size_of::<ViewUniform>() as u64);
-                View {
-                    shown: None,
-                    blit: self.blit.target(device, &resolved),
-                    view_group: device.create_bind_group(&wgpu::BindGroupDescriptor {
-                        label: Some("view"),
-                        layout: &self.layouts.view,
-                        entries: &[wgpu::BindGroupEntry {
-                            binding: 0,
-                            resource: view_uniform.as_entire_binding(),
-                        }],
-                    }),
-                    resolved,
-                    view_uniform,
-                    draw_uniforms: uniforms(room),
-                }
-            }
-        }
     }
 
     /// Everything to draw, its uniforms, and the reach of ambient occlusion in coordinates.
@@ -366,13 +333,17 @@ fn prepare_pipelines(
     pipelines: &mut Pipelines,
     (device, layouts): (&wgpu::Device, &Layouts),
     drawn: &[Drawn],
-    capabilities: Capabilities,
+    (capabilities, quality): (Capabilities, Quality),
 ) {
     for draw in drawn {
-        let stages: &[Stage] = match (draw.translucent, capabilities) {
-            (false, _) => &[Stage::OpaqueDepth, Stage::Colour],
-            (true, Capabilities::Peeled) => &[Stage::FirstDepth, Stage::PeelDepth, Stage::Colour],
-            (true, Capabilities::Plain) => &[Stage::Translucent],
+        let stages: &[Stage] = match (quality, draw.translucent, capabilities) {
+            (Quality::Moving, false, _) => &[Stage::Moving],
+            (Quality::Moving, true, _) => &[Stage::MovingFilm],
+            (Quality::Full, false, _) => &[Stage::OpaqueDepth, Stage::Colour],
+            (Quality::Full, true, Capabilities::Peeled) => {
+                &[Stage::FirstDepth, Stage::PeelDepth, Stage::Colour]
+            }
+            (Quality::Full, true, Capabilities::Plain) => &[Stage::Translucent],
         };
         for &stage in stages {
             pipelines.prepare(device, layouts, draw.kind, stage);

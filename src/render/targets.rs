@@ -57,6 +57,12 @@ impl Scratch {
     }
 }
 
+/// Depths of a picture that another follows.
+pub(super) fn moving_depth(device: &wgpu::Device, size: [u32; 2]) -> wgpu::TextureView {
+    let usage = wgpu::TextureUsages::RENDER_ATTACHMENT;
+    texture(device, size, DEPTH, 1, usage).create_view(&wgpu::TextureViewDescriptor::default())
+}
+
 /// A finished picture without its background.
 pub(super) struct Resolved {
     pub texture: wgpu::Texture,

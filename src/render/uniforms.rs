@@ -30,10 +30,55 @@ impl Tile {
     }
 }
 
+/// How much is done for a picture.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Quality {
+    /// Four samples a pixel, occlusion, translucency exact layer by layer.
+    #[default]
+    Full,
+    /// For pictures that another follows at once: one sample a pixel, plain light, translucent surfaces laid over what
+    /// is opaque in one pass.
+    Moving,
+}
+
+/// How large and how well a picture is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Resolution {
+    /// Width and height of the picture.
+    pub pixels: [u32; 2],
+    /// Widths in the scene are multiplied by this.
+    pub pixels_per_point: f32,
+    /// What is done for it.
+    pub quality: Quality,
+}
+
+impl Resolution {
+    /// As well as it can be.
+    pub fn full(pixels: [u32; 2], pixels_per_point: f32) -> Self {
+        Self {
+            pixels,
+            pixels_per_point,
+            quality: Quality::Full,
+        }
+    }
+
+    /// The same view with fewer pixels, `scale` (0 to 1) of them along each side, for a picture that another follows.
+    pub fn moving(self, scale: f32) -> Self {
+        Self {
+            pixels: self
+                .pixels
+                .map(|n| ((n as f32 * scale).round() as u32).max(1)),
+            pixels_per_point: self.pixels_per_point * scale,
+            quality: Quality::Moving,
+        }
+    }
+}
+
 /// What is taken of a scene: which part, how dense, and where its occlusion comes from.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Shot {
     pub tile: Tile,
+    pub quality: Quality,
     /// Physical pixels per logical pixel.
     pub pixels_per_point: f32,
     /// Whether a layer more than usual is taken of translucent surfaces, for folds.
@@ -218,6 +263,7 @@ mod tests {
         };
         let shot = Shot {
             tile,
+            quality: Quality::Full,
             pixels_per_point: 1.0,
             folds: true,
             occlusion_of: None,

@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use cardiomorph::mesh::{phantom, vertex_normals};
 use cardiomorph::render::{
-    Bounds, Camera, Geometry, GeometryPose, Headless, Renderer, Scene, Shading, Surface,
-    SurfaceColour, ViewId, pick,
+    Bounds, Camera, Geometry, GeometryPose, Headless, Renderer, Resolution, Scene, Shading,
+    Surface, SurfaceColour, ViewId, pick,
 };
 use criterion::{Criterion, criterion_group, criterion_main};
 
@@ -81,8 +81,7 @@ fn render(criterion: &mut Criterion) {
             view,
             scene,
             &camera,
-            [8, 8],
-            1.0,
+            Resolution::full([8, 8], 1.0),
         );
         encoder.finish()
     };
@@ -172,17 +171,8 @@ fn picture(criterion: &mut Criterion) {
                 let camera = level.turned(glam::Vec3::Z, turn, 0.0).fitted(&bounds, 1.6);
                 let descriptor = wgpu::CommandEncoderDescriptor::default();
                 let mut encoder = device.create_command_encoder(&descriptor);
-                let (view, size) = (ViewId(0), [1280, 800]);
-                renderer.prepare(
-                    &device,
-                    &queue,
-                    &mut encoder,
-                    view,
-                    &scene,
-                    &camera,
-                    size,
-                    1.0,
-                );
+                let (view, size) = (ViewId(0), Resolution::full([1280, 800], 1.0));
+                renderer.prepare(&device, &queue, &mut encoder, view, &scene, &camera, size);
                 queue.submit([encoder.finish()]);
                 device.poll(wgpu::PollType::wait_indefinitely()).ok();
             });

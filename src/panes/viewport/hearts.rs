@@ -219,10 +219,12 @@ impl Viewport {
                 views: cells.len() as u32,
                 scene,
                 camera: cell.camera,
+                rect: cell.rect,
+                ctx: ui.ctx().clone(),
                 size: pixels(cell.rect, ui.pixels_per_point()),
                 meter: Arc::clone(meter),
             };
-            ui.painter().add(paint.shape(cell.rect));
+            ui.painter().add(paint.shape());
         }
         legends
     }

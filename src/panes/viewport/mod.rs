@@ -8,6 +8,7 @@ pub(crate) mod header_view;
 pub(crate) mod hearts;
 pub mod overlay;
 pub(crate) mod overlay_view;
+pub(crate) mod pace;
 pub(crate) mod paint;
 pub(crate) mod pick_label;
 pub(crate) mod pictures;

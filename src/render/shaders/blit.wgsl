@@ -32,9 +32,7 @@ fn fs_over(in: Varying) -> @location(0) vec4<f32> {
     let front = textureSample(picture, nearest, in.uv);
     let back = vec4<f32>(blit.background.rgb, 1.0) * blit.background.a;
     let over = front + back * (1.0 - front.a);
-    if blit.options.x < 0.5 {
-        return over;
-    }
     let plain = over.rgb / max(over.a, 1e-6);
-    return vec4<f32>(light_of(plain) * over.a, over.a);
+    let decoded = vec4<f32>(light_of(plain) * over.a, over.a);
+    return select(decoded, over, blit.options.x < 0.5);
 }

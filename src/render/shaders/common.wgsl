@@ -1,4 +1,8 @@
 // What every pass shares: the view, clip positions, sRGB, and the light.
+//
+// No shader branches on uniforms alone: it selects, or asks a varying too. Mesa's drivers for the processor write the
+// values of such uniforms into the shader and compile it anew for every draw, and keep what they compiled: 4 MB a
+// picture.
 
 struct View {
     // Rotation from world to camera axes (x right, y up, z towards the viewer).
@@ -31,21 +35,16 @@ fn eye_distance(q: vec3<f32>) -> f32 {
 
 // Unit vector from a place towards the eye.
 fn towards_eye(q: vec3<f32>) -> vec3<f32> {
-    if view.projection.w > 0.5 {
-        return vec3<f32>(0.0, 0.0, 1.0);
-    }
-    return normalize(vec3<f32>(0.0, 0.0, view.target_point.w) - q);
+    let to_eye = normalize(vec3<f32>(0.0, 0.0, view.target_point.w) - q);
+    return select(to_eye, vec3<f32>(0.0, 0.0, 1.0), view.projection.w > 0.5);
 }
 
 fn clip_of(q: vec3<f32>) -> vec4<f32> {
     let d = eye_distance(q);
     let scaled = q.xy * view.projection.xy;
-    var clip: vec4<f32>;
-    if view.projection.w > 0.5 {
-        clip = vec4<f32>(scaled, 1.0 - d / view.projection.z, 1.0);
-    } else {
-        clip = vec4<f32>(scaled, view.projection.z, d);
-    }
+    let parallel = vec2<f32>(1.0 - d / view.projection.z, 1.0);
+    let perspective = vec2<f32>(view.projection.z, d);
+    let clip = vec4<f32>(scaled, select(perspective, parallel, view.projection.w > 0.5));
     return vec4<f32>(clip.xy * view.crop.xy + view.crop.zw * clip.w, clip.zw);
 }
 
@@ -57,26 +56,20 @@ fn pixel_length(d: f32) -> f32 {
 
 // Moves a place towards the eye along its own ray, so that it stays at its pixel.
 fn nearer(q: vec3<f32>, by: f32) -> vec3<f32> {
-    if view.projection.w > 0.5 {
-        return q + vec3<f32>(0.0, 0.0, by);
-    }
     let eye = vec3<f32>(0.0, 0.0, view.target_point.w);
     let d = max(eye_distance(q), 1e-20);
-    return eye + (q - eye) * (1.0 - min(by / d, 0.5));
+    let along_ray = eye + (q - eye) * (1.0 - min(by / d, 0.5));
+    return select(along_ray, q + vec3<f32>(0.0, 0.0, by), view.projection.w > 0.5);
 }
 
 // Cuts the end `b` of a segment off where it comes too close to the eye.
 fn before_eye(a: vec3<f32>, b: vec3<f32>) -> vec3<f32> {
-    if view.projection.w > 0.5 {
-        return b;
-    }
     let least = 2.0 * view.projection.z;
     let da = eye_distance(a);
     let db = eye_distance(b);
-    if db >= least || da <= db {
-        return b;
-    }
-    return mix(b, a, (least - db) / (da - db));
+    let whole = view.projection.w > 0.5 || db >= least || da <= db;
+    let cut = mix(b, a, (least - db) / max(da - db, 1e-20));
+    return select(cut, b, whole);
 }
 
 // Pixels from the middle of the picture, y up.
@@ -87,10 +80,8 @@ fn on_screen(q: vec3<f32>) -> vec2<f32> {
 
 // Distance from the eye plane of a stored depth.
 fn distance_of_depth(depth: f32) -> f32 {
-    if view.projection.w > 0.5 {
-        return (1.0 - depth) * view.projection.z;
-    }
-    return view.projection.z / max(depth, 1e-12);
+    let perspective = view.projection.z / max(depth, 1e-12);
+    return select(perspective, (1.0 - depth) * view.projection.z, view.projection.w > 0.5);
 }
 
 fn linear_of(srgb: vec3<f32>) -> vec3<f32> {

@@ -3,7 +3,8 @@
 @group(2) @binding(2) var occlusion_map: texture_2d<u32>;
 
 fn occlusion_at(pixel: vec2<f32>, distance: f32) -> f32 {
-    if view.options.z < 0.5 {
+    // The distance is positive: it is asked along so that this is no branch on a uniform alone.
+    if view.options.z * distance <= 0.0 {
         return 1.0;
     }
     let size = vec2<i32>(textureDimensions(occlusion_map));

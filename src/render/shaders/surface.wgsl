@@ -32,7 +32,8 @@ struct Varying {
 }
 
 fn texel(index: u32, width: u32) -> vec2<i32> {
-    return vec2<i32>(i32(index % width), i32(index / width));
+    let columns = max(width, 1u);
+    return vec2<i32>(i32(index % columns), i32(index / columns));
 }
 
 // Undoes the octahedral packing of a unit normal into two 16-bit numbers.
@@ -60,13 +61,13 @@ fn placed(vertex: u32) -> Varying {
     out.q = in_camera(world);
     out.clip = clip_of(out.q);
     out.normal = (view.rotation * vec4<f32>(normal, 0.0)).xyz;
-    out.number = vec2<f32>(0.0);
-    if surface.limits.w > 0.5 {
-        let from_number = number_at(surface.scalar_texels.x + vertex);
-        let to_number = number_at(surface.scalar_texels.y + vertex);
-        let known = from_number.y * to_number.y;
-        out.number = vec2<f32>(mix(from_number.x, to_number.x, blend) * known, known);
-    }
+    // Without numbers a stand-in of one texel is read.
+    let by_numbers = surface.limits.w > 0.5;
+    let from_number = number_at(select(0u, surface.scalar_texels.x + vertex, by_numbers));
+    let to_number = number_at(select(0u, surface.scalar_texels.y + vertex, by_numbers));
+    let known = from_number.y * to_number.y;
+    let number = vec2<f32>(mix(from_number.x, to_number.x, blend) * known, known);
+    out.number = select(vec2<f32>(0.0), number, by_numbers);
     out.corner = vec3<f32>(1.0);
     return out;
 }
@@ -98,16 +99,25 @@ fn mapped(number: vec2<f32>) -> vec3<f32> {
     if value > high {
         return surface.above.rgb;
     }
-    var share = (value - low) / max(high - low, 1e-30);
-    if surface.limits.z > 0.5 {
-        share = log(max(value, 1e-30) / low) / max(log(high / low), 1e-30);
-    }
+    let even = (value - low) / max(high - low, 1e-30);
+    let logarithmic = log(max(value, 1e-30) / low) / max(log(high / low), 1e-30);
+    let share = select(even, logarithmic, surface.limits.z > 0.5);
     let last = f32(surface.texels.w) - 1.0;
     let place = clamp(share, 0.0, 1.0) * last;
     let first = min(floor(place), max(last - 1.0, 0.0));
     let a = textureLoad(colour_map, vec2<i32>(i32(first), 0), 0).rgb;
     let b = textureLoad(colour_map, vec2<i32>(i32(min(first + 1.0, last)), 0), 0).rgb;
     return mix(a, b, place - first);
+}
+
+fn base_of(number: vec2<f32>) -> vec3<f32> {
+    return select(surface.colour.rgb, mapped(number), surface.limits.w > 0.5);
+}
+
+// Colour that the light meets; a surface of one colour is darker inside.
+fn light_base_of(number: vec2<f32>, from_inside: bool) -> vec3<f32> {
+    let darker = select(vec3<f32>(1.0), vec3<f32>(0.60, 0.46, 0.46), from_inside && surface.limits.w <= 0.5);
+    return linear_of(base_of(number)) * darker;
 }
 
 // Share of the pixel that a line of `width` pixels covers, `d` pixels from its middle.
@@ -151,16 +161,12 @@ fn vs_rim(@builtin(vertex_index) i: u32, @location(0) from_vertex: u32, @locatio
 
 @fragment
 fn fs_rim(in: Varying) -> @location(0) vec4<f32> {
-    var base = surface.colour.rgb;
-    if surface.limits.w > 0.5 {
-        base = mapped(in.number);
-    }
+    let base = base_of(in.number);
     let strength = surface.options.y;
-    if surface.colour.a < 1.0 {
-        let opacity = mix(surface.colour.a, 1.0, 0.5 * strength);
-        return vec4<f32>(translucent_edge(base * 0.8), 1.0) * opacity;
-    }
-    return vec4<f32>(mix(base, mix(base, vec3<f32>(1.0), 0.30), strength), 1.0);
+    let opacity = mix(surface.colour.a, 1.0, 0.5 * strength);
+    let translucent = vec4<f32>(translucent_edge(base * 0.8), 1.0) * opacity;
+    let opaque = vec4<f32>(mix(base, mix(base, vec3<f32>(1.0), 0.30), strength), 1.0);
+    return select(opaque, translucent, surface.colour.a < 1.0);
 }
 
 @fragment
@@ -197,38 +203,82 @@ fn fs_colour(in: Varying) -> @location(0) vec4<f32> {
     let corner_pixels = in.corner / max(corner_turn, vec3<f32>(1e-9));
 
     let by_numbers = surface.limits.w > 0.5;
-    var base = surface.colour.rgb;
-    if by_numbers {
-        base = mapped(in.number);
-    }
-    var light_base = linear_of(base);
-    if from_inside && !by_numbers {
-        light_base *= vec3<f32>(0.60, 0.46, 0.46);
-    }
+    let light_base = light_base_of(in.number, from_inside);
     let translucent = surface.colour.a < 1.0;
     let open_to_light = select(occlusion_at(in.clip.xy, eye_distance(in.q)), 1.0, translucent);
     let lit = matte(light_base, n, v, open_to_light, select(1.0, 0.3, by_numbers));
 
     // A translucent surface lets some of its light through to what is behind it.
     var colour = srgb_of(lit * select(1.0, 0.82, translucent));
-    var opacity = surface.colour.a;
-    if translucent {
-        // A thin surface seen aslant is longer to pass: Beer and Lambert give 1 - (1 - a)^(1 / cos).
-        opacity = 1.0 - pow(1.0 - opacity, 1.0 / max(facing, 0.14));
-    }
+    // A thin surface seen aslant is longer to pass: Beer and Lambert give 1 - (1 - a)^(1 / cos).
+    let aslant = 1.0 - pow(max(1.0 - surface.colour.a, 0.0), 1.0 / max(facing, 0.14));
+    var opacity = select(surface.colour.a, aslant, translucent);
     let ppp = view.options.x;
     let rim_line = covered(rim_pixels, 2.6 * ppp) * surface.options.y;
     // Dark on opaque surfaces.
     let rim_colour = select(colour * 0.25, translucent_edge(colour), translucent);
     colour = mix(colour, rim_colour, rim_line);
-    if translucent {
-        opacity = mix(opacity, 1.0, 0.5 * rim_line);
-    }
-    if surface.options.x > 0.0 {
-        let d = min(corner_pixels.x, min(corner_pixels.y, corner_pixels.z));
-        let edge = covered(d, surface.options.x * ppp) * surface.wire.a;
-        colour = mix(colour, surface.wire.rgb, edge);
-        opacity = mix(opacity, 1.0, edge);
-    }
+    opacity = mix(opacity, 1.0, select(0.0, 0.5 * rim_line, translucent));
+    // Without edges their width is 0, which covers nothing.
+    let d = min(corner_pixels.x, min(corner_pixels.y, corner_pixels.z));
+    let edge = covered(d, surface.options.x * ppp) * surface.wire.a;
+    colour = mix(colour, surface.wire.rgb, edge);
+    opacity = mix(opacity, 1.0, edge);
     return vec4<f32>(colour * opacity, opacity);
+}
+
+// For pictures that another follows: light is found at vertices, without occlusion and silhouettes.
+
+struct Lit {
+    @builtin(position) clip: vec4<f32>,
+    // Premultiplied.
+    @location(0) light: vec4<f32>,
+}
+
+struct EdgedLit {
+    @builtin(position) clip: vec4<f32>,
+    @location(0) light: vec4<f32>,
+    @location(1) corner: vec3<f32>,
+}
+
+fn light_at(at: Varying) -> vec4<f32> {
+    let v = towards_eye(at.q);
+    let normal = at.normal / max(length(at.normal), 1e-20);
+    let from_inside = dot(normal, v) < 0.0;
+    let n = select(normal, -normal, from_inside);
+    let light_base = light_base_of(at.number, from_inside);
+    let lit = matte(light_base, n, v, 1.0, select(1.0, 0.3, surface.limits.w > 0.5));
+    let opacity = 1.0 - pow(max(1.0 - surface.colour.a, 0.0), 1.0 / max(dot(n, v), 0.14));
+    let film = vec4<f32>(srgb_of(lit * 0.82) * opacity, opacity);
+    return select(vec4<f32>(srgb_of(lit), 1.0), film, surface.colour.a < 1.0);
+}
+
+@vertex
+fn vs_moving(@builtin(vertex_index) vertex: u32) -> Lit {
+    let at = placed(vertex);
+    return Lit(at.clip, light_at(at));
+}
+
+@vertex
+fn vs_moving_corners(@builtin(vertex_index) corner: u32, @location(0) vertex: u32) -> EdgedLit {
+    let at = placed(vertex);
+    let k = corner % 3u;
+    return EdgedLit(at.clip, light_at(at), vec3<f32>(f32(k == 0u), f32(k == 1u), f32(k == 2u)));
+}
+
+@fragment
+fn fs_moving(in: Lit) -> @location(0) vec4<f32> {
+    return in.light;
+}
+
+@fragment
+fn fs_moving_edged(in: EdgedLit) -> @location(0) vec4<f32> {
+    let turn = vec3<f32>(
+        length(vec2<f32>(dpdx(in.corner.x), dpdy(in.corner.x))),
+        length(vec2<f32>(dpdx(in.corner.y), dpdy(in.corner.y))),
+        length(vec2<f32>(dpdx(in.corner.z), dpdy(in.corner.z))));
+    let pixels = in.corner / max(turn, vec3<f32>(1e-9));
+    let nearest = min(pixels.x, min(pixels.y, pixels.z));
+    let edge = covered(nearest, surface.options.x * view.options.x) * surface.wire.a;
+    return mix(in.light, vec4<f32>(surface.wire.rgb, 1.0), edge);
 }

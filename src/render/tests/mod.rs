@@ -1,6 +1,7 @@
 //! Pictures of small scenes, measured pixel by pixel.
 
 mod marks;
+mod moving;
 mod opengl;
 mod pictures;
 mod shaders;

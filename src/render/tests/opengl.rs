@@ -142,8 +142,7 @@ fn what_the_driver_refuses_is_told_and_ends_nothing() {
         view,
         &heart(),
         &camera,
-        [64, 64],
-        1.0
+        Resolution::full([64, 64], 1.0)
     ));
     assert_eq!(renderer.failure(), None);
 }

@@ -17,7 +17,8 @@ fn prepare(
     let (device, queue) = gpu;
     let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     let view = ViewId(view);
-    let redrawn = renderer.prepare(device, queue, &mut encoder, view, scene, camera, SIZE, 1.0);
+    let size = Resolution::full(SIZE, 1.0);
+    let redrawn = renderer.prepare(device, queue, &mut encoder, view, scene, camera, size);
     queue.submit([encoder.finish()]);
     redrawn
 }
