@@ -62,6 +62,7 @@ fn both_subjects(document: &Document) -> Option<(&Arc<Subject>, usize, &Arc<Subj
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::ViewMode;
     use crate::document::testing::{study_of, study_ref, subject_with_frames};
 
     fn document() -> Document {

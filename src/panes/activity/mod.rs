@@ -101,15 +101,18 @@ fn duration_text(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::PoseMapParams;
+    use crate::engine::{PoseMapParams, Topic};
     use egui_kittest::{Harness, kittest::Queryable as _};
+    use std::time::Duration;
 
-    fn item(state: WorkState) -> WorkItem {
-        WorkItem {
-            kind: Topic::of::<PoseMapParams>(),
-            title: "Pose map".to_owned(),
+    fn item(state: ActivityState) -> Activity {
+        Activity {
+            number: 0,
+            topic: Topic::of::<PoseMapParams>(),
+            name: "Pose map".to_owned(),
             parameters: "184 poses".to_owned(),
-            duration_s: 1.25,
+            asked_ago: Duration::from_millis(1250),
+            duration: Duration::from_millis(1250),
             state,
         }
     }
@@ -118,20 +121,21 @@ mod tests {
     fn running_work_can_be_stopped_and_stopped_work_done_again() {
         for (state, button, command) in [
             (
-                WorkState::Running {
+                ActivityState::Running {
                     fraction: 0.5,
-                    seconds_left: None,
+                    phase: "",
+                    time_left: None,
                 },
                 "Cancel",
                 Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
             ),
             (
-                WorkState::Stopped,
+                ActivityState::Stopped,
                 "Retry",
                 Command::Work(WorkCommand::Retry(Topic::of::<PoseMapParams>())),
             ),
             (
-                WorkState::Failed("no poses".to_owned()),
+                ActivityState::Failed("no poses".to_owned()),
                 "Retry",
                 Command::Work(WorkCommand::Retry(Topic::of::<PoseMapParams>())),
             ),

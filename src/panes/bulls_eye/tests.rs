@@ -39,16 +39,10 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
         .build_ui_state(
             move |ui, commands: &mut Vec<Command>| {
-                let flat = PolarMap {
-                    points: if shown.map {
-                        points.to_vec()
-                    } else {
-                        Vec::new()
-                    },
-                    faces: faces.to_vec(),
-                    oriented: shown.oriented,
-                    ..PolarMap::default()
-                };
+                let mut flat = PolarMap::default();
+                flat.points.extend(points.iter().filter(|_| shown.map));
+                flat.faces = faces.to_vec();
+                flat.oriented = shown.oriented;
                 let values = PolarValues {
                     values: vec![1.0, 1.2, 1.5, f32::NAN, 0.8],
                     segments: [Some(1.52); Segment::COUNT],

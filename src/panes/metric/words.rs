@@ -81,6 +81,7 @@ pub fn corners_sentence(corners: Corners) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::metrics::METRICS;
 
     #[test]
     fn every_metric_says_what_it_ignores() {
