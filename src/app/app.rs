@@ -17,6 +17,7 @@ use super::apply::{Effect, Moment, apply};
 use super::asks::Seen;
 use super::background::{Background, reference_frames};
 use super::chosen_files::{ChosenFiles, Exporting};
+use super::dialogs::PathQuestion;
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::settings::Settings;
@@ -31,7 +32,7 @@ use crate::panes::viewport::pictures::Pictures;
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
 
-/// Longest step of the play clock: a beat that was held up goes on where it was.
+/// Longest step of the play clock: a motion that was held up goes on where it was.
 const LONGEST_STEP_S: f64 = 0.25;
 
 /// The window.
@@ -79,7 +80,7 @@ impl App {
             if let OpenSource::Paths(paths) = &source {
                 super::settings::remember_recent(&mut state.recent, paths);
             }
-            background.open(source);
+            background.engine.open(source);
         }
         let memo = Memo::default();
         memo.put(Viewport::new(cc.wgpu_render_state.is_some()));
@@ -113,7 +114,7 @@ impl App {
 
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
-        self.background.busy() || self.state.answers.thickness_is_pending()
+        self.background.engine.busy() || self.state.answers.thickness_is_pending()
     }
 
     /// Whether one kind of work goes on.
@@ -127,7 +128,7 @@ impl App {
         store.known(self.state.document.study(), query)
     }
 
-    /// What is on screen, as subject and place in the beat.
+    /// What is on screen, as subject and place in the cycle.
     pub fn hearts_on_screen(&self) -> Vec<(usize, f64)> {
         let viewport = self.viewport();
         let shown = viewport.borrow_mut();
@@ -142,12 +143,8 @@ impl App {
 
     fn report_refusal(&mut self, refused: Option<String>) {
         if let Some(reason) = refused.as_ref().filter(|_| refused != self.refused) {
-            super::errors::push_card(
-                &mut self.state.errors,
-                "The 3D view could not be drawn",
-                reason,
-                None,
-            );
+            let title = "The 3D view could not be drawn";
+            super::errors::push_card(&mut self.state.errors, title, reason);
         }
         self.refused = refused;
     }
@@ -198,18 +195,18 @@ impl App {
     fn perform(&mut self, ctx: &Context, effect: Effect) {
         let (files, mut exporting) = self.exporting(ctx);
         match effect {
-            Effect::ChooseFiles => files.ask_for_files(exporting.engine),
-            Effect::ChooseFolder => files.ask_for_folder(exporting.engine),
+            Effect::ChooseFiles => files.ask_to_open(exporting.engine, PathQuestion::OpenFiles),
+            Effect::ChooseFolder => files.ask_to_open(exporting.engine, PathQuestion::OpenFolders),
             Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
-            Effect::Open(source) => self.background.open(source),
+            Effect::Open(source) => self.background.engine.open(source),
             Effect::WriteFigure(kind, path) => {
                 files.ask_for_figure(&mut exporting, kind, Some(path));
             }
             Effect::ReadPicture(path) => files.read_view(exporting.engine, path),
             Effect::WriteTables(folder) => files.ask_for_tables(&mut exporting, Some(folder)),
-            Effect::Stop(kind) => self.background.stop(kind),
-            Effect::Retry(kind) => self.background.retry(kind),
+            Effect::Stop(topic) => self.background.engine.cancel(topic),
+            Effect::Retry(topic) => self.background.engine.retry(topic),
             Effect::SetTheme(theme) => choose_theme(ctx, theme),
             Effect::TogglePane(pane) => {
                 // A tab behind another one is brought forward first.
@@ -236,7 +233,7 @@ impl App {
         (&mut self.files, exporting)
     }
 
-    /// Moves the beat on by the time since the last frame.
+    /// Moves the motion on by the time since the last frame.
     fn play(&mut self, ctx: &Context) {
         if !self.state.play.playing {
             self.played_at_s = None;
@@ -305,7 +302,7 @@ impl eframe::App for App {
         viewport.prepare(&self.state, pictures, &reference_frames);
         drop(viewport);
         store.end_frame();
-        if self.background.busy() {
+        if self.background.engine.busy() {
             ctx.request_repaint_after(BAR_PERIOD);
         }
         self.times.add(begin.elapsed());

@@ -4,16 +4,17 @@ use std::collections::HashSet;
 
 use crate::analysis::classification::ClassesParams;
 use crate::engine::{
-    ClassesSettings, DeformationMapSettings, FrameThickness, Measures, PoseThickness, Query,
-    Showing, Store, ThicknessSettings, VerdictSettings, WallThickening,
+    ClassesSettings, DeformationMapSettings, FrameThickness, Measures, PoseThickness, Showing,
+    Store, ThicknessSettings, VerdictSettings, WallThickening,
 };
 use crate::panes::Pane;
 
-use super::asks_beats::BeatAsks;
+use super::asks_motions::MotionAsks;
 use crate::document::answers::{Answers, WallAnswer};
 use crate::document::state::State;
 use crate::document::visible_poses;
 use crate::panes::deformation_map::view::enough_subjects;
+use crate::panes::look::ask_at_rest;
 
 /// What of the window is looked at: work for panes that nobody sees waits.
 #[derive(Clone, Debug, Default)]
@@ -27,7 +28,7 @@ pub struct Seen {
 /// Asks, with what is made of answers once and kept as long as the answer stays the same.
 #[derive(Debug, Default)]
 pub struct Asks {
-    beats: BeatAsks,
+    motions: MotionAsks,
 }
 
 impl Asks {
@@ -44,7 +45,7 @@ impl Asks {
         }
         answers.measures = Some(store.ask(study, &Measures));
         answers.map = Some(store.ask(study, &state.document.map));
-        self.beats.ask(state, store, &mut answers);
+        self.motions.ask(state, store, &mut answers);
         answers.walls = walls(state, store);
         if enough_subjects(state) {
             let deformations = deformation_settings(state);
@@ -58,35 +59,22 @@ impl Asks {
         if seen.panes.contains(&Pane::THICKNESS) {
             answers.thickness = thickness(state, store);
         }
-        let verdicts = ask_at_rest(store, state, seen, &verdict_settings(state));
-        answers.verdicts = Some(verdicts);
+        let verdicts = verdict_settings(state);
+        answers.verdicts = Some(ask_at_rest(store, study, seen.pointer_held, &verdicts));
         answers
     }
 }
 
-/// Asks what takes the whole cohort: while the pointer is down nothing of it begins, for a threshold is dragged through
-/// many values; what has begun goes on.
-fn ask_at_rest<Q: Query>(
-    store: &Store,
-    state: &State,
-    seen: &Seen,
-    query: &Q,
-) -> Showing<Q::Answer> {
-    let study = state.document.study();
-    match seen.pointer_held {
-        true => store.watch(study, query),
-        false => store.ask(study, query),
-    }
-}
-
-fn deformation_settings(state: &State) -> DeformationMapSettings {
+/// How whole deformations are compared and mapped.
+pub fn deformation_settings(state: &State) -> DeformationMapSettings {
     DeformationMapSettings {
         poses: state.document.map,
         map: state.document.deformation_map,
     }
 }
 
-fn verdict_settings(state: &State) -> VerdictSettings {
+/// How the subjects are classified.
+pub fn verdict_settings(state: &State) -> VerdictSettings {
     VerdictSettings {
         thickening: state.document.thickening,
         ..VerdictSettings::default()
@@ -136,7 +124,7 @@ fn thickness(state: &State, store: &Store) -> Vec<(usize, Showing<FrameThickness
     poses.collect()
 }
 
-/// End-diastole, end-systole, and the pose on screen; while the beat plays only the first two, for the third is gone
+/// End-diastole, end-systole, and the pose on screen; while the motion plays only the first two, for the third is gone
 /// before it is measured. None while the phases are not known.
 fn thickness_poses(state: &State) -> Vec<usize> {
     let document = &state.document;

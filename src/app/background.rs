@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::engine::{Engine, OpenSource, StoreOptions, Topic, Wake};
+use crate::engine::{Engine, StoreOptions, Wake};
 use crate::io::Opened;
 use crate::picture::reference_frame;
 
@@ -52,26 +52,6 @@ impl Background {
     pub fn ask(&mut self, state: &mut State, seen: &Seen) {
         state.answers = self.asks.ask(state, self.engine.store(), seen);
     }
-
-    /// Begins stopped or failed work again.
-    pub fn retry(&mut self, topic: Topic) {
-        self.engine.retry(topic);
-    }
-
-    /// Reads or makes a study; the one on screen stays until the new one is there.
-    pub fn open(&mut self, source: OpenSource) {
-        self.engine.open(source);
-    }
-
-    /// Stops one kind of work.
-    pub fn stop(&mut self, topic: Topic) {
-        self.engine.cancel(topic);
-    }
-
-    /// Whether anything runs, so that bars must move.
-    pub fn busy(&self) -> bool {
-        self.engine.busy()
-    }
 }
 
 fn written_words(files: &[PathBuf]) -> String {
@@ -90,12 +70,7 @@ fn take_opened(state: &mut State, opened: Opened) {
     let study = opened.study;
     if study.subjects.is_empty() {
         if opened.errors.is_empty() {
-            push_card(
-                &mut state.errors,
-                "Nothing to open",
-                "no mesh files found",
-                None,
-            );
+            push_card(&mut state.errors, "Nothing to open", "no mesh files found");
         }
         return;
     }

@@ -7,7 +7,7 @@ use crate::engine::Engine;
 use crate::panes::{Command, FileCommand};
 use crate::study::Subject;
 
-use super::dialogs::{Answer, AskPaths, Dialogs, NoDialog, Question};
+use super::dialogs::{AskPaths, Dialogs, PathQuestion};
 use super::errors::push_card;
 use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
 use super::saved_views::{self, SavedViews};
@@ -49,14 +49,10 @@ impl ChosenFiles {
         }
     }
 
-    /// Asks which files to open.
-    pub fn ask_for_files(&mut self, engine: &Engine) {
-        self.dialogs.ask(engine, Question::Files);
-    }
-
-    /// Asks which folder to open.
-    pub fn ask_for_folder(&mut self, engine: &Engine) {
-        self.dialogs.ask(engine, Question::Folder);
+    /// Asks which files or folders to open.
+    pub fn ask_to_open(&mut self, engine: &Engine, question: PathQuestion) {
+        let open = |_: &mut State, _: &mut Engine, paths| Some(FileCommand::Open(paths).into());
+        self.dialogs.ask(engine, question, Box::new(open));
     }
 
     /// Begins to read the view that a picture contains.
@@ -66,14 +62,19 @@ impl ChosenFiles {
 
     /// Fixes what the tables hold at the moment they are asked for, then asks where they go if that is not known.
     pub fn ask_for_tables(&mut self, exporting: &mut Exporting<'_>, folder: Option<PathBuf>) {
-        match (TableExport::now(exporting.state), folder) {
-            (Some(tables), Some(folder)) => tables.write(exporting.engine, folder),
-            (Some(tables), None) => {
-                let question = Question::Tables(Box::new(tables));
-                self.dialogs.ask(exporting.engine, question);
-            }
-            (None, _) => {}
+        let Some(tables) = TableExport::now(exporting.state) else {
+            return;
+        };
+        if let Some(folder) = folder {
+            return tables.write(exporting.engine, folder);
         }
+        let write = |_: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
+            tables.write(engine, paths.swap_remove(0));
+            None
+        };
+        let question = PathQuestion::SaveTables;
+        self.dialogs
+            .ask(exporting.engine, question, Box::new(write));
     }
 
     /// Fixes what a figure shows at the moment it is asked for, then asks where it goes if that is not known.
@@ -93,12 +94,21 @@ impl ChosenFiles {
         match (figure, path) {
             (Ok(figure), Some(path)) => write_figure(state, exporting.engine, figure, path),
             (Ok(figure), None) => {
-                let question = Question::Figure(Box::new(figure));
-                self.dialogs.ask(exporting.engine, question);
+                let question = PathQuestion::SaveFigure {
+                    title: kind.dialog_title(),
+                    suggested: figure.file_name(),
+                };
+                let write = |state: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
+                    let path = with_png_ending(paths.swap_remove(0));
+                    write_figure(state, engine, figure, path);
+                    None
+                };
+                self.dialogs
+                    .ask(exporting.engine, question, Box::new(write));
             }
             (Err(NoFigure::Refused(reason)), _) => {
                 let title = "There is no patch figure of this subject";
-                push_card(&mut state.errors, title, reason, None);
+                push_card(&mut state.errors, title, reason);
             }
             (Err(NoFigure::NotYet), path) => self.wait_for_subject(state, kind, path),
         }
@@ -116,15 +126,12 @@ impl ChosenFiles {
         }
         let title = format!("There is no figure of {}", waiting.subject.id);
         let reason = "another subject was selected before this one was drawn and measured";
-        push_card(&mut exporting.state.errors, title, reason, None);
+        push_card(&mut exporting.state.errors, title, reason);
     }
 
     /// What dialogs and pictures have brought: commands to apply; exports with a place begin.
     pub fn poll(&mut self, state: &mut State, engine: &mut Engine) -> Vec<Command> {
-        let mut commands = Vec::new();
-        if let Some(answer) = self.dialogs.poll() {
-            commands.extend(take_answer(state, engine, answer));
-        }
+        let mut commands = Vec::from_iter(self.dialogs.poll(state, engine));
         match self.saved_views.poll() {
             Some(Ok(command)) => commands.push(command),
             Some(Err(reason)) => saved_views::refuse(state, reason),
@@ -146,29 +153,16 @@ impl ChosenFiles {
     }
 }
 
-/// Follows the answer of a dialog; files to open are a command.
-fn take_answer(
-    state: &mut State,
-    engine: &mut Engine,
-    answer: Result<Answer, NoDialog>,
-) -> Option<Command> {
-    match answer {
-        Ok(Answer::Open(paths)) => return Some(Command::File(FileCommand::Open(paths))),
-        Ok(Answer::Figure(figure, path)) => write_figure(state, engine, *figure, path),
-        Ok(Answer::Tables(tables, folder)) => tables.write(engine, folder),
-        Err(problem) => push_card(
-            &mut state.errors,
-            "No file dialog",
-            problem.to_string(),
-            None,
-        ),
+fn with_png_ending(path: PathBuf) -> PathBuf {
+    match path.extension() {
+        Some(_) => path,
+        None => path.with_extension("png"),
     }
-    None
 }
 
 fn write_figure(state: &mut State, engine: &mut Engine, figure: FigureExport, path: PathBuf) {
     if let Err(reason) = figure.write(engine, path) {
         let title = "The figure could not be written";
-        push_card(&mut state.errors, title, reason, None);
+        push_card(&mut state.errors, title, reason);
     }
 }

@@ -4,10 +4,12 @@ use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use crate::document::state::State;
 use crate::engine::{Engine, Job};
 use crate::io::openable_extensions;
+use crate::panes::Command;
 
-use super::export::{FigureExport, FigureKind, TableExport};
+use super::errors::push_card;
 
 /// Extensions of files that can be opened: studies, and pictures that hold a view.
 fn readable() -> Vec<&'static str> {
@@ -18,29 +20,6 @@ fn readable() -> Vec<&'static str> {
 
 /// An empty answer that comes sooner was not given by a person: no dialog could be shown.
 const MIN_ANSWER_TIME: Duration = Duration::from_millis(150);
-
-/// What is asked. What a file will hold is fixed before its place is asked for: while a dialog is open, the
-/// window goes on, and another subject may be selected.
-pub enum Question {
-    /// Which files to open.
-    Files,
-    /// Which folder to open.
-    Folder,
-    /// Where a figure goes.
-    Figure(Box<FigureExport>),
-    /// Into which folder tables go.
-    Tables(Box<TableExport>),
-}
-
-/// What was answered, with what the question was about.
-pub enum Answer {
-    /// Open these.
-    Open(Vec<PathBuf>),
-    /// Write this figure there.
-    Figure(Box<FigureExport>, PathBuf),
-    /// Write these tables there.
-    Tables(Box<TableExport>, PathBuf),
-}
 
 /// What a dialog asks the person at the screen.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -71,9 +50,13 @@ pub type AskPaths = Arc<dyn Fn(&PathQuestion) -> Option<Vec<PathBuf>> + Send + S
 )]
 pub struct NoDialog;
 
+/// What is done with the paths that were chosen; files to open are a command. What a file will hold is fixed before its
+/// place is asked for: while a dialog is open, the window goes on, and another subject may be selected.
+pub type Then = Box<dyn FnOnce(&mut State, &mut Engine, Vec<PathBuf>) -> Option<Command>>;
+
 /// The dialog that is open, if one is.
 pub struct Dialogs {
-    open: Option<Job<Option<Answer>, NoDialog>>,
+    open: Option<(Job<Option<Vec<PathBuf>>, NoDialog>, Then)>,
     ask_paths: AskPaths,
 }
 
@@ -87,59 +70,33 @@ impl Dialogs {
     }
 
     /// Asks, unless a dialog is open already.
-    pub fn ask(&mut self, engine: &Engine, question: Question) {
+    pub fn ask(&mut self, engine: &Engine, question: PathQuestion, then: Then) {
         if self.open.is_some() {
             return;
         }
         let ask_paths = Arc::clone(&self.ask_paths);
         let job = engine.spawn_aside(move |_| {
             let asked = Instant::now();
-            let paths = ask_paths(&question.about_paths());
+            let paths = ask_paths(&question);
             if paths.is_none() && asked.elapsed() < MIN_ANSWER_TIME {
                 return Err(NoDialog);
             }
-            Ok(paths.and_then(|paths| question.answer(paths)))
+            Ok(paths)
         });
-        self.open = Some(job);
+        self.open = Some((job, then));
     }
 
-    /// What was answered; once.
-    pub fn poll(&mut self) -> Option<Result<Answer, NoDialog>> {
-        let outcome = self.open.as_mut()?.poll()?;
-        self.open = None;
+    /// Follows what was answered, once.
+    pub fn poll(&mut self, state: &mut State, engine: &mut Engine) -> Option<Command> {
+        let outcome = self.open.as_mut()?.0.poll()?;
+        let (_, then) = self.open.take()?;
         match outcome {
-            Ok(answer) => answer.map(Ok),
-            Err(_) => Some(Err(NoDialog)),
-        }
-    }
-}
-
-impl Question {
-    fn about_paths(&self) -> PathQuestion {
-        match self {
-            Self::Files => PathQuestion::OpenFiles,
-            Self::Folder => PathQuestion::OpenFolders,
-            Self::Figure(figure) => PathQuestion::SaveFigure {
-                title: match figure.kind() {
-                    FigureKind::View => "Save the 3D view as a figure",
-                    FigureKind::Patch => "Save the patch figure",
-                },
-                suggested: figure.file_name(),
-            },
-            Self::Tables(_) => PathQuestion::SaveTables,
-        }
-    }
-
-    /// The answer that chosen paths are; none if nothing was chosen.
-    fn answer(self, paths: Vec<PathBuf>) -> Option<Answer> {
-        Some(match self {
-            Self::Files | Self::Folder if paths.is_empty() => return None,
-            Self::Files | Self::Folder => Answer::Open(paths),
-            Self::Figure(figure) => {
-                Answer::Figure(figure, with_png_ending(paths.into_iter().next()?))
+            Ok(paths) => then(state, engine, paths.filter(|paths| !paths.is_empty())?),
+            Err(_) => {
+                push_card(&mut state.errors, "No file dialog", NoDialog.to_string());
+                None
             }
-            Self::Tables(tables) => Answer::Tables(tables, paths.into_iter().next()?),
-        })
+        }
     }
 }
 
@@ -167,12 +124,4 @@ pub fn system_dialogs() -> AskPaths {
                 .pick_folder()),
         }
     })
-}
-
-fn with_png_ending(path: PathBuf) -> PathBuf {
-    if path.extension().is_some() {
-        path
-    } else {
-        path.with_extension("png")
-    }
 }

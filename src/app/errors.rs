@@ -8,19 +8,18 @@ use crate::io::OpenError;
 /// a folder of a thousand bad files is one mistake.
 const MAX_CARDS: usize = 3;
 
-/// Adds a card, unless the same one is still shown.
-pub fn push_card(
-    cards: &mut Vec<ErrorCard>,
-    title: impl Into<String>,
-    message: impl Into<String>,
-    retry: Option<Topic>,
-) {
+/// Adds a card with a title and a reason.
+pub fn push_card(cards: &mut Vec<ErrorCard>, title: impl Into<String>, message: impl Into<String>) {
     let card = ErrorCard {
         title: title.into(),
         message: message.into(),
-        details: String::new(),
-        retry,
+        ..ErrorCard::default()
     };
+    push(cards, card);
+}
+
+/// Adds a card, unless the same one is still shown.
+fn push(cards: &mut Vec<ErrorCard>, card: ErrorCard) {
     if !cards.contains(&card) {
         cards.push(card);
     }
@@ -41,28 +40,22 @@ pub fn push_failure(cards: &mut Vec<ErrorCard>, failure: &FailedWork) {
         // An export asks for its place again.
         retry: (failure.topic != Topic::EXPORT).then_some(failure.topic),
     };
-    if !cards.contains(&card) {
-        cards.push(card);
-    }
+    push(cards, card);
 }
 
 /// Adds cards for the paths that could not be opened.
 pub fn push_open_errors(cards: &mut Vec<ErrorCard>, errors: &[OpenError]) {
     if errors.len() <= MAX_CARDS {
         for error in errors {
-            let title = match &error.subject {
-                Some(subject) => format!("{subject}: {} could not be opened", file_name(error)),
-                None => format!("{} could not be opened", file_name(error)),
-            };
+            let subject = error.subject.iter().map(|subject| format!("{subject}: "));
+            let subject: String = subject.collect();
             let card = ErrorCard {
-                title,
+                title: format!("{subject}{} could not be opened", file_name(error)),
                 message: error.reason.clone(),
                 details: error.path.display().to_string(),
                 retry: None,
             };
-            if !cards.contains(&card) {
-                cards.push(card);
-            }
+            push(cards, card);
         }
         return;
     }
@@ -75,7 +68,8 @@ pub fn push_open_errors(cards: &mut Vec<ErrorCard>, errors: &[OpenError]) {
     });
 }
 
-fn file_name(error: &OpenError) -> String {
+/// The name of what could not be opened.
+pub fn file_name(error: &OpenError) -> String {
     error.path.file_name().map_or_else(
         || error.path.display().to_string(),
         |name| name.to_string_lossy().into_owned(),

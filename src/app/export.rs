@@ -10,18 +10,19 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::ViewMode;
 use crate::engine::{
-    AnalysisTables, DeformationMapSettings, Engine, ExportFile, Interrupted, TableSettings,
-    ThickeningSettings, VerdictSettings, distance_words,
+    AnalysisTables, Engine, ExportFile, Interrupted, TableSettings, ThickeningSettings,
+    distance_words,
 };
 use crate::picture::figure::{
     FigureOrder, FigureSubject, FigureView, PatchOrder, rendered_figure, rendered_patch_figure,
 };
 use crate::picture::page::{FigureFonts, PageFormat};
-use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings};
+use crate::picture::{BullsEyeQuantity, SceneSettings};
 use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
 
+use super::asks::{deformation_settings, verdict_settings};
 use crate::document::document::nearest_frame;
 use crate::document::play::pose_in;
 use crate::document::state::State;
@@ -43,6 +44,14 @@ impl FigureKind {
         match self {
             Self::View => [2000, 1500],
             Self::Patch => [2400, 1800],
+        }
+    }
+
+    /// What the dialog is called that asks for its place.
+    pub fn dialog_title(self) -> &'static str {
+        match self {
+            Self::View => "Save the 3D view as a figure",
+            Self::Patch => "Save the patch figure",
         }
     }
 
@@ -100,25 +109,13 @@ impl FigureExport {
             kind,
             study: state.document.study().name.clone(),
             measures: state.measures_of(shown.index).cloned(),
-            settings: SceneSettings {
-                theme: if dark {
-                    PictureTheme::DARK
-                } else {
-                    PictureTheme::LIGHT
-                },
-                ..viewport.settings(state, dark)
-            },
+            settings: viewport.settings(state, dark),
             camera: viewport.camera(state, shown),
             bulls_eye: state.document.bulls_eye,
             thickening: state.document.thickening,
             verdicts: state.verdicts().map(|(verdicts, _)| Arc::clone(verdicts)),
             shown: shown.clone(),
         })
-    }
-
-    /// Which figure it is.
-    pub fn kind(&self) -> FigureKind {
-        self.kind
     }
 
     /// A name for its file, of the pseudonym and the frame that it shows.
@@ -143,7 +140,7 @@ impl FigureExport {
     }
 
     fn frame(&self) -> usize {
-        nearest_frame(self.shown.position, self.shown.heart.prepared.frame_count)
+        nearest_frame(self.shown.position, self.shown.placed.prepared.frame_count)
     }
 
     /// Draws and writes it, off the window's thread.
@@ -181,7 +178,7 @@ fn selected_on_screen<'a>(state: &State, viewport: &'a Viewport) -> Option<&'a S
         .filter(|shown| Arc::ptr_eq(&shown.subject, selected));
     if document.view_mode == ViewMode::AllFrames {
         own.find(|shown| {
-            nearest_frame(shown.position, shown.heart.prepared.frame_count) == document.frame()
+            nearest_frame(shown.position, shown.placed.prepared.frame_count) == document.frame()
         })
     } else {
         own.next()
@@ -198,7 +195,7 @@ fn drawn(
     let fonts = FigureFonts::load().map_err(|error| message(&error))?;
     let mut headless = Headless::new().map_err(|error| message(&error))?;
     let shown = &figure.shown;
-    let prepared = &shown.heart.prepared;
+    let prepared = &shown.placed.prepared;
     let order = FigureOrder {
         study: &figure.study,
         shown: FigureSubject {
@@ -248,14 +245,8 @@ impl TableExport {
         (!study.subjects.is_empty()).then(|| Self {
             study,
             settings: TableSettings {
-                deformations: DeformationMapSettings {
-                    poses: state.document.map,
-                    map: state.document.deformation_map,
-                },
-                verdicts: VerdictSettings {
-                    thickening: state.document.thickening,
-                    ..VerdictSettings::default()
-                },
+                deformations: deformation_settings(state),
+                verdicts: verdict_settings(state),
             },
         })
     }

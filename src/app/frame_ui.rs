@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicU64;
 
 use egui::{CentralPanel, Frame, Margin, Panel, Ui};
 
-use crate::app::{CommandPaletteView, StatusBarView};
+use crate::app::CommandPaletteView;
 use crate::engine::Engine;
 use crate::panes::Command;
 use crate::ui::theme::{colours, line, radius, space};
@@ -15,17 +15,16 @@ use super::bars;
 use super::layout::Layout;
 use super::panes::{Panes, tab_containers};
 use super::sheets;
-use crate::app::bars::menu_view::{action_state, menu_bar_view};
-use crate::app::bars::status_view::StatusData;
+use crate::app::bars::menu_view::action_state;
+use crate::app::bars::status_view::status_bar_view;
 use crate::app::sheets::report_view::report_entries;
 use crate::document::state::State;
-use crate::panes::beat::BeatData;
 use crate::panes::cohort::view::CohortData;
 use crate::panes::{Look, Memo};
 
 /// Height of the bar with the menus.
 const MENU_HEIGHT: f32 = 34.0;
-/// Height of the bar with the beat.
+/// Height of the bar with the cycle.
 const TIME_HEIGHT: f32 = 72.0;
 /// Height of the bar with the work.
 const STATUS_HEIGHT: f32 = 36.0;
@@ -52,7 +51,6 @@ pub struct Drawing<'a> {
 pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
     let state = drawing.state;
     let actions = action_state(state, drawing.layout);
-    let beat = BeatData::of(state);
     let window = colours(ui).window;
     let bar = Frame::new().fill(window);
     Panel::top("menu bar")
@@ -60,15 +58,15 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
         .frame(bar.inner_margin(Margin::symmetric(space::MEDIUM as i8, 3)))
         .show_separator_line(true)
         .show(ui, |ui| {
-            bars::menu_bar_ui(ui, &menu_bar_view(state, &actions), drawing.commands);
+            bars::menu_bar_ui(ui, &actions, drawing.commands);
         });
     Panel::bottom("status bar")
         .exact_size(STATUS_HEIGHT)
         .frame(bar)
         .show_separator_line(false)
         .show(ui, |ui| {
-            let data = StatusData::of(state, &drawing.engine.running());
-            let view: StatusBarView = data.view(state, drawing.adapter);
+            let running = drawing.engine.running();
+            let view = status_bar_view(state, running, drawing.adapter);
             bars::status_bar_ui(ui, &view, drawing.commands);
         });
     if state.document.selected().is_some() {
@@ -89,7 +87,7 @@ pub fn frame_ui(ui: &mut Ui, drawing: &mut Drawing) {
                     .corner_radius(radius::PANE)
                     .show(ui, |ui| {
                         ui.set_min_size(ui.available_size());
-                        bars::time_bar_ui(ui, &bars::time_bar_view(&beat, state), drawing.commands);
+                        bars::time_bar_ui(ui, &bars::time_bar_view(state), drawing.commands);
                     });
             });
     }
@@ -144,7 +142,6 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &crate::panes::ActionS
         let view = CommandPaletteView {
             actions,
             subjects: cohort.rows(),
-            selected: state.document.selected().map(|_| state.document.subject),
         };
         sheets::command_palette_ui(ui, &view, commands);
     }

@@ -12,7 +12,7 @@ mod app;
 mod app_options;
 mod apply;
 mod asks;
-mod asks_beats;
+mod asks_motions;
 mod background;
 mod bars;
 mod chosen_files;

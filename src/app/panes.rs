@@ -11,7 +11,7 @@ use egui_tiles::{
 
 use crate::panes::{Command, Header, Look, Pane, PaneSpec, spec_of};
 use crate::ui::theme::{colours, line, radius, space};
-use crate::ui::{pane_header_ui, tab_ui};
+use crate::ui::{medium_font, named_header_ui, pane_header_ui, tab_ui, text_width};
 
 use super::corners::corner_masks;
 use super::layout::PaneTile;
@@ -54,6 +54,8 @@ fn open_children(tiles: &Tiles<PaneTile>, tabs: &Tabs) -> Vec<TileId> {
 
 /// How much of the width the title of a pane without tabs takes at most.
 const TITLE_WIDTH: f32 = 120.0;
+/// The same of a title in plain words.
+const NAME_WIDTH: f32 = 56.0;
 
 fn title_of(pane: Pane) -> &'static str {
     spec_of(pane).map_or("", |spec| spec.title)
@@ -62,17 +64,20 @@ fn title_of(pane: Pane) -> &'static str {
 impl Panes<'_> {
     /// The header of a pane that has no tab.
     fn header_ui(&mut self, ui: &mut Ui, spec: &PaneSpec) {
-        if let Header::Own(draw, _) | Header::Always(draw) = spec.header {
-            return draw(ui, &self.look, self.commands);
-        }
         let (look, commands) = (&self.look, &mut *self.commands);
-        pane_header_ui(
-            ui,
-            |ui| {
-                tab_ui(ui, spec.title, true);
-            },
-            |ui| beside_ui(ui, spec, look, TITLE_WIDTH, commands),
-        );
+        match spec.header {
+            Header::Always(draw) => draw(ui, look, commands),
+            Header::Named(draw) => named_header_ui(ui, spec.title, |ui| {
+                draw(ui, look, NAME_WIDTH, commands);
+            }),
+            Header::Title | Header::Beside(_) => pane_header_ui(
+                ui,
+                |ui| {
+                    tab_ui(ui, spec.title, true);
+                },
+                |ui| beside_ui(ui, spec, look, TITLE_WIDTH, commands),
+            ),
+        }
     }
 }
 
@@ -85,12 +90,7 @@ fn beside_ui(
     commands: &mut Vec<Command>,
 ) {
     match spec.header {
-        Header::Note(note) => {
-            if let Some(note) = note(look) {
-                ui.label(egui::RichText::new(note).weak());
-            }
-        }
-        Header::Beside(draw) | Header::Own(_, draw) => draw(ui, look, taken, commands),
+        Header::Beside(draw) | Header::Named(draw) => draw(ui, look, taken, commands),
         Header::Title | Header::Always(_) => {}
     }
 }
@@ -240,12 +240,8 @@ fn tabs_width(ui: &Ui, tiles: &Tiles<PaneTile>, tabbed: &HashSet<TileId>, tabs: 
     let open = tabs.children.iter().filter(|child| tabbed.contains(child));
     open.filter_map(|child| tiles.get_pane(child))
         .map(|pane| {
-            let text = title_of(pane.0).to_owned();
-            let font = crate::ui::medium_font();
-            let galley = ui
-                .painter()
-                .layout_no_wrap(text, font, Color32::PLACEHOLDER);
-            galley.size().x + space::LARGE + ui.spacing().item_spacing.x
+            let name = text_width(ui, title_of(pane.0), medium_font());
+            name + space::LARGE + ui.spacing().item_spacing.x
         })
         .sum::<f32>()
         + space::LARGE

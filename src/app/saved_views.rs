@@ -14,11 +14,11 @@ use crate::picture::figure::SavedView;
 use crate::picture::page::{PageFormat, VIEW_KEY, png_text};
 use crate::render::Shading;
 
-use super::apply::{Moment, change};
+use super::apply::{Moment, change, is_usable};
 use super::errors::push_card;
-use crate::document::document::Visibility;
 use crate::document::state::State;
 use crate::document::viewpoint::{Direction, Look};
+use crate::document::visibility::Visibility;
 
 /// Settings stand before the pixels: further into a picture there is nothing to look for.
 const MAX_HEAD_BYTES: u64 = 1 << 20;
@@ -69,7 +69,7 @@ fn saved_view(path: &Path) -> Result<SavedView, String> {
 
 /// Adds a card with the reason why no view is restored.
 pub fn refuse(state: &mut State, reason: String) {
-    push_card(&mut state.errors, FAILED, reason, None);
+    push_card(&mut state.errors, FAILED, reason);
 }
 
 /// Restores the view of a picture, if its subject is open.
@@ -80,8 +80,7 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
         Err(error) => return refuse(state, error.to_string()),
     };
     let settings = view.thickening;
-    let usable = settings.medial.check().is_ok() && settings.thickening.check().is_ok();
-    if !usable {
+    if !is_usable(&settings) {
         let reason = "its patch thresholds are out of range".to_owned();
         return refuse(state, reason);
     }

@@ -18,7 +18,7 @@ const MAX_RECENT: usize = 10;
 #[derive(Debug, Default, Serialize, Deserialize)]
 #[serde(default)]
 struct SettingsV1 {
-    theme: String,
+    theme: ThemeChoice,
     layout: String,
     recent: Vec<PathBuf>,
 }
@@ -58,11 +58,7 @@ impl Settings {
     fn from_text(text: &str) -> Self {
         let saved: SettingsV1 = serde_json::from_str(text).unwrap_or_default();
         Self {
-            theme: match saved.theme.as_str() {
-                "dark" => ThemeChoice::Dark,
-                "light" => ThemeChoice::Light,
-                _ => ThemeChoice::System,
-            },
+            theme: saved.theme,
             layout: Layout::from_saved(&saved.layout),
             recent: saved.recent.into_iter().take(MAX_RECENT).collect(),
         }
@@ -71,12 +67,7 @@ impl Settings {
 
 fn to_text(theme: ThemeChoice, layout: &Layout, recent: &[PathBuf]) -> Option<String> {
     let saved = SettingsV1 {
-        theme: match theme {
-            ThemeChoice::System => "system",
-            ThemeChoice::Dark => "dark",
-            ThemeChoice::Light => "light",
-        }
-        .to_owned(),
+        theme,
         layout: layout.to_saved().unwrap_or_default(),
         recent: recent.to_vec(),
     };

@@ -28,7 +28,7 @@ pub struct Answers {
     pub(crate) walls: Vec<WallAnswer>,
     /// Of the selected subject, by frame.
     pub(crate) thickness: Vec<(usize, Showing<FrameThickness>)>,
-    /// Of the beats on screen.
+    /// Of the motions on screen.
     pub(crate) interpolated_poses: Vec<InterpolationAnswer>,
     pub(crate) transported: Option<TransportedSubject>,
     pub(crate) transport_state: TransportState,
@@ -71,12 +71,12 @@ impl WallAnswer {
     }
 }
 
-/// What is known of the poses between the frames of a beat on screen.
+/// What is known of the poses between the frames of a motion on screen.
 #[derive(Clone, Debug)]
 pub(crate) struct InterpolationAnswer {
     pub subject: usize,
     /// As far as they are computed.
-    pub beat: Option<Arc<InterpolatedMotion>>,
+    pub motion: Option<Arc<InterpolatedMotion>>,
     /// Whether the user stopped the work.
     pub stopped: bool,
 }
@@ -105,7 +105,7 @@ impl Answers {
 
     /// How the poses between the frames of a subject on screen stand.
     pub(crate) fn interpolated_poses(&self, subject: usize) -> Option<&InterpolationAnswer> {
-        let mut beats = self.interpolated_poses.iter();
-        beats.find(|beat| beat.subject == subject)
+        let mut motions = self.interpolated_poses.iter();
+        motions.find(|motion| motion.subject == subject)
     }
 }

@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseId};
-use crate::document::ViewMode;
 use crate::study::Subject;
 
 use crate::document::document::{Document, nearest_frame, phase_of, position_at_phase};
@@ -11,18 +10,18 @@ use crate::document::document::{Document, nearest_frame, phase_of, position_at_p
 /// Which poses were compared, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PosePair {
-    /// The pose of the selected heart.
+    /// The pose of the selected subject.
     pub a: PoseId,
-    /// The pose of the heart beside it.
+    /// The pose of the subject beside it.
     pub b: PoseId,
     /// How.
     pub distances: PoseDistanceParams,
 }
 
-/// The poses side by side, at their nearest frames; `None` where there are no two hearts, one plays
+/// The poses side by side, at their nearest frames; `None` where there are no two subjects, one plays
 /// a transported motion, or they do not correspond.
 pub fn pair_on_screen(document: &Document) -> Option<PosePair> {
-    let (selected, subject, other) = both_hearts(document)?;
+    let (selected, subject, other) = both_subjects(document)?;
     if hindrance(document).is_some() {
         return None;
     }
@@ -40,9 +39,9 @@ pub fn pair_on_screen(document: &Document) -> Option<PosePair> {
     })
 }
 
-/// Why there is no difference to another heart on screen; `None` if there is one.
+/// Why there is no difference to another subject on screen; `None` if there is one.
 pub fn hindrance(document: &Document) -> Option<&'static str> {
-    let Some((selected, _, other)) = both_hearts(document) else {
+    let Some((selected, _, other)) = both_subjects(document) else {
         return Some("The contribution to the distance needs two subjects side by side");
     };
     if document.visible_transport().is_some() {
@@ -54,11 +53,8 @@ pub fn hindrance(document: &Document) -> Option<&'static str> {
     (!corresponds).then_some("The contribution to the distance needs vertex correspondence")
 }
 
-fn both_hearts(document: &Document) -> Option<(&Arc<Subject>, usize, &Arc<Subject>)> {
-    if document.view_mode != ViewMode::SideBySide {
-        return None;
-    }
-    let other = document.compared()?;
+fn both_subjects(document: &Document) -> Option<(&Arc<Subject>, usize, &Arc<Subject>)> {
+    let other = document.compared_on_screen()?;
     let subjects = &document.study().subjects;
     Some((document.selected()?, other, subjects.get(other)?))
 }
@@ -66,6 +62,7 @@ fn both_hearts(document: &Document) -> Option<(&Arc<Subject>, usize, &Arc<Subjec
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::ViewMode;
     use crate::document::testing::{study_of, study_ref, subject_with_frames};
 
     fn document() -> Document {

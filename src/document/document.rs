@@ -7,59 +7,20 @@ use crate::document::ViewMode;
 use crate::engine::{PoseMapParams, ThickeningSettings};
 use crate::io::OpenError;
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
-use crate::render::Shading;
 use crate::study::{Notice, Revision, Study, Subject};
 
 use crate::document::viewpoint::Look;
+use crate::document::visibility::Visibility;
 
 /// Poses between two frames until the user says otherwise.
 const INTERPOLATED_POSES: u16 = 3;
-
-/// Which parts of a heart are drawn, and how.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Visibility {
-    /// The inner surface.
-    pub endocardium: bool,
-    /// The outer surface or the whole wall.
-    pub epicardium: bool,
-    /// Edges of faces.
-    pub wireframe: bool,
-    /// Vertices as discs.
-    pub vertices: bool,
-    /// Atoms of the medial surface, coloured by PT.
-    pub atoms: bool,
-    /// Their spokes to the wall.
-    pub spokes: bool,
-    /// Borders of patches.
-    pub patches: bool,
-    /// ANV and MP.
-    pub direction: bool,
-    /// Smooth or flat.
-    pub shading: Shading,
-}
-
-impl Default for Visibility {
-    fn default() -> Self {
-        Self {
-            endocardium: true,
-            epicardium: true,
-            wireframe: false,
-            vertices: false,
-            atoms: false,
-            spokes: false,
-            patches: true,
-            direction: false,
-            shading: Shading::Smooth,
-        }
-    }
-}
 
 /// One subject's motion, transported to another subject.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TransportedMotion {
     /// Whose motion: index into the study's subjects.
     pub from: usize,
-    /// On whose heart.
+    /// Onto whom.
     pub onto: usize,
 }
 
@@ -79,19 +40,19 @@ pub struct Document {
     pub study: StudyRef,
     /// Index of the selected subject.
     pub subject: usize,
-    /// Place in the beat, counted in frames; fractions lie between poses.
+    /// Place in the cycle, counted in frames; fractions lie between poses.
     pub position: f64,
-    /// One heart, two or all phases.
+    /// One subject, two or all phases.
     pub view_mode: ViewMode,
-    /// The second heart of the side-by-side view; `None` lets the program choose.
+    /// The second subject of the side-by-side view; `None` lets the program choose.
     pub compare_with: Option<usize>,
-    /// The beat that the second heart plays in place of its own.
+    /// The motion that the second subject plays in place of its own.
     pub transported: Option<TransportedMotion>,
     /// Poses computed between two frames; 0 blends frames straight.
     pub interpolated_poses: u16,
-    /// From where hearts are looked at.
+    /// From where subjects are looked at.
     pub look: Look,
-    /// Whether dragging turns about the screen's axes instead of keeping the heart upright.
+    /// Whether dragging turns about the screen's axes instead of keeping the subject upright.
     pub free_camera: bool,
     /// What is drawn.
     pub visibility: Visibility,
@@ -186,13 +147,26 @@ impl Document {
         self.study().subjects.get(self.subject)
     }
 
+    /// Index of the selected subject; `None` where nothing is open.
+    pub fn selected_index(&self) -> Option<usize> {
+        self.selected().map(|_| self.subject)
+    }
+
+    /// The patch that is selected, by its place in the list.
+    pub fn selected_patch(&self) -> Option<usize> {
+        match self.part {
+            Some(WallPart::Patch(patch)) => Some(patch),
+            Some(WallPart::Segment(_)) | None => None,
+        }
+    }
+
     /// Number of frames of the selected subject, at least one.
     pub fn frame_count(&self) -> usize {
         self.selected()
             .map_or(1, |subject| subject.sequence.frame_count())
     }
 
-    /// The frame nearest to the position; past the last half frame the beat starts over.
+    /// The frame nearest to the position; past the last half frame the motion starts over.
     pub fn frame(&self) -> usize {
         nearest_frame(self.position, self.frame_count())
     }
@@ -232,7 +206,7 @@ impl Document {
         }
     }
 
-    /// The heart beside the selected one: the chosen one, else the next of the study.
+    /// The subject beside the selected one: the chosen one, else the next of the study.
     pub fn compared(&self) -> Option<usize> {
         let count = self.study().subjects.len();
         self.compare_with
@@ -240,12 +214,16 @@ impl Document {
             .or_else(|| (count > 1).then(|| (self.subject + 1) % count))
     }
 
+    /// The subject beside the selected one, where two are shown.
+    pub fn compared_on_screen(&self) -> Option<usize> {
+        self.compared()
+            .filter(|_| self.view_mode == ViewMode::SideBySide)
+    }
+
     /// The transported motion that is on screen: it plays beside the subject that it came from.
     pub fn visible_transport(&self) -> Option<TransportedMotion> {
-        self.transported.filter(|beat| {
-            self.view_mode == ViewMode::SideBySide
-                && self.subject == beat.from
-                && self.compared() == Some(beat.onto)
+        self.transported.filter(|motion| {
+            self.subject == motion.from && self.compared_on_screen() == Some(motion.onto)
         })
     }
 
@@ -257,14 +235,14 @@ impl Document {
         }
     }
 
-    /// Selects a subject at the same share of the beat, so that hearts with other frame counts
+    /// Selects a subject at the same share of the cycle, so that subjects with other frame counts
     /// stay in phase.
     pub fn select_subject(&mut self, subject: usize) {
         let phase = self
             .selected()
             .map_or(0.0, |shown| phase_of(shown, self.position));
-        if subject != self.subject && matches!(self.part, Some(WallPart::Patch(_))) {
-            // A patch belongs to its heart; a segment is one of every heart.
+        if subject != self.subject && self.selected_patch().is_some() {
+            // A patch belongs to its subject; a segment is one of every subject.
             self.part = None;
         }
         self.subject = subject;
@@ -284,20 +262,20 @@ impl Document {
     }
 }
 
-/// The frame nearest to a position in a beat of `frame_count` frames.
+/// The frame nearest to a position in a cycle of `frame_count` frames.
 pub fn nearest_frame(position: f64, frame_count: usize) -> usize {
     let count = frame_count.max(1);
     (position.round().max(0.0) as usize) % count
 }
 
-/// Share of the beat at a subject's position, in `0..1`.
+/// Share of the cycle at a subject's position, in `0..1`.
 pub fn phase_of(subject: &Subject, position: f64) -> f64 {
     subject
         .timing
         .phase(position, subject.sequence.frame_count())
 }
 
-/// The position of a subject at a share of the beat: the inverse of [`phase_of`].
+/// The position of a subject at a share of the cycle: the inverse of [`phase_of`].
 ///
 /// Frames are found by bisection on the phase, which grows with the position; where several
 /// positions have one phase (before the first frame's time), the first is taken.
@@ -325,7 +303,7 @@ pub fn position_at_phase(subject: &Subject, phase: f64) -> f64 {
         0.0
     };
     let position = frame as f64 + part;
-    // The end of the last interval is the start of the next beat.
+    // The end of the last interval is the start of the next cycle.
     if position >= count as f64 {
         0.0
     } else {

@@ -3,7 +3,7 @@
 use crate::engine::Topic;
 
 /// One thing that went wrong.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ErrorCard {
     /// What could not be done: "2 files could not be read".
     pub title: String,

@@ -1,4 +1,4 @@
-//! Poses between the frames of beats: which were computed, and what is said of them on screen.
+//! Poses between the frames of motions: which were computed, and what is said of them on screen.
 
 use std::sync::Arc;
 
@@ -9,8 +9,8 @@ use crate::study::Subject;
 use crate::document::document::Document;
 use crate::document::play::is_between;
 
-/// Beats whose interpolated poses are kept: the hearts side by side, and those looked at before.
-const MAX_BEATS: usize = 6;
+/// Motions whose interpolated poses are kept: the subjects side by side, and those looked at before.
+const MAX_MOTIONS: usize = 6;
 
 /// Number of intervals with a path: every frame leads to the next, and the last to the first where
 /// there are more than two.
@@ -22,7 +22,7 @@ pub fn interval_count(subject: &Subject) -> usize {
     }
 }
 
-/// The poses between the frames of one beat, as far as they were computed.
+/// The poses between the frames of one motion, as far as they were computed.
 #[derive(Clone, Debug)]
 pub struct InterpolatedMotion {
     subject: Arc<Subject>,
@@ -31,7 +31,7 @@ pub struct InterpolatedMotion {
 }
 
 impl InterpolatedMotion {
-    /// Whether they are those of this beat with these settings.
+    /// Whether they are those of this motion with these settings.
     pub fn are_of(&self, subject: &Arc<Subject>, params: &GeodesicParams) -> bool {
         Arc::ptr_eq(&self.subject, subject) && self.params == *params
     }
@@ -53,7 +53,7 @@ impl InterpolatedMotion {
         (0..self.paths.len()).all(|interval| self.path(interval).is_some())
     }
 
-    /// Positions in the beat of all poses between frames, ascending.
+    /// Positions in the cycle of all poses between frames, ascending.
     pub fn positions(&self) -> Vec<f64> {
         let of_interval = |interval: usize| {
             let count = self.path(interval).map_or(0, |path| inner(path).len());
@@ -80,22 +80,24 @@ fn inner(path: &GeodesicPath) -> &[Vec<Point3>] {
     }
 }
 
-/// In-betweens of the beats looked at lately, put together from the paths that are known: the same value as long as
-/// these stay, so that a heart is prepared once.
+/// In-betweens of the motions looked at lately, put together from the paths that are known: the same value as long as
+/// these stay, so that a subject is prepared once.
 #[derive(Clone, Debug, Default)]
-pub struct BeatMemo {
+pub struct MotionMemo {
     /// The one used last stands last.
-    beats: Vec<Arc<InterpolatedMotion>>,
+    motions: Vec<Arc<InterpolatedMotion>>,
 }
 
-impl BeatMemo {
-    /// The interpolated poses of a beat with these settings, if any interval of it was computed.
+impl MotionMemo {
+    /// The interpolated poses of a motion with these settings, if any interval of it was computed.
     pub fn get(
         &self,
         subject: &Arc<Subject>,
         params: &GeodesicParams,
     ) -> Option<&Arc<InterpolatedMotion>> {
-        self.beats.iter().find(|beat| beat.are_of(subject, params))
+        self.motions
+            .iter()
+            .find(|motion| motion.are_of(subject, params))
     }
 
     /// Takes in the paths of intervals from `first` on. Says whether anything is new.
@@ -107,26 +109,26 @@ impl BeatMemo {
         paths: &[Arc<GeodesicPath>],
     ) -> bool {
         let known = self.get(subject, params);
-        let mut beat = known.map_or_else(
+        let mut motion = known.map_or_else(
             || InterpolatedMotion {
                 subject: Arc::clone(subject),
                 params: *params,
                 paths: vec![None; interval_count(subject)],
             },
-            |beat| InterpolatedMotion::clone(beat),
+            |motion| InterpolatedMotion::clone(motion),
         );
         let mut news = false;
-        for (slot, path) in beat.paths.iter_mut().skip(first).zip(paths) {
+        for (slot, path) in motion.paths.iter_mut().skip(first).zip(paths) {
             if !slot.as_ref().is_some_and(|known| Arc::ptr_eq(known, path)) {
                 *slot = Some(Arc::clone(path));
                 news = true;
             }
         }
         if news {
-            self.beats.retain(|other| !other.are_of(subject, params));
-            self.beats.push(Arc::new(beat));
-            if self.beats.len() > MAX_BEATS {
-                self.beats.remove(0);
+            self.motions.retain(|other| !other.are_of(subject, params));
+            self.motions.push(Arc::new(motion));
+            if self.motions.len() > MAX_MOTIONS {
+                self.motions.remove(0);
             }
         }
         news
@@ -153,7 +155,7 @@ pub struct BetweenWords {
     pub note: String,
 }
 
-/// Words for the pose at a position. `interpolated_poses` are those of the beat, if there are any;
+/// Words for the pose at a position. `interpolated_poses` are those of the motion, if there are any;
 /// `pending` says why there are none, and is empty where nothing is known.
 pub fn between_words(
     interpolated_poses: Option<&InterpolatedMotion>,
@@ -163,7 +165,7 @@ pub fn between_words(
     if !is_between(position) {
         return BetweenWords::default();
     }
-    let path = interpolated_poses.and_then(|beat| beat.path(position.floor() as usize));
+    let path = interpolated_poses.and_then(|motion| motion.path(position.floor() as usize));
     let Some(path) = path else {
         let mut note =
             "Every vertex moves along a straight line from one frame to the next".to_owned();
@@ -235,18 +237,18 @@ pub(crate) mod tests {
     fn the_interval_on_screen_comes_first_and_the_others_after() {
         let subject = Arc::new(subject_with_frames("a", 4));
         let params = GeodesicParams::default();
-        let mut store = BeatMemo::default();
+        let mut store = MotionMemo::default();
         let all = straight_paths(&subject, 3);
         assert!(store.put(&subject, &params, 2, &all[2..3]));
-        let beat = store.get(&subject, &params).unwrap();
-        assert!(!beat.complete());
-        assert_eq!(beat.positions(), [2.25, 2.5, 2.75]);
-        assert_eq!(beat.inner_poses().map_lengths(), [0, 0, 3, 0]);
+        let motion = store.get(&subject, &params).unwrap();
+        assert!(!motion.complete());
+        assert_eq!(motion.positions(), [2.25, 2.5, 2.75]);
+        assert_eq!(motion.inner_poses().map_lengths(), [0, 0, 3, 0]);
         assert!(store.put(&subject, &params, 0, &all));
         assert!(!store.put(&subject, &params, 0, &all), "nothing is new");
-        let beat = store.get(&subject, &params).unwrap();
-        assert!(beat.complete());
-        assert_eq!(beat.positions().len(), 12);
+        let motion = store.get(&subject, &params).unwrap();
+        assert!(motion.complete());
+        assert_eq!(motion.positions().len(), 12);
         let other = GeodesicParams {
             interpolated_poses: 7,
             ..params
@@ -266,16 +268,16 @@ pub(crate) mod tests {
 
     #[test]
     fn only_the_beats_of_late_are_kept() {
-        let mut store = BeatMemo::default();
+        let mut store = MotionMemo::default();
         let params = GeodesicParams::default();
-        let subjects: Vec<_> = (0..MAX_BEATS + 2)
+        let subjects: Vec<_> = (0..MAX_MOTIONS + 2)
             .map(|_| Arc::new(subject_with_frames("a", 3)))
             .collect();
         for subject in &subjects {
             store.put(subject, &params, 0, &straight_paths(subject, 1));
         }
         let kept = subjects.iter().filter(|s| store.get(s, &params).is_some());
-        assert_eq!(kept.count(), MAX_BEATS);
+        assert_eq!(kept.count(), MAX_MOTIONS);
         assert!(store.get(&subjects[0], &params).is_none());
     }
 
@@ -283,23 +285,26 @@ pub(crate) mod tests {
     fn a_frame_says_nothing_and_a_crossing_is_not_hidden() {
         let subject = Arc::new(subject_with_frames("a", 3));
         let params = GeodesicParams::default();
-        let mut store = BeatMemo::default();
+        let mut store = MotionMemo::default();
         let mut paths = straight_paths(&subject, 3);
         paths[1] = Arc::new(GeodesicPath {
             self_intersections: 2,
             ..GeodesicPath::clone(&paths[1])
         });
         store.put(&subject, &params, 0, &paths);
-        let beat = store.get(&subject, &params).unwrap();
-        assert_eq!(between_words(Some(beat), 1.0, ""), BetweenWords::default());
-        let words = between_words(Some(beat), 0.25, "");
+        let motion = store.get(&subject, &params).unwrap();
+        assert_eq!(
+            between_words(Some(motion), 1.0, ""),
+            BetweenWords::default()
+        );
+        let words = between_words(Some(motion), 0.25, "");
         assert_eq!(words.badge, Some("interpolated"));
         assert!(
             words
                 .note
                 .starts_with("3 interpolated poses between these frames")
         );
-        let words = between_words(Some(beat), 1.5, "");
+        let words = between_words(Some(motion), 1.5, "");
         assert!(
             words.note.ends_with("2 pairs of faces intersect"),
             "{}",

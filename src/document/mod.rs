@@ -23,23 +23,9 @@ pub(crate) mod undo;
 pub(crate) mod verdicts;
 pub(crate) mod view_mode;
 pub(crate) mod viewpoint;
+pub(crate) mod visibility;
 pub(crate) mod visible_poses;
 
-pub use answers::{Answers, FoundWall};
-pub use differences::{PosePair, hindrance, pair_on_screen};
-pub use document::{
-    Document, OpeningReport, Sorting, StudyRef, TransportedMotion, Visibility, nearest_frame,
-    phase_of, position_at_phase,
-};
-pub use error_card::ErrorCard;
-pub use interpolated_poses::{
-    BeatMemo, BetweenWords, InterpolatedMotion, between_words, geodesic_params, interval_count,
-};
-pub use play::{PlayClock, SPEEDS, beat_s, is_between, pose_at, pose_in};
-pub use state::{Sheets, State};
-pub use theme_choice::ThemeChoice;
-pub use transported::{TransportState, TransportedSubject, transport_params, transported_title};
-pub use undo::{Gesture, History};
-pub use view_mode::ViewMode;
-pub use viewpoint::{Direction, Look};
-pub use visible_poses::{VisiblePose, visible_poses};
+pub use {answers::*, differences::*, document::*, error_card::*, interpolated_poses::*, play::*};
+pub use {state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
+pub use {visibility::*, visible_poses::*};

@@ -1,4 +1,4 @@
-//! The clock that plays a beat: from seconds on the wall to a place between poses.
+//! The clock that plays a motion: from seconds on the wall to a place between poses.
 
 use crate::picture::PreparedSubject;
 use crate::render::GeometryPose;
@@ -6,20 +6,20 @@ use crate::study::Subject;
 
 use crate::document::document::{phase_of, position_at_phase};
 
-/// Length of a beat whose input does not say it: 60 beats a minute.
-const ASSUMED_BEAT_S: f64 = 1.0;
+/// Length of a cycle whose input does not say it: 60 cycles a minute.
+const ASSUMED_CYCLE_S: f64 = 1.0;
 
 /// Slowest and fastest play.
 pub const SPEEDS: std::ops::RangeInclusive<f32> = 0.05..=4.0;
 
-/// Whether and how fast a beat plays.
+/// Whether and how fast a motion plays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlayClock {
     /// Whether time runs.
     pub playing: bool,
-    /// Recorded beats per beat: 1 is real time.
+    /// Recorded cycles per cycle: 1 is real time.
     pub speed: f32,
-    /// Whether the beat starts over at its end.
+    /// Whether the motion starts over at its end.
     pub repeat: bool,
 }
 
@@ -36,14 +36,14 @@ impl Default for PlayClock {
 impl PlayClock {
     /// The position `elapsed_s` after `position`, and whether play goes on.
     ///
-    /// Time runs evenly over the beat, so frames that were taken at uneven times are shown for
+    /// Time runs evenly over the cycle, so frames that were taken at uneven times are shown for
     /// unequal times. Without repeat, play ends at the last frame.
     pub fn advance(&self, subject: &Subject, position: f64, elapsed_s: f64) -> (f64, bool) {
         let count = subject.sequence.frame_count();
         if !self.playing || count < 2 {
             return (position, self.playing && count >= 2);
         }
-        let share = elapsed_s.max(0.0) * f64::from(self.speed) / beat_s(subject);
+        let share = elapsed_s.max(0.0) * f64::from(self.speed) / cycle_s(subject);
         let phase = phase_of(subject, position) + share;
         let last = (count - 1) as f64;
         if !self.repeat && phase >= phase_of(subject, last) {
@@ -53,21 +53,21 @@ impl PlayClock {
     }
 }
 
-/// Length of a subject's beat: as recorded, else one second.
-pub fn beat_s(subject: &Subject) -> f64 {
+/// Length of a subject's cycle: as recorded, else one second.
+pub fn cycle_s(subject: &Subject) -> f64 {
     subject
         .timing
         .rr
         .map(|rr| rr.0)
         .filter(|rr| *rr > 0.0)
-        .unwrap_or(ASSUMED_BEAT_S)
+        .unwrap_or(ASSUMED_CYCLE_S)
 }
 
-/// The pose at a position: between two frames, eased so that the heart does not jerk where one
+/// The pose at a position: between two frames, eased so that the subject does not jerk where one
 /// straight path meets the next.
 ///
 /// The blend is half-way between the plain share x and 3x² − 2x³: speed dips near given poses
-/// by half and never stops. The last frame runs into the first where the beat repeats.
+/// by half and never stops. The last frame runs into the first where the motion repeats.
 pub fn pose_at(position: f64, frame_count: usize) -> GeometryPose {
     let count = frame_count.max(1);
     let position = position.max(0.0).rem_euclid(count as f64);
@@ -85,15 +85,15 @@ pub fn pose_at(position: f64, frame_count: usize) -> GeometryPose {
     }
 }
 
-/// The pose of a prepared heart at a position: through the poses between two frames where it has
+/// The pose of a prepared subject at a position: through the poses between two frames where it has
 /// them, each for an equal share of the interval; else as [`pose_at`] blends the frames.
-pub fn pose_in(heart: &PreparedSubject, position: f64) -> GeometryPose {
-    let straight = pose_at(position, heart.frame_count);
+pub fn pose_in(prepared: &PreparedSubject, position: f64) -> GeometryPose {
+    let straight = pose_at(position, prepared.frame_count);
     let (from, to) = (
-        heart.pose_of_frame(straight.from),
-        heart.pose_of_frame(straight.to),
+        prepared.pose_of_frame(straight.from),
+        prepared.pose_of_frame(straight.to),
     );
-    let steps = heart.interpolated_poses(straight.from) + 1;
+    let steps = prepared.interpolated_poses(straight.from) + 1;
     if steps == 1 || straight.blend == 0.0 || straight.blend == 1.0 {
         return GeometryPose {
             from,
@@ -194,10 +194,10 @@ mod tests {
     fn poses_between_frames_are_passed_at_equal_shares() {
         let subject = subject_with_frames("a", 3);
         let between: Vec<_> = (0..3).map(|_| subject.sequence.pose(0).unwrap()).collect();
-        let heart =
+        let prepared =
             PreparedSubject::with_interpolated_poses(&subject, 0, &[&[], &between, &between]);
         let at = |position| {
-            let pose = pose_in(&heart, position);
+            let pose = pose_in(&prepared, position);
             (pose.from, pose.to, pose.blend)
         };
         assert_eq!(at(0.0), (0, 1, 0.0));

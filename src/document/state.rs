@@ -40,7 +40,7 @@ pub struct State {
     pub document: Document,
     /// Undo and redo.
     pub history: History,
-    /// Whether and how fast the beat plays.
+    /// Whether and how fast the motion plays.
     pub play: PlayClock,
     /// What lies over the window.
     pub sheets: Sheets,
@@ -114,8 +114,10 @@ impl State {
     /// The poses between a subject's frames, as far as they were computed with today's settings.
     pub fn interpolated_poses_of(&self, index: usize) -> Option<&Arc<InterpolatedMotion>> {
         let params = geodesic_params(&self.document)?;
-        let beat = self.answers.interpolated_poses(index)?.beat.as_ref()?;
-        beat.are_of(self.subject(index)?, &params).then_some(beat)
+        let motion = self.answers.interpolated_poses(index)?.motion.as_ref()?;
+        motion
+            .are_of(self.subject(index)?, &params)
+            .then_some(motion)
     }
 
     /// The transported motion that the document asks for, once it is computed.
@@ -125,7 +127,7 @@ impl State {
             self.document.visible_transport()?,
             transport_params(&self.document),
         );
-        (self.answers.transported.as_ref()).filter(|heart| heart.key == key)
+        (self.answers.transported.as_ref()).filter(|subject| subject.key == key)
     }
 
     /// How a subject's wall thickens: with today's settings, else with those before, and whether it is
@@ -169,7 +171,7 @@ impl State {
         if let Some(transfer) = document.map.distances.transport
             && matches!(transfer.reference, Reference::Subject(_))
         {
-            // That heart is not of this study.
+            // That subject is not of this study.
             document.map.distances.transport = None;
         }
         document.deformation_map = before.deformation_map;

@@ -9,7 +9,7 @@ use crate::units::LengthUnit;
 use crate::document::document::{OpeningReport, StudyRef};
 use crate::document::state::State;
 
-/// A heart of one small sphere that contracts over `frames` frames.
+/// A subject of one small sphere that contracts over `frames` frames.
 pub fn subject_with_frames(id: &str, frames: usize) -> Subject {
     let meshes = (0..frames)
         .map(|frame| phantom::sphere(1, 30.0 - frame as f64))

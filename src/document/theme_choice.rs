@@ -1,7 +1,10 @@
 //! Light or dark.
 
+use serde::{Deserialize, Serialize};
+
 /// Light or dark.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
 pub enum ThemeChoice {
     /// As the desktop is set.
     #[default]

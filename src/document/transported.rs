@@ -32,8 +32,8 @@ pub struct TransportedSubject {
     pub sequence: Arc<MeshSequence>,
     /// The subject with the transported motion: frames of the motion, all else of the subject.
     pub subject: Arc<Subject>,
-    /// For every frame, the distance of each vertex from where the heart's own beat has it at the
-    /// same phase, in the heart's unit; surfaces one after the other.
+    /// For every frame, the distance of each vertex from where the subject's own motion has it at the
+    /// same phase, in the subject's unit; surfaces one after the other.
     pub distances: Arc<Vec<Vec<f32>>>,
 }
 
@@ -80,7 +80,7 @@ pub fn transport_params(document: &Document) -> TransportParams {
     }
 }
 
-/// The distance of each vertex of a transported motion from the heart's own beat at the same phase,
+/// The distance of each vertex of a transported motion from the subject's own motion at the same phase,
 /// frame by frame.
 fn differences_from_own_motion(transported: &Subject, own: &Subject) -> Vec<Vec<f32>> {
     (0..transported.sequence.frame_count())
@@ -123,8 +123,8 @@ mod tests {
     #[test]
     fn a_motion_transported_to_its_own_subject_has_no_difference() {
         let heart = subject_with_frames("a", 6);
-        let beat = TransportedMotion { from: 0, onto: 1 };
-        let key = (Revision(1), beat, TransportParams::default());
+        let motion = TransportedMotion { from: 0, onto: 1 };
+        let key = (Revision(1), motion, TransportParams::default());
         let sequence = Arc::new(heart.sequence.clone());
         let transported = TransportedSubject::new(key, &sequence, &heart, &heart);
         assert_eq!(transported.distances.len(), 6);
@@ -136,8 +136,8 @@ mod tests {
     fn distances_compare_equal_phases_whatever_the_number_of_frames() {
         // The sphere of the tests shrinks by 1 mm a frame: at the same phase, 4 frames are half as far.
         let (fast, slow) = (subject_with_frames("a", 4), subject_with_frames("b", 8));
-        let beat = TransportedMotion { from: 0, onto: 1 };
-        let key = (Revision(1), beat, TransportParams::default());
+        let motion = TransportedMotion { from: 0, onto: 1 };
+        let key = (Revision(1), motion, TransportParams::default());
         let transported =
             TransportedSubject::new(key, &Arc::new(fast.sequence.clone()), &fast, &slow);
         for (frame, distances) in transported.distances.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What is said of all hearts on screen, and what their patches may be called by it.
+//! What is said of all subjects on screen, and what their patches may be called by it.
 
 use std::sync::Arc;
 
@@ -15,13 +15,13 @@ impl State {
         Some((showing.latest()?, showing.ready().is_some()))
     }
 
-    /// What is said of one heart.
+    /// What is said of one subject.
     pub fn verdict_of(&self, index: usize) -> Option<&Result<Verdict, NotAssessed>> {
         self.verdicts()?.0.subjects.get(index)
     }
 
-    /// What the parts of a heart's wall that do not thicken may be called. A patch is abnormal only where the
-    /// verdict on the heart is that it has one.
+    /// What the parts of a subject's wall that do not thicken may be called. A patch is abnormal only where the
+    /// verdict on the subject is that it has one.
     pub fn patch_standing(&self, index: usize) -> PatchStanding {
         PatchStanding::of(self.verdict_of(index))
     }

@@ -1,4 +1,4 @@
-//! How many hearts the 3D view shows at once.
+//! How many subjects the 3D view shows at once.
 
 /// What the 3D view shows at once.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -4,18 +4,18 @@ use crate::document::document::{phase_of, position_at_phase};
 use crate::document::state::State;
 use crate::document::view_mode::ViewMode;
 
-/// One heart on the view.
+/// One subject on the view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct VisiblePose {
     /// Index into the study's subjects.
     pub subject: usize,
-    /// Place in its beat, counted in frames.
+    /// Place in its cycle, counted in frames.
     pub position: f64,
     /// Whether it plays a transported motion, whose frames the position then counts.
     pub transported: bool,
 }
 
-/// The hearts on the view, first the selected one.
+/// The subjects on the view, first the selected one.
 pub fn visible_poses(state: &State) -> Vec<VisiblePose> {
     let document = &state.document;
     let Some(selected) = document.selected() else {
@@ -33,14 +33,14 @@ pub fn visible_poses(state: &State) -> Vec<VisiblePose> {
                 .compared()
                 .and_then(|index| Some((index, state.subject(index)?)));
             let transported = state.transported_subject().is_some();
-            let other = other.map(|(subject, heart)| VisiblePose {
+            let other = other.map(|(subject, other)| VisiblePose {
                 subject,
-                // A transported motion has the frames of the heart that it came from. Otherwise linked
-                // by phase: hearts with other frame counts beat in step.
+                // A transported motion has the frames of the subject that it came from. Otherwise linked
+                // by phase: subjects with other frame counts move in step.
                 position: if transported {
                     document.position
                 } else {
-                    position_at_phase(heart, phase_of(selected, document.position))
+                    position_at_phase(other, phase_of(selected, document.position))
                 },
                 transported,
             });

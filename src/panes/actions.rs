@@ -2,7 +2,7 @@
 
 use std::sync::LazyLock;
 
-use super::commands::{ACTIONS, Action, Command, Menu, Row, WindowCommand};
+use super::commands::{ACTIONS, Action, Menu, WindowCommand, row};
 use super::table::PANES;
 
 /// The group of the menu View in which panes are shown and hidden.
@@ -10,14 +10,17 @@ const PANE_GROUP: u8 = 5;
 
 /// All actions, by menu and group.
 pub static ALL_ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
-    let toggles = PANES.iter().map(|spec| Row {
-        name: spec.toggle,
-        menu: Menu::View,
-        group: PANE_GROUP,
-        shortcut: None,
-        command: Command::Window(WindowCommand::TogglePane(spec.pane)),
+    let toggles = PANES.iter().map(|spec| {
+        let command = WindowCommand::TogglePane(spec.pane).into();
+        row(Menu::View, PANE_GROUP, spec.toggle, None, command)
     });
-    let mut actions: Vec<Action> = toggles.chain(ACTIONS.iter().cloned()).collect();
+    let opens = PANES.iter().filter_map(|spec| {
+        let (group, name) = spec.open?;
+        let command = WindowCommand::ShowPane(spec.pane).into();
+        Some(row(Menu::Analysis, group, name, None, command))
+    });
+    let actions = toggles.chain(ACTIONS.iter().cloned()).chain(opens);
+    let mut actions: Vec<Action> = actions.collect();
     // Stable: within a group the order of the tables stays.
     actions.sort_by_key(|action| (action.menu, action.group));
     actions

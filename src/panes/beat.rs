@@ -1,101 +1,51 @@
-//! The beat of the selected heart: time bar, volume curves and measures.
+//! The motion of the selected subject: time bar, volume curves and measures.
 
 use crate::analysis::measures::FrameMeasures;
-use crate::document::document::phase_of;
 use crate::document::interpolated_poses::{BetweenWords, between_words, geodesic_params};
 use crate::document::state::State;
-use crate::panes::{BeatAxis, Curve, CurveKind, CurvesView, MeasuresView};
+use crate::panes::curves::{Curve, CurveKind, CurvesView};
+use crate::panes::cycle_axis::CycleAxis;
+use crate::panes::measures::MeasuresView;
 use crate::report::SubjectRow;
 
-/// Numbers of the selected heart's beat.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct BeatData {
-    pub(crate) frame_shares: Vec<f64>,
-    pub(crate) endo_volumes: Vec<f64>,
-    pub(crate) epi_volumes: Vec<f64>,
-    pub(crate) interpolated_poses: Vec<f64>,
-    pub(crate) between: BetweenWords,
-    pub(crate) note: String,
+/// What the volume pane shows; `computing` says whether volumes are still to come.
+pub fn curves_view(state: &State, computing: bool) -> CurvesView<'_> {
+    let document = &state.document;
+    let Some(subject) = document.selected() else {
+        return CurvesView::default();
+    };
+    let frames = state
+        .measures_of(document.subject)
+        .map_or(&[][..], |measures| &measures.frames);
+    let curve = |kind, volume: fn(&FrameMeasures) -> Option<f64>| {
+        let known = frames.iter().any(|frame| volume(frame).is_some());
+        let values = frames.iter().map(|frame| volume(frame).unwrap_or(f64::NAN));
+        known.then(|| Curve {
+            kind,
+            values: values.collect(),
+        })
+    };
+    let curves = [
+        curve(CurveKind::Endocardium, |frame| frame.endo_volume),
+        curve(CurveKind::Epicardium, |frame| frame.epi_volume),
+    ];
+    let (end_diastole, end_systole) = state.phases_of(document.subject);
+    CurvesView {
+        curves: curves.into_iter().flatten().collect(),
+        unit: subject.unit.volume_symbol(),
+        axis: CycleAxis::of(subject),
+        cycle_ms: subject.timing.rr.map(|rr| 1e3 * rr.0),
+        position: document.position,
+        end_diastole,
+        end_systole,
+        computing,
+    }
 }
 
-impl BeatData {
-    /// Numbers of the heart that is selected now.
-    pub fn of(state: &State) -> Self {
-        let Some(subject) = state.document.selected() else {
-            return Self::default();
-        };
-        let frames = state
-            .measures_of(state.document.subject)
-            .map_or(&[][..], |measures| &measures.frames);
-        let volumes = |volume: fn(&FrameMeasures) -> Option<f64>| {
-            if frames.iter().all(|frame| volume(frame).is_none()) {
-                return Vec::new();
-            }
-            frames
-                .iter()
-                .map(|frame| volume(frame).unwrap_or(f64::NAN))
-                .collect()
-        };
-        let interpolated_poses = state.interpolated_poses_of(state.document.subject);
-        let between = between_words(
-            interpolated_poses.map(|beat| &**beat),
-            state.document.position,
-            straight_because(state),
-        );
-        Self {
-            frame_shares: (0..subject.sequence.frame_count())
-                .map(|frame| phase_of(subject, frame as f64))
-                .collect(),
-            endo_volumes: volumes(|frame| frame.endo_volume),
-            epi_volumes: volumes(|frame| frame.epi_volume),
-            interpolated_poses: interpolated_poses.map_or_else(Vec::new, |beat| beat.positions()),
-            note: line_note(state, &between),
-            between,
-        }
-    }
-
-    /// Where the frames lie within the beat.
-    pub fn axis(&self) -> BeatAxis<'_> {
-        BeatAxis {
-            frame_shares: &self.frame_shares,
-        }
-    }
-
-    /// The curves that have numbers.
-    pub fn curves(&self) -> Vec<Curve<'_>> {
-        [
-            (CurveKind::Endocardium, &self.endo_volumes),
-            (CurveKind::Epicardium, &self.epi_volumes),
-        ]
-        .into_iter()
-        .filter(|(_, values)| !values.is_empty())
-        .map(|(kind, values)| Curve { kind, values })
-        .collect()
-    }
-
-    /// What the volume pane shows.
-    pub fn curves_view<'a>(
-        &'a self,
-        state: &State,
-        curves: &'a [Curve<'a>],
-        computing: bool,
-    ) -> CurvesView<'a> {
-        let document = &state.document;
-        let (end_diastole, end_systole) = state.phases_of(document.subject);
-        let subject = document.selected();
-        CurvesView {
-            curves,
-            unit: subject.map_or("", |subject| subject.unit.volume_symbol()),
-            axis: self.axis(),
-            beat_ms: subject
-                .and_then(|subject| subject.timing.rr)
-                .map(|rr| 1e3 * rr.0),
-            position: document.position,
-            end_diastole,
-            end_systole,
-            computing,
-        }
-    }
+/// What is said of the pose on screen of a subject.
+pub fn between_words_of(state: &State, subject: usize, position: f64) -> BetweenWords {
+    let motion = state.interpolated_poses_of(subject).map(|motion| &**motion);
+    between_words(motion, position, straight_because(state))
 }
 
 /// Why poses between frames are straight, where that is not for want of time.
@@ -103,8 +53,8 @@ pub fn straight_because(state: &State) -> &'static str {
     let Some(params) = geodesic_params(&state.document) else {
         return "Interpolated poses are off (menu Analysis)";
     };
-    let beat = state.answers.interpolated_poses(state.document.subject);
-    let stopped = beat.is_some_and(|beat| beat.stopped);
+    let motion = state.answers.interpolated_poses(state.document.subject);
+    let stopped = motion.is_some_and(|motion| motion.stopped);
     if params.check().is_err() {
         "The metric of the map has no geodesics: choose the additive form"
     } else if stopped {
@@ -115,9 +65,9 @@ pub fn straight_because(state: &State) -> &'static str {
 }
 
 /// What the line of the time bar says to whoever points at it.
-fn line_note(state: &State, between: &BetweenWords) -> String {
+pub fn line_note(state: &State, between: BetweenWords) -> String {
     if between.badge.is_some() {
-        return between.note.clone();
+        return between.note;
     }
     match state.document.interpolated_poses {
         0 => "Interpolated poses are off (menu Analysis)".to_owned(),

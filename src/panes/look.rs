@@ -11,6 +11,7 @@ use egui::Ui;
 
 use crate::document::State;
 use crate::engine::{Activity, Query, Showing, Store};
+use crate::study::Study;
 
 /// What a pane may look at in one frame.
 pub struct Look<'a> {
@@ -34,15 +35,10 @@ impl<'a> Look<'a> {
         self.store.ask(self.state.document.study(), query)
     }
 
-    /// The same for what takes the whole cohort: while the pointer is down nothing of it begins, for a threshold is
-    /// dragged through many values; what has begun goes on.
+    /// The same for what takes the whole cohort, see [`ask_at_rest`].
     pub fn ask_at_rest<Q: Query>(&self, query: &Q) -> Showing<Q::Answer> {
         let study = self.state.document.study();
-        if self.pointer_held {
-            self.store.watch(study, query)
-        } else {
-            self.store.ask(study, query)
-        }
+        ask_at_rest(self.store, study, self.pointer_held, query)
     }
 
     /// Finished and running work, newest first.
@@ -63,6 +59,20 @@ impl<'a> Look<'a> {
     /// What panes made of answers in earlier frames.
     pub fn memo(&self) -> &'a Memo {
         self.memo
+    }
+}
+
+/// Asks what takes the whole cohort: while the pointer is down nothing of it begins, for a threshold is dragged through
+/// many values; what has begun goes on.
+pub fn ask_at_rest<Q: Query>(
+    store: &Store,
+    study: &Arc<Study>,
+    pointer_held: bool,
+    query: &Q,
+) -> Showing<Q::Answer> {
+    match pointer_held {
+        true => store.watch(study, query),
+        false => store.ask(study, query),
     }
 }
 

@@ -17,6 +17,8 @@ pub struct PaneSpec {
     pub title: &'static str,
     /// The action that shows or hides it.
     pub toggle: &'static str,
+    /// The action that opens it from the menu *Analysis*, with its group there.
+    pub open: Option<(u8, &'static str)>,
     /// Where a fresh layout has it: panes of one place are tabs of one strip, in the order of the table.
     pub place: Place,
     /// What stands in its header.
@@ -48,12 +50,10 @@ pub type DrawBeside = fn(&mut Ui, &Look<'_>, f32, &mut Vec<Command>);
 pub enum Header {
     /// Its title alone.
     Title,
-    /// Its title, and a note at the right.
-    Note(fn(&Look<'_>) -> Option<String>),
     /// Its title, and something drawn at the right.
     Beside(DrawBeside),
-    /// A header of its own, and choosers at the right where tabs stand in place of it.
-    Own(Draw, DrawBeside),
+    /// The same with the title as plain words, where no tabs stand in place of it.
+    Named(DrawBeside),
     /// A header of its own, even below tabs.
     Always(Draw),
 }

@@ -2,13 +2,12 @@
 
 use egui::{Context, Key, KeyboardShortcut, Modifiers};
 
-use crate::panes::commands::{ACTIONS, Action};
+use crate::panes::commands::{ACTIONS, Action, action_of};
 use crate::panes::commands::{BeatCommand, Command};
 
 /// The shortcut of a command as text, such as `Ctrl+K`; `None` where it has none.
 pub fn shortcut_text(ctx: &Context, command: &Command) -> Option<String> {
-    let action = ACTIONS.iter().find(|action| action.command == *command)?;
-    Some(ctx.format_shortcut(action.shortcut.as_ref()?))
+    Some(ctx.format_shortcut(action_of(command)?.shortcut.as_ref()?))
 }
 
 /// A name with its key behind it, for hints: `Next frame (Right)`.
@@ -72,9 +71,8 @@ pub fn claim_tab(ctx: &Context, input: &mut egui::RawInput) -> Vec<Command> {
             *key = Key::Tab;
         } else if *key == Key::Tab && !busy && !modifiers.command && !modifiers.alt {
             if *pressed {
-                commands.push(Command::Beat(BeatCommand::StepSubject(
-                    if modifiers.shift { -1 } else { 1 },
-                )));
+                commands
+                    .push(BeatCommand::StepSubject(if modifiers.shift { -1 } else { 1 }).into());
             }
             // A key that nothing listens to.
             *key = Key::F35;

@@ -71,10 +71,13 @@ pub fn subject_target_ui(
     if ui.input(|input| input.pointer.any_released()) {
         DragAndDrop::take_payload::<DraggedSubject>(ui.ctx());
         // Without correspondence the command is given all the same: its refusal says why.
-        commands.push(Command::Transport(TransportCommand::TransportMotion {
-            from: dragged.subject,
-            onto: target.subject,
-        }));
+        commands.push(
+            TransportCommand::TransportMotion {
+                from: dragged.subject,
+                onto: target.subject,
+            }
+            .into(),
+        );
         return;
     }
     let words = if correspond {

@@ -32,7 +32,7 @@ pub struct CubeFace {
 
 /// Directions of one heart, square to each other, in its coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HeartAxes {
+pub struct SubjectAxes {
     /// Along the long axis towards the base; upwards in pictures.
     pub up: Vector3,
     /// Towards the anterior wall; towards the viewer in the anterior view.
@@ -48,7 +48,7 @@ const HOME_ELEVATION_RAD: f64 = 0.38;
 /// How far the first view is turned from the front away from the septum, so that depth reads.
 const HOME_AZIMUTH_RAD: f64 = 0.52;
 
-impl HeartAxes {
+impl SubjectAxes {
     /// Axes from the landmarks if they are known; else the long axis from the opening at the
     /// base, or for closed surfaces the direction of greatest extent with the wider end up.
     /// Surfaces that are not said to be part of a heart stand as their file has them, y up.
@@ -195,7 +195,7 @@ mod tests {
             Point3::new(30.0, 0.0, -20.0),
             Point3::new(0.0, 25.0, -20.0),
         );
-        let axes = HeartAxes::of(&heart);
+        let axes = SubjectAxes::of(&heart);
         for (view, label) in [
             (AnatomicalView::Anterior, "A"),
             (AnatomicalView::Inferior, "I"),
@@ -226,7 +226,7 @@ mod tests {
         let rim = bowl.faces().boundary_loops();
         let centre = mean(bowl.vertices());
         let opening = bowl.vertices()[rim[0][0] as usize].z;
-        let axes = HeartAxes::of(&subject(SurfaceKind::Endocardium, bowl));
+        let axes = SubjectAxes::of(&subject(SurfaceKind::Endocardium, bowl));
         assert!(axes.up.z.abs() > 0.999);
         assert_eq!(axes.up.z > 0.0, opening > centre.z);
         assert!(axes.cube().is_empty());
@@ -245,7 +245,7 @@ mod tests {
             .map(|p| Point3::new(3.0 * p.x, p.y * (1.0 - 0.4 * p.x), p.z * (1.0 - 0.4 * p.x)))
             .collect();
         let mesh = TriMesh::new(egg, sphere.faces().clone()).unwrap();
-        let axes = HeartAxes::of(&subject(SurfaceKind::Cavity, mesh));
+        let axes = SubjectAxes::of(&subject(SurfaceKind::Cavity, mesh));
         assert!(axes.up.x < -0.99, "{:?}", axes.up);
     }
 }

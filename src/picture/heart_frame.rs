@@ -2,22 +2,22 @@
 
 use glam::{Quat, Vec3};
 
-use crate::picture::axes::{AnatomicalView, HeartAxes};
+use crate::picture::axes::{AnatomicalView, SubjectAxes};
 use crate::picture::prepared::PreparedSubject;
 use crate::render::Camera;
 
 /// Where a heart lies in the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct HeartFrame {
+pub struct SubjectFrame {
     /// Middle of the box around all poses.
     pub middle: Vec3,
     /// Rotation from the heart's axes to the world; the identity where its anatomy is unknown.
     pub world_from_heart: Quat,
 }
 
-impl HeartFrame {
+impl SubjectFrame {
     /// Rotation from the axes of a heart that lies like `axes` to the world.
-    pub fn rotation(axes: &HeartAxes) -> Quat {
+    pub fn rotation(axes: &SubjectAxes) -> Quat {
         axes.view(AnatomicalView::Anterior)
     }
 
@@ -65,7 +65,7 @@ mod tests {
 
     #[test]
     fn a_camera_comes_back_from_the_hearts_axes() {
-        let frame = HeartFrame {
+        let frame = SubjectFrame {
             middle: Vec3::new(10.0, -40.0, 90.0),
             world_from_heart: Quat::from_euler(glam::EulerRot::XYZ, 0.3, -1.1, 2.0),
         };

@@ -26,7 +26,7 @@ mod ticks;
 mod tokens;
 mod wall_rim;
 
-pub use axes::{AnatomicalView, CubeFace, HeartAxes};
+pub use axes::{AnatomicalView, CubeFace, SubjectAxes};
 pub use bulls_eye::{
     BullsEyeQuantity, BullsEyeScale, PolarMap, PolarValues, ink_on, sector_line, sector_outline,
     sector_strip,
@@ -34,7 +34,7 @@ pub use bulls_eye::{
 pub use colour_map::ColourMap;
 pub use fit::fitted_camera;
 pub use frame_words::frame_words;
-pub use heart_frame::HeartFrame;
+pub use heart_frame::SubjectFrame;
 pub use legend::{ColourLegend, Tick, USER_LIMITS};
 pub use limits::{CohortLimits, reference_frame};
 pub use medial::{

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::mesh::{Point3, vertex_normals};
-use crate::picture::axes::HeartAxes;
+use crate::picture::axes::SubjectAxes;
 use crate::picture::quantity::Quantity;
 use crate::picture::wall_rim::{WallRim, wall_rim};
 use crate::render::{Geometry, GeometryPose, VertexScalars};
@@ -58,7 +58,7 @@ pub struct PreparedSubject {
     /// The frame that motion is counted from.
     pub reference_frame: usize,
     /// Which way it is turned.
-    pub axes: HeartAxes,
+    pub axes: SubjectAxes,
     /// The surfaces: inner, outer, rim, or those that stand alone.
     pub surfaces: Vec<PreparedSurface>,
     /// Which pose of the surfaces' geometry each frame is, and at the end the number of poses.
@@ -124,7 +124,7 @@ impl PreparedSubject {
             unit: subject.unit,
             frame_count: sequence.frame_count(),
             reference_frame: reference,
-            axes: HeartAxes::of(subject),
+            axes: SubjectAxes::of(subject),
             surfaces,
         }
     }

@@ -1,8 +1,8 @@
 //! The few controls that panels share: pane headers, tabs, icon buttons, choosers, progress.
 
 use egui::{
-    Align, Align2, Button, Color32, Context, Key, Layout, Rect, Response, RichText, Role, Sense,
-    Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align, Align2, Button, Color32, Context, Key, Layout, Margin, Rect, Response, RichText, Role,
+    ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
 use crate::ui::marks::{Icon, icon};
@@ -23,32 +23,59 @@ pub fn pane_header_ui(ui: &mut Ui, left: impl FnOnce(&mut Ui), right: impl FnOnc
         Stroke::new(line::THIN, colours(ui).line),
     );
     let inner = whole.shrink2(vec2(space::LARGE, 0.0));
-    let mut right_ui = ui.new_child(
-        egui::UiBuilder::new()
-            .max_rect(inner)
-            .layout(Layout::right_to_left(Align::Center)),
-    );
-    right(&mut right_ui);
-    let taken = right_ui.min_rect().width();
-    let mut rest = inner;
-    rest.set_right((inner.right() - taken - space::MEDIUM).max(inner.left()));
-    let mut left_ui = ui.new_child(
-        egui::UiBuilder::new()
-            .max_rect(rest)
-            .layout(Layout::left_to_right(Align::Center)),
-    );
-    left_ui.spacing_mut().item_spacing.x = space::LARGE;
-    left_ui.shrink_clip_rect(rest.expand2(vec2(2.0, 2.0)));
-    left(&mut left_ui);
+    ends_ui(ui, inner, right, |ui| {
+        ui.spacing_mut().item_spacing.x = space::LARGE;
+        ui.shrink_clip_rect(ui.max_rect().expand2(vec2(2.0, 2.0)));
+        left(ui);
+    });
+}
+
+/// The same with the title as plain words.
+pub fn named_header_ui(ui: &mut Ui, title: &str, right: impl FnOnce(&mut Ui)) {
+    let title = egui::Label::new(medium(title)).truncate();
+    let left = |ui: &mut Ui| {
+        ui.add(title);
+    };
+    pane_header_ui(ui, left, right);
+}
+
+/// Draws `right` at the right end of a row, then `left` into what remains of it.
+pub fn ends_ui<R>(
+    ui: &mut Ui,
+    row: Rect,
+    right: impl FnOnce(&mut Ui) -> R,
+    left: impl FnOnce(&mut Ui),
+) -> R {
+    let end = |rect, layout: Layout| egui::UiBuilder::new().max_rect(rect).layout(layout);
+    let mut right_ui = ui.new_child(end(row, Layout::right_to_left(Align::Center)));
+    let answer = right(&mut right_ui);
+    let edge = right_ui.min_rect().left() - space::MEDIUM;
+    let rest = row.with_max_x(edge.max(row.left()));
+    left(&mut ui.new_child(end(rest, Layout::left_to_right(Align::Center))));
+    answer
+}
+
+/// Whether a click is the second of a double click or one right after it, which egui counts as a third.
+pub fn clicked_twice(response: &Response) -> bool {
+    response.double_clicked() || response.triple_clicked()
+}
+
+/// The content of a pane that scrolls, within its margin.
+pub fn scrolled_ui(ui: &mut Ui, salt: &str, margin: Margin, add: impl FnOnce(&mut Ui)) {
+    let area = ScrollArea::vertical().id_salt(salt).auto_shrink(false);
+    area.show(ui, |ui| {
+        egui::Frame::new().inner_margin(margin).show(ui, |ui| {
+            ui.spacing_mut().item_spacing.y = 2.0;
+            add(ui);
+        });
+    });
 }
 
 /// A tab; the one in front is underlined in the accent colour.
 pub fn tab_ui(ui: &mut Ui, name: &str, in_front: bool) -> Response {
     let colours = colours(ui);
-    let font = medium_font();
-    let galley = ui
-        .painter()
-        .layout_no_wrap(name.to_owned(), font, Color32::PLACEHOLDER);
+    let galley =
+        (ui.painter()).layout_no_wrap(name.to_owned(), medium_font(), Color32::PLACEHOLDER);
     let size = vec2(galley.size().x, space::PANE_HEADER);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| WidgetInfo::selected(Role::Tab, true, in_front, name));
@@ -135,6 +162,21 @@ pub fn choice_ui(ui: &mut Ui, name: &str, chosen: bool) -> bool {
     clicked
 }
 
+/// Choices in a menu by name; the one that was clicked.
+pub fn choices_ui<T: Copy + PartialEq>(
+    ui: &mut Ui,
+    choices: impl IntoIterator<Item = (T, impl AsRef<str>)>,
+    now: T,
+) -> Option<T> {
+    let mut clicked = None;
+    for (choice, name) in choices {
+        if choice_ui(ui, name.as_ref(), choice == now) {
+            clicked = Some(choice);
+        }
+    }
+    clicked
+}
+
 /// A thin bar that fills from the left.
 pub fn progress_bar_ui(ui: &mut Ui, width: f32, fraction: f32, name: &str) -> Response {
     let colours = colours(ui);
@@ -165,6 +207,11 @@ pub fn empty_pane_ui(ui: &mut Ui, heading: &str, what: &str, buttons: impl FnOnc
         ui.add_space(space::MEDIUM);
         buttons(ui);
     });
+}
+
+/// What a pane about the selected subject says where none is selected.
+pub fn no_subject_ui(ui: &mut Ui, what: &str) {
+    empty_pane_ui(ui, "No subject selected", what, |_| {});
 }
 
 /// A small window over the middle of the program, with its own cross; true when Esc or the cross
@@ -199,34 +246,4 @@ pub fn dialog_ui(
         });
     let escaped = !ctx.any_popup_open() && ctx.input(|input| input.key_pressed(Key::Escape));
     close || escaped
-}
-
-/// Seconds left in the words of the status bar: "4 s left", "2 min left".
-pub fn time_left_text(seconds: f64) -> String {
-    if seconds < 90.0 {
-        format!("{} s left", seconds.ceil().max(1.0))
-    } else {
-        format!("{} min left", (seconds / 60.0).round())
-    }
-}
-
-/// "71 % · 4 s left".
-pub fn progress_text(fraction: f32, seconds_left: Option<f64>) -> String {
-    let percent = format!("{:.0} %", 100.0 * fraction.clamp(0.0, 1.0));
-    match seconds_left {
-        Some(seconds) => format!("{percent} · {}", time_left_text(seconds)),
-        None => percent,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn time_left_is_shown_in_seconds_or_minutes() {
-        assert_eq!(time_left_text(0.2), "1 s left");
-        assert_eq!(time_left_text(3.4), "4 s left");
-        assert_eq!(time_left_text(130.0), "2 min left");
-    }
 }

@@ -1,9 +1,10 @@
 //! Shapes that stand for labels, phases and actions; drawn, so that they need no font.
 
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Vec2, pos2, vec2};
+use egui::epaint::Mesh;
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, pos2, vec2};
 
 use crate::study::LabelRole;
-use crate::ui::theme::line;
+use crate::ui::theme::{colours, line};
 
 /// The shape of a label's role: a circle, a cross or a square, so that colour is never alone.
 pub fn role_shape(
@@ -38,16 +39,11 @@ pub fn role_shape(
     }
 }
 
-/// Draws the shape of a label's role.
-pub fn role_mark(
-    painter: &Painter,
-    centre: Pos2,
-    radius: f32,
-    role: LabelRole,
-    colour: Color32,
-    filled: bool,
-) {
-    painter.add(role_shape(centre, radius, role, colour, filled));
+/// Draws the shape of a label's role in its colour.
+pub fn role_mark(ui: &Ui, centre: Pos2, radius: f32, role: LabelRole, filled: bool) {
+    let colour = colours(ui).role(role);
+    ui.painter()
+        .add(role_shape(centre, radius, role, colour, filled));
 }
 
 /// What a role is called.
@@ -140,4 +136,32 @@ pub fn icon(painter: &Painter, centre: Pos2, size: f32, icon: Icon, colour: Colo
             painter.add(Shape::convex_polygon(corners, colour, Stroke::NONE));
         }
     }
+}
+
+/// A strip of colours between two rows of places: colour bars, and sectors of a ring.
+pub fn colour_strip(columns: impl IntoIterator<Item = ([Pos2; 2], Color32)>) -> Shape {
+    let mut mesh = Mesh::default();
+    for (ends, colour) in columns {
+        let next = mesh.vertices.len() as u32;
+        for end in ends {
+            mesh.colored_vertex(end, colour);
+        }
+        if next > 0 {
+            mesh.add_triangle(next - 2, next - 1, next);
+            mesh.add_triangle(next - 1, next + 1, next);
+        }
+    }
+    Shape::mesh(mesh)
+}
+
+/// How far a place is from a straight line, and how far along it the nearest place lies.
+pub fn distance_to(from: Pos2, to: Pos2, place: Pos2) -> (f32, f32) {
+    let line = to - from;
+    let length_squared = line.length_sq();
+    let along = if length_squared > 0.0 {
+        ((place - from).dot(line) / length_squared).clamp(0.0, 1.0)
+    } else {
+        0.0
+    };
+    ((from + along * line - place).length(), along)
 }

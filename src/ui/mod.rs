@@ -6,8 +6,9 @@ pub(crate) mod marks;
 pub(crate) mod number_field;
 pub(crate) mod pointer_steps;
 pub(crate) mod style;
+pub(crate) mod text;
 pub mod theme;
 
-pub use controls::{empty_pane_ui, pane_header_ui, tab_ui};
 pub use marks::role_name;
 pub use style::{apply, install, medium_font};
+pub use {controls::*, text::*};

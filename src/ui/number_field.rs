@@ -1,8 +1,10 @@
 //! A number to type, with its name and unit: wrong ones are refused with a reason and change nothing.
 
-use egui::{Align, Key, Layout, RichText, Sense, TextEdit, Ui, UiBuilder, vec2};
+use egui::{Key, RichText, Sense, TextEdit, Ui, vec2};
 
-use crate::ui::style::note;
+use crate::ui::controls::ends_ui;
+use crate::ui::style::{note, note_font};
+use crate::ui::text::{note_at, text_width};
 use crate::ui::theme::{colours, space};
 
 /// What a field shows.
@@ -21,6 +23,50 @@ pub struct NumberField<'a> {
     pub automatic: Option<&'a str>,
     /// Whether it plays a part now.
     pub enabled: bool,
+}
+
+/// A number among settings of the type `P`.
+pub struct Setting<P> {
+    /// "Curvature, μ".
+    pub name: &'static str,
+    /// Behind the number; empty for what has none.
+    pub unit: &'static str,
+    /// What it does, for the hover.
+    pub what: &'static str,
+    /// The number in force; `None` where the program finds it.
+    pub get: fn(&P) -> Option<f64>,
+    /// Puts in what was typed, or says why it is no number of this kind.
+    pub set: fn(&mut P, Option<f64>) -> Result<(), String>,
+}
+
+impl<P: Copy> Setting<P> {
+    /// Draws the field; a number that `check` takes goes into `settings`. `automatic` is that of [`NumberField`].
+    pub fn ui(
+        &self,
+        ui: &mut Ui,
+        settings: &mut P,
+        automatic: Option<&str>,
+        enabled: bool,
+        check: impl Fn(&P) -> Result<(), String>,
+    ) {
+        let field = NumberField {
+            name: self.name,
+            unit: self.unit,
+            what: self.what,
+            value: (self.get)(settings),
+            automatic,
+            enabled,
+        };
+        let accept = |typed: Option<f64>| {
+            let mut wanted = *settings;
+            (self.set)(&mut wanted, typed)?;
+            check(&wanted)?;
+            Ok(wanted)
+        };
+        if let Some(wanted) = number_field_ui(ui, &field, accept) {
+            *settings = wanted;
+        }
+    }
 }
 
 /// What was typed and why it was refused, while it is not the number in force.
@@ -54,12 +100,15 @@ pub fn number_field_ui<T>(
     let response = row_ui(ui, field.name, field.what, field.enabled, |ui| {
         let narrow = ui.available_width() < NARROW;
         if !(narrow && field.unit.is_empty()) {
-            let (unit_rect, _) = ui.allocate_exact_size(vec2(UNIT, 20.0), Sense::hover());
-            let at = unit_rect.left_center();
-            let colour = colours(ui).muted;
-            let font = crate::ui::style::note_font();
-            ui.painter()
-                .text(at, egui::Align2::LEFT_CENTER, field.unit, font, colour);
+            // A long unit takes more room, or it would run into the field or out of the pane.
+            let room = UNIT.max(text_width(ui, field.unit, note_font()));
+            let (unit_rect, _) = ui.allocate_exact_size(vec2(room, 20.0), Sense::hover());
+            note_at(
+                ui,
+                unit_rect.left_center(),
+                egui::Align2::LEFT_CENTER,
+                field.unit,
+            );
         }
         let width = if narrow { NARROW_FIELD } else { FIELD };
         let mut edit = TextEdit::singleline(&mut typed.text)
@@ -115,31 +164,23 @@ pub fn row_ui<R>(
 ) -> R {
     let size = vec2(ui.available_width(), space::ROW + 2.0);
     let (row, _) = ui.allocate_exact_size(size, Sense::hover());
-    let mut right = ui.new_child(
-        UiBuilder::new()
-            .max_rect(row)
-            .layout(Layout::right_to_left(Align::Center)),
-    );
-    right.spacing_mut().item_spacing.x = space::SMALL;
-    if !enabled {
-        right.disable();
-    }
-    let answer = control(&mut right);
-    let mut rest = row;
-    rest.set_right((right.min_rect().left() - space::MEDIUM).max(row.left()));
-    let mut left = ui.new_child(
-        UiBuilder::new()
-            .max_rect(rest)
-            .layout(Layout::left_to_right(Align::Center)),
-    );
-    if !enabled {
-        left.disable();
-    }
-    let label = left.add(egui::Label::new(name).truncate());
-    if !what.is_empty() {
-        label.on_hover_text(what);
-    }
-    answer
+    let disable = |ui: &mut Ui| {
+        if !enabled {
+            ui.disable();
+        }
+    };
+    let right = |ui: &mut Ui| {
+        ui.spacing_mut().item_spacing.x = space::SMALL;
+        disable(ui);
+        control(ui)
+    };
+    ends_ui(ui, row, right, |ui| {
+        disable(ui);
+        let label = ui.add(egui::Label::new(name).truncate());
+        if !what.is_empty() {
+            label.on_hover_text(what);
+        }
+    })
 }
 
 /// A number as a person types it: as many digits as it has, powers of ten where it is small.
@@ -149,7 +190,11 @@ pub fn number_text(value: f64) -> String {
     }
     // Six figures are more than anybody chose; the rest is round-off.
     let digits = 5 - value.abs().max(1e-4).log10().floor() as i32;
-    let text = format!("{value:.*}", digits.clamp(0, 12) as usize);
+    without_zeros(format!("{value:.*}", digits.clamp(0, 12) as usize))
+}
+
+/// A number without the zeros that end its decimal places.
+pub fn without_zeros(text: String) -> String {
     if text.contains('.') {
         text.trim_end_matches('0').trim_end_matches('.').to_owned()
     } else {

@@ -80,7 +80,8 @@ impl Crate {
             let import = file.imports.iter().find(|import| import.name == *next);
             let Some(import) = import.filter(|_| seen.insert((module.clone(), next.clone())))
             else {
-                return Some(Target::Item(module));
+                let passed_on = self.through_globs(&module, next, seen);
+                return Some(Target::Item(passed_on.unwrap_or(module)));
             };
             let (start, path) = self.start(&module, &import.path)?;
             return match self.follow(start, path, seen)? {
@@ -89,6 +90,30 @@ impl Crate {
             };
         }
         Some(Target::Module(module))
+    }
+
+    /// The module that defines a name which another one passes on with all others.
+    fn through_globs(
+        &self,
+        module: &Module,
+        name: &str,
+        seen: &mut BTreeSet<(Module, String)>,
+    ) -> Option<Module> {
+        if self.0[module].defines(name) || !seen.insert((module.clone(), format!("*{name}"))) {
+            return None;
+        }
+        let globs = self.0[module].imports.iter();
+        let mut globs = globs.filter(|import| import.name == "*");
+        globs.find_map(|glob| {
+            let (start, path) = self.start(module, &glob.path[..glob.path.len() - 1])?;
+            let Target::Module(inner) = self.follow(start, path, seen)? else {
+                return None;
+            };
+            match self.follow(inner, &[name.to_owned()], seen)? {
+                Target::Item(found) => self.0[&found].defines(name).then_some(found),
+                Target::Module(_) => None,
+            }
+        })
     }
 
     fn target(&self, from: &Module, path: &[String]) -> Option<Target> {
@@ -132,6 +157,18 @@ impl Crate {
 }
 
 impl ModuleFile {
+    /// Whether an item of this name stands in the file.
+    fn defines(&self, name: &str) -> bool {
+        let words = (self.body).split(|c: char| !(c.is_alphanumeric() || c == '_'));
+        let words: Vec<&str> = words.filter(|word| !word.is_empty()).collect();
+        let items = [
+            "struct", "enum", "fn", "trait", "type", "const", "static", "union",
+        ];
+        words
+            .windows(2)
+            .any(|pair| items.contains(&pair[0]) && pair[1] == name)
+    }
+
     fn new(file: &SourceFile) -> Self {
         let text = without_tests(&file.text);
         let (mut body, mut imports) = (String::new(), Vec::new());

@@ -1,4 +1,4 @@
-//! Commands that select a subject and a place in its beat.
+//! Commands that select a subject and a place in its cycle.
 
 use crate::panes::BeatCommand;
 

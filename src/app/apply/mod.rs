@@ -13,6 +13,7 @@ mod window;
 
 pub use change::{Moment, change};
 pub use effect::Effect;
+pub use wall::is_usable;
 
 use crate::panes::{Command, EditCommand};
 
@@ -35,11 +36,9 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
         Command::Map(command) => map::apply(state, command, moment),
         Command::Wall(command) => wall::apply(state, command, moment),
         Command::Transport(command) => return transport::apply(state, command, moment),
-        Command::File(command) => return window::apply_file(state, command).into_iter().collect(),
-        Command::Work(command) => return window::apply_work(state, command).into_iter().collect(),
-        Command::Window(command) => {
-            return window::apply_window(state, command).into_iter().collect();
-        }
+        Command::File(command) => return Vec::from_iter(window::apply_file(state, command)),
+        Command::Work(command) => return Vec::from_iter(window::apply_work(state, command)),
+        Command::Window(command) => return Vec::from_iter(window::apply_window(state, command)),
     }
     Vec::new()
 }

@@ -58,19 +58,19 @@ fn start_transport(state: &mut State, moment: &Moment, from: usize, onto: usize)
             theirs.vertex_count(),
             theirs.face_count()
         );
-        push_card(&mut state.errors, title, message, None);
+        push_card(&mut state.errors, title, message);
         return Vec::new();
     }
     let plays = ours.frame_count() > 1;
-    let beat = TransportedMotion { from, onto };
-    let again = state.document.visible_transport() == Some(beat);
+    let motion = TransportedMotion { from, onto };
+    let again = state.document.visible_transport() == Some(motion);
     change(state, moment, None, |document| {
         if document.subject != from {
             document.select_subject(from);
         }
         document.view_mode = ViewMode::SideBySide;
         document.compare_with = Some(onto);
-        document.transported = Some(beat);
+        document.transported = Some(motion);
         document.quantity = Quantity::MotionDifference;
     });
     state.play.playing = plays;
@@ -85,7 +85,7 @@ fn step_pose(state: &mut State, moment: &Moment, step: i32) {
         return;
     };
     let between = (state.interpolated_poses_of(state.document.subject))
-        .map_or_else(Vec::new, |beat| beat.positions());
+        .map_or_else(Vec::new, |motion| motion.positions());
     let mut positions: Vec<f64> = (0..subject.sequence.frame_count())
         .map(|frame| frame as f64)
         .chain(between)
@@ -117,7 +117,7 @@ mod tests {
     use crate::app::apply::apply;
     use crate::document::answers::InterpolationAnswer;
     use crate::document::interpolated_poses::tests::straight_paths;
-    use crate::document::interpolated_poses::{BeatMemo, geodesic_params};
+    use crate::document::interpolated_poses::{MotionMemo, geodesic_params};
     use crate::document::testing::{state_of, subject_with_frames};
     use crate::mesh::phantom;
     use crate::panes::{BeatCommand, Command, EditCommand, ViewCommand};
@@ -152,13 +152,13 @@ mod tests {
     fn a_dropped_motion_plays_beside_its_target_and_undo_takes_it_back() {
         let mut state = three_subjects();
         let before = state.document.clone();
-        let beat = TransportedMotion { from: 1, onto: 0 };
+        let motion = TransportedMotion { from: 1, onto: 0 };
         let effects = give(
             &mut state,
             Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
         );
         assert_eq!(effects, []);
-        assert_eq!(state.document.visible_transport(), Some(beat));
+        assert_eq!(state.document.visible_transport(), Some(motion));
         assert_eq!(state.document.subject, 1);
         assert_eq!(state.document.quantity, Quantity::MotionDifference);
         assert!(state.play.playing);
@@ -170,7 +170,7 @@ mod tests {
         give(&mut state, Command::Edit(EditCommand::Undo));
         assert_eq!(state.document, before);
         give(&mut state, Command::Edit(EditCommand::Redo));
-        assert_eq!(state.document.visible_transport(), Some(beat));
+        assert_eq!(state.document.visible_transport(), Some(motion));
     }
 
     #[test]
@@ -237,8 +237,8 @@ mod tests {
             &mut state,
             Command::Transport(TransportCommand::TransportToOther),
         );
-        let beat = TransportedMotion { from: 0, onto: 1 };
-        assert_eq!(state.document.visible_transport(), Some(beat));
+        let motion = TransportedMotion { from: 0, onto: 1 };
+        assert_eq!(state.document.visible_transport(), Some(motion));
     }
 
     #[test]
@@ -255,11 +255,11 @@ mod tests {
             "without interpolated poses, frame by frame"
         );
         let paths = straight_paths(&subject, 3);
-        let mut memo = BeatMemo::default();
+        let mut memo = MotionMemo::default();
         memo.put(&subject, &params, 0, &paths);
         state.answers.interpolated_poses = vec![InterpolationAnswer {
             subject: 0,
-            beat: memo.get(&subject, &params).cloned(),
+            motion: memo.get(&subject, &params).cloned(),
             stopped: false,
         }];
         for position in [1.25, 1.5, 1.75, 2.0] {

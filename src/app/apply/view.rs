@@ -30,13 +30,7 @@ pub fn apply(state: &mut State, command: ViewCommand, moment: &Moment) {
         match command {
             ViewCommand::SetViewMode(mode) => d.view_mode = mode,
             ViewCommand::SetCamera { camera, .. } => {
-                if camera.half_height.is_finite() && camera.half_height > 0.0 {
-                    d.look = Look {
-                        direction: Direction::Turned(camera.world_from_camera),
-                        offset: camera.target,
-                        half_height: Some(camera.half_height),
-                    };
-                }
+                d.look = Look::through(&camera).unwrap_or(d.look);
             }
             ViewCommand::ViewFrom(side) => d.look.direction = Direction::From(side),
             ViewCommand::FitView => {

@@ -6,7 +6,7 @@ use crate::panes::WallCommand;
 use super::change::{Moment, change};
 use crate::document::state::State;
 use crate::document::undo::Gesture;
-use crate::document::viewpoint::{Direction, Look};
+use crate::document::viewpoint::Look;
 
 /// Applies a command about atoms, patches or the bull's-eye.
 pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
@@ -28,13 +28,7 @@ pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
             WallCommand::ShowPatch { patch, camera } => {
                 d.part = Some(crate::picture::WallPart::Patch(patch));
                 visible.patches = true;
-                if camera.half_height.is_finite() && camera.half_height > 0.0 {
-                    d.look = Look {
-                        direction: Direction::Turned(camera.world_from_camera),
-                        offset: camera.target,
-                        half_height: Some(camera.half_height),
-                    };
-                }
+                d.look = Look::through(&camera).unwrap_or(d.look);
             }
             WallCommand::SetBullsEye(quantity) => d.bulls_eye = quantity,
             WallCommand::NextBullsEye => d.bulls_eye = d.bulls_eye.next(),
@@ -43,7 +37,8 @@ pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
     });
 }
 
-fn is_usable(settings: &ThickeningSettings) -> bool {
+/// Whether settings can be computed with.
+pub fn is_usable(settings: &ThickeningSettings) -> bool {
     settings.medial.check().is_ok() && settings.thickening.check().is_ok()
 }
 

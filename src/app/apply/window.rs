@@ -60,7 +60,7 @@ pub fn apply_work(state: &mut State, command: WorkCommand) -> Option<Effect> {
 
 /// Applies a command about the window itself. Sheets lie over it one at a time.
 pub fn apply_window(state: &mut State, command: WindowCommand) -> Option<Effect> {
-    let before = state.sheets;
+    let (before, mut sheets) = (state.sheets, Sheets::default());
     match command {
         WindowCommand::SetTheme(theme) => {
             state.theme = theme;
@@ -73,30 +73,11 @@ pub fn apply_window(state: &mut State, command: WindowCommand) -> Option<Effect>
             state.full_screen = !state.full_screen;
             return Some(Effect::SetFullScreen(state.full_screen));
         }
-        WindowCommand::TogglePalette => {
-            state.sheets = Sheets {
-                palette: !before.palette,
-                ..Sheets::default()
-            };
-        }
-        WindowCommand::ToggleShortcuts => {
-            state.sheets = Sheets {
-                shortcuts: !before.shortcuts,
-                ..Sheets::default()
-            };
-        }
-        WindowCommand::ToggleLoadReport => {
-            state.sheets = Sheets {
-                load_report: !before.load_report,
-                ..Sheets::default()
-            };
-        }
-        WindowCommand::ToggleAbout => {
-            state.sheets = Sheets {
-                about: !before.about,
-                ..Sheets::default()
-            };
-        }
+        WindowCommand::TogglePalette => sheets.palette = !before.palette,
+        WindowCommand::ToggleShortcuts => sheets.shortcuts = !before.shortcuts,
+        WindowCommand::ToggleLoadReport => sheets.load_report = !before.load_report,
+        WindowCommand::ToggleAbout => sheets.about = !before.about,
     }
+    state.sheets = sheets;
     None
 }

@@ -7,7 +7,4 @@ pub(crate) mod status_view;
 mod time_bar;
 mod time_view;
 
-pub use menu_bar::{MenuBarView, menu_bar_ui};
-pub use status_bar::{StatusBarView, StatusJob, status_bar_ui};
-pub use time_bar::{TimeBarView, time_bar_ui};
-pub use time_view::time_bar_view;
+pub use {menu_bar::*, status_bar::*, time_bar::*, time_view::*};

@@ -3,18 +3,21 @@
 use egui::{Align, Button, Layout, RichText, Ui};
 
 use crate::engine::Topic;
+use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WindowCommand, WorkCommand};
-use crate::ui::controls::{progress_bar_ui, progress_text};
+use crate::ui::controls::progress_bar_ui;
 use crate::ui::style::note;
+use crate::ui::text::counted;
+use crate::ui::text::progress_text;
 use crate::ui::theme::{colours, space};
 
 /// Running work.
 #[derive(Clone, Debug, PartialEq)]
-pub struct StatusJob<'a> {
+pub struct StatusJob {
     /// What to cancel.
-    pub kind: Topic,
+    pub topic: Topic,
     /// What it is, in the words of the activity list.
-    pub text: &'a str,
+    pub text: String,
     /// Done share in `0..=1`.
     pub fraction: f32,
     /// Estimated seconds left, once there is one.
@@ -25,7 +28,7 @@ pub struct StatusJob<'a> {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct StatusBarView<'a> {
     /// The running work; the longest, if there is more than one.
-    pub job: Option<StatusJob<'a>>,
+    pub job: Option<StatusJob>,
     /// How many more jobs run.
     pub more_jobs: usize,
     /// The last message, while no work runs.
@@ -68,10 +71,8 @@ pub fn status_bar_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Comma
 fn notices_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Command>) {
     let (text, colour) = match (view.warning_count, view.notice_count) {
         (0, 0) => return,
-        (0, 1) => ("1 note".to_owned(), colours(ui).muted),
-        (0, count) => (format!("{count} notes"), colours(ui).muted),
-        (1, _) => ("1 warning".to_owned(), colours(ui).warning),
-        (count, _) => (format!("{count} warnings"), colours(ui).warning),
+        (0, notes) => (counted(notes, "note"), colours(ui).muted),
+        (warnings, _) => (counted(warnings, "warning"), colours(ui).warning),
     };
     let button = Button::new(RichText::new(text).small().color(colour)).frame_when_inactive(false);
     if ui
@@ -79,7 +80,7 @@ fn notices_ui(ui: &mut Ui, view: &StatusBarView, commands: &mut Vec<Command>) {
         .on_hover_text("Open the load report")
         .clicked()
     {
-        commands.push(Command::Window(WindowCommand::ToggleLoadReport));
+        commands.push(WindowCommand::ToggleLoadReport.into());
     }
 }
 
@@ -89,20 +90,15 @@ fn job_ui(ui: &mut Ui, job: &StatusJob, more: usize, commands: &mut Vec<Command>
     let galley_width = text_width.min(ui.available_width());
     ui.scope(|ui| {
         ui.set_max_width(galley_width);
-        ui.add(egui::Label::new(note(job.text)).truncate());
+        ui.add(egui::Label::new(note(&job.text)).truncate());
     });
     if ui.available_width() > 260.0 {
         let width = (ui.available_width() - 200.0).clamp(40.0, 220.0);
-        progress_bar_ui(ui, width, job.fraction, job.text);
+        progress_bar_ui(ui, width, job.fraction, &job.text);
     }
     ui.label(note(progress_text(job.fraction, job.seconds_left)));
-    if ui
-        .button(note("Cancel"))
-        .on_hover_text(format!("Cancel: {}", job.text))
-        .clicked()
-    {
-        commands.push(Command::Work(WorkCommand::Cancel(job.kind)));
-    }
+    command_button_ui(ui, note("Cancel"), WorkCommand::Cancel(job.topic), commands)
+        .on_hover_text(format!("Cancel: {}", job.text));
     if more > 0 && ui.available_width() > 60.0 {
         ui.label(note(format!("+ {more} more")));
     }
@@ -122,8 +118,8 @@ mod tests {
                 |ui, commands: &mut Vec<Command>| {
                     let view = StatusBarView {
                         job: Some(StatusJob {
-                            kind: Topic::of::<PoseMapParams>(),
-                            text: "Quasi-conformal distances",
+                            topic: Topic::of::<PoseMapParams>(),
+                            text: "Quasi-conformal distances".to_owned(),
                             fraction: 0.714,
                             seconds_left: Some(3.2),
                         }),

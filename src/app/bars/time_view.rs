@@ -1,29 +1,33 @@
 //! What the time bar shows of the selected subject.
 
 use crate::document::State;
-use crate::panes::beat::BeatData;
+use crate::panes::beat::{between_words_of, line_note};
+use crate::panes::cycle_axis::CycleAxis;
 
 use super::time_bar::TimeBarView;
 
 /// The time bar of a state.
-pub fn time_bar_view<'a>(beat: &'a BeatData, state: &State) -> TimeBarView<'a> {
+pub fn time_bar_view(state: &State) -> TimeBarView {
     let document = &state.document;
+    let Some(subject) = document.selected() else {
+        return TimeBarView::default();
+    };
     let (end_diastole, end_systole) = state.phases_of(document.subject);
-    let time = document.selected().and_then(|subject| {
-        let count = subject.sequence.frame_count();
-        subject.timing.time_at(document.position, count)
-    });
+    let between = between_words_of(state, document.subject, document.position);
+    let motion = state.interpolated_poses_of(document.subject);
+    let count = subject.sequence.frame_count();
+    let time = subject.timing.time_at(document.position, count);
     TimeBarView {
         playing: state.play.playing,
         speed: state.play.speed,
         looping: state.play.repeat,
         position: document.position,
-        axis: beat.axis(),
+        axis: CycleAxis::of(subject),
         end_diastole,
         end_systole,
         time_ms: time.map(|time| 1e3 * time.0),
-        between: beat.between.short,
-        interpolated_poses: &beat.interpolated_poses,
-        note: &beat.note,
+        between: between.short,
+        interpolated_poses: motion.map_or_else(Vec::new, |motion| motion.positions()),
+        note: line_note(state, between),
     }
 }

@@ -12,7 +12,7 @@ pub fn about_ui(ui: &mut Ui, adapter: &str, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
     let size = egui::vec2(404.0, 300.0);
     if dialog_ui(&ctx, "About", size, false, |ui| text_ui(ui, adapter)) {
-        commands.push(Command::Window(WindowCommand::ToggleAbout));
+        commands.push(WindowCommand::ToggleAbout.into());
     }
 }
 

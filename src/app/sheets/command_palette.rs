@@ -17,11 +17,9 @@ use crate::ui::theme::{colours, radius, space};
 #[derive(Clone, Debug)]
 pub struct CommandPaletteView<'a> {
     /// What can be done now.
-    pub actions: &'a ActionState,
+    pub actions: &'a ActionState<'a>,
     /// All subjects in the order of the study.
     pub subjects: &'a [CohortRow],
-    /// The selected subject, whose motion can be transported.
-    pub selected: Option<usize>,
 }
 
 /// One line of the palette.
@@ -98,10 +96,10 @@ pub fn command_palette_ui(ui: &mut Ui, view: &CommandPaletteView, commands: &mut
     typed.opened = true;
     if chosen.is_some() || escape || outside {
         ctx.data_mut(|data| data.remove::<Typed>(id));
-        commands.push(Command::Window(WindowCommand::TogglePalette));
-        commands.extend(
-            chosen.filter(|command| *command != Command::Window(WindowCommand::TogglePalette)),
-        );
+        let close = Command::from(WindowCommand::TogglePalette);
+        let chosen = chosen.filter(|command| *command != close);
+        commands.push(close);
+        commands.extend(chosen);
     } else {
         ctx.data_mut(|data| data.insert_temp(id, typed));
     }
@@ -149,8 +147,7 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         enabled: true,
         command: Command::Beat(BeatCommand::SelectSubject(index)),
     });
-    let motion = view
-        .selected
+    let motion = (view.actions.state.document.selected_index())
         .and_then(|from| Some((from, view.subjects.get(from)?)));
     let transports = motion.into_iter().flat_map(|(from, row)| {
         let others = view.subjects.iter().enumerate();
@@ -249,13 +246,19 @@ fn draw_offer(ui: &mut Ui, rect: Rect, offer: &Offer, current: bool, hovered: bo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::testing::{state_of, subject_with_frames};
     use crate::panes::ViewCommand;
     use egui_kittest::Harness;
 
     fn chosen_by(keys: impl FnOnce(&mut Harness<'_, Vec<Command>>)) -> Vec<Command> {
-        let state = ActionState {
-            has_study: true,
-            ..Default::default()
+        let state = state_of(
+            ["P-041", "N-007"]
+                .map(|id| subject_with_frames(id, 2))
+                .to_vec(),
+        );
+        let actions = ActionState {
+            state: &state,
+            hidden_panes: Vec::new(),
         };
         let subjects = ["P-041", "N-007"].map(|id| CohortRow {
             id: id.to_owned(),
@@ -267,9 +270,8 @@ mod tests {
             .build_ui_state(
                 |ui, commands: &mut Vec<Command>| {
                     let view = CommandPaletteView {
-                        actions: &state,
+                        actions: &actions,
                         subjects: &subjects,
-                        selected: Some(0),
                     };
                     if commands.is_empty() {
                         command_palette_ui(ui, &view, commands);

@@ -5,6 +5,7 @@ use egui::{
 };
 
 use crate::document::ErrorCard;
+use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WorkCommand};
 use crate::ui::controls::icon_button_ui;
 use crate::ui::marks::Icon;
@@ -48,7 +49,7 @@ fn card_ui(ui: &mut Ui, index: usize, card: &ErrorCard, commands: &mut Vec<Comma
             |ui| ui.label(medium(&card.title).color(colours.error)),
             |ui| {
                 if icon_button_ui(ui, Icon::Close, "Dismiss", "Dismiss", false).clicked() {
-                    commands.push(Command::Work(WorkCommand::DismissError(index)));
+                    commands.push(WorkCommand::DismissError(index).into());
                 }
             },
         );
@@ -61,10 +62,8 @@ fn card_ui(ui: &mut Ui, index: usize, card: &ErrorCard, commands: &mut Vec<Comma
                 });
             });
         }
-        if let Some(kind) = card.retry
-            && ui.button("Retry").clicked()
-        {
-            commands.push(Command::Work(WorkCommand::Retry(kind)));
+        if let Some(topic) = card.retry {
+            command_button_ui(ui, "Retry", WorkCommand::Retry(topic), commands);
         }
     });
 }

@@ -6,6 +6,7 @@ use crate::panes::commands::{Command, WindowCommand};
 use crate::study::{Notice, Severity};
 use crate::ui::controls::dialog_ui;
 use crate::ui::style::{medium, note};
+use crate::ui::text::counted;
 use crate::ui::theme::{colours, space};
 
 /// What was read of one subject.
@@ -69,7 +70,7 @@ pub fn load_report_ui(ui: &mut Ui, subjects: &[ReportSubject], commands: &mut Ve
     if dialog_ui(&ctx, "Load report", size, true, |ui| {
         report_ui(ui, subjects);
     }) {
-        commands.push(Command::Window(WindowCommand::ToggleLoadReport));
+        commands.push(WindowCommand::ToggleLoadReport.into());
     }
 }
 
@@ -151,12 +152,6 @@ fn summary_text(subjects: &[ReportSubject]) -> String {
         counted(warnings, "warning"),
         counted(notices - warnings, "note")
     )
-}
-
-/// "1 warning", "2 warnings".
-fn counted(count: usize, what: &str) -> String {
-    let plural = if count == 1 { "" } else { "s" };
-    format!("{count} {what}{plural}")
 }
 
 #[cfg(test)]

@@ -7,8 +7,4 @@ mod load_report;
 pub(crate) mod report_view;
 mod shortcut_sheet;
 
-pub use about::about_ui;
-pub use command_palette::{CommandPaletteView, command_palette_ui};
-pub use error_cards::error_cards_ui;
-pub use load_report::{ReportSubject, load_report_ui};
-pub use shortcut_sheet::shortcut_sheet_ui;
+pub use {about::*, command_palette::*, error_cards::*, load_report::*, shortcut_sheet::*};

@@ -1,8 +1,10 @@
 //! The load report: what was read of every subject, what was assumed, and what could not be read.
 
 use crate::app::ReportSubject;
+use crate::app::errors::file_name;
 use crate::document::state::State;
 use crate::study::Subject;
+use crate::ui::text::counted;
 
 /// All entries: the study as a whole, what could not be read, then subject by subject.
 pub fn report_entries(state: &State) -> Vec<ReportSubject> {
@@ -18,12 +20,7 @@ pub fn report_entries(state: &State) -> Vec<ReportSubject> {
         });
     }
     entries.extend(report.errors.iter().map(|error| ReportSubject {
-        id: error.subject.clone().unwrap_or_else(|| {
-            error.path.file_name().map_or_else(
-                || error.path.display().to_string(),
-                |name| name.to_string_lossy().into_owned(),
-            )
-        }),
+        id: (error.subject.clone()).unwrap_or_else(|| file_name(error)),
         summary: "not opened".to_owned(),
         notices: Vec::new(),
         error: Some(error.to_string()),
@@ -45,10 +42,7 @@ fn summary(subject: &Subject) -> String {
         .iter()
         .map(|surface| surface.kind().name())
         .collect();
-    let frames = match sequence.frame_count() {
-        1 => "1 frame".to_owned(),
-        count => format!("{count} frames"),
-    };
+    let frames = counted(sequence.frame_count(), "frame");
     format!(
         "{frames} · {} · {} vertices · {}",
         kinds.join(" + "),

@@ -30,7 +30,7 @@ pub fn shortcut_sheet_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
         true,
         sheet_ui,
     ) {
-        commands.push(Command::Window(WindowCommand::ToggleShortcuts));
+        commands.push(WindowCommand::ToggleShortcuts.into());
     }
 }
 

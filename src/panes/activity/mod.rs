@@ -1,52 +1,19 @@
 //! Running and finished work, with parameters and durations, so that nothing is lost sight of.
 
-pub(crate) mod rows;
 pub(crate) mod spec;
 
-use egui::{Label, RichText, ScrollArea, Ui};
+use egui::{Label, RichText, ScrollArea, Sides, Ui};
 
-use crate::engine::Topic;
+use crate::engine::{Activity, ActivityState};
+use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WorkCommand};
-use crate::ui::controls::progress_text;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::{medium, note};
+use crate::ui::text::progress_text;
 use crate::ui::theme::{colours, space};
 
-/// State of a job.
-#[derive(Clone, Debug, PartialEq)]
-pub enum WorkState {
-    /// It runs.
-    Running {
-        /// Done share in `0..=1`.
-        fraction: f32,
-        /// Estimated seconds left, once there is one.
-        seconds_left: Option<f64>,
-    },
-    /// It brought its result.
-    Done,
-    /// It was asked to stop.
-    Stopped,
-    /// It could not be done.
-    Failed(String),
-}
-
-/// One piece of work.
-#[derive(Clone, Debug, PartialEq)]
-pub struct WorkItem {
-    /// What to cancel or to do again.
-    pub kind: Topic,
-    /// "Quasi-conformal distances".
-    pub title: String,
-    /// "184 poses · additive · μ 1 · λ 0.0001".
-    pub parameters: String,
-    /// Seconds that it took, or takes so far.
-    pub duration_s: f64,
-    /// Its state.
-    pub state: WorkState,
-}
-
 /// Draws the list, latest first as given.
-pub fn activity_ui(ui: &mut Ui, items: &[WorkItem], commands: &mut Vec<Command>) {
+pub fn activity_ui(ui: &mut Ui, items: &[Activity], commands: &mut Vec<Command>) {
     if items.is_empty() {
         empty_pane_ui(
             ui,
@@ -70,73 +37,50 @@ pub fn activity_ui(ui: &mut Ui, items: &[WorkItem], commands: &mut Vec<Command>)
     });
 }
 
-fn item_ui(ui: &mut Ui, item: &WorkItem, commands: &mut Vec<Command>) {
+fn item_ui(ui: &mut Ui, item: &Activity, commands: &mut Vec<Command>) {
     ui.spacing_mut().item_spacing.y = 2.0;
-    egui::Sides::new().shrink_left().truncate().show(
+    let sides = || Sides::new().shrink_left().truncate();
+    sides().show(
         ui,
-        |ui| {
-            ui.label(medium(&item.title));
-        },
-        |ui| {
-            ui.label(note(duration_text(item.duration_s)));
-        },
+        |ui| ui.label(medium(&item.name)),
+        |ui| ui.label(note(duration_text(item.duration.as_secs_f64()))),
     );
     if !item.parameters.is_empty() {
         ui.add(Label::new(note(&item.parameters)).truncate());
     }
+    let mut beside = |ui: &mut Ui, text: RichText, button: &str, command: WorkCommand| {
+        sides().show(
+            ui,
+            |ui| ui.add(Label::new(text).truncate()),
+            |ui| {
+                command_button_ui(ui, note(button), command, commands)
+                    .on_hover_text(format!("{button}: {}", item.name));
+            },
+        );
+    };
     match &item.state {
-        WorkState::Running {
+        ActivityState::Running {
             fraction,
-            seconds_left,
+            time_left,
+            ..
         } => {
-            progress_bar_ui(ui, ui.available_width(), *fraction, &item.title);
-            egui::Sides::new().shrink_left().truncate().show(
-                ui,
-                |ui| ui.label(note(progress_text(*fraction, *seconds_left))),
-                |ui| {
-                    if ui
-                        .button(note("Cancel"))
-                        .on_hover_text(format!("Cancel: {}", item.title))
-                        .clicked()
-                    {
-                        commands.push(Command::Work(WorkCommand::Cancel(item.kind)));
-                    }
-                },
-            );
+            progress_bar_ui(ui, ui.available_width(), *fraction, &item.name);
+            let left = time_left.map(|left| left.as_secs_f64());
+            let text = note(progress_text(*fraction, left));
+            beside(ui, text, "Cancel", WorkCommand::Cancel(item.topic));
         }
-        WorkState::Done => {
+        ActivityState::Done => {
             ui.label(note("Done"));
         }
-        WorkState::Stopped => again_ui(ui, "Stopped", None, item, commands),
-        WorkState::Failed(why) => again_ui(ui, why, Some(colours(ui).error), item, commands),
+        ActivityState::Stopped => {
+            let retry = WorkCommand::Retry(item.topic);
+            beside(ui, RichText::new("Stopped").small().weak(), "Retry", retry);
+        }
+        ActivityState::Failed(why) => {
+            let text = RichText::new(why).small().color(colours(ui).error);
+            beside(ui, text, "Retry", WorkCommand::Retry(item.topic));
+        }
     }
-}
-
-fn again_ui(
-    ui: &mut Ui,
-    what: &str,
-    colour: Option<egui::Color32>,
-    item: &WorkItem,
-    commands: &mut Vec<Command>,
-) {
-    let mut text = RichText::new(what).small();
-    text = match colour {
-        Some(colour) => text.color(colour),
-        None => text.weak(),
-    };
-    egui::Sides::new().shrink_left().truncate().show(
-        ui,
-        |ui| ui.add(Label::new(text).truncate()),
-        |ui| {
-            if ui
-                .button(note("Retry"))
-                .on_hover_text(format!("Retry: {}", item.title))
-                .clicked()
-            {
-                commands.push(Command::Work(WorkCommand::Retry(item.kind)));
-            }
-        },
-    );
 }
 
 /// "0.4 s", "12 s", "3 min 5 s".
@@ -157,15 +101,18 @@ fn duration_text(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::PoseMapParams;
+    use crate::engine::{PoseMapParams, Topic};
     use egui_kittest::{Harness, kittest::Queryable as _};
+    use std::time::Duration;
 
-    fn item(state: WorkState) -> WorkItem {
-        WorkItem {
-            kind: Topic::of::<PoseMapParams>(),
-            title: "Pose map".to_owned(),
+    fn item(state: ActivityState) -> Activity {
+        Activity {
+            number: 0,
+            topic: Topic::of::<PoseMapParams>(),
+            name: "Pose map".to_owned(),
             parameters: "184 poses".to_owned(),
-            duration_s: 1.25,
+            asked_ago: Duration::from_millis(1250),
+            duration: Duration::from_millis(1250),
             state,
         }
     }
@@ -174,20 +121,21 @@ mod tests {
     fn running_work_can_be_stopped_and_stopped_work_done_again() {
         for (state, button, command) in [
             (
-                WorkState::Running {
+                ActivityState::Running {
                     fraction: 0.5,
-                    seconds_left: None,
+                    phase: "",
+                    time_left: None,
                 },
                 "Cancel",
                 Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
             ),
             (
-                WorkState::Stopped,
+                ActivityState::Stopped,
                 "Retry",
                 Command::Work(WorkCommand::Retry(Topic::of::<PoseMapParams>())),
             ),
             (
-                WorkState::Failed("no poses".to_owned()),
+                ActivityState::Failed("no poses".to_owned()),
                 "Retry",
                 Command::Work(WorkCommand::Retry(Topic::of::<PoseMapParams>())),
             ),

@@ -3,7 +3,6 @@
 use egui::Ui;
 
 use super::activity_ui;
-use super::rows::activity_rows;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
@@ -18,11 +17,12 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::ACTIVITY,
     title: "Activity",
     toggle: "Pane: activity",
+    open: None,
     place: Place::Left,
     header: Header::Title,
     ui,
 };
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    activity_ui(ui, &activity_rows(look.activities()), commands);
+    activity_ui(ui, look.activities(), commands);
 }

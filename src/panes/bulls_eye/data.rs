@@ -1,15 +1,17 @@
-//! The bull's-eye of the selected heart: laid flat once, coloured at every pose.
+//! The bull's-eye of the selected subject: laid flat once, coloured at every pose.
 
 use std::sync::Arc;
 
 use crate::document::document::nearest_frame;
 use crate::document::state::State;
 use crate::engine::SubjectThickening;
-use crate::panes::viewport::overlay_view::phase_name;
-use crate::panes::{BullsEyePatch, BullsEyeView, WallState};
+use crate::panes::patch::view::wall_state;
+use crate::panes::viewport::overlay_view::moment_name;
 use crate::picture::{
     BullsEyeScale, CohortLimits, PatchStanding, PolarMap, PolarValues, WallPart, part_name, percent,
 };
+
+use super::{BullsEyePatch, BullsEyeView};
 
 /// What the atoms' colours are made from and how the plot is laid.
 #[derive(Debug, Default)]
@@ -65,13 +67,9 @@ impl BullsEyeData {
         }
         self.scale = scale;
         let frame = nearest_frame(document.position, found.beat.frames.len());
-        let phase = phase_name(state.phases_of(document.subject), frame);
-        self.moment = phase.map_or_else(|| format!("frame {frame}"), str::to_owned);
+        self.moment = moment_name(state, document.subject, frame);
         self.shown = self.flat.values(found, subject, quantity, frame);
-        let selected = match state.document.part {
-            Some(WallPart::Patch(patch)) => Some(patch),
-            _ => None,
-        };
+        let selected = document.selected_patch();
         let standing = state.patch_standing(state.document.subject);
         self.patches = (self.flat.borders.iter().enumerate())
             .filter(|_| state.document.visibility.patches)
@@ -85,25 +83,21 @@ impl BullsEyeData {
     }
 
     /// What the pane shows.
-    pub fn view<'a>(&'a self, state: &'a State, wall: &'a WallState) -> BullsEyeView<'a> {
+    pub fn view<'a>(&'a self, state: &'a State) -> BullsEyeView<'a> {
         let document = &state.document;
         BullsEyeView {
-            subject: document.selected().map(|subject| &*subject.id),
-            state: wall,
+            state: wall_state(state),
             without_axis: self.without_axis.as_deref(),
             scale: &self.scale,
             moment: &self.moment,
             by_segment: document.bulls_eye_segments,
-            points: &self.flat.points,
-            faces: &self.flat.faces,
-            values: &self.shown.values,
-            segments: self.shown.segments,
+            flat: &self.flat,
+            shown: &self.shown,
             patches: &self.patches,
             selected: match document.part {
                 Some(WallPart::Segment(segment)) => Some(segment),
                 _ => None,
             },
-            oriented: self.flat.oriented,
         }
     }
 }

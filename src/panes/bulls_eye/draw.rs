@@ -7,7 +7,9 @@ use crate::analysis::segments::{RING_RADII, Segment};
 use crate::panes::bulls_eye::BullsEyeView;
 use crate::panes::bulls_eye::layout::Disc;
 use crate::picture::{BullsEyeScale, ink_on, sector_line, sector_outline, sector_strip};
+use crate::ui::marks::colour_strip;
 use crate::ui::style::note_font;
+use crate::ui::text::note_at;
 use crate::ui::theme::{colours, line};
 
 /// Lines between segments: dark on every colour of the map.
@@ -30,16 +32,16 @@ const FAINT: Color32 = Color32::from_rgb(0xc8, 0xcd, 0xd3);
 pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>) {
     let painter = ui.painter();
     painter.circle_filled(disc.centre, disc.radius, colours(ui).control);
-    if view.by_segment && view.oriented {
+    if view.by_segment && view.flat.oriented {
         for segment in Segment::all() {
-            let value = view.segments[segment.index()].unwrap_or(f64::NAN);
+            let value = view.shown.segments[segment.index()].unwrap_or(f64::NAN);
             painter.add(sector_mesh(disc, segment, colour(view.scale, value)));
         }
     } else {
         painter.add(Shape::mesh(continuous(view, disc)));
     }
     borders(ui, view, disc);
-    if view.by_segment && view.oriented {
+    if view.by_segment && view.flat.oriented {
         numbers(ui, view, disc);
     }
     for patch in view.patches {
@@ -62,7 +64,7 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
     }
     for (segment, width) in [
         (hovered, line::MARK),
-        (view.selected.filter(|_| view.oriented), line::STRONG),
+        (view.selected.filter(|_| view.flat.oriented), line::STRONG),
     ] {
         if let Some(segment) = segment {
             let stroke = Stroke::new(width, colours(ui).strong);
@@ -79,11 +81,11 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
 /// Every place its own colour.
 fn continuous(view: &BullsEyeView, disc: &Disc) -> Mesh {
     let mut mesh = Mesh::default();
-    for (point, &value) in view.points.iter().zip(view.values) {
+    for (point, &value) in view.flat.points.iter().zip(&view.shown.values) {
         mesh.colored_vertex(disc.at(*point), colour(view.scale, f64::from(value)));
     }
     let count = mesh.vertices.len() as u32;
-    for face in view.faces {
+    for face in &view.flat.faces {
         if face.iter().all(|&vertex| vertex < count) {
             mesh.add_triangle(face[0], face[1], face[2]);
         }
@@ -92,17 +94,8 @@ fn continuous(view: &BullsEyeView, disc: &Disc) -> Mesh {
 }
 
 fn sector_mesh(disc: &Disc, segment: Segment, colour: Color32) -> Shape {
-    let mut mesh = Mesh::default();
-    for (index, [near, far]) in sector_strip(segment).into_iter().enumerate() {
-        mesh.colored_vertex(disc.at(near), colour);
-        mesh.colored_vertex(disc.at(far), colour);
-        if index > 0 {
-            let next = 2 * index as u32;
-            mesh.add_triangle(next - 2, next - 1, next);
-            mesh.add_triangle(next - 1, next + 1, next);
-        }
-    }
-    Shape::mesh(mesh)
+    let strip = sector_strip(segment).into_iter();
+    colour_strip(strip.map(|ends| (ends.map(|end| disc.at(end)), colour)))
 }
 
 /// Rings, and sectors where the orientation is known.
@@ -112,7 +105,7 @@ fn borders(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
         let radius = disc.radius * radius as f32;
         ui.painter().circle_stroke(disc.centre, radius, stroke);
     }
-    if !view.oriented {
+    if !view.flat.oriented {
         return;
     }
     for ends in Segment::all().filter_map(sector_line) {
@@ -124,7 +117,7 @@ fn borders(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
 fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
     let size = (0.1 * disc.radius).clamp(8.0, 13.0);
     for segment in Segment::all() {
-        let Some(value) = view.segments[segment.index()] else {
+        let Some(value) = view.shown.segments[segment.index()] else {
             continue;
         };
         let [red, green, blue, _] = colour(view.scale, value).to_array();
@@ -140,12 +133,8 @@ fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
 
 /// The sides by name, where they are known; elsewhere that they are not.
 pub fn names(ui: &Ui, view: &BullsEyeView, disc: &Disc, area: Rect) {
-    let colour = colours(ui).muted;
-    let painter = ui.painter();
-    let put = |at: Pos2, align: Align2, text: &str| {
-        painter.text(at, align, text, note_font(), colour);
-    };
-    if !view.oriented {
+    let put = |at: Pos2, align: Align2, text: &str| note_at(ui, at, align, text);
+    if !view.flat.oriented {
         put(area.left_top(), Align2::LEFT_TOP, "orientation unknown");
         return;
     }
@@ -172,22 +161,14 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
         pos2(area.left() + 16.0, area.top()),
         pos2(area.right() - 16.0, area.top() + HEIGHT),
     );
-    let mut mesh = Mesh::default();
-    let steps = 64u32;
-    for step in 0..=steps {
-        let part = f64::from(step) / f64::from(steps);
+    const STEPS: u32 = 64;
+    painter.add(colour_strip((0..=STEPS).map(|step| {
+        let part = f64::from(step) / f64::from(STEPS);
         let [red, green, blue] = view.scale.map.at(part);
         let x = egui::lerp(bar.x_range(), part as f32);
-        let colour = Color32::from_rgb(red, green, blue);
-        mesh.colored_vertex(pos2(x, bar.top()), colour);
-        mesh.colored_vertex(pos2(x, bar.bottom()), colour);
-        if step > 0 {
-            let next = 2 * step;
-            mesh.add_triangle(next - 2, next - 1, next);
-            mesh.add_triangle(next - 1, next + 1, next);
-        }
-    }
-    painter.add(Shape::mesh(mesh));
+        let ends = [pos2(x, bar.top()), pos2(x, bar.bottom())];
+        (ends, Color32::from_rgb(red, green, blue))
+    })));
     let mut free_from = f32::NEG_INFINITY;
     for (value, text) in view.scale.ticks(4) {
         let x = egui::lerp(bar.x_range(), view.scale.share(value) as f32);
@@ -195,7 +176,7 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
             continue;
         }
         let at = pos2(x, bar.bottom() + 1.0);
-        painter.text(at, Align2::CENTER_TOP, text, note_font(), colours.muted);
+        note_at(ui, at, Align2::CENTER_TOP, text);
         free_from = x + 34.0;
     }
     let title = view.scale.title(view.moment);

@@ -9,21 +9,23 @@ mod tests;
 
 mod values;
 
-pub use values::{BullsEyePatch, BullsEyeView};
+pub use values::*;
 
 use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::analysis::segments::Segment;
 use crate::engine::{Topic, WallThickening};
+use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WallCommand, WorkCommand};
-use crate::panes::patch::WallState;
+use crate::panes::work_state::WorkState;
 use crate::picture::{BullsEyeQuantity, WallPart};
-use crate::ui::controls::{choice_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
+use crate::ui::controls::{choices_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
+use crate::ui::marks::distance_to;
 use crate::ui::theme::space;
 
 /// Draws the pane.
 pub fn bulls_eye_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
-    if view.points.is_empty() {
+    if view.flat.points.is_empty() {
         without_map_ui(ui, view, commands);
         return;
     }
@@ -41,22 +43,19 @@ pub fn bulls_eye_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command
 
 fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     let what = "Wall thickness and thickening by AHA segment are shown here";
-    match (view.state, view.without_axis) {
-        (WallState::NotAssessed(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
-        (WallState::Computing { fraction }, _) => {
+    match (&view.state, view.without_axis) {
+        (WorkState::Unanswerable(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
+        (WorkState::Computing { fraction, .. }, _) => {
             empty_pane_ui(ui, "Fitting medial spheres", what, |ui| {
                 let width = 180f32.min(ui.available_width());
                 progress_bar_ui(ui, width, *fraction, "Fitting medial spheres");
             });
         }
-        (WallState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
-            if ui.button("Measure wall thickness").clicked() {
-                commands.push(Command::Work(WorkCommand::Retry(
-                    Topic::of::<WallThickening>(),
-                )));
-            }
+        (WorkState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
+            let retry = WorkCommand::Retry(Topic::of::<WallThickening>());
+            command_button_ui(ui, "Measure wall thickness", retry, commands);
         }),
-        (WallState::Ready, Some(why)) => {
+        (WorkState::Ready, Some(why)) => {
             empty_pane_ui(ui, "The bull's-eye could not be computed", why, |_| {});
         }
         _ => empty_pane_ui(ui, "No bull's-eye", what, |_| {}),
@@ -67,11 +66,10 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
         chooser_ui(ui, "Bull's-eye", view.scale.quantity.name(), |ui| {
-            for quantity in BullsEyeQuantity::ALL {
-                if choice_ui(ui, quantity.name(), quantity == view.scale.quantity) {
-                    commands.push(Command::Wall(WallCommand::SetBullsEye(quantity)));
-                }
-            }
+            let quantities = BullsEyeQuantity::ALL.map(|quantity| (quantity, quantity.name()));
+            let chosen = choices_ui(ui, quantities, view.scale.quantity);
+            commands
+                .extend(chosen.map(|quantity| Command::from(WallCommand::SetBullsEye(quantity))));
         })
         .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
         let narrow = ui.available_width() < 110.0;
@@ -83,7 +81,7 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
         });
         let hint = "One value for each of the 17 AHA segments (Cerqueira et al., Circulation 2002)";
         if response.on_hover_text(hint).clicked() {
-            commands.push(Command::Wall(WallCommand::ToggleBullsEyeSegments));
+            commands.push(WallCommand::ToggleBullsEyeSegments.into());
         }
     });
 }
@@ -91,11 +89,11 @@ fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
 fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "Bull's-eye map"));
-    let (disc, bar) = layout::places(area, view.oriented);
+    let (disc, bar) = layout::places(area, view.flat.oriented);
     if disc.radius < 20.0 {
         return;
     }
-    let pointed = |at: Option<egui::Pos2>| disc.segment_at(at?).filter(|_| view.oriented);
+    let pointed = |at: Option<egui::Pos2>| disc.segment_at(at?).filter(|_| view.flat.oriented);
     let border = |at: Option<egui::Pos2>| patch_at(view, &disc, at?);
     let on_border = border(response.hover_pos());
     let hovered = pointed(response.hover_pos()).filter(|_| on_border.is_none());
@@ -107,15 +105,15 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     {
         let again = view.patches[patch].selected;
         let part = (!again).then_some(WallPart::Patch(patch));
-        commands.push(Command::Wall(WallCommand::SelectPart(part)));
+        commands.push(WallCommand::SelectPart(part).into());
     } else if response.clicked() {
         let clicked = pointed(response.interact_pointer_pos());
         // The selected one again, or beside the plot: nothing is selected.
         let part = clicked
             .filter(|segment| view.selected != Some(*segment))
             .map(WallPart::Segment);
-        if view.oriented && (part.is_some() || view.selected.is_some()) {
-            commands.push(Command::Wall(WallCommand::SelectPart(part)));
+        if view.flat.oriented && (part.is_some() || view.selected.is_some()) {
+            commands.push(WallCommand::SelectPart(part).into());
         }
     }
     if let Some(patch) = on_border {
@@ -136,7 +134,7 @@ fn patch_at(view: &BullsEyeView, disc: &layout::Disc, at: egui::Pos2) -> Option<
             border.iter().zip(next)
         });
         sides
-            .map(|(a, b)| distance_to(at, disc.at(*a), disc.at(*b)))
+            .map(|(a, b)| distance_to(disc.at(*a), disc.at(*b), at).0)
             .fold(f32::INFINITY, f32::min)
     };
     let near = view.patches.iter().map(distance).enumerate();
@@ -145,18 +143,10 @@ fn patch_at(view: &BullsEyeView, disc: &layout::Disc, at: egui::Pos2) -> Option<
         .map(|(patch, _)| patch)
 }
 
-/// Distance from a place to a line between two others.
-fn distance_to(at: egui::Pos2, a: egui::Pos2, b: egui::Pos2) -> f32 {
-    let along = b - a;
-    let length = along.length_sq().max(f32::EPSILON);
-    let share = ((at - a).dot(along) / length).clamp(0.0, 1.0);
-    (at - a - share * along).length()
-}
-
 /// "12 mid anterolateral · PT 1.52 × at ES".
 fn hover_text(view: &BullsEyeView, segment: Segment) -> String {
     let name = format!("{} {}", segment.number(), segment.name());
-    let value = view.segments[segment.index()];
+    let value = view.shown.segments[segment.index()];
     match value {
         None => format!("{name} · no value"),
         Some(value) => format!("{name} · {}", view.scale.words(value, view.moment)),

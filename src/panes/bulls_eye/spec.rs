@@ -5,7 +5,6 @@ use egui::Ui;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
-use crate::panes::patch::spec::patch_data;
 use crate::panes::viewport::hearts::Viewport;
 
 use super::bulls_eye_ui;
@@ -21,6 +20,7 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::BULLS_EYE,
     title: "Bull's-eye",
     toggle: "Pane: bull's-eye",
+    open: Some((3, "Bull's-eye")),
     place: Place::BelowRight,
     header: Header::Title,
     ui,
@@ -31,6 +31,5 @@ fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let mut data = data.borrow_mut();
     let viewport = look.memo().get::<Viewport>();
     data.refresh(look.state(), viewport.borrow_mut().cohort_limits());
-    let patches = patch_data(look);
-    bulls_eye_ui(ui, &data.view(look.state(), patches.state()), commands);
+    bulls_eye_ui(ui, &data.view(look.state()), commands);
 }

@@ -4,10 +4,10 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 use crate::panes::WallCommand;
-use crate::picture::BullsEyeScale;
+use crate::picture::{BullsEyeScale, PolarMap, PolarValues};
 
 struct Shown {
-    state: WallState,
+    state: WorkState,
     oriented: bool,
     selected: Option<Segment>,
     map: bool,
@@ -17,7 +17,7 @@ struct Shown {
 impl Default for Shown {
     fn default() -> Self {
         Self {
-            state: WallState::Ready,
+            state: WorkState::Ready,
             oriented: true,
             selected: None,
             map: true,
@@ -39,20 +39,24 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
         .build_ui_state(
             move |ui, commands: &mut Vec<Command>| {
+                let mut flat = PolarMap::default();
+                flat.points.extend(points.iter().filter(|_| shown.map));
+                flat.faces = faces.to_vec();
+                flat.oriented = shown.oriented;
+                let values = PolarValues {
+                    values: vec![1.0, 1.2, 1.5, f32::NAN, 0.8],
+                    segments: [Some(1.52); Segment::COUNT],
+                };
                 let view = BullsEyeView {
-                    subject: Some("P07"),
-                    state: &shown.state,
+                    state: shown.state.clone(),
                     without_axis: None,
                     scale: &ratio_scale(),
                     moment: "ES",
                     by_segment: true,
-                    points: if shown.map { &points } else { &[] },
-                    faces: &faces,
-                    values: &[1.0, 1.2, 1.5, f32::NAN, 0.8],
-                    segments: [Some(1.52); Segment::COUNT],
+                    flat: &flat,
+                    shown: &values,
                     patches: &shown.patches,
                     selected: shown.selected,
-                    oriented: shown.oriented,
                 };
                 bulls_eye_ui(ui, &view, commands);
             },
@@ -134,7 +138,7 @@ fn without_orientation_there_are_no_segments_to_select() {
 fn what_is_not_assessed_says_why() {
     let why = "the wall is one surface without an inner side";
     let shown = harness(Shown {
-        state: WallState::NotAssessed(why.to_owned()),
+        state: WorkState::Unanswerable(why.to_owned()),
         map: false,
         ..Shown::default()
     });

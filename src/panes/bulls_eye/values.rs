@@ -1,8 +1,8 @@
 //! What the polar map shows, as plain values.
 
 use crate::analysis::segments::Segment;
-use crate::panes::patch::WallState;
-use crate::picture::BullsEyeScale;
+use crate::panes::work_state::WorkState;
+use crate::picture::{BullsEyeScale, PolarMap, PolarValues};
 
 /// A patch on the plot.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -20,10 +20,8 @@ pub struct BullsEyePatch {
 /// What the pane shows.
 #[derive(Clone, Debug)]
 pub struct BullsEyeView<'a> {
-    /// The selected subject.
-    pub subject: Option<&'a str>,
-    /// State of its measurement.
-    pub state: &'a WallState,
+    /// State of the measurement of the wall.
+    pub state: WorkState,
     /// Why there is no map, where the wall is known and the long axis is not.
     pub without_axis: Option<&'a str>,
     /// What is shown, in which colours and words.
@@ -32,18 +30,12 @@ pub struct BullsEyeView<'a> {
     pub moment: &'a str,
     /// One colour for each segment.
     pub by_segment: bool,
-    /// Atoms, x to the right and y up in the unit disc.
-    pub points: &'a [[f64; 2]],
-    /// Faces over atoms.
-    pub faces: &'a [[u32; 3]],
-    /// Value of each atom; not a number where it does not take part.
-    pub values: &'a [f32],
-    /// Mean of each segment.
-    pub segments: [Option<f64>; Segment::COUNT],
+    /// Where atoms lie, with faces over them; no atoms where there is no map.
+    pub flat: &'a PolarMap,
+    /// Values of atoms and segments.
+    pub shown: &'a PolarValues,
     /// Borders of the patches.
     pub patches: &'a [BullsEyePatch],
     /// The selected segment.
     pub selected: Option<Segment>,
-    /// Whether septum and anterior wall are known, and so segments have names.
-    pub oriented: bool,
 }

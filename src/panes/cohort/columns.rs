@@ -5,6 +5,7 @@ use egui::{Align2, Ui, pos2};
 use crate::panes::cohort::rows::{CohortColumn, CohortVerdict};
 use crate::panes::verdict_marks::verdict_mark;
 use crate::ui::style::{note_font, text_font};
+use crate::ui::text::text_width;
 use crate::ui::theme::{colours, space};
 
 /// Horizontal places of the columns.
@@ -135,12 +136,7 @@ pub(super) fn cell(
     // Names of one study often begin alike and differ at their end.
     let text = match column {
         CohortColumn::Subject => without_middle(text, |shown| {
-            let shown = shown.to_owned();
-            ui.painter()
-                .layout_no_wrap(shown, text_font(), colour)
-                .size()
-                .x
-                <= max_width
+            text_width(ui, shown, text_font()) <= max_width
         }),
         _ => text.to_owned(),
     };

@@ -10,6 +10,7 @@ use egui::{
     vec2,
 };
 
+use crate::panes::buttons::command_button_ui;
 use crate::panes::cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict};
 use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand, ViewCommand};
 use crate::panes::normal_ranges::EJECTION_FRACTION;
@@ -17,6 +18,7 @@ use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_u
 use crate::ui::controls::empty_pane_ui;
 use crate::ui::marks::{role_mark, role_name};
 use crate::ui::style::{note, note_font, text_font};
+use crate::ui::text::counted;
 use crate::ui::theme::{colours, space};
 
 use columns::{Columns, VerdictRoom, cell, verdict_cell};
@@ -50,12 +52,9 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
             "No subjects",
             "Open mesh files, a folder of them or a study",
             |ui| {
-                if ui.button("Open folder…").clicked() {
-                    commands.push(Command::File(FileCommand::ChooseFolder));
-                }
-                if ui.button("Open the built-in cohort").clicked() {
-                    commands.push(Command::File(FileCommand::OpenBuiltIn));
-                }
+                command_button_ui(ui, "Open folder…", FileCommand::ChooseFolder, commands);
+                let name = "Open the built-in cohort";
+                command_button_ui(ui, name, FileCommand::OpenBuiltIn, commands);
             },
         );
         return;
@@ -68,9 +67,8 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
         ui.add_space(space::LARGE);
         ui.vertical_centered(|ui| {
             ui.label(note(format!("No subject matches “{}”", view.search)));
-            if ui.button("Clear the filter").clicked() {
-                commands.push(Command::View(ViewCommand::SetSearch(String::new())));
-            }
+            let clear = ViewCommand::SetSearch(String::new());
+            command_button_ui(ui, "Clear the filter", clear, commands);
         });
         return;
     }
@@ -88,12 +86,12 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
                 .desired_width(f32::INFINITY);
             let response = ui.add(edit).accessible_name("Filter subjects");
             if response.changed() {
-                commands.push(Command::View(ViewCommand::SetSearch(text)));
+                commands.push(ViewCommand::SetSearch(text).into());
             } else if response.has_focus()
                 && ui.input(|input| input.key_pressed(Key::Escape))
                 && !view.search.is_empty()
             {
-                commands.push(Command::View(ViewCommand::SetSearch(String::new())));
+                commands.push(ViewCommand::SetSearch(String::new()).into());
             }
         });
 }
@@ -149,7 +147,7 @@ fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut V
             _ => format!("Sort by {}", readable[index]),
         };
         if response.on_hover_text(hint).clicked() {
-            commands.push(Command::View(ViewCommand::SortCohort(index)));
+            commands.push(ViewCommand::SortCohort(index).into());
         }
     }
 }
@@ -222,14 +220,7 @@ fn row_ui(
             .rect_filled(rect, 0.0, colours.selected_row.gamma_multiply(0.5));
     }
     let y = rect.center().y;
-    role_mark(
-        ui.painter(),
-        pos2(columns.mark, y),
-        4.0,
-        row.role,
-        colours.role(row.role),
-        true,
-    );
+    role_mark(ui, pos2(columns.mark, y), 4.0, row.role, true);
     let id_colour = if selected {
         colours.strong
     } else {
@@ -256,7 +247,7 @@ fn row_ui(
     verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying);
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
-        commands.push(Command::Beat(BeatCommand::SelectSubject(index)));
+        commands.push(BeatCommand::SelectSubject(index).into());
     }
     response.dnd_set_drag_payload(DraggedSubject {
         subject: index,
@@ -276,16 +267,12 @@ fn row_ui(
 
 fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &mut Vec<Command>) {
     response.context_menu(|ui| {
-        if view.compared == Some(index) {
-            if ui.button("Stop comparing").clicked() {
-                commands.push(Command::Beat(BeatCommand::CompareWith(None)));
-            }
-        } else if ui.button("Compare side by side").clicked() {
-            commands.push(Command::Beat(BeatCommand::CompareWith(Some(index))));
-        }
-        if ui.button("Select").clicked() {
-            commands.push(Command::Beat(BeatCommand::SelectSubject(index)));
-        }
+        let (name, compared) = match view.compared == Some(index) {
+            true => ("Stop comparing", None),
+            false => ("Compare side by side", Some(index)),
+        };
+        command_button_ui(ui, name, BeatCommand::CompareWith(compared), commands);
+        command_button_ui(ui, "Select", BeatCommand::SelectSubject(index), commands);
         if let Some(selected) = view.selected.filter(|selected| *selected != index) {
             ui.separator();
             transport_choices_ui(ui, view, [selected, index], commands);
@@ -311,10 +298,7 @@ fn transport_choices_ui(
             .add_enabled(correspond, egui::Button::new(name))
             .on_disabled_hover_text("No vertex correspondence");
         if button.clicked() {
-            commands.push(Command::Transport(TransportCommand::TransportMotion {
-                from,
-                onto,
-            }));
+            commands.push(TransportCommand::TransportMotion { from, onto }.into());
         }
     }
 }
@@ -334,10 +318,7 @@ fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
     if let Some(verdict) = &row.verdict {
         ui.label(&verdict.words);
     }
-    ui.label(note(match row.frame_count {
-        1 => "1 frame".to_owned(),
-        count => format!("{count} frames"),
-    }));
+    ui.label(note(counted(row.frame_count, "frame")));
     if row.warning_count > 0 {
         ui.colored_label(
             colours(ui).warning,

@@ -7,10 +7,10 @@ use crate::engine::Showing;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
-use crate::panes::verdict::view::VerdictData;
+use crate::panes::verdict::view::classifying;
 
 use super::cohort_table_ui;
-use super::view::CohortData;
+use super::view::cohort_data;
 
 impl Pane {
     /// The list of subjects.
@@ -22,34 +22,27 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::COHORT,
     title: "Cohort",
     toggle: "Pane: cohort",
+    open: None,
     place: Place::Left,
-    header: Header::Note(count),
+    header: Header::Beside(count_ui),
     ui,
 };
 
-fn count(look: &Look<'_>) -> Option<String> {
+fn count_ui(ui: &mut Ui, look: &Look<'_>, _: f32, _: &mut Vec<Command>) {
     let count = look.state().document.study().subjects.len();
-    (count > 0).then(|| count.to_string())
+    if count > 0 {
+        ui.weak(count.to_string());
+    }
 }
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let state = look.state();
-    let data = look.memo().get::<CohortData>();
-    let mut data = data.borrow_mut();
-    data.refresh(state);
-    let classifying = VerdictData::of(state).classifying();
-    cohort_table_ui(
-        ui,
-        &data.view(state, [measuring(state), classifying]),
-        commands,
-    );
+    let (state, data) = (look.state(), cohort_data(look));
+    let coming = [measuring(state), classifying(state)];
+    cohort_table_ui(ui, &data.borrow_mut().view(state, coming), commands);
 }
 
 /// Whether volumes are being computed.
 pub fn measuring(state: &State) -> bool {
-    state
-        .answers
-        .measures
-        .as_ref()
-        .is_some_and(Showing::computing)
+    let measures = state.answers.measures.as_ref();
+    measures.is_some_and(Showing::computing)
 }

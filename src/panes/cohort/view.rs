@@ -1,29 +1,28 @@
 //! The cohort table: rows from subjects and measures, kept until one of them changes.
 
-use std::sync::Arc;
-
+use super::CohortView;
+use super::rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::document::ViewMode;
 use crate::document::document::Sorting;
 use crate::document::state::State;
+use crate::panes::look::{Kept, Look};
+use crate::panes::same::Same;
 use crate::panes::verdict::view::cohort_verdict;
-use crate::panes::{CohortColumn, CohortRow, CohortSort, CohortView, visible_rows};
 use crate::study::{Revision, Severity, Subject};
 
 /// What rows are made from: measures and verdicts as long as they are the same ones.
 type MadeFrom = (
     Revision,
-    Option<Arc<Vec<SubjectMeasures>>>,
-    Option<Arc<Verdicts>>,
+    Option<Same<Vec<SubjectMeasures>>>,
+    Option<Same<Verdicts>>,
 );
 
-fn is_same<T>(a: Option<&Arc<T>>, b: Option<&Arc<T>>) -> bool {
-    match (a, b) {
-        (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-        (None, None) => true,
-        _ => false,
-    }
+/// The rows of this frame, which the maps and the palette show, too.
+pub fn cohort_data(look: &Look<'_>) -> Kept<CohortData> {
+    let data = look.memo().get::<CohortData>();
+    data.borrow_mut().refresh(look.state());
+    data
 }
 
 /// Rows of the table with what they were made from.
@@ -38,17 +37,12 @@ pub struct CohortData {
 impl CohortData {
     /// Makes rows again where the study, the measures, the verdicts, the filter or the order changed.
     pub fn refresh(&mut self, state: &State) {
-        let revision = state.document.study().revision;
-        let measures = state.measures();
         let verdicts = state.verdicts().map(|(verdicts, _)| verdicts);
-        let same = self.made_from.as_ref().is_some_and(|(made, from, told)| {
-            *made == revision
-                && is_same(from.as_ref(), measures)
-                && is_same(told.as_ref(), verdicts)
-        });
-        if !same {
+        let revision = state.document.study().revision;
+        let sources = (revision, Same::of(state.measures()), Same::of(verdicts));
+        if self.made_from.as_ref() != Some(&sources) {
             self.rows = cohort_rows(state);
-            self.made_from = Some((revision, measures.cloned(), verdicts.cloned()));
+            self.made_from = Some(sources);
             self.filtered_by = None;
         }
         let document = &state.document;
@@ -71,16 +65,13 @@ impl CohortData {
         [measuring, classifying]: [bool; 2],
     ) -> CohortView<'a> {
         let document = &state.document;
-        let compared = (document.view_mode == ViewMode::SideBySide)
-            .then(|| document.compared())
-            .flatten();
         CohortView {
             rows: &self.rows,
             visible: &self.visible,
             search: &document.search,
             sort: sort(document.sorting),
-            selected: document.selected().map(|_| document.subject),
-            compared,
+            selected: document.selected_index(),
+            compared: document.compared_on_screen(),
             measuring,
             classifying,
         }

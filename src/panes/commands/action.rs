@@ -60,13 +60,13 @@ pub struct Row<C> {
 
 impl<C: Clone> Row<C> {
     /// The same row with its command as one of a wider kind.
-    pub(super) fn widened<D>(&self, widen: impl Fn(C) -> D) -> Row<D> {
+    pub(super) fn widened<D: From<C>>(&self) -> Row<D> {
         Row {
             name: self.name,
             menu: self.menu,
             group: self.group,
             shortcut: self.shortcut,
-            command: widen(self.command.clone()),
+            command: self.command.clone().into(),
         }
     }
 }
@@ -76,7 +76,7 @@ pub(super) const CTRL: Modifiers = Modifiers::COMMAND;
 pub(super) const SHIFT: Modifiers = Modifiers::SHIFT;
 
 /// A row of a table of actions.
-pub(super) const fn row<C>(
+pub const fn row<C>(
     menu: Menu,
     group: u8,
     name: &'static str,

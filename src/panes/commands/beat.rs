@@ -1,9 +1,9 @@
-//! Commands about the selected subject and the place in its beat.
+//! Commands about the selected subject and the place in its cycle.
 
 use super::action::{Menu, NONE, Row, SHIFT, row};
 use egui::Key;
 
-/// Commands about the selected subject and the place in its beat.
+/// Commands about the selected subject and the place in its cycle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BeatCommand {
     /// Show a subject at a frame and, from a map, play its motion.

@@ -3,7 +3,7 @@
 use super::action::{Menu, Row, row};
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::metrics::MetricKind;
+use crate::analysis::metrics::{METRICS, MetricKind};
 use crate::engine::PoseMapParams;
 
 /// Commands about metric and maps.
@@ -27,12 +27,17 @@ pub enum MapCommand {
 #[rustfmt::skip]
 pub(super) static ACTIONS: &[Row<MapCommand>] = &[
     row(Menu::Analysis, 2, "Clusters of deformations", None, MapCommand::ToggleClusters),
-    row(Menu::Analysis, 3, "Metric: quasi-conformal", None, MapCommand::SetMetric(MetricKind::QuasiConformal)),
-    row(Menu::Analysis, 3, "Metric: angle-preserving", None, MapCommand::SetMetric(MetricKind::AnglePreserving)),
-    row(Menu::Analysis, 3, "Metric: isometric", None, MapCommand::SetMetric(MetricKind::Isometric)),
-    row(Menu::Analysis, 3, "Metric: rigid", None, MapCommand::SetMetric(MetricKind::Rigid)),
     row(Menu::Analysis, 3, "Pose map: SMACOF", None, MapCommand::SetMapMethod(MapMethod::Smacof)),
     row(Menu::Analysis, 3, "Pose map: classical MDS", None, MapCommand::SetMapMethod(MapMethod::ClassicalMds)),
     row(Menu::Analysis, 3, "Pose map: Isomap", None, MapCommand::SetMapMethod(MapMethod::ISOMAP)),
     row(Menu::Analysis, 3, "Reset metric and maps", None, MapCommand::ResetMaps),
 ];
+
+/// One for each metric there is.
+pub(super) fn of_metrics() -> impl Iterator<Item = Row<MapCommand>> {
+    METRICS.into_iter().map(|kind| {
+        // Made once, and read until the program ends.
+        let name = format!("Metric: {}", kind.words().id).leak();
+        row(Menu::Analysis, 3, name, None, MapCommand::SetMetric(kind))
+    })
+}

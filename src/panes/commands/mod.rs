@@ -16,22 +16,13 @@ mod work;
 
 use std::sync::LazyLock;
 
-pub use action::{Menu, Row};
-pub use beat::BeatCommand;
-pub use edit::EditCommand;
-pub use file::FileCommand;
-pub use map::MapCommand;
-pub use pane::Pane;
-pub use transport::TransportCommand;
-pub use view::ViewCommand;
-pub use wall::WallCommand;
-pub use window::WindowCommand;
-pub use work::WorkCommand;
+pub use {action::*, beat::*, edit::*, file::*, map::*, pane::*};
+pub use {transport::*, view::*, wall::*, window::*, work::*};
 
 /// One request of the user.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Command {
-    /// The selected subject and the place in its beat; applied by `app/apply/beat.rs`.
+    /// The selected subject and the place in its cycle; applied by `app/apply/beat.rs`.
     Beat(BeatCommand),
     /// What is seen, and from where; applied by `app/apply/view.rs`.
     View(ViewCommand),
@@ -51,26 +42,51 @@ pub enum Command {
     Window(WindowCommand),
 }
 
+macro_rules! kinds {
+    ($($kind:ident($command:ident)),*) => {
+        $(impl From<$command> for Command {
+            fn from(command: $command) -> Self {
+                Self::$kind(command)
+            }
+        })*
+    };
+}
+
+#[rustfmt::skip]
+kinds!(
+    Beat(BeatCommand), View(ViewCommand), Map(MapCommand), Wall(WallCommand), Transport(TransportCommand),
+    Edit(EditCommand), File(FileCommand), Work(WorkCommand), Window(WindowCommand)
+);
+
 /// One thing that can be done.
 pub type Action = Row<Command>;
 
 /// The actions of commands that need no more than a name, by menu and group; those of panes stand in the table of panes.
 pub static ACTIONS: LazyLock<Vec<Action>> = LazyLock::new(|| {
-    let mut actions: Vec<Action> = wide(file::ACTIONS, Command::File)
-        .chain(wide(edit::ACTIONS, Command::Edit))
-        .chain(wide(beat::ACTIONS, Command::Beat))
-        .chain(wide(view::ACTIONS, Command::View))
-        .chain(wide(wall::ACTIONS, Command::Wall))
-        .chain(wide(transport::ACTIONS, Command::Transport))
-        .chain(wide(map::ACTIONS, Command::Map))
-        .chain(wide(window::ACTIONS, Command::Window))
+    let mut actions: Vec<Action> = wide(file::ACTIONS)
+        .chain(wide(edit::ACTIONS))
+        .chain(wide(beat::ACTIONS))
+        .chain(wide(view::ACTIONS))
+        .chain(wide(wall::ACTIONS))
+        .chain(wide(transport::ACTIONS))
+        .chain(of_metrics().map(|row| row.widened()))
+        .chain(wide(map::ACTIONS))
+        .chain(wide(window::ACTIONS))
         .collect();
     // Stable: within a group the order of the tables stays.
     actions.sort_by_key(|action| (action.menu, action.group));
     actions
 });
 
+/// The action of a command.
+pub fn action_of(command: &Command) -> Option<&'static Action> {
+    ACTIONS.iter().find(|action| action.command == *command)
+}
+
 /// The rows of one kind as actions.
-fn wide<C: Clone>(rows: &'static [Row<C>], kind: fn(C) -> Command) -> impl Iterator<Item = Action> {
-    rows.iter().map(move |row| row.widened(kind))
+fn wide<C: Clone>(rows: &'static [Row<C>]) -> impl Iterator<Item = Action>
+where
+    Command: From<C>,
+{
+    rows.iter().map(Row::widened)
 }

@@ -28,7 +28,7 @@ pub enum WallCommand {
     ShowPatch {
         /// Its place in the list.
         patch: usize,
-        /// From where, in the axes of the heart.
+        /// From where, in the axes of the subject.
         camera: Camera,
     },
     /// What the bull's-eye shows.

@@ -6,11 +6,12 @@ use egui::{
     Align2, Color32, Painter, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::panes::beat_axis::BeatAxis;
 use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::cycle_axis::CycleAxis;
 use crate::picture::nice_ticks;
 use crate::ui::controls::empty_pane_ui;
 use crate::ui::style::{medium_note_font, note_font};
+use crate::ui::text::{note_at, text_width};
 use crate::ui::theme::{Colours, colours, line, space};
 
 /// Which surface a curve belongs to; sets its colour.
@@ -23,25 +24,25 @@ pub enum CurveKind {
 }
 
 /// One number per frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Curve<'a> {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Curve {
     /// Which surface.
     pub kind: CurveKind,
     /// One value per frame; NaN where it is not known.
-    pub values: &'a [f64],
+    pub values: Vec<f64>,
 }
 
 /// What the volume pane shows.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct CurvesView<'a> {
     /// The selected subject's curves; empty without a volume.
-    pub curves: &'a [Curve<'a>],
+    pub curves: Vec<Curve>,
     /// `ml`, or `units³`.
     pub unit: &'a str,
     /// Times of the frames within the cycle.
-    pub axis: BeatAxis<'a>,
+    pub axis: CycleAxis,
     /// Length of the cycle, where the study states it.
-    pub beat_ms: Option<f64>,
+    pub cycle_ms: Option<f64>,
     /// Position in frames.
     pub position: f64,
     /// Frame of end-diastole.
@@ -54,7 +55,7 @@ pub struct CurvesView<'a> {
 
 /// Draws the plot; a click or drag moves through the cycle.
 pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
-    let Some((low, high)) = range(view.curves) else {
+    let Some((low, high)) = range(&view.curves) else {
         let what = if view.computing {
             "Volumes are being computed"
         } else {
@@ -72,19 +73,18 @@ pub fn curves_ui(ui: &mut Ui, view: &CurvesView, commands: &mut Vec<Command>) {
     let plot = Plot::new(rect, numbers_width(ui, low, high), low, high);
     draw_axes(ui, view, &plot);
     draw_phases(ui, view, &plot);
-    for curve in view.curves {
-        draw_curve(ui, view.axis, curve, &plot);
+    for curve in &view.curves {
+        draw_curve(ui, &view.axis, curve, &plot);
     }
     draw_now(ui, view, &plot);
     if let Some(pointer) = response.interact_pointer_pos()
         && (response.clicked() || response.dragged())
     {
-        commands.push(Command::Beat(BeatCommand::SetPosition(
-            plot.position_at(pointer, view.axis),
-        )));
+        let position = plot.position_at(pointer, &view.axis);
+        commands.push(BeatCommand::SetPosition(position).into());
     }
     if let Some(pointer) = response.hover_pos() {
-        let text = hover_text(view, plot.position_at(pointer, view.axis));
+        let text = hover_text(view, plot.position_at(pointer, &view.axis));
         response.on_hover_text_at_pointer(text);
     }
 }
@@ -130,24 +130,15 @@ impl Plot {
         egui::lerp(self.area.bottom()..=self.area.top(), share as f32)
     }
 
-    fn position_at(&self, pointer: Pos2, axis: BeatAxis) -> f64 {
+    fn position_at(&self, pointer: Pos2, axis: &CycleAxis) -> f64 {
         let share = egui::remap_clamp(pointer.x, self.area.x_range(), 0.0..=1.0);
-        let position = axis.position_at(f64::from(share));
-        if position >= axis.frame_count() as f64 {
-            0.0
-        } else {
-            position
-        }
+        axis.position_within(f64::from(share))
     }
 }
 
 /// How wide the longest number beside the axis is.
 fn numbers_width(ui: &Ui, low: f64, high: f64) -> f32 {
-    let longest = tick_text(high, low, high);
-    let galley = ui
-        .painter()
-        .layout_no_wrap(longest, note_font(), Color32::PLACEHOLDER);
-    galley.size().x
+    text_width(ui, &tick_text(high, low, high), note_font())
 }
 
 /// Whole numbers, one decimal place where the axis is short.
@@ -164,25 +155,21 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
     for tick in nice_ticks(plot.low, plot.high, rows) {
         let y = plot.y(tick);
         painter.hline(plot.area.x_range(), y, grid);
-        let at = pos2(plot.area.left() - 6.0, y);
-        painter.text(
-            at,
-            Align2::RIGHT_CENTER,
+        let (at, text) = (
+            pos2(plot.area.left() - 6.0, y),
             tick_text(tick, plot.low, plot.high),
-            note_font(),
-            colours.muted,
         );
+        note_at(ui, at, Align2::RIGHT_CENTER, text);
     }
     let top = pos2(plot.area.left() - 32.0, plot.area.top() - 13.0);
-    painter.text(
+    note_at(
+        ui,
         top,
         Align2::LEFT_CENTER,
         format!("Volume, {}", view.unit),
-        note_font(),
-        colours.muted,
     );
     let y = plot.area.bottom() + 6.0;
-    let (end, unit) = match view.beat_ms {
+    let (end, unit) = match view.cycle_ms {
         Some(beat) => (beat, "ms"),
         None => (100.0, "% R-R"),
     };
@@ -190,39 +177,22 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
     for tick in nice_ticks(0.0, end, columns) {
         let x = plot.x(tick / end);
         if x < plot.area.right() - 46.0 {
-            painter.text(
-                pos2(x, y),
-                Align2::CENTER_TOP,
-                format!("{tick:.0}"),
-                note_font(),
-                colours.muted,
-            );
+            note_at(ui, pos2(x, y), Align2::CENTER_TOP, format!("{tick:.0}"));
         }
     }
-    painter.text(
-        pos2(plot.area.right(), y),
-        Align2::RIGHT_TOP,
-        unit,
-        note_font(),
-        colours.muted,
-    );
+    note_at(ui, pos2(plot.area.right(), y), Align2::RIGHT_TOP, unit);
 }
 
 fn draw_phases(ui: &Ui, view: &CurvesView, plot: &Plot) {
     let colours = colours(ui);
-    let mut places: Vec<(f32, &str)> = Vec::new();
     for (frame, name) in [(view.end_diastole, "ED"), (view.end_systole, "ES")] {
         let Some(frame) = frame else { continue };
-        places.push((plot.x(view.axis.share_at(frame as f64)), name));
-    }
-    for (x, name) in places {
+        let x = plot.x(view.axis.share_at(frame as f64));
         let ends = [pos2(x, plot.area.top()), pos2(x, plot.area.bottom())];
         let stroke = Stroke::new(line::THIN, colours.muted);
         ui.painter()
             .extend(Shape::dashed_line(&ends, stroke, 3.0, 3.0));
-        let at = pos2(x + 4.0, plot.area.top());
-        ui.painter()
-            .text(at, Align2::LEFT_TOP, name, note_font(), colours.muted);
+        note_at(ui, pos2(x + 4.0, plot.area.top()), Align2::LEFT_TOP, name);
     }
 }
 
@@ -242,7 +212,7 @@ fn kind_name(kind: CurveKind) -> &'static str {
 
 /// Straight from frame to frame, as positions between frames are interpolated; the last runs
 /// into the first.
-fn draw_curve(ui: &Ui, axis: BeatAxis, curve: &Curve, plot: &Plot) {
+fn draw_curve(ui: &Ui, axis: &CycleAxis, curve: &Curve, plot: &Plot) {
     let colours = colours(ui);
     let colour = kind_colour(curve.kind, colours);
     let count = curve.values.len();
@@ -300,7 +270,7 @@ fn draw_now(ui: &Ui, view: &CurvesView, plot: &Plot) {
     let x = plot.x(view.axis.share_at(view.position));
     let stroke = Stroke::new(line::THIN, colours.selection);
     painter.vline(x, plot.area.y_range(), stroke);
-    for curve in view.curves {
+    for curve in &view.curves {
         let value = value_at(curve, view.position);
         if value.is_finite() {
             let point = pos2(x, plot.y(value));
@@ -334,11 +304,11 @@ fn draw_now(ui: &Ui, view: &CurvesView, plot: &Plot) {
 
 fn hover_text(view: &CurvesView, position: f64) -> String {
     let percent = 100.0 * view.axis.share_at(position);
-    let mut text = match view.beat_ms {
+    let mut text = match view.cycle_ms {
         Some(beat) => format!("{:.0} ms · {percent:.0} % R-R", 0.01 * percent * beat),
         None => format!("{percent:.0} % R-R"),
     };
-    for curve in view.curves {
+    for curve in &view.curves {
         let value = value_at(curve, position);
         if value.is_finite() {
             text += &format!("\n{} {value:.1} {}", kind_name(curve.kind), view.unit);

@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::panes::beat::BeatData;
+use crate::panes::beat::curves_view;
 use crate::panes::cohort::spec::measuring;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
@@ -20,23 +20,19 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::CURVES,
     title: "Volume",
     toggle: "Pane: volume curve",
+    open: None,
     place: Place::BelowRight,
-    header: Header::Note(unit),
+    header: Header::Beside(unit_ui),
     ui,
 };
 
-fn unit(look: &Look<'_>) -> Option<String> {
-    let subject = look.state().document.selected()?;
-    Some(subject.unit.volume_symbol().to_owned())
+fn unit_ui(ui: &mut Ui, look: &Look<'_>, _: f32, _: &mut Vec<Command>) {
+    if let Some(subject) = look.state().document.selected() {
+        ui.weak(subject.unit.volume_symbol());
+    }
 }
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
     let state = look.state();
-    let beat = BeatData::of(state);
-    let curves = beat.curves();
-    curves_ui(
-        ui,
-        &beat.curves_view(state, &curves, measuring(state)),
-        commands,
-    );
+    curves_ui(ui, &curves_view(state, measuring(state)), commands);
 }

@@ -7,7 +7,7 @@ use crate::panes::BeatCommand;
 fn the_last_frame_runs_into_the_first() {
     let curve = Curve {
         kind: CurveKind::Endocardium,
-        values: &[100.0, 60.0],
+        values: vec![100.0, 60.0],
     };
     assert!((value_at(&curve, 1.5) - 80.0).abs() < 1e-12);
     assert!((value_at(&curve, 0.25) - 90.0).abs() < 1e-12);
@@ -15,10 +15,9 @@ fn the_last_frame_runs_into_the_first() {
 
 #[test]
 fn values_that_are_not_known_do_not_widen_the_range() {
-    let values = [f64::NAN, 60.0, 100.0];
     let curves = [Curve {
         kind: CurveKind::Epicardium,
-        values: &values,
+        values: vec![f64::NAN, 60.0, 100.0],
     }];
     let (low, high) = range(&curves).unwrap();
     assert!(low > 50.0 && low < 60.0 && high > 100.0 && high < 110.0);
@@ -34,15 +33,15 @@ fn a_click_on_the_plot_moves_through_the_cycle() {
         .build_ui_state(
             |ui, commands: &mut Vec<Command>| {
                 let view = CurvesView {
-                    curves: &[Curve {
+                    curves: vec![Curve {
                         kind: CurveKind::Endocardium,
-                        values: &[100.0, 60.0],
+                        values: vec![100.0, 60.0],
                     }],
                     unit: "ml",
-                    axis: BeatAxis {
-                        frame_shares: &[0.0, 0.5],
+                    axis: CycleAxis {
+                        frame_shares: vec![0.0, 0.5],
                     },
-                    beat_ms: None,
+                    cycle_ms: None,
                     position: 0.0,
                     end_diastole: Some(0),
                     end_systole: Some(1),

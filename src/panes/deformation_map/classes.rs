@@ -5,6 +5,7 @@ use egui::{
 };
 
 use crate::ui::style::{medium_note_font, note, note_font};
+use crate::ui::text::p_text;
 use crate::ui::theme::{colours, line, space};
 
 /// One classifier, tested on subjects that were not in its training set.
@@ -216,16 +217,6 @@ fn summary(row: &ClassifierView) -> String {
         row.permutation_mean,
         p_text(row.p_value)
     )
-}
-
-fn p_text(p: f64) -> String {
-    if p < 0.001 {
-        "< 0.001".to_owned()
-    } else if p < 0.1 {
-        format!("{p:.3}")
-    } else {
-        format!("{p:.2}")
-    }
 }
 
 #[cfg(test)]

@@ -18,7 +18,7 @@ pub struct DeformationMapView<'a> {
     pub neighbours: Option<usize>,
     /// How far points are from what their neighbours say of them; no unit.
     pub reconstruction_error: Option<f64>,
-    /// How much of the map's unit one beat counts for.
+    /// How much of the map's unit one cycle counts for.
     pub time_weight: Option<f64>,
     /// How well classifiers find the labels.
     pub classes: ClassesView<'a>,

@@ -1,4 +1,4 @@
-//! The deformation map: a point is the whole beat of one subject, similar motions lie near each
+//! The deformation map: a point is the whole motion of one subject, similar motions lie near each
 //! other; below it, how well classifiers find the labels.
 
 mod classes;
@@ -8,5 +8,4 @@ pub(crate) mod spec;
 mod tests;
 pub(crate) mod view;
 
-pub use classes::{ClassesView, ClassifierView};
-pub use map::{DEFORMATION_MAP, DeformationMapView, deformation_map_ui, deformation_note};
+pub use {classes::*, map::*};

@@ -3,17 +3,18 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command};
-use crate::panes::scatter_map::{MapSubject, PosePhase, ScatterPoint, ScatterView};
+use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
 
 fn harness(
     rows: Vec<ClassifierView>,
     absent: ClassesView<'static>,
 ) -> Harness<'static, Vec<Command>> {
-    let subjects: Vec<MapSubject> = (0..4)
-        .map(|index| MapSubject {
+    let subjects: Vec<CohortRow> = (0..4)
+        .map(|index| CohortRow {
             id: format!("P{index}"),
-            ..MapSubject::default()
+            ..CohortRow::default()
         })
         .collect();
     let places = [[-1.0, 0.0], [1.0, 0.2], [0.9, 0.9], [0.0, -0.6]];
@@ -23,7 +24,7 @@ fn harness(
             subject,
             at,
             start_frame: 2,
-            phase: PosePhase::WholeBeat,
+            phase: PosePhase::WholeMotion,
             label: Some(""),
             ..ScatterPoint::default()
         })

@@ -2,19 +2,22 @@
 
 use std::sync::Arc;
 
+use egui::Ui;
+
 use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::DeformationMap;
 use crate::document::state::State;
-use crate::engine::{DeformationMapSettings, Interrupted, PoseMapParams, Showing, Topic};
-use crate::panes::{
-    ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView, MapState, MapSubject,
-    MetricPanelView, PosePhase, ScatterData, ScatterPoint, ScatterView,
-};
+use crate::engine::{DeformationMapSettings, PoseMapParams, Showing, Topic};
+use crate::panes::cohort::view::cohort_data;
+use crate::panes::look::Look;
+use crate::panes::pose_map::view::pose_map;
+use crate::panes::same::Same;
+use crate::panes::scatter_map::from_state::{MapPoints, plane};
+use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
+use crate::panes::work_state::WorkState;
 use crate::study::Study;
 
-use crate::panes::scatter_map::from_state::{
-    Details, Shared, details, map_state, plane, scatter_view,
-};
+use super::{ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView};
 
 /// Fewer deformations have no neighbourhoods.
 pub const FEWEST_DEFORMATIONS: usize = 4;
@@ -22,92 +25,71 @@ pub const FEWEST_DEFORMATIONS: usize = 4;
 /// How many of the subjects with the most similar motion are named.
 const NAMED_NEIGHBOURS: usize = 3;
 
-/// Points of the map, and the classifiers.
-#[derive(Debug, Default)]
-pub struct DeformationData {
-    data: ScatterData<Shared<DeformationMap>, (Details, Shared<Classes>)>,
-    classifiers: Vec<ClassifierView>,
+/// Hands what the pane shows to `draw`; asks for another picture while points walk.
+pub fn with_view(
+    ui: &mut Ui,
+    look: &Look<'_>,
+    draw: impl FnOnce(&mut Ui, &DeformationMapView<'_>),
+) {
+    let state = look.state();
+    let (poses, cohort) = (pose_map(ui, look), cohort_data(look));
+    let (poses, cohort) = (poses.borrow_mut(), cohort.borrow_mut());
+    let (map, classes) = (state.deformations(), state.classes());
+    let kept = (look.memo()).get::<MapPoints<DeformationMap, Option<Same<Classes>>>>();
+    let mut kept = kept.borrow_mut();
+    kept.refresh(ui, state, map, Same::of(classes), |map| {
+        let classes = classes.map(Arc::as_ref);
+        let first = |subject| state.phases_of(subject).0.unwrap_or_default();
+        (
+            points(map, state.document.study(), classes, first),
+            Vec::new(),
+        )
+    });
+    let rows = classes.map_or_else(Vec::new, |classes| classifiers(classes));
+    let embedding = map.map(|map| &map.embedding);
+    let (work, job) = deformation_state(state);
+    let view = DeformationMapView {
+        map: ScatterView {
+            job,
+            left_out: poses.left_out(),
+            ..kept.view(state, &DEFORMATION_MAP, work, cohort.rows())
+        },
+        neighbours: embedding.and_then(|embedding| embedding.neighbours),
+        reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
+        time_weight: map.map(|map| map.time_weight),
+        classes: classes_view(state, &rows),
+    };
+    draw(ui, &view);
 }
 
-impl DeformationData {
-    /// Makes points again where the study or a result changed, and moves those that are on their
-    /// way; whether any still are. Without `motion` they are there at once.
-    pub fn refresh(&mut self, state: &State, now_s: f64, motion: bool) -> bool {
-        let (study, map, classes) = (
-            state.document.study(),
-            state.deformations(),
-            state.classes(),
-        );
-        let opening = state.document.study.opening;
-        let details = (details(state), Shared::of(classes));
-        let sources = (opening, Shared::of(map), details);
-        let changed = self.data.refresh(sources, now_s, motion, || {
-            let classes = classes.map(Arc::as_ref);
-            let first = |subject| state.phases_of(subject).0.unwrap_or_default();
-            map.map_or_else(Vec::new, |map| points(map, study, classes, first))
-        });
-        if changed {
-            self.classifiers = classes.map_or_else(Vec::new, |classes| classifiers(classes));
+fn classes_view<'a>(state: &State, rows: &'a [ClassifierView]) -> ClassesView<'a> {
+    match &state.answers.classes {
+        None => ClassesView::Absent,
+        Some(_) if !rows.is_empty() => ClassesView::Ready(rows),
+        Some(Showing::Computing { watch, .. }) => ClassesView::Computing {
+            fraction: watch.fraction(),
+        },
+        Some(Showing::Ready(_)) => {
+            ClassesView::Unanswerable("not enough labels; subjects of two classes are needed")
         }
-        self.data.advance(now_s)
-    }
-
-    /// What the pane shows.
-    pub fn view<'a>(
-        &'a self,
-        state: &State,
-        subjects: &'a [MapSubject],
-        left_out: &'a [String],
-    ) -> DeformationMapView<'a> {
-        let map = state.deformations();
-        let embedding = map.map(|map| &map.embedding);
-        let (map_state, job) = deformation_state(state);
-        let points = self.data.points();
-        DeformationMapView {
-            map: ScatterView {
-                job,
-                left_out,
-                ..scatter_view(state, &DEFORMATION_MAP, map_state, subjects, points)
-            },
-            neighbours: embedding.and_then(|embedding| embedding.neighbours),
-            reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
-            time_weight: map.map(|map| map.time_weight),
-            classes: self.classes(state),
+        Some(showing) if showing.failure().is_some() => {
+            ClassesView::Unanswerable("the classification failed")
         }
-    }
-
-    fn classes(&self, state: &State) -> ClassesView<'_> {
-        match &state.answers.classes {
-            None => ClassesView::Absent,
-            Some(Showing::Computing { watch, .. }) if self.classifiers.is_empty() => {
-                ClassesView::Computing {
-                    fraction: watch.fraction(),
-                }
-            }
-            Some(_) if !self.classifiers.is_empty() => ClassesView::Ready(&self.classifiers),
-            Some(Showing::Ready(_)) => {
-                ClassesView::Unanswerable("not enough labels; subjects of two classes are needed")
-            }
-            Some(Showing::Interrupted {
-                why: Interrupted::Failed(_),
-                ..
-            }) => ClassesView::Unanswerable("the classification failed"),
-            Some(_) => ClassesView::Absent,
-        }
+        Some(_) => ClassesView::Absent,
     }
 }
 
 /// How the map stands, and which work it waits for: poses are mapped first.
-fn deformation_state(state: &State) -> (MapState, Topic) {
-    let poses = map_state(state, state.answers.map.as_ref());
-    if poses != MapState::Ready {
+fn deformation_state(state: &State) -> (WorkState, Topic) {
+    let poses = WorkState::of(state.answers.map.as_ref());
+    if poses != WorkState::Ready {
         return (poses, Topic::of::<PoseMapParams>());
     }
     let own = if enough_subjects(state) {
-        map_state(state, state.answers.deformations.as_ref())
+        WorkState::of(state.answers.deformations.as_ref())
     } else {
         let why = format!("Fewer than {FEWEST_DEFORMATIONS} subjects: no deformation map");
-        MapState::Unanswerable(why)
+        WorkState::Unanswerable(why)
     };
     (own, Topic::of::<DeformationMapSettings>())
 }
@@ -118,20 +100,6 @@ pub fn enough_subjects(state: &State) -> bool {
         let poses = &map.distances.poses;
         poses.chunk_by(|a, b| a.subject == b.subject).count() >= FEWEST_DEFORMATIONS
     })
-}
-
-/// What the panel of settings shows.
-pub fn metric_panel_view<'a>(state: &State, subjects: &'a [MapSubject]) -> MetricPanelView<'a> {
-    let document = &state.document;
-    let map = state.deformations();
-    MetricPanelView {
-        poses: document.map,
-        deformations: document.deformation_map,
-        subjects,
-        selected: document.selected().map(|_| document.subject),
-        neighbours: map.and_then(|map| map.embedding.neighbours),
-        time_weight: map.map(|map| map.time_weight),
-    }
 }
 
 /// One point per subject; `first_frame` is where a click plays from.
@@ -157,7 +125,7 @@ fn points(
                 subject: *subject,
                 start_frame: first_frame(*subject),
                 at: plane(map.embedding.point(row)),
-                phase: PosePhase::WholeBeat,
+                phase: PosePhase::WholeMotion,
                 label: Some(""),
                 cluster: clusters.map(|clusters| clusters[row]),
                 facts: (!named.is_empty()).then_some(similar).into_iter().collect(),

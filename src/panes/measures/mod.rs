@@ -1,14 +1,15 @@
-//! The clinical measures of the selected heart, with units and, where one is defensible, the normal range.
+//! The clinical measures of the selected subject, with units and, where one is defensible, the normal range.
 
 pub(crate) mod spec;
 
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, RichText, Ui};
 
+use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE};
 use crate::report::{Column, NO_VALUE, SubjectRow};
-use crate::ui::controls::{chooser_ui, empty_pane_ui};
+use crate::ui::controls::{chooser_ui, no_subject_ui};
 use crate::ui::style::{medium, note, note_font, text_font, title_font};
 use crate::ui::theme::{colours, space};
 use crate::units::LengthUnit;
@@ -29,13 +30,7 @@ pub struct MeasuresView<'a> {
 /// Draws the card.
 pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     if view.subject.is_none() {
-        empty_pane_ui(
-            ui,
-            "No subject selected",
-            "Select a subject to see its measures",
-            |_| {},
-        );
-        return;
+        return no_subject_ui(ui, "Select a subject to see its measures");
     }
     let frame = egui::Frame::new().inner_margin(egui::Margin::same(space::LARGE as i8));
     egui::ScrollArea::vertical()
@@ -130,25 +125,20 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     let shown = frames.join(" · ") + source;
     chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
         let here = view.current_frame;
-        if ui
-            .button(format!("Set end-diastole to frame {here}"))
-            .clicked()
-        {
-            commands.push(Command::Beat(BeatCommand::StateEndDiastole(Some(here))));
-        }
-        if ui
-            .button(format!("Set end-systole to frame {here}"))
-            .clicked()
-        {
-            commands.push(Command::Beat(BeatCommand::StateEndSystole(Some(here))));
-        }
+        let name = format!("Set end-diastole to frame {here}");
+        command_button_ui(
+            ui,
+            name,
+            BeatCommand::StateEndDiastole(Some(here)),
+            commands,
+        );
+        let name = format!("Set end-systole to frame {here}");
+        command_button_ui(ui, name, BeatCommand::StateEndSystole(Some(here)), commands);
         ui.separator();
-        if ui.button("End-diastole from the volume curve").clicked() {
-            commands.push(Command::Beat(BeatCommand::StateEndDiastole(None)));
-        }
-        if ui.button("End-systole from the volume curve").clicked() {
-            commands.push(Command::Beat(BeatCommand::StateEndSystole(None)));
-        }
+        let name = "End-diastole from the volume curve";
+        command_button_ui(ui, name, BeatCommand::StateEndDiastole(None), commands);
+        let name = "End-systole from the volume curve";
+        command_button_ui(ui, name, BeatCommand::StateEndSystole(None), commands);
     });
 }
 

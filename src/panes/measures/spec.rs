@@ -20,6 +20,7 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::MEASURES,
     title: "Measures",
     toggle: "Pane: measures",
+    open: None,
     place: Place::BelowLeft,
     header: Header::Title,
     ui,

@@ -6,18 +6,8 @@ use crate::analysis::embedding::MapMethod;
 use crate::engine::{MedialMapParams, Topic};
 use crate::panes::commands::{Command, MapCommand};
 use crate::panes::metric::words::method_name;
-use crate::panes::scatter_map::{MapWords, ScatterView, method_choices_ui, play, scatter_map_ui};
-use crate::ui::controls::{chooser_ui, pane_header_ui};
-use crate::ui::style::medium;
-
-/// What the medial pane shows.
-#[derive(Clone, Debug)]
-pub struct MedialMapView<'a> {
-    /// Its points, and how the map stands.
-    pub map: ScatterView<'a>,
-    /// How distances become the map.
-    pub method: MapMethod,
-}
+use crate::panes::scatter_map::{MapWords, method_choices_ui, play};
+use crate::ui::controls::chooser_ui;
 
 /// The words of the map.
 pub static MEDIAL_MAP: MapWords = MapWords {
@@ -61,29 +51,11 @@ pub fn medial_facts(patch: Option<usize>, ratio: f64, mean_distance: Option<f64>
     [Some(ratio), distance].into_iter().flatten().collect()
 }
 
-/// Draws the map below its header.
-pub fn medial_map_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Vec<Command>) {
-    scatter_map_ui(ui, &view.map, 0.0, commands);
-}
-
-/// Draws the name of the pane and the chooser.
-pub fn medial_map_header_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Vec<Command>) {
-    pane_header_ui(
-        ui,
-        |ui| {
-            ui.add(egui::Label::new(medium("Medial")).truncate());
-        },
-        |ui| medial_map_choosers_ui(ui, view, commands),
-    );
-}
-
 /// Draws the chooser of the method, for a header that has its own title. Pose map and map of
 /// the medial shape space share the method, so that they can be compared.
-pub fn medial_map_choosers_ui(ui: &mut Ui, view: &MedialMapView, commands: &mut Vec<Command>) {
-    chooser_ui(ui, "Method", method_name(view.method), |ui| {
-        commands.extend(
-            method_choices_ui(ui, view.method)
-                .map(|value| Command::Map(MapCommand::SetMapMethod(value))),
-        );
+pub fn medial_map_choosers_ui(ui: &mut Ui, method: MapMethod, commands: &mut Vec<Command>) {
+    chooser_ui(ui, "Method", method_name(method), |ui| {
+        let chosen = method_choices_ui(ui, method);
+        commands.extend(chosen.map(|method| Command::from(MapCommand::SetMapMethod(method))));
     });
 }

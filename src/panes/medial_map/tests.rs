@@ -5,7 +5,8 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use super::*;
 use crate::analysis::embedding::MapMethod;
 use crate::panes::commands::{Command, MapCommand};
-use crate::panes::scatter_map::ScatterView;
+use crate::panes::scatter_map::{ScatterView, scatter_map_ui};
+use crate::ui::controls::named_header_ui;
 
 #[test]
 fn the_method_is_chosen_in_the_header() {
@@ -15,10 +16,10 @@ fn the_method_is_chosen_in_the_header() {
         .build_ui_state(
             move |ui, commands: &mut Vec<Command>| {
                 let map = ScatterView::new(&MEDIAL_MAP, &[], &[]);
-                let method = MapMethod::Smacof;
-                let view = MedialMapView { map, method };
-                medial_map_header_ui(ui, &view, commands);
-                medial_map_ui(ui, &view, commands);
+                named_header_ui(ui, "Medial", |ui| {
+                    medial_map_choosers_ui(ui, MapMethod::Smacof, commands);
+                });
+                scatter_map_ui(ui, &map, 0.0, commands);
             },
             Vec::new(),
         );

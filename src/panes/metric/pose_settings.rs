@@ -7,15 +7,14 @@ use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::engine::PoseMapParams;
 use crate::panes::metric::words::method_name;
 use crate::panes::metric::{MetricPanelView, choice_row_ui, sentence_ui};
-use crate::ui::controls::choice_ui;
-use crate::ui::number_field::{NumberField, number_field_ui, whole};
+use crate::panes::scatter_map::isomap;
+use crate::ui::controls::choices_ui;
+use crate::ui::number_field::{Setting, whole};
 
-/// Draws reference and method; the settings after a change.
-pub fn pose_map_ui(ui: &mut Ui, view: &MetricPanelView) -> Option<PoseMapParams> {
-    let mut wanted = view.poses;
-    reference_ui(ui, view, &mut wanted);
-    method_ui(ui, view, &mut wanted);
-    Some(wanted).filter(|wanted| *wanted != view.poses)
+/// Draws reference and method; a change goes into `wanted`.
+pub fn pose_map_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
+    reference_ui(ui, view, wanted);
+    method_ui(ui, wanted);
 }
 
 fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
@@ -40,29 +39,23 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
             });
         };
         let now = transfer.map(|transfer| transfer.reference);
-        if choice_ui(ui, "off: compare subjects as recorded", now.is_none()) {
-            choose(None);
-        }
-        if choice_ui(
-            ui,
-            "onto the mean subject of the cohort",
-            now == Some(Reference::Mean),
-        ) {
-            choose(Some(Reference::Mean));
+        let whole = [
+            (None, "off: compare subjects as recorded"),
+            (Some(Reference::Mean), "onto the mean subject of the cohort"),
+        ];
+        if let Some(reference) = choices_ui(ui, whole, now) {
+            choose(reference);
         }
         ui.separator();
         ScrollArea::vertical().max_height(260.0).show(ui, |ui| {
             let first = view.selected.into_iter();
             let rest = (0..view.subjects.len()).filter(|i| Some(*i) != view.selected);
-            for subject in first.chain(rest) {
-                let reference = Reference::Subject(subject);
-                if choice_ui(
-                    ui,
-                    &format!("onto {}", name(subject)),
-                    now == Some(reference),
-                ) {
-                    choose(Some(reference));
-                }
+            let subjects = first.chain(rest).map(|subject| {
+                let reference = Some(Reference::Subject(subject));
+                (reference, format!("onto {}", name(subject)))
+            });
+            if let Some(reference) = choices_ui(ui, subjects, now) {
+                choose(reference);
             }
         });
     });
@@ -75,39 +68,36 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
     );
 }
 
-fn method_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
+fn method_ui(ui: &mut Ui, wanted: &mut PoseMapParams) {
     let what = "Embedding of the distances between poses in the plane";
     let method = wanted.method;
-    let isomap = match method {
-        MapMethod::Isomap { .. } => method,
-        _ => MapMethod::ISOMAP,
-    };
     choice_row_ui(ui, "Method", what, method_name(method), true, |ui| {
-        for (offered, name) in [
+        let methods = [
             (MapMethod::Smacof, "SMACOF: minimises stress"),
             (MapMethod::ClassicalMds, "MDS: classical scaling"),
-            (isomap, "Isomap: neighbour graph"),
-        ] {
-            if choice_ui(ui, name, method == offered) {
-                wanted.method = offered;
-            }
-        }
+            (isomap(method), "Isomap: neighbour graph"),
+        ];
+        wanted.method = choices_ui(ui, methods, method).unwrap_or(method);
     });
-    if let MapMethod::Isomap { neighbours } = view.poses.method {
-        let field = NumberField {
-            name: "Neighbours",
-            unit: "poses",
-            what: "Number of nearest poses to which each pose is connected",
-            value: Some(f64::from(neighbours)),
-            automatic: None,
-            enabled: true,
-        };
-        let accept = |value: Option<f64>| match whole(value.unwrap_or_default(), 10_000)? {
-            0 => Err("must be at least 1".to_owned()),
-            neighbours => Ok(neighbours as u16),
-        };
-        if let Some(neighbours) = number_field_ui(ui, &field, accept) {
-            wanted.method = MapMethod::Isomap { neighbours };
-        }
+    if matches!(method, MapMethod::Isomap { .. }) {
+        NEIGHBOURS.ui(ui, wanted, None, true, |_| Ok(()));
     }
 }
+
+const NEIGHBOURS: Setting<PoseMapParams> = Setting {
+    name: "Neighbours",
+    unit: "poses",
+    what: "Number of nearest poses to which each pose is connected",
+    get: |poses| match poses.method {
+        MapMethod::Isomap { neighbours } => Some(f64::from(neighbours)),
+        MapMethod::ClassicalMds | MapMethod::Smacof => None,
+    },
+    set: |poses, neighbours| match whole(neighbours.unwrap_or_default(), 10_000)? {
+        0 => Err("must be at least 1".to_owned()),
+        neighbours => {
+            let neighbours = neighbours as u16;
+            poses.method = MapMethod::Isomap { neighbours };
+            Ok(())
+        }
+    },
+};

@@ -2,7 +2,8 @@
 
 use crate::ui::controls::chooser_ui;
 use crate::ui::number_field::row_ui;
-use crate::ui::style::{medium, note};
+use crate::ui::style::{medium, note, text_font};
+use crate::ui::text::text_width;
 use crate::ui::theme::space;
 use egui::Ui;
 
@@ -28,11 +29,8 @@ pub(super) fn choice_row_ui(
 ) {
     row_ui(ui, name, what, enabled, |ui| {
         // The name of what is chosen among is read from the row.
-        let font = crate::ui::style::text_font();
-        let galley = ui
-            .painter()
-            .layout_no_wrap(name.to_owned(), font, egui::Color32::PLACEHOLDER);
-        let widest = (ui.available_width() - galley.size().x - space::LARGE).max(60.0);
+        let taken = text_width(ui, name, text_font()) + space::LARGE;
+        let widest = (ui.available_width() - taken).max(60.0);
         ui.scope(|ui| {
             ui.set_max_width(widest);
             chooser_ui(ui, name, shown, menu);

@@ -2,13 +2,12 @@
 
 use egui::Ui;
 
+use crate::panes::cohort::view::cohort_data;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::deformation_map::view::metric_panel_view;
 use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
-use crate::panes::pose_map::spec::map_data;
 
-use super::metric_panel_ui;
+use super::{MetricPanelView, metric_panel_ui};
 
 impl Pane {
     /// How poses and deformations are compared and mapped.
@@ -20,17 +19,22 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::METRIC,
     title: "Metric and maps",
     toggle: "Pane: metric",
+    open: Some((3, "Metric and maps…")),
     place: Place::Left,
     header: Header::Title,
     ui,
 };
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let data = map_data(ui, look);
-    let data = data.borrow_mut();
-    metric_panel_ui(
-        ui,
-        &metric_panel_view(look.state(), data.subjects()),
-        commands,
-    );
+    let (document, cohort) = (&look.state().document, cohort_data(look));
+    let (map, cohort) = (look.state().deformations(), cohort.borrow_mut());
+    let view = MetricPanelView {
+        poses: document.map,
+        deformations: document.deformation_map,
+        subjects: cohort.rows(),
+        selected: document.selected_index(),
+        neighbours: map.and_then(|map| map.embedding.neighbours),
+        time_weight: map.map(|map| map.time_weight),
+    };
+    metric_panel_ui(ui, &view, commands);
 }

@@ -7,7 +7,7 @@ use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::{Form, MetricKind};
 use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::panes::MapCommand;
-use crate::panes::scatter_map::MapSubject;
+use crate::panes::cohort::rows::CohortRow;
 
 #[derive(Default)]
 struct Scene {
@@ -17,10 +17,10 @@ struct Scene {
 }
 
 fn harness(scene: Scene) -> Harness<'static, Scene> {
-    let subjects: Vec<MapSubject> = (0..3)
-        .map(|index| MapSubject {
+    let subjects: Vec<CohortRow> = (0..3)
+        .map(|index| CohortRow {
             id: format!("P{index}"),
-            ..MapSubject::default()
+            ..CohortRow::default()
         })
         .collect();
     Harness::builder()

@@ -2,7 +2,7 @@
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::engine::PoseMapParams;
-use crate::panes::scatter_map::MapSubject;
+use crate::panes::cohort::rows::CohortRow;
 
 /// What the panel shows.
 #[derive(Clone, Debug)]
@@ -12,7 +12,7 @@ pub struct MetricPanelView<'a> {
     /// How deformations are mapped.
     pub deformations: DeformationMapParams,
     /// All subjects of the study: one may be the reference.
-    pub subjects: &'a [MapSubject],
+    pub subjects: &'a [CohortRow],
     /// The selected subject: first among the references.
     pub selected: Option<usize>,
     /// The neighbours that the deformation map has now.

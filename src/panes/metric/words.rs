@@ -1,19 +1,10 @@
 //! Metrics, forms and methods in the words of the window, with what each ignores.
 
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::metrics::{
-    Corners, CurvatureRole, Form, MetricKind, MetricParams, MetricWords,
-};
-
-pub use crate::analysis::metrics::METRICS;
+use crate::analysis::metrics::{Corners, CurvatureRole, Form, MetricParams, MetricWords};
 
 /// All forms in the order in which they are offered.
 pub const FORMS: [Form; 4] = [Form::Additive, Form::Bilinear, Form::Frozen, Form::Printed];
-
-/// Name of a metric.
-pub fn metric_name(kind: MetricKind) -> &'static str {
-    kind.words().name
-}
 
 /// Name of a form.
 pub fn form_name(form: Form) -> &'static str {
@@ -32,11 +23,6 @@ pub fn method_name(method: MapMethod) -> &'static str {
         MapMethod::Smacof => "SMACOF",
         MapMethod::Isomap { .. } => "Isomap",
     }
-}
-
-/// Whether a metric has forms.
-pub fn has_forms(kind: MetricKind) -> bool {
-    kind.has_forms()
 }
 
 /// Whether the weight μ plays a part.
@@ -95,6 +81,7 @@ pub fn corners_sentence(corners: Corners) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::analysis::metrics::METRICS;
 
     #[test]
     fn every_metric_says_what_it_ignores() {

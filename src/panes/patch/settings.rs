@@ -27,7 +27,7 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     if slider_ui(ui, "Extent threshold", &mut extent, EXTENTS, what) {
         wanted = with_extent(now, 0.01 * extent);
     }
-    ui.add(egui::Label::new(note(extent_note(view.well, now.extent))).wrap());
+    ui.add(egui::Label::new(note(extent_note(view.remote, now.extent))).wrap());
     let in_force = now.tolerance.or(view.tolerance);
     let mut tolerance = 100.0 * in_force.map_or(0.05, |ln| ln.exp() - 1.0);
     let what = "An atom is akinetic if the thickness ratio PT of two successive frames deviates from 1 \
@@ -38,18 +38,17 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     }
     ui.add(egui::Label::new(note(tolerance_note(view, now.tolerance))).wrap());
     if wanted != now {
-        commands.push(Command::Wall(WallCommand::SetThickening(
-            ThickeningSettings {
-                thickening: wanted,
-                ..view.settings
-            },
-        )));
+        let settings = ThickeningSettings {
+            thickening: wanted,
+            ..view.settings
+        };
+        commands.push(WallCommand::SetThickening(settings).into());
     }
     ui.add_space(space::MEDIUM);
     let default = view.settings == ThickeningSettings::default();
     let reset = egui::Button::new("Reset to defaults");
     if ui.add_enabled(!default, reset).clicked() {
-        commands.push(Command::Wall(WallCommand::ResetThickening));
+        commands.push(WallCommand::ResetThickening.into());
     }
 }
 
@@ -89,12 +88,12 @@ fn slider_ui(
     changed
 }
 
-fn extent_note(well: Option<f64>, extent: f64) -> String {
-    match well {
-        Some(well) => format!(
+fn extent_note(remote: Option<f64>, extent: f64) -> String {
+    match remote {
+        Some(remote) => format!(
             "relative to remote thickening ({:.0} %): thickening below {:.0} %",
-            100.0 * well,
-            100.0 * ((extent * well.ln_1p()).exp() - 1.0)
+            100.0 * remote,
+            100.0 * ((extent * remote.ln_1p()).exp() - 1.0)
         ),
         None => "relative to remote thickening".to_owned(),
     }

@@ -8,7 +8,7 @@ use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::viewport::hearts::Viewport;
 
 use super::patch_panel_ui;
-use super::view::PatchData;
+use super::view::patch_view;
 
 impl Pane {
     /// Regions of low thickening, and the thresholds.
@@ -20,17 +20,14 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::PATCH,
     title: "Patch",
     toggle: "Pane: patch",
+    open: Some((3, "Patch table and thresholds")),
     place: Place::BelowLeft,
     header: Header::Title,
     ui,
 };
 
-/// The regions of the selected subject as they are on screen.
-pub fn patch_data(look: &Look<'_>) -> PatchData {
-    let viewport = look.memo().get::<Viewport>();
-    PatchData::of(look.state(), viewport.borrow_mut().shown().first())
-}
-
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    patch_panel_ui(ui, &patch_data(look).view(look.state()), commands);
+    let viewport = look.memo().get::<Viewport>();
+    let view = patch_view(look.state(), viewport.borrow_mut().shown().first());
+    patch_panel_ui(ui, &view, commands);
 }

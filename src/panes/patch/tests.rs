@@ -10,7 +10,7 @@ use crate::render::Camera;
 use crate::report::PatchRow;
 
 struct Shown {
-    state: WallState,
+    state: WorkState,
     rows: Vec<PatchLine>,
     settings: ThickeningSettings,
     heading: &'static str,
@@ -18,7 +18,7 @@ struct Shown {
 }
 
 impl Shown {
-    fn with(state: WallState, heading: &'static str, rows: Vec<PatchLine>) -> Self {
+    fn with(state: WorkState, heading: &'static str, rows: Vec<PatchLine>) -> Self {
         Self {
             state,
             rows,
@@ -51,15 +51,15 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
             move |ui, commands: &mut Vec<Command>| {
                 let view = PatchPanelView {
                     subject: Some("P07"),
-                    state: &shown.state,
+                    state: shown.state.clone(),
                     standing: shown.standing,
-                    heading: shown.heading,
-                    note: "Remote myocardium thickens by 52 %",
-                    rows: &shown.rows,
+                    heading: shown.heading.to_owned(),
+                    note: "Remote myocardium thickens by 52 %".to_owned(),
+                    rows: shown.rows.clone(),
                     settings: shown.settings,
                     noise: Some(0.012),
                     tolerance: Some(0.05),
-                    well: Some(0.52),
+                    remote: Some(0.52),
                 };
                 patch_panel_ui(ui, &view, commands);
             },
@@ -71,7 +71,7 @@ fn harness(shown: Shown) -> Harness<'static, Vec<Command>> {
 
 #[test]
 fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
-    let mut shown = harness(Shown::with(WallState::Ready, "1 patch", vec![patch()]));
+    let mut shown = harness(Shown::with(WorkState::Ready, "1 patch", vec![patch()]));
     shown
         .get_by_label_contains("Patch 1: Area 21 cm², LV share 31 %, Thickening 4 %")
         .click();
@@ -83,7 +83,7 @@ fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
         camera: Some(camera),
         ..patch()
     };
-    let mut shown = harness(Shown::with(WallState::Ready, "1 patch", vec![framed]));
+    let mut shown = harness(Shown::with(WorkState::Ready, "1 patch", vec![framed]));
     shown.get_by_label_contains("anteroseptal").click();
     shown.run();
     assert_eq!(
@@ -95,7 +95,7 @@ fn a_click_on_a_row_selects_the_patch_and_frames_it_where_it_can() {
 #[test]
 fn a_region_of_low_thickening_without_a_verdict_of_a_patch_is_not_called_one() {
     let heading = "1 region of low thickening";
-    let mut shown = Shown::with(WallState::Ready, heading, vec![patch()]);
+    let mut shown = Shown::with(WorkState::Ready, heading, vec![patch()]);
     shown.standing = PatchStanding::LowThickening;
     let shown = harness(shown);
     shown.get_by_label_contains("Region 1: Area 21 cm²");
@@ -106,7 +106,7 @@ fn a_region_of_low_thickening_without_a_verdict_of_a_patch_is_not_called_one() {
 fn what_is_not_assessed_says_why_and_has_no_table() {
     let why = "2 frames are too few";
     let shown = harness(Shown::with(
-        WallState::NotAssessed(why.to_owned()),
+        WorkState::Unanswerable(why.to_owned()),
         "",
         Vec::new(),
     ));
@@ -117,7 +117,7 @@ fn what_is_not_assessed_says_why_and_has_no_table() {
 
 #[test]
 fn a_stopped_measurement_can_be_begun_again() {
-    let mut shown = harness(Shown::with(WallState::Stopped, "", Vec::new()));
+    let mut shown = harness(Shown::with(WorkState::Stopped, "", Vec::new()));
     shown.get_by_label("Measure again").click();
     shown.run();
     assert_eq!(
@@ -130,7 +130,7 @@ fn a_stopped_measurement_can_be_begun_again() {
 
 #[test]
 fn the_border_moves_by_keyboard_and_takes_its_core_along() {
-    let mut shown = harness(Shown::with(WallState::Ready, "No patch", Vec::new()));
+    let mut shown = harness(Shown::with(WorkState::Ready, "No patch", Vec::new()));
     let slider = egui::accesskit::Role::Slider;
     shown
         .get_by_role_and_label(slider, "Extent threshold")

@@ -3,10 +3,8 @@
 use crate::analysis::thickening::Thickening;
 use crate::analysis::verdicts::Finding;
 use crate::document::state::State;
-use crate::panes::PatchNote;
-use crate::picture::{
-    PatchStanding, WallPart, area_text, part_name, patch_heading, percent, segment_words,
-};
+use crate::panes::viewport::overlay::PatchNote;
+use crate::picture::{PatchStanding, area_text, part_name, patch_heading, percent, segment_words};
 use crate::report::PatchRow;
 use crate::units::LengthUnit;
 
@@ -33,7 +31,7 @@ pub fn standing_note(state: &State, found: &Thickening) -> String {
     format!(". {why}")
 }
 
-/// What the picture of a heart says of its patches; `None` where they are hidden or nothing is known yet.
+/// What the picture of a subject says of its patches; `None` where they are hidden or nothing is known yet.
 pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
     let document = &state.document;
     if !document.visibility.patches {
@@ -43,10 +41,7 @@ pub fn patch_note(state: &State, subject: usize) -> Option<PatchNote> {
         return None;
     };
     let thickening = &found.thickening;
-    let chosen = match document.part {
-        Some(WallPart::Patch(patch)) if subject == document.subject => Some(patch),
-        _ => None,
-    };
+    let chosen = (document.selected_patch()).filter(|_| subject == document.subject);
     let one = match (thickening.patches.as_slice(), chosen) {
         ([only], _) => Some((0, only)),
         (patches, Some(index)) => patches.get(index).map(|patch| (index, patch)),

@@ -1,19 +1,7 @@
 //! The words of the pose map.
 
-use egui::Ui;
-
 use crate::engine::{PoseMapParams, Topic};
-use crate::panes::commands::Command;
-use crate::panes::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
-
-/// What the pane of poses shows.
-#[derive(Clone, Debug)]
-pub struct PoseMapView<'a> {
-    /// Its points, and how the map stands.
-    pub map: ScatterView<'a>,
-    /// How poses are compared and mapped.
-    pub params: PoseMapParams,
-}
+use crate::panes::scatter_map::{MapWords, play};
 
 /// The words of the map.
 pub static POSE_MAP: MapWords = MapWords {
@@ -39,8 +27,3 @@ const EXPLANATION: &str = "Kruskal's stress 1: relative error of the distances o
                            good, above 0.2 misleading. Only distances between points can be \
                            interpreted; the axes have no unit. Filled marks are end-diastole, open \
                            ones end-systole.";
-
-/// Draws the map below its header.
-pub fn pose_map_ui(ui: &mut Ui, view: &PoseMapView, commands: &mut Vec<Command>) {
-    scatter_map_ui(ui, &view.map, 0.0, commands);
-}

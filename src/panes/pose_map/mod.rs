@@ -7,5 +7,4 @@ pub(crate) mod spec;
 mod tests;
 pub(crate) mod view;
 
-pub use header::{pose_map_choosers_ui, pose_map_header_ui};
-pub use map::{POSE_MAP, PoseMapView, pose_map_note, pose_map_ui};
+pub use {header::*, map::*};

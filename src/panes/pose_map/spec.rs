@@ -2,13 +2,13 @@
 
 use egui::Ui;
 
+use super::pose_map_choosers_ui;
+use super::view::pose_map;
+use crate::panes::cohort::view::cohort_data;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
-use crate::panes::look::{Kept, motion};
 use crate::panes::pane::{Header, PaneSpec, Place};
-
-use super::view::MapData;
-use super::{pose_map_choosers_ui, pose_map_header_ui, pose_map_ui};
+use crate::panes::scatter_map::scatter_map_ui;
 
 impl Pane {
     /// The pose map.
@@ -20,41 +20,23 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::POSE_MAP,
     title: "Poses",
     toggle: "Pane: poses",
+    open: Some((2, "Pose map")),
     place: Place::Above,
-    header: Header::Own(header_ui, choosers_ui),
+    header: Header::Named(choosers_ui),
     ui,
 };
 
-/// The points of the pose map, which other panes show, too; asks for another picture while they walk.
-pub fn map_data(ui: &Ui, look: &Look<'_>) -> Kept<MapData> {
-    let data = look.memo().get::<MapData>();
-    let (now_s, moves) = motion(ui);
-    if data.borrow_mut().refresh(look.state(), now_s, moves) {
-        ui.ctx().request_repaint();
-    }
-    data
-}
-
-fn header_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let data = map_data(ui, look);
-    let data = data.borrow_mut();
-    let map = look.state().answers.map.as_ref();
-    pose_map_header_ui(ui, &data.view(look.state(), map), commands);
-}
-
 fn choosers_ui(ui: &mut Ui, look: &Look<'_>, taken: f32, commands: &mut Vec<Command>) {
-    let room = ui.available_width() - taken;
-    if room > 90.0 {
-        let data = map_data(ui, look);
-        let data = data.borrow_mut();
-        let map = look.state().answers.map.as_ref();
-        pose_map_choosers_ui(ui, &data.view(look.state(), map), room > 250.0, commands);
-    }
+    pose_map_choosers_ui(ui, look.state().document.map, taken, commands);
 }
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let data = map_data(ui, look);
-    let data = data.borrow_mut();
-    let map = look.state().answers.map.as_ref();
-    pose_map_ui(ui, &data.view(look.state(), map), commands);
+    let (points, cohort) = (pose_map(ui, look), cohort_data(look));
+    let (points, cohort) = (points.borrow_mut(), cohort.borrow_mut());
+    scatter_map_ui(
+        ui,
+        &super::view::view(&points, look.state(), cohort.rows()),
+        0.0,
+        commands,
+    );
 }

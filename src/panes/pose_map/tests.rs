@@ -6,7 +6,8 @@ use super::*;
 use crate::analysis::embedding::MapMethod;
 use crate::engine::PoseMapParams;
 use crate::panes::commands::{Command, MapCommand, Pane, WindowCommand};
-use crate::panes::scatter_map::{ScatterPoint, ScatterView};
+use crate::panes::scatter_map::{ScatterPoint, ScatterView, scatter_map_ui};
+use crate::ui::controls::named_header_ui;
 
 fn harness() -> Harness<'static, Vec<Command>> {
     let mut harness = Harness::builder()
@@ -22,9 +23,10 @@ fn harness() -> Harness<'static, Vec<Command>> {
                     ..ScatterView::new(&POSE_MAP, &[], &points)
                 };
                 let params = PoseMapParams::default();
-                let view = PoseMapView { map, params };
-                pose_map_header_ui(ui, &view, commands);
-                pose_map_ui(ui, &view, commands);
+                named_header_ui(ui, "Poses", |ui| {
+                    pose_map_choosers_ui(ui, params, 56.0, commands);
+                });
+                scatter_map_ui(ui, &map, 0.0, commands);
             },
             Vec::new(),
         );

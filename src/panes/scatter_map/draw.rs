@@ -21,7 +21,7 @@ pub trait Projection {
     /// The part of the screen that is drawn on.
     fn rect(&self) -> Rect;
 
-    /// Where a place at a share of the beat is on screen, and its depth; nearer is less.
+    /// Where a place at a share of the cycle is on screen, and its depth; nearer is less.
     fn see(&self, at: [f64; 2], share: f64) -> (Pos2, f32);
 
     /// How much of its colour something keeps at a depth.
@@ -93,7 +93,7 @@ fn mark(phase: PosePhase) -> (f32, f32, bool) {
         PosePhase::EndDiastole => (4.0, 5.4, true),
         PosePhase::EndSystole => (4.0, 5.4, false),
         PosePhase::Between => (2.0, 2.7, true),
-        PosePhase::WholeBeat => (4.5, 5.5, true),
+        PosePhase::WholeMotion => (4.5, 5.5, true),
     }
 }
 
@@ -132,7 +132,7 @@ impl<P: Projection> Canvas<'_, P> {
     }
 
     /// Lines of a path, dashed where nothing is known between two points and from the last point
-    /// back to the first at the end of the beat. `split` keeps each line for itself.
+    /// back to the first at the end of the cycle. `split` keeps each line for itself.
     fn runs(&self, path: &Range<usize>, split: bool) -> Vec<Run> {
         let mut runs: Vec<Run> = Vec::new();
         for index in path.start + 1..path.end {
@@ -182,7 +182,7 @@ impl<P: Projection> Canvas<'_, P> {
             let (at, depth) = self.seen[index];
             let strength = match point.phase {
                 PosePhase::Between => 0.55 * strength,
-                PosePhase::EndDiastole | PosePhase::EndSystole | PosePhase::WholeBeat => strength,
+                PosePhase::EndDiastole | PosePhase::EndSystole | PosePhase::WholeMotion => strength,
             };
             let colour = self.resting_colour(point.subject, strength, depth);
             let (radius, _, filled) = mark(point.phase);
@@ -230,7 +230,7 @@ impl<P: Projection> Canvas<'_, P> {
             let (_, radius, filled) = mark(point.phase);
             let role = self.view.role(point.subject);
             let shape = role_shape(at, radius, role, colour, filled);
-            if point.phase == PosePhase::WholeBeat {
+            if point.phase == PosePhase::WholeMotion {
                 // A single point has no path that stands out: it gets a ring.
                 self.painter.circle_filled(at, 8.5, self.colours.pane);
                 self.painter.add(shape);
@@ -285,7 +285,7 @@ impl<P: Projection> Canvas<'_, P> {
         if let Some(point) = pointed.point.and_then(|index| self.view.points.get(index)) {
             let at = self.projection.see(point.at, point.share).0;
             let radius = match point.phase {
-                PosePhase::WholeBeat => 11.5,
+                PosePhase::WholeMotion => 11.5,
                 PosePhase::EndDiastole | PosePhase::EndSystole | PosePhase::Between => 9.0,
             };
             self.painter.circle_stroke(at, radius, ring);

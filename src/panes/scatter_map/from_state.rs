@@ -1,66 +1,92 @@
-//! What the views of all maps share: what they are made from, how they stand, and who is selected.
+//! What all maps of a study share: what their points are made from, who is not on them, and who is selected.
 
 use std::sync::Arc;
 
+use egui::Ui;
+
 use crate::analysis::measures::SubjectMeasures;
-use crate::document::ViewMode;
 use crate::document::play::pose_at;
 use crate::document::state::State;
-use crate::engine::{Interrupted, Showing};
-use crate::panes::{MapState, MapSubject, MapWords, ScatterPoint, ScatterView, places_between};
+use crate::panes::cohort::rows::CohortRow;
+use crate::panes::look::motion;
+use crate::panes::same::Same;
+use crate::panes::scatter_map::{MapWords, ScatterData, ScatterPoint, ScatterView, places_between};
+use crate::panes::work_state::WorkState;
 use crate::study::{Revision, Study};
 
-/// A shared value that is equal only to itself, or to nothing where both are absent.
-#[derive(Debug)]
-pub struct Shared<T>(Option<Arc<T>>);
+/// What points depend on beside their map: the study, and its measures for the phases.
+pub type Details = (Revision, Option<Same<Vec<SubjectMeasures>>>);
 
-impl<T> Shared<T> {
-    /// Holds the value.
-    pub fn of(value: Option<&Arc<T>>) -> Self {
-        Self(value.cloned())
-    }
+/// Points of the map `M` of the study on screen, made of it and of a further detail `D`, with who is not on it.
+#[derive(Debug)]
+pub struct MapPoints<M, D = ()> {
+    data: ScatterData<Option<Same<M>>, (Details, D)>,
+    left_out: Vec<String>,
 }
 
-impl<T> PartialEq for Shared<T> {
-    fn eq(&self, other: &Self) -> bool {
-        match (&self.0, &other.0) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (None, None) => true,
-            (Some(_), None) | (None, Some(_)) => false,
+impl<M, D> Default for MapPoints<M, D> {
+    fn default() -> Self {
+        Self {
+            data: ScatterData::default(),
+            left_out: Vec::new(),
         }
     }
 }
 
-/// What points depend on beside their map: the study, and its measures for the phases.
-pub type Details = (Revision, Shared<Vec<SubjectMeasures>>);
+impl<M, D: PartialEq> MapPoints<M, D> {
+    /// Has `make` make points and the list of who is missing again where the study, the map or a detail changed; moves
+    /// points that are on their way, and asks for another picture while any are.
+    pub fn refresh(
+        &mut self,
+        ui: &Ui,
+        state: &State,
+        map: Option<&Arc<M>>,
+        detail: D,
+        make: impl FnOnce(&M) -> (Vec<ScatterPoint>, Vec<String>),
+    ) {
+        let (now_s, moves) = motion(ui);
+        let document = &state.document;
+        let details = (document.study().revision, Same::of(state.measures()));
+        let sources = (document.study.opening, Same::of(map), (details, detail));
+        self.data.refresh(sources, now_s, moves, || {
+            let (points, left_out) = map.map_or_else(Default::default, |map| make(map));
+            self.left_out = left_out;
+            points
+        });
+        if self.data.advance(now_s) {
+            ui.ctx().request_repaint();
+        }
+    }
 
-/// The study on screen and its measures.
-pub fn details(state: &State) -> Details {
-    let revision = state.document.study().revision;
-    (revision, Shared::of(state.measures()))
-}
+    /// Who is not on the map, and why.
+    pub fn left_out(&self) -> &[String] {
+        &self.left_out
+    }
 
-/// A map of these points as the document shows it.
-pub fn scatter_view<'a>(
-    state: &State,
-    words: &'static MapWords,
-    map_state: MapState,
-    subjects: &'a [MapSubject],
-    points: &'a [ScatterPoint],
-) -> ScatterView<'a> {
-    let document = &state.document;
-    let pose = pose_at(document.position, document.frame_count());
-    let frames = [pose.from, pose.to];
-    let compared = (document.view_mode == ViewMode::SideBySide)
-        .then(|| document.compared())
-        .flatten();
-    ScatterView {
-        state: map_state,
-        selected: document.selected().map(|_| document.subject),
-        compared,
-        current: places_between(points, document.subject, frames, f64::from(pose.blend)),
-        shows_clusters: document.shows_clusters,
-        ..ScatterView::new(words, subjects, points)
+    /// The map as the document shows it.
+    pub fn view<'a>(
+        &'a self,
+        state: &State,
+        words: &'static MapWords,
+        work: WorkState,
+        subjects: &'a [CohortRow],
+    ) -> ScatterView<'a> {
+        let (document, points) = (&state.document, self.data.points());
+        let pose = pose_at(document.position, document.frame_count());
+        let frames = [pose.from, pose.to];
+        ScatterView {
+            state: if document.study().subjects.is_empty() {
+                WorkState::Empty
+            } else {
+                work
+            },
+            selected: document.selected_index(),
+            compared: document.compared_on_screen(),
+            current: places_between(points, document.subject, frames, f64::from(pose.blend)),
+            shows_clusters: document.shows_clusters,
+            left_out: &self.left_out,
+            ..ScatterView::new(words, subjects, points)
+        }
     }
 }
 
@@ -80,26 +106,4 @@ pub fn left_out<R: std::fmt::Display>(
             Some(format!("{}: {reason}", subject.id))
         })
         .collect()
-}
-
-/// How a map stands, from how its work stands; `None` where it is not asked for yet.
-pub fn map_state<T>(state: &State, showing: Option<&Showing<T>>) -> MapState {
-    if state.document.study().subjects.is_empty() {
-        return MapState::Empty;
-    }
-    match showing {
-        Some(Showing::Ready(_)) => MapState::Ready,
-        None => MapState::Computing {
-            fraction: 0.0,
-            seconds_left: None,
-        },
-        Some(Showing::Computing { watch, .. }) => MapState::Computing {
-            fraction: watch.fraction(),
-            seconds_left: watch.time_left().map(|left| left.as_secs_f64()),
-        },
-        Some(Showing::Interrupted { why, .. }) => match why {
-            Interrupted::Stopped => MapState::Stopped,
-            Interrupted::Failed(error) => MapState::Failed(error.to_string()),
-        },
-    }
 }

@@ -3,6 +3,7 @@
 use egui::{Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::picture::nice_floor;
+use crate::ui::controls::clicked_twice;
 use crate::ui::theme::{colours, line};
 
 use super::input::{key_zoom, pointer_zoom};
@@ -42,7 +43,7 @@ pub fn ground_ui(ui: &mut Ui, view: &ScatterView, below: f32) -> Ground {
     );
     let kept: Option<Moved> = ui.data(|data| data.get_temp(id));
     let mut lens = kept.map_or(fitted, |moved| moved.applied_to(&fitted));
-    if response.double_clicked() {
+    if clicked_twice(&response) {
         ui.data_mut(|data| data.remove::<Moved>(id));
         lens = fitted;
     } else if turn_lens(ui, &response, rect, &mut lens) {

@@ -65,14 +65,8 @@ fn role_count_ui(ui: &mut Ui, role: LabelRole, count: usize, wide: bool) {
     let colours = colours(ui);
     ui.spacing_mut().item_spacing.x = space::SMALL;
     let (mark, _) = ui.allocate_exact_size(vec2(10.0, 12.0), Sense::hover());
-    role_mark(
-        ui.painter(),
-        mark.center(),
-        4.0,
-        role,
-        colours.role(role),
-        role != LabelRole::Unknown,
-    );
+    let filled = role != LabelRole::Unknown;
+    role_mark(ui, mark.center(), 4.0, role, filled);
     let name = format!("{} {count}", role_name(role));
     let text = if wide {
         name.clone()
@@ -151,7 +145,7 @@ fn clusters_ui(
         .checkbox(&mut shown, note("Clusters"))
         .on_hover_text("Groups that k-means finds without knowing the labels");
     if box_ui.clicked() {
-        commands.push(Command::Map(MapCommand::ToggleClusters));
+        commands.push(MapCommand::ToggleClusters.into());
     }
 }
 

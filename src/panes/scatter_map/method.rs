@@ -4,19 +4,22 @@ use egui::Ui;
 
 use crate::analysis::embedding::MapMethod;
 use crate::panes::metric::words::method_name;
-use crate::ui::controls::choice_ui;
+use crate::ui::controls::choices_ui;
 
 /// Draws all methods; the one that was clicked. Isomap keeps the number of neighbours it has.
 pub fn method_choices_ui(ui: &mut Ui, chosen: MapMethod) -> Option<MapMethod> {
-    let isomap = match chosen {
+    let methods = [MapMethod::ClassicalMds, MapMethod::Smacof, isomap(chosen)];
+    choices_ui(
+        ui,
+        methods.map(|method| (method, method_name(method))),
+        chosen,
+    )
+}
+
+/// Isomap with the neighbours it has, or those of the start.
+pub fn isomap(chosen: MapMethod) -> MapMethod {
+    match chosen {
         MapMethod::Isomap { .. } => chosen,
         MapMethod::ClassicalMds | MapMethod::Smacof => MapMethod::ISOMAP,
-    };
-    let mut clicked = None;
-    for method in [MapMethod::ClassicalMds, MapMethod::Smacof, isomap] {
-        if choice_ui(ui, method_name(method), chosen == method) {
-            clicked = Some(method);
-        }
     }
-    clicked
 }

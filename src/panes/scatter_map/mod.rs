@@ -25,14 +25,5 @@ mod state;
 mod tests;
 mod view;
 
-pub use data::ScatterData;
-pub use draw::{Projection, draw_points};
-pub use input::{key_zoom, pointer_zoom, pressed_arrows};
-pub use lens::bounds;
-pub use map::scatter_map_ui;
-pub use method::method_choices_ui;
-pub use path::{paths, places_between};
-pub use point::{PosePhase, ScatterPoint};
-pub use respond::{pointed_at, respond_ui};
-pub use state::without_map_ui;
-pub use view::{MapState, MapSubject, MapWords, ScatterView, play};
+pub use {data::*, draw::*, input::*, map::*, method::*, path::*, point::*, respond::*, view::*};
+pub use {lens::bounds, state::without_map_ui};

@@ -1,6 +1,6 @@
 //! One point of a map, as plain values.
 
-/// What a point is within the beat; it decides the mark.
+/// What a point is within the cycle; it decides the mark.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum PosePhase {
     /// The pose of largest volume, or a step that begins there.
@@ -10,8 +10,8 @@ pub enum PosePhase {
     /// Any other pose.
     #[default]
     Between,
-    /// The whole beat.
-    WholeBeat,
+    /// The whole motion.
+    WholeMotion,
 }
 
 impl PosePhase {
@@ -34,15 +34,15 @@ pub struct ScatterPoint {
     pub subject: usize,
     /// Place of its patch in the list, from 0; `None` where the subject has one path.
     pub patch: Option<usize>,
-    /// First and last frame that it stands for, the same for a pose; `None` for a whole beat.
+    /// First and last frame that it stands for, the same for a pose; `None` for a whole motion.
     pub frames: Option<[usize; 2]>,
     /// The frame from which a click plays.
     pub start_frame: usize,
     /// Place on the map; it has no unit.
     pub at: [f64; 2],
-    /// Share of the beat at its first frame, in `0..1`.
+    /// Share of the cycle at its first frame, in `0..1`.
     pub share: f64,
-    /// What it is within the beat.
+    /// What it is within the cycle.
     pub phase: PosePhase,
     /// What follows the subject's name beside the point while the subject is selected; `None`
     /// writes nothing there.

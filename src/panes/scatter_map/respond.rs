@@ -42,11 +42,11 @@ pub fn respond_ui(
         commands.push((view.words.command)(point));
     }
     name_paths(ui, view, projection, &response);
-    over_map_ui(ui, &view.state, view.job, projection.rect(), commands);
+    over_map_ui(ui, view, projection.rect(), commands);
     hover_ui(response, view, hovered);
 }
 
-/// Names paths for whoever does not see them, each in the middle of its beat.
+/// Names paths for whoever does not see them, each in the middle of its cycle.
 fn name_paths(ui: &Ui, view: &ScatterView, projection: &impl Projection, canvas: &Response) {
     for path in paths(view.points) {
         let point = &view.points[path.start + path.len() / 2];

@@ -3,42 +3,51 @@
 use egui::{Rect, Ui, vec2};
 
 use crate::engine::Topic;
+use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WorkCommand};
-use crate::ui::controls::progress_text;
+use crate::panes::work_state::WorkState;
 use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
 use crate::ui::style::note;
+use crate::ui::text::progress_text;
 use crate::ui::theme::{colours, space};
 
-use super::view::{MapState, ScatterView};
+use super::view::ScatterView;
 
 /// Draws a pane that has no map to show.
 pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
     let (words, job) = (view.words, view.job);
+    let retry = WorkCommand::Retry(job);
     match &view.state {
-        MapState::Empty | MapState::Ready => empty_pane_ui(ui, words.empty, words.what, |_| {}),
-        MapState::Computing {
-            fraction,
-            seconds_left,
-        } => {
-            empty_pane_ui(
-                ui,
-                "Computing the map",
-                "Other panes remain usable.",
-                |ui| {
-                    let width = 200f32.min(ui.available_width());
-                    progress_bar_ui(ui, width, *fraction, "Computing the map");
-                    ui.label(note(progress_text(*fraction, *seconds_left)));
-                    cancel_ui(ui, "Cancel", job, commands);
-                },
-            );
+        WorkState::Empty | WorkState::Waiting | WorkState::Ready => {
+            empty_pane_ui(ui, words.empty, words.what, |_| {});
         }
-        MapState::Stopped => empty_pane_ui(ui, "Map computation stopped", words.what, |ui| {
-            retry_ui(ui, "Compute the map", job, commands);
+        computing @ WorkState::Computing { .. } => {
+            let what = "Other panes remain usable.";
+            empty_pane_ui(ui, "Computing the map", what, |ui| {
+                let width = 200f32.min(ui.available_width());
+                progress_ui(ui, computing, width);
+                cancel_ui(ui, "Cancel", job, commands);
+            });
+        }
+        WorkState::Stopped => empty_pane_ui(ui, "Map computation stopped", words.what, |ui| {
+            command_button_ui(ui, "Compute the map", retry, commands);
         }),
-        MapState::Failed(why) => empty_pane_ui(ui, words.none, why, |ui| {
-            retry_ui(ui, "Retry", job, commands);
+        WorkState::Failed(why) => empty_pane_ui(ui, words.none, why, |ui| {
+            command_button_ui(ui, "Retry", retry, commands);
         }),
-        MapState::Unanswerable(why) => empty_pane_ui(ui, words.none, why, |_| {}),
+        WorkState::Unanswerable(why) => empty_pane_ui(ui, words.none, why, |_| {}),
+    }
+}
+
+fn progress_ui(ui: &mut Ui, state: &WorkState, width: f32) {
+    if let WorkState::Computing {
+        fraction,
+        seconds_left,
+        ..
+    } = state
+    {
+        progress_bar_ui(ui, width, *fraction, "Computing the map");
+        ui.label(note(progress_text(*fraction, *seconds_left)));
     }
 }
 
@@ -48,27 +57,13 @@ fn cancel_ui(
     job: Topic,
     commands: &mut Vec<Command>,
 ) {
-    let button = ui.button(name.into());
-    if button.on_hover_text("Stop computing the map").clicked() {
-        commands.push(Command::Work(WorkCommand::Cancel(job)));
-    }
-}
-
-fn retry_ui(ui: &mut Ui, name: &str, job: Topic, commands: &mut Vec<Command>) {
-    if ui.button(name).clicked() {
-        commands.push(Command::Work(WorkCommand::Retry(job)));
-    }
+    command_button_ui(ui, name, WorkCommand::Cancel(job), commands)
+        .on_hover_text("Stop computing the map");
 }
 
 /// Draws a card over a map that is not that of the settings: the previous map is shown below.
-pub fn over_map_ui(
-    ui: &mut Ui,
-    state: &MapState,
-    job: Topic,
-    rect: Rect,
-    commands: &mut Vec<Command>,
-) {
-    if matches!(state, MapState::Ready | MapState::Empty) {
+pub fn over_map_ui(ui: &mut Ui, view: &ScatterView, rect: Rect, commands: &mut Vec<Command>) {
+    if !view.out_of_date() {
         return;
     }
     let width = (rect.width() - 24.0).min(300.0);
@@ -80,27 +75,22 @@ pub fn over_map_ui(
     let frame = egui::Frame::popup(child.style()).inner_margin(egui::Margin::symmetric(10, 4));
     frame.show(&mut child, |ui| {
         ui.set_width(width - 20.0);
-        ui.horizontal(|ui| match state {
-            MapState::Computing {
-                fraction,
-                seconds_left,
-            } => {
-                let width = (width - 190.0).max(30.0);
-                progress_bar_ui(ui, width, *fraction, "Computing the map");
-                ui.label(note(progress_text(*fraction, *seconds_left)));
-                cancel_ui(ui, note("Cancel"), job, commands);
+        ui.horizontal(|ui| match &view.state {
+            WorkState::Computing { .. } => {
+                progress_ui(ui, &view.state, (width - 190.0).max(30.0));
+                cancel_ui(ui, note("Cancel"), view.job, commands);
             }
-            MapState::Failed(why) => {
+            WorkState::Failed(why) => {
                 let colour = colours(ui).error;
-                retry_ui(ui, "Retry", job, commands);
+                command_button_ui(ui, "Retry", WorkCommand::Retry(view.job), commands);
                 ui.add(egui::Label::new(egui::RichText::new(why).small().color(colour)).truncate());
             }
-            MapState::Unanswerable(why) => {
+            WorkState::Unanswerable(why) => {
                 ui.add(egui::Label::new(note(why)).truncate());
             }
-            MapState::Stopped | MapState::Ready | MapState::Empty => {
+            WorkState::Stopped | WorkState::Waiting | WorkState::Ready | WorkState::Empty => {
                 ui.label(note("Stopped; the previous map is shown"));
-                retry_ui(ui, "Retry", job, commands);
+                command_button_ui(ui, "Retry", WorkCommand::Retry(view.job), commands);
                 ui.add_space(space::SMALL);
             }
         });

@@ -7,23 +7,25 @@ use super::lens::Lens;
 use super::view::play;
 use super::*;
 use crate::engine::{PoseMapParams, Topic};
+use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command, MapCommand, WorkCommand};
+use crate::panes::work_state::WorkState;
 use crate::study::LabelRole;
 
 /// Points and subjects of a small map: two poses of P0, one of P1, one each of two patches of P2.
 pub struct Map {
-    pub subjects: Vec<MapSubject>,
+    pub subjects: Vec<CohortRow>,
     pub points: Vec<ScatterPoint>,
 }
 
 impl Default for Map {
     fn default() -> Self {
         let roles = [LabelRole::Unknown, LabelRole::Normal, LabelRole::Abnormal];
-        let subject = |(index, role): (usize, LabelRole)| MapSubject {
+        let subject = |(index, role): (usize, LabelRole)| CohortRow {
             id: format!("P{index}"),
             role,
             ejection_fraction: Some(0.5),
-            ..MapSubject::default()
+            ..CohortRow::default()
         };
         let point = |(subject, patch, frame, at)| ScatterPoint {
             subject,
@@ -77,7 +79,7 @@ pub fn view(map: &Map) -> ScatterView<'_> {
 type Shown = Harness<'static, Vec<Command>>;
 
 /// The map, alone or two of them one above the other, changed by `change`.
-fn harness(count: usize, change: impl Fn(&mut Map, &mut MapState) + 'static) -> Shown {
+fn harness(count: usize, change: impl Fn(&mut Map, &mut WorkState) + 'static) -> Shown {
     let mut harness = Harness::builder()
         .with_size([400.0, 300.0 * count as f32])
         .with_step_dt(1.0 / 30.0)
@@ -85,7 +87,7 @@ fn harness(count: usize, change: impl Fn(&mut Map, &mut MapState) + 'static) -> 
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
         .build_ui_state(
             move |ui, commands: &mut Vec<Command>| {
-                let (mut map, mut state) = (Map::default(), MapState::Ready);
+                let (mut map, mut state) = (Map::default(), WorkState::Ready);
                 change(&mut map, &mut state);
                 for index in 0..count {
                     let view = ScatterView {
@@ -172,6 +174,32 @@ fn after_a_drag_points_are_hit_where_they_are_seen_and_a_double_click_shows_all(
 }
 
 #[test]
+fn a_click_right_after_a_double_click_shows_all_again() {
+    let mut harness = plain();
+    let ground = place(&harness, 2) + vec2(-60.0, 40.0);
+    let seen = |harness: &Shown| harness.get_by_label("Path of P1, normal").rect().center();
+    let at_first = seen(&harness);
+    let click = |harness: &mut Shown| {
+        harness.drag_at(ground);
+        harness.drop_at(ground);
+        harness.step();
+    };
+    click(&mut harness);
+    click(&mut harness);
+    harness.drag_at(ground);
+    harness.step();
+    harness.hover_at(ground + vec2(-50.0, 20.0));
+    harness.step();
+    harness.drop_at(ground + vec2(-50.0, 20.0));
+    harness.step();
+    assert!((seen(&harness) - at_first).length() > 20.0);
+    // egui counts it as the third of a triple click.
+    click(&mut harness);
+    harness.run();
+    assert!((seen(&harness) - at_first).length() < 0.5);
+}
+
+#[test]
 fn arrows_and_enter_play_a_subject_without_the_pointer() {
     let mut harness = plain();
     harness.get_by_label("Map").focus();
@@ -246,7 +274,7 @@ fn a_subject_under_the_pointer_stands_out_on_every_map_until_the_pointer_leaves(
 #[test]
 fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
     for with_points in [false, true] {
-        let shown = |state: MapState| {
+        let shown = |state: WorkState| {
             harness(1, move |map, shown| {
                 *shown = state.clone();
                 if !with_points {
@@ -254,8 +282,9 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
                 }
             })
         };
-        let mut computing = shown(MapState::Computing {
+        let mut computing = shown(WorkState::Computing {
             fraction: 0.4,
+            phase: String::new(),
             seconds_left: None,
         });
         computing.get_by_label("40 %");
@@ -272,7 +301,7 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
         } else {
             "Compute the map"
         };
-        let mut stopped = shown(MapState::Stopped);
+        let mut stopped = shown(WorkState::Stopped);
         stopped.get_by_label(again).click();
         stopped.run();
         assert_eq!(
@@ -286,17 +315,17 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
 
 #[test]
 fn a_study_without_a_map_says_why_and_offers_a_retry_only_where_it_may_help() {
-    let without = |state: MapState| {
+    let without = |state: WorkState| {
         harness(1, move |map, shown| {
             *shown = state.clone();
             map.points.clear();
         })
     };
-    without(MapState::Empty).get_by_label("Nothing here");
-    let failed = without(MapState::Failed("too few poses".to_owned()));
+    without(WorkState::Empty).get_by_label("Nothing here");
+    let failed = without(WorkState::Failed("too few poses".to_owned()));
     failed.get_by_label("too few poses");
     failed.get_by_label("Retry");
-    let never = without(MapState::Unanswerable("no wall".to_owned()));
+    let never = without(WorkState::Unanswerable("no wall".to_owned()));
     never.get_by_label("no wall");
     assert!(never.query_by_label("Retry").is_none());
 }

@@ -1,47 +1,13 @@
 //! What a map of points shows, as plain values: each map fills these in, and all are drawn alike.
 
 use crate::engine::Topic;
+use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::work_state::WorkState;
 use crate::study::LabelRole;
 
 use super::path::paths;
 use super::point::{PosePhase, ScatterPoint};
-
-/// How a map stands.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum MapState {
-    /// Nothing to map.
-    #[default]
-    Empty,
-    /// The points are those of the settings.
-    Ready,
-    /// A new map is being computed; the points are those of the one before, if any.
-    Computing {
-        /// Done share in `0..=1`.
-        fraction: f32,
-        /// Estimated seconds left, once they can be told.
-        seconds_left: Option<f64>,
-    },
-    /// The user stopped it.
-    Stopped,
-    /// It could not be computed, and why.
-    Failed(String),
-    /// This study has no such map, and why; trying again would change nothing.
-    Unanswerable(String),
-}
-
-/// A subject of a map.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct MapSubject {
-    /// Pseudonym.
-    pub id: String,
-    /// Free text, as in the study.
-    pub label: Option<String>,
-    /// The class that the label stands for.
-    pub role: LabelRole,
-    /// Ejection fraction as a fraction.
-    pub ejection_fraction: Option<f64>,
-}
 
 /// The words of one map, and what its points ask for.
 #[derive(Clone, Copy, Debug)]
@@ -66,10 +32,12 @@ pub struct MapWords {
 
 /// Shows a point's subject from its first frame and plays.
 pub fn play(point: &ScatterPoint) -> Command {
+    let (subject, frame) = (point.subject, point.start_frame);
+    let play = true;
     Command::Beat(BeatCommand::SelectPose {
-        subject: point.subject,
-        frame: point.start_frame,
-        play: true,
+        subject,
+        frame,
+        play,
     })
 }
 
@@ -79,11 +47,11 @@ pub struct ScatterView<'a> {
     /// Its words.
     pub words: &'static MapWords,
     /// How the map stands.
-    pub state: MapState,
+    pub state: WorkState,
     /// The work that Cancel and Retry are about.
     pub job: Topic,
     /// All subjects of the study.
-    pub subjects: &'a [MapSubject],
+    pub subjects: &'a [CohortRow],
     /// All points; none where there is no map.
     pub points: &'a [ScatterPoint],
     /// The selected subject.
@@ -106,12 +74,12 @@ impl<'a> ScatterView<'a> {
     /// A map of these points as it is computed, with nothing selected.
     pub fn new(
         words: &'static MapWords,
-        subjects: &'a [MapSubject],
+        subjects: &'a [CohortRow],
         points: &'a [ScatterPoint],
     ) -> Self {
         Self {
             words,
-            state: MapState::Ready,
+            state: WorkState::Ready,
             job: words.job,
             subjects,
             points,
@@ -138,7 +106,7 @@ impl<'a> ScatterView<'a> {
 
     /// Whether the points are not those of the settings.
     pub fn out_of_date(&self) -> bool {
-        !matches!(self.state, MapState::Ready | MapState::Empty)
+        !matches!(self.state, WorkState::Ready | WorkState::Empty)
     }
 
     /// "P05 · frame 3, 12 % R-R · end-diastole".
@@ -155,7 +123,7 @@ impl<'a> ScatterView<'a> {
         let phase = match point.phase {
             PosePhase::EndDiastole => Some("end-diastole".to_owned()),
             PosePhase::EndSystole => Some("end-systole".to_owned()),
-            PosePhase::Between | PosePhase::WholeBeat => None,
+            PosePhase::Between | PosePhase::WholeMotion => None,
         };
         let parts: Vec<String> = [Some(id), frames, phase].into_iter().flatten().collect();
         parts.join(" · ")

@@ -1,4 +1,4 @@
-//! From poses and shares of the beat to places on screen: a box that is turned, then seen in weak perspective.
+//! From poses and shares of the cycle to places on screen: a box that is turned, then seen in weak perspective.
 
 use egui::{Pos2, Rect, Vec2, pos2};
 

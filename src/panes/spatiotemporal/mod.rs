@@ -1,4 +1,4 @@
-//! The spatiotemporal plot: poses by the two axes of their map and the share of the beat, seen from
+//! The spatiotemporal plot: poses by the two axes of their map and the share of the cycle, seen from
 //! any side.
 
 mod axes;
@@ -9,4 +9,4 @@ pub(crate) mod spec;
 #[cfg(test)]
 mod tests;
 
-pub use plot::{SPACE_TIME, SpaceTimeView, space_time_ui};
+pub use plot::*;

@@ -53,7 +53,7 @@ pub fn places_at(
     })
 }
 
-/// Where a path is at a share of the beat, on straight lines between its poses; the last runs into
+/// Where a path is at a share of the cycle, on straight lines between its poses; the last runs into
 /// the first.
 fn place_at(path: &[ScatterPoint], share: f64) -> Option<[f64; 2]> {
     let count = path.len();

@@ -8,20 +8,13 @@ use crate::panes::scatter_map::{
     MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play, pointed_at,
     pointer_zoom, pressed_arrows, respond_ui, without_map_ui,
 };
+use crate::ui::controls::clicked_twice;
+use crate::ui::marks::distance_to;
 use crate::ui::theme::colours;
 
 use super::axes::draw_axes;
 use super::eye::{Eye, Turn};
 use super::phase_plane::{draw_phase_plane, places_at};
-
-/// What the plot shows.
-#[derive(Clone, Debug)]
-pub struct SpaceTimeView<'a> {
-    /// The poses of their map, and how the map stands.
-    pub map: ScatterView<'a>,
-    /// Where the beat stands, as a share in `0..1`.
-    pub share: f64,
-}
 
 /// The words of the plot.
 pub static SPACE_TIME: MapWords = MapWords {
@@ -41,9 +34,9 @@ pub static SPACE_TIME: MapWords = MapWords {
 /// How near to a curve, in points of the screen, a click counts as on it.
 const REACH: f32 = 9.0;
 
-/// Draws the plot: dragging turns it, scrolling zooms, a double click turns it back.
-pub fn space_time_ui(ui: &mut Ui, view: &SpaceTimeView, commands: &mut Vec<Command>) {
-    let map = &view.map;
+/// Draws the plot of a map while the motion stands at a share in `0..1`: dragging turns it, scrolling zooms, a double click
+/// turns it back.
+pub fn space_time_ui(ui: &mut Ui, map: &ScatterView, share: f64, commands: &mut Vec<Command>) {
     if map.points.is_empty() {
         without_map_ui(ui, map, commands);
         return;
@@ -56,13 +49,13 @@ pub fn space_time_ui(ui: &mut Ui, view: &SpaceTimeView, commands: &mut Vec<Comma
     let hovered = pointer.and_then(|pointer| nearest(map, &eye, pointer));
     let (painter, colours) = (ui.painter_at(rect), colours(ui));
     draw_axes(&painter, &eye, colours);
-    draw_phase_plane(&painter, map, view.share, &eye, colours);
+    draw_phase_plane(&painter, map, share, &eye, colours);
     let colour_of = |subject: usize| match Some(subject) {
         chosen if chosen == map.selected => Some(colours.selection),
         chosen if chosen == map.compared => Some(colours.strong),
         _ => None,
     };
-    let current: Vec<(Pos2, Color32)> = places_at(map.points, view.share, &eye)
+    let current: Vec<(Pos2, Color32)> = places_at(map.points, share, &eye)
         .filter_map(|(subject, place)| Some((place, colour_of(subject)?)))
         .collect();
     let pointed = pointed_at(ui, map, &response, hovered);
@@ -79,7 +72,7 @@ fn turned(ui: &Ui, response: &Response) -> Turn {
     let id = response.id.with("turn");
     let before: Turn = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     let mut turn = before;
-    if response.double_clicked() {
+    if clicked_twice(response) {
         turn = Turn::default();
     }
     if response.dragged() {
@@ -119,16 +112,4 @@ fn nearest(view: &ScatterView, eye: &Eye, place: Pos2) -> Option<usize> {
         }
     }
     best.map(|(_, point)| point)
-}
-
-/// How far a place is from a straight line, and how far along it the nearest place lies.
-fn distance_to(from: Pos2, to: Pos2, place: Pos2) -> (f32, f32) {
-    let line = to - from;
-    let length_squared = line.length_sq();
-    let along = if length_squared > 0.0 {
-        ((place - from).dot(line) / length_squared).clamp(0.0, 1.0)
-    } else {
-        0.0
-    };
-    ((from + along * line - place).length(), along)
 }

@@ -2,12 +2,15 @@
 
 use egui::Ui;
 
+use crate::document::document::phase_of;
+use crate::panes::cohort::view::cohort_data;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
-use crate::panes::pose_map::spec::map_data;
+use crate::panes::pose_map::view::pose_map;
+use crate::panes::work_state::WorkState;
 
-use super::space_time_ui;
+use super::{SPACE_TIME, space_time_ui};
 
 impl Pane {
     /// The spatiotemporal plot: poses and time in three dimensions.
@@ -19,14 +22,21 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::SPATIOTEMPORAL,
     title: "3D plot",
     toggle: "Pane: spatiotemporal plot",
+    open: Some((2, "Spatiotemporal plot (3D)")),
     place: Place::Above,
     header: Header::Title,
     ui,
 };
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let data = map_data(ui, look);
-    let data = data.borrow_mut();
-    let map = look.state().answers.map.as_ref();
-    space_time_ui(ui, &data.space_time(look.state(), map), commands);
+    let (points, cohort) = (pose_map(ui, look), cohort_data(look));
+    let (points, cohort) = (points.borrow_mut(), cohort.borrow_mut());
+    let (state, work) = (
+        look.state(),
+        WorkState::of(look.state().answers.map.as_ref()),
+    );
+    let map = points.view(state, &SPACE_TIME, work, cohort.rows());
+    let selected = state.document.selected();
+    let share = selected.map_or(0.0, |subject| phase_of(subject, state.document.position));
+    space_time_ui(ui, &map, share, commands);
 }

@@ -6,8 +6,10 @@ use egui::{Key, Pos2, vec2};
 
 use super::*;
 use crate::engine::{PoseMapParams, Topic};
+use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command, WorkCommand};
-use crate::panes::scatter_map::{MapState, MapSubject, PosePhase, ScatterPoint, ScatterView};
+use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
+use crate::panes::work_state::WorkState;
 
 fn points() -> Vec<ScatterPoint> {
     let starts = [[-1.0, 0.0], [1.0, 0.5], [0.2, -0.8]];
@@ -26,12 +28,12 @@ fn points() -> Vec<ScatterPoint> {
         .collect()
 }
 
-fn harness(state: MapState) -> Harness<'static, Vec<Command>> {
+fn harness(state: WorkState) -> Harness<'static, Vec<Command>> {
     let points = points();
-    let subjects: Vec<MapSubject> = (0..3)
-        .map(|index| MapSubject {
+    let subjects: Vec<CohortRow> = (0..3)
+        .map(|index| CohortRow {
             id: format!("P{index}"),
-            ..MapSubject::default()
+            ..CohortRow::default()
         })
         .collect();
     let mut harness = Harness::builder()
@@ -45,7 +47,7 @@ fn harness(state: MapState) -> Harness<'static, Vec<Command>> {
                     selected: Some(0),
                     ..ScatterView::new(&SPACE_TIME, &subjects, &points)
                 };
-                space_time_ui(ui, &SpaceTimeView { map, share: 0.4 }, commands);
+                space_time_ui(ui, &map, 0.4, commands);
             },
             Vec::new(),
         );
@@ -62,7 +64,7 @@ fn place(harness: &Harness<'_, Vec<Command>>, subject: usize) -> Pos2 {
 
 #[test]
 fn a_click_on_a_curve_plays_that_subject_from_that_pose() {
-    let mut harness = harness(MapState::Ready);
+    let mut harness = harness(WorkState::Ready);
     harness.get_by_label("Curve of P1, other").click();
     harness.run();
     let wanted = Command::Beat(BeatCommand::SelectPose {
@@ -75,7 +77,7 @@ fn a_click_on_a_curve_plays_that_subject_from_that_pose() {
 
 #[test]
 fn a_drag_turns_the_plot_and_a_double_click_turns_it_back() {
-    let mut harness = harness(MapState::Ready);
+    let mut harness = harness(WorkState::Ready);
     let before = place(&harness, 1);
     let ground = harness
         .get_by_label("Spatiotemporal plot")
@@ -101,7 +103,7 @@ fn a_drag_turns_the_plot_and_a_double_click_turns_it_back() {
 
 #[test]
 fn arrows_turn_and_plus_zooms_while_the_plot_has_the_keyboard() {
-    let mut harness = harness(MapState::Ready);
+    let mut harness = harness(WorkState::Ready);
     let apart =
         |harness: &Harness<'_, Vec<Command>>| (place(harness, 1) - place(harness, 2)).length();
     let (before, middle) = (place(&harness, 1), apart(&harness));
@@ -119,8 +121,9 @@ fn arrows_turn_and_plus_zooms_while_the_plot_has_the_keyboard() {
 
 #[test]
 fn a_new_map_can_be_cancelled_while_the_old_curves_stay() {
-    let mut harness = harness(MapState::Computing {
+    let mut harness = harness(WorkState::Computing {
         fraction: 0.3,
+        phase: String::new(),
         seconds_left: Some(3.0),
     });
     harness.run();

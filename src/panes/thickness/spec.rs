@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use super::thickness_panel_ui;
-use super::view::ThicknessData;
+use super::view::thickness_view;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
@@ -18,12 +18,12 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::THICKNESS,
     title: "Thickness",
     toggle: "Pane: thickness",
+    open: Some((3, "Wall thickness by five methods")),
     place: Place::BelowRight,
     header: Header::Title,
     ui,
 };
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let data = ThicknessData::of(look.state());
-    thickness_panel_ui(ui, &data.view(look.state()), commands);
+    thickness_panel_ui(ui, &thickness_view(look.state()), commands);
 }

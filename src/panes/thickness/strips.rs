@@ -1,10 +1,11 @@
 //! One method: its name and difference, and below it a box strip for each pose.
 
-use egui::{Align2, Color32, FontId, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
+use egui::{Align2, Color32, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 
 use crate::panes::thickness::{Difference, ThicknessPanelView, ThicknessRow, ThicknessStrip};
 use crate::picture::nice_ticks;
 use crate::ui::style::{medium_font, note, note_font};
+use crate::ui::text::note_at;
 use crate::ui::theme::{Colours, colours, line, space};
 
 /// Height of the line with the name.
@@ -56,21 +57,13 @@ impl Columns {
 /// The axis that all strips share, with its unit.
 pub(super) fn axis_ui(ui: &mut Ui, view: &ThicknessPanelView) {
     let (area, _) = ui.allocate_exact_size(vec2(ui.available_width(), STRIP), Sense::hover());
-    let (columns, colours) = (Columns::of(area, view.max), colours(ui));
-    let painter = ui.painter();
+    let columns = Columns::of(area, view.max);
     for tick in columns.ticks() {
         let at = pos2(columns.x(tick), area.center().y);
-        let text = format!("{tick}");
-        painter.text(at, Align2::CENTER_CENTER, text, note_font(), colours.muted);
+        note_at(ui, at, Align2::CENTER_CENTER, tick);
     }
     let at = pos2(columns.right, area.center().y);
-    painter.text(
-        at,
-        Align2::RIGHT_CENTER,
-        view.unit,
-        note_font(),
-        colours.muted,
-    );
+    note_at(ui, at, Align2::RIGHT_CENTER, view.unit);
 }
 
 /// One method.
@@ -178,14 +171,8 @@ fn strip_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow, strip: &
     };
     let painter = ui.painter();
     let middle = area.center().y;
-    let moment = pos2(columns.left, middle);
-    painter.text(
-        moment,
-        Align2::LEFT_CENTER,
-        &strip.moment,
-        note_font(),
-        text,
-    );
+    let (at, name) = (pos2(columns.left, middle), &strip.moment);
+    painter.text(at, Align2::LEFT_CENTER, name, note_font(), text);
     for tick in columns.ticks() {
         let stroke = Stroke::new(line::THIN, colours.grid);
         painter.vline(columns.x(tick), area.y_range(), stroke);
@@ -196,7 +183,8 @@ fn strip_ui(ui: &mut Ui, view: &ThicknessPanelView, row: &ThicknessRow, strip: &
     } else {
         format!("{:.1}", strip.quantiles[2])
     };
-    numbers(ui, pos2(columns.right, middle), number, colours.text);
+    let at = pos2(columns.right, middle);
+    painter.text(at, Align2::RIGHT_CENTER, number, note_font(), colours.text);
     response.on_hover_text(format!(
         "{} at {}: interquartile range {:.1} to {:.1} {}",
         row.name, strip.moment, strip.quantiles[1], strip.quantiles[3], view.unit
@@ -226,12 +214,6 @@ fn box_strip(ui: &Ui, columns: &Columns, strip: &ThicknessStrip, y: f32, colour:
     painter.rect_filled(inner, 1.0, colour.gamma_multiply(0.45));
     let stroke = Stroke::new(line::STRONG, colour);
     painter.vline(median, (y - half - 1.0)..=(y + half + 1.0), stroke);
-}
-
-fn numbers(ui: &Ui, right: egui::Pos2, text: String, colour: Color32) {
-    let font: FontId = note_font();
-    ui.painter()
-        .text(right, Align2::RIGHT_CENTER, text, font, colour);
 }
 
 #[cfg(test)]

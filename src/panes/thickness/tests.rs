@@ -41,7 +41,7 @@ fn rows() -> Vec<ThicknessRow> {
     ]
 }
 
-fn harness(state: ThicknessState, subject: Option<&'static str>) -> Harness<'static, Vec<Command>> {
+fn harness(state: WorkState, subject: Option<&'static str>) -> Harness<'static, Vec<Command>> {
     let rows = rows();
     Harness::builder()
         .with_size([280.0, 360.0])
@@ -50,10 +50,10 @@ fn harness(state: ThicknessState, subject: Option<&'static str>) -> Harness<'sta
             move |ui, commands: &mut Vec<Command>| {
                 let view = ThicknessPanelView {
                     subject,
-                    state: &state,
-                    moment: "ES",
+                    state: state.clone(),
+                    moment: "ES".to_owned(),
                     unit: "mm",
-                    rows: &rows,
+                    rows: rows.clone(),
                     max: 16.0,
                 };
                 thickness_panel_ui(ui, &view, commands);
@@ -64,7 +64,7 @@ fn harness(state: ThicknessState, subject: Option<&'static str>) -> Harness<'sta
 
 #[test]
 fn each_method_has_its_numbers_with_their_unit_and_its_difference() {
-    let mut shown = harness(ThicknessState::Ready, Some("P05"));
+    let mut shown = harness(WorkState::Ready, Some("P05"));
     shown.run();
     shown.get_by_label(
         "Medial spheres, ED 9.0 (6.0–12.5) mm, ES 12.0 (9.0–15.5) mm, 0.02 s per pose",
@@ -75,16 +75,17 @@ fn each_method_has_its_numbers_with_their_unit_and_its_difference() {
 
 #[test]
 fn a_method_that_is_not_applicable_says_why() {
-    let mut shown = harness(ThicknessState::Ready, Some("P05"));
+    let mut shown = harness(WorkState::Ready, Some("P05"));
     shown.run();
     shown.get_by_label("Not applicable: no landmarks");
 }
 
 #[test]
 fn measuring_can_be_cancelled_and_begun_again() {
-    let computing = ThicknessState::Computing {
+    let computing = WorkState::Computing {
         fraction: 0.4,
-        moment: "ES".to_owned(),
+        phase: "ES".to_owned(),
+        seconds_left: None,
     };
     let mut shown = harness(computing, Some("P05"));
     shown.run();
@@ -97,7 +98,7 @@ fn measuring_can_be_cancelled_and_begun_again() {
             Topic::of::<PoseThickness>()
         ))]
     );
-    let mut shown = harness(ThicknessState::Stopped, Some("P05"));
+    let mut shown = harness(WorkState::Stopped, Some("P05"));
     shown.run();
     shown.get_by_label("Measure").click();
     shown.run();
@@ -111,7 +112,7 @@ fn measuring_can_be_cancelled_and_begun_again() {
 
 #[test]
 fn without_a_subject_the_pane_says_what_would_fill_it() {
-    let mut shown = harness(ThicknessState::Empty, None);
+    let mut shown = harness(WorkState::Empty, None);
     shown.run();
     shown.get_by_label("No subject selected");
 }

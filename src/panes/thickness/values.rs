@@ -1,25 +1,6 @@
 //! What the pane of thickness methods shows, as plain values.
 
-/// State of the measurement.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum ThicknessState {
-    /// No subject is selected.
-    #[default]
-    Empty,
-    /// Everything on screen is measured.
-    Ready,
-    /// A pose is being measured.
-    Computing {
-        /// Done share in `0..=1`.
-        fraction: f32,
-        /// Which pose: "ED", "frame 3".
-        moment: String,
-    },
-    /// The user stopped it.
-    Stopped,
-    /// Nothing can be measured, and why.
-    Failed(String),
-}
+use crate::panes::work_state::WorkState;
 
 /// Thickness at one pose.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,18 +44,18 @@ pub struct ThicknessRow {
 }
 
 /// What the pane shows.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct ThicknessPanelView<'a> {
     /// The selected subject.
     pub subject: Option<&'a str>,
-    /// State of the measurement.
-    pub state: &'a ThicknessState,
+    /// State of the measurement; its phase is the pose: "ED", "frame 3".
+    pub state: WorkState,
     /// The pose that differences are of: "ES", "frame 3".
-    pub moment: &'a str,
+    pub moment: String,
     /// Unit of lengths.
     pub unit: &'a str,
     /// The methods, medial spheres first.
-    pub rows: &'a [ThicknessRow],
+    pub rows: Vec<ThicknessRow>,
     /// Upper end of the axis; it begins at 0.
     pub max: f64,
 }

@@ -1,64 +1,41 @@
-//! Thickness of the selected heart by every method: strips by pose, differences at the pose on screen.
+//! Thickness of the selected subject by every method: strips by pose, differences at the pose on screen.
 
 use std::sync::Arc;
 
 use crate::analysis::thickness_methods::{ThicknessMethod, ThicknessSpread};
 use crate::document::state::State;
 use crate::engine::{ComparedMethod, FrameThickness, MethodResult, Showing};
-use crate::panes::{Difference, ThicknessPanelView, ThicknessRow, ThicknessState, ThicknessStrip};
-use crate::picture::nice_ceiling;
+use crate::panes::work_state::WorkState;
+use crate::picture::{nice_ceiling, sentence};
 
-use crate::panes::viewport::overlay_view::phase_name;
+use crate::panes::viewport::overlay_view::moment_name;
 
-/// What the pane shows.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ThicknessData {
-    state: ThicknessState,
-    moment: String,
-    rows: Vec<ThicknessRow>,
-    most: f64,
-}
+use super::values::*;
 
-impl ThicknessData {
-    /// Of the selected heart.
-    pub fn of(state: &State) -> Self {
-        if state.document.selected().is_none() {
-            return Self::default();
-        }
-        let known: Vec<(usize, &Arc<FrameThickness>)> = (state.answers.thickness.iter())
-            .filter_map(|(frame, showing)| Some((*frame, showing.ready()?)))
-            .collect();
-        let on_screen = state.document.frame();
-        // While the beat plays, what differs is told of end-systole, or of what there is.
-        let told = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
-        let rows =
-            methods().map(|method| row(state, method, &known, told.map(|(_, found)| &***found)));
-        let rows: Vec<ThicknessRow> = if known.is_empty() {
-            Vec::new()
-        } else {
-            rows.collect()
-        };
-        let strips = rows.iter().flat_map(|row| &row.strips);
-        let most = strips.map(|strip| strip.quantiles[4]).fold(0.0, f64::max);
-        Self {
-            state: standing(state),
-            moment: told.map_or_else(String::new, |(frame, _)| moment(state, *frame)),
-            rows,
-            most: 0.5 * nice_ceiling(2.0 * most),
-        }
-    }
-
-    /// What the pane shows.
-    pub fn view<'a>(&'a self, state: &'a State) -> ThicknessPanelView<'a> {
-        let subject = state.document.selected();
-        ThicknessPanelView {
-            subject: subject.map(|subject| &*subject.id),
-            state: &self.state,
-            moment: &self.moment,
-            unit: subject.map_or("", |subject| subject.unit.length_symbol()),
-            rows: &self.rows,
-            max: self.most,
-        }
+/// What is known of the selected subject.
+pub fn thickness_view(state: &State) -> ThicknessPanelView<'_> {
+    let Some(subject) = state.document.selected() else {
+        return ThicknessPanelView::default();
+    };
+    let known: Vec<(usize, &Arc<FrameThickness>)> = (state.answers.thickness.iter())
+        .filter_map(|(frame, showing)| Some((*frame, showing.ready()?)))
+        .collect();
+    let on_screen = state.document.frame();
+    // While the motion plays, what differs is told of end-systole, or of what there is.
+    let told = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
+    let rows: Vec<ThicknessRow> = methods()
+        .filter(|_| !known.is_empty())
+        .map(|method| row(state, method, &known, told.map(|(_, found)| &***found)))
+        .collect();
+    let strips = rows.iter().flat_map(|row| &row.strips);
+    let greatest = strips.map(|strip| strip.quantiles[4]).fold(0.0, f64::max);
+    ThicknessPanelView {
+        subject: Some(&subject.id),
+        state: standing(state),
+        moment: told.map_or_else(String::new, |(frame, _)| moment(state, *frame)),
+        unit: subject.unit.length_symbol(),
+        rows,
+        max: 0.5 * nice_ceiling(2.0 * greatest),
     }
 }
 
@@ -67,14 +44,12 @@ fn methods() -> impl Iterator<Item = ComparedMethod> {
     std::iter::once(ComparedMethod::Medial).chain(others)
 }
 
-/// "ED", "ES", "frame 3".
 fn moment(state: &State, frame: usize) -> String {
-    let phase = phase_name(state.phases_of(state.document.subject), frame);
-    phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
+    moment_name(state, state.document.subject, frame)
 }
 
 /// How the first pose stands that is not measured; what cannot be measured is told once the others are there.
-fn standing(state: &State) -> ThicknessState {
+fn standing(state: &State) -> WorkState {
     let poses = &state.answers.thickness;
     let waiting = |showing: &Showing<FrameThickness>| {
         showing.ready().is_none() && showing.failure().is_none()
@@ -82,20 +57,22 @@ fn standing(state: &State) -> ThicknessState {
     let Some((frame, showing)) = poses.iter().find(|(_, showing)| waiting(showing)) else {
         let failure = poses.iter().find_map(|(_, showing)| showing.failure());
         return match failure {
-            Some(error) => ThicknessState::Failed(error.to_string()),
-            None if poses.is_empty() => ThicknessState::Computing {
-                fraction: 0.0,
-                moment: "waiting".to_owned(),
-            },
-            None => ThicknessState::Ready,
+            Some(error) => WorkState::Failed(error.to_string()),
+            None if poses.is_empty() => measuring(0.0, "waiting".to_owned()),
+            None => WorkState::Ready,
         };
     };
     match showing {
-        Showing::Computing { watch, .. } => ThicknessState::Computing {
-            fraction: watch.fraction(),
-            moment: moment(state, *frame),
-        },
-        Showing::Ready(_) | Showing::Interrupted { .. } => ThicknessState::Stopped,
+        Showing::Computing { watch, .. } => measuring(watch.fraction(), moment(state, *frame)),
+        Showing::Ready(_) | Showing::Interrupted { .. } => WorkState::Stopped,
+    }
+}
+
+fn measuring(fraction: f32, phase: String) -> WorkState {
+    WorkState::Computing {
+        fraction,
+        phase,
+        seconds_left: None,
     }
 }
 
@@ -121,7 +98,7 @@ fn row(
         Some(reason.clone())
     });
     ThicknessRow {
-        name: sentence_case(method.name()),
+        name: sentence(method.name()),
         hint: hint(method),
         strips: strips.collect(),
         difference: agreement.map(|agreement| Difference {
@@ -149,13 +126,6 @@ fn quantiles(spread: &ThicknessSpread) -> [f64; 5] {
         spread.three_quarters,
         spread.high,
     ]
-}
-
-fn sentence_case(name: &str) -> String {
-    let mut letters = name.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }
 
 fn hint(method: ComparedMethod) -> &'static str {

@@ -42,7 +42,7 @@ fn subject_ui(ui: &mut Ui, subject: &SimilarSubject, commands: &mut Vec<Command>
         subject.id, subject.label, subject.verdict
     );
     if button.on_hover_text(hover).clicked() {
-        commands.push(Command::Beat(BeatCommand::SelectSubject(subject.subject)));
+        commands.push(BeatCommand::SelectSubject(subject.subject).into());
     }
 }
 

@@ -1,4 +1,4 @@
-//! The numbers that speak for a verdict, each beside those of the normal hearts.
+//! The numbers that speak for a verdict, each beside those of the normal subjects.
 
 use crate::analysis::verdicts::{Feature, Features, Verdicts};
 use crate::panes::EvidenceRow;
@@ -91,7 +91,7 @@ const SHOWN: [(Feature, &str, &str, Written); 10] = [
     ),
 ];
 
-/// The rows of one heart, beside the hearts of the study that are assessed.
+/// The rows of one subject, beside the subjects of the study that are assessed.
 pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<EvidenceRow> {
     let assessed: Vec<(LabelRole, &Features)> = (study.subjects.iter().zip(&verdicts.subjects))
         .filter_map(|(subject, told)| Some((study.role(subject), &told.as_ref().ok()?.features)))

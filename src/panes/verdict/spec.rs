@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use super::verdict_panel_ui;
-use super::view::VerdictData;
+use super::view::verdict_view;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
@@ -18,12 +18,12 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::VERDICT,
     title: "Verdict",
     toggle: "Pane: verdict",
+    open: Some((3, "Verdict")),
     place: Place::BelowLeft,
     header: Header::Title,
     ui,
 };
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let data = VerdictData::of(look.state());
-    verdict_panel_ui(ui, &data.view(look.state()), commands);
+    verdict_panel_ui(ui, &verdict_view(look.state()), commands);
 }

@@ -5,14 +5,12 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use super::*;
 use crate::panes::verdict_marks::VerdictMark;
 use crate::panes::{BeatCommand, WorkCommand};
-use crate::study::LabelRole;
 
 fn report() -> VerdictReport {
-    let subject = |subject: usize, id: &str, role| SimilarSubject {
+    let subject = |subject: usize, id: &str| SimilarSubject {
         subject,
         id: id.to_owned(),
         label: "NOR".to_owned(),
-        role,
         verdict: "no regional abnormality".to_owned(),
     };
     VerdictReport {
@@ -36,10 +34,7 @@ fn report() -> VerdictReport {
             band: Some([0.0, 0.1]),
             model_feature: true,
         }],
-        similar: [
-            vec![subject(4, "N05", LabelRole::Normal)],
-            vec![subject(11, "P03", LabelRole::Abnormal)],
-        ],
+        similar: [vec![subject(4, "N05")], vec![subject(11, "P03")]],
     }
 }
 
@@ -56,7 +51,7 @@ fn classifier() -> ClassifierReport {
 }
 
 fn harness(
-    state: VerdictState,
+    state: WorkState,
     report: Option<VerdictReport>,
     subject: Option<&'static str>,
 ) -> Harness<'static, Vec<Command>> {
@@ -68,9 +63,9 @@ fn harness(
             move |ui, commands: &mut Vec<Command>| {
                 let view = VerdictPanelView {
                     subject,
-                    state: &state,
-                    verdict: report.as_ref(),
-                    classifier: classifier.as_ref(),
+                    state: state.clone(),
+                    verdict: report.clone(),
+                    classifier: classifier.clone(),
                 };
                 verdict_panel_ui(ui, &view, commands);
             },
@@ -82,7 +77,7 @@ fn harness(
 
 #[test]
 fn a_verdict_is_shown_with_its_probability_evidence_and_classifier() {
-    let shown = harness(VerdictState::Ready, Some(report()), Some("P07"));
+    let shown = harness(WorkState::Ready, Some(report()), Some("P07"));
     for words in [
         "Abnormal patch · 31 % of the LV",
         "Predicted probability of abnormal: 97 %",
@@ -98,7 +93,7 @@ fn a_verdict_is_shown_with_its_probability_evidence_and_classifier() {
 
 #[test]
 fn a_similar_subject_is_selected_by_a_click() {
-    let mut shown = harness(VerdictState::Ready, Some(report()), Some("P07"));
+    let mut shown = harness(WorkState::Ready, Some(report()), Some("P07"));
     shown.get_by_label("Select N05, a similar subject").click();
     shown.run();
     shown.get_by_label("Select P03, a similar subject").click();
@@ -109,9 +104,9 @@ fn a_similar_subject_is_selected_by_a_click() {
 
 #[test]
 fn work_under_way_shows_how_far_it_is_and_can_be_cancelled() {
-    let state = VerdictState::Computing {
+    let state = WorkState::Computing {
         fraction: 0.42,
-        phase: "assessing walls",
+        phase: "assessing walls".to_owned(),
         seconds_left: Some(3.0),
     };
     for before in [None, Some(report())] {
@@ -133,9 +128,9 @@ fn work_under_way_shows_how_far_it_is_and_can_be_cancelled() {
 
 #[test]
 fn what_was_stopped_or_failed_can_be_asked_for_again() {
-    let failed = VerdictState::Failed("ridge must be between 0.001 and 1000".to_owned());
+    let failed = WorkState::Failed("ridge must be between 0.001 and 1000".to_owned());
     for (state, button) in [
-        (VerdictState::Stopped, "Classify the subjects"),
+        (WorkState::Stopped, "Classify the subjects"),
         (failed, "Retry"),
     ] {
         let mut shown = harness(state, None, Some("P07"));
@@ -156,7 +151,7 @@ fn an_uncalibrated_score_is_not_called_a_probability() {
         calibrated: false,
         ..report()
     };
-    let shown = harness(VerdictState::Ready, Some(fixed), Some("P07"));
+    let shown = harness(WorkState::Ready, Some(fixed), Some("P07"));
     shown.get_by_label("Uncalibrated score: 0.97");
     assert!(shown.query_by_label_contains("probability").is_none());
 }
@@ -170,7 +165,7 @@ fn what_is_not_assessed_says_why_and_has_no_numbers() {
         sentence: why.to_owned(),
         ..VerdictReport::default()
     };
-    let shown = harness(VerdictState::Ready, Some(not), Some("P07"));
+    let shown = harness(WorkState::Ready, Some(not), Some("P07"));
     shown.get_by_label("Not assessed");
     shown.get_by_label(why);
     assert!(shown.query_by_label_contains("probability").is_none());
@@ -179,6 +174,6 @@ fn what_is_not_assessed_says_why_and_has_no_numbers() {
 
 #[test]
 fn without_a_subject_the_pane_says_what_would_fill_it() {
-    let shown = harness(VerdictState::Empty, None, None);
+    let shown = harness(WorkState::Empty, None, None);
     shown.get_by_label("No subject selected");
 }

@@ -1,32 +1,7 @@
 //! What the pane of the verdict shows, as plain values.
 
 use crate::panes::verdict_marks::VerdictMark;
-use crate::study::LabelRole;
-
-/// State of the classification of all subjects.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub enum VerdictState {
-    /// No subject is selected.
-    #[default]
-    Empty,
-    /// It starts after the work that is on screen.
-    Waiting,
-    /// It runs; what is shown, if anything, belongs to the previous thresholds.
-    Computing {
-        /// Done share in `0..=1`.
-        fraction: f32,
-        /// What is being done now; may be empty.
-        phase: &'static str,
-        /// Estimate, once there is one.
-        seconds_left: Option<f64>,
-    },
-    /// The user stopped it.
-    Stopped,
-    /// It failed, and why.
-    Failed(String),
-    /// What is shown belongs to the present study and thresholds.
-    Ready,
-}
+use crate::panes::work_state::WorkState;
 
 /// The verdict on one subject, in words and numbers.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -88,8 +63,6 @@ pub struct SimilarSubject {
     pub id: String,
     /// Label of the study.
     pub label: String,
-    /// Class of the label.
-    pub role: LabelRole,
     /// Its verdict: "patch 31 %".
     pub verdict: String,
 }
@@ -117,14 +90,14 @@ pub struct ClassifierResult {
 }
 
 /// What the pane shows.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct VerdictPanelView<'a> {
     /// The selected subject.
     pub subject: Option<&'a str>,
-    /// State of the classification.
-    pub state: &'a VerdictState,
+    /// State of the classification; what is shown may belong to the previous thresholds.
+    pub state: WorkState,
     /// Its verdict; `None` while there is none.
-    pub verdict: Option<&'a VerdictReport>,
+    pub verdict: Option<VerdictReport>,
     /// The classifier; `None` while there is none.
-    pub classifier: Option<&'a ClassifierReport>,
+    pub classifier: Option<ClassifierReport>,
 }

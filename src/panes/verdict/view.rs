@@ -5,76 +5,46 @@ use crate::analysis::verdicts::{
     Verdicts,
 };
 use crate::document::state::State;
-use crate::engine::{Interrupted, Showing};
+use crate::engine::Showing;
+use crate::panes::cohort::rows::CohortVerdict;
 use crate::panes::verdict::evidence_rows::evidence;
-use crate::panes::{
-    ClassifierReport, ClassifierResult, CohortVerdict, SimilarSubject, TrainingDistance,
-    VerdictMark, VerdictPanelView, VerdictReport, VerdictState,
-};
+use crate::panes::verdict_marks::VerdictMark;
+use crate::panes::work_state::WorkState;
 use crate::picture::percent;
 use crate::study::LabelRole;
+use crate::ui::text::p_text;
+
+use super::values::*;
 
 /// Share of the training subjects at least as far from the others, below which a subject is outside their distribution.
 const OUTSIDE: f64 = 0.05;
 
-/// Texts of the verdict pane.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct VerdictData {
-    state: VerdictState,
-    report: Option<VerdictReport>,
-    classifier: Option<ClassifierReport>,
-}
-
-impl VerdictData {
-    /// What is known of the selected heart.
-    pub fn of(state: &State) -> Self {
-        Self {
-            state: verdict_state(state),
-            report: report(state),
-            classifier: (state.verdicts()).map(|(verdicts, _)| classifier_report(verdicts)),
-        }
-    }
-
-    /// Whether verdicts are still to come.
-    pub fn classifying(&self) -> bool {
-        let state = &self.state;
-        matches!(
-            state,
-            VerdictState::Waiting | VerdictState::Computing { .. }
-        )
-    }
-
-    /// What the pane shows.
-    pub fn view<'a>(&'a self, state: &'a State) -> VerdictPanelView<'a> {
-        VerdictPanelView {
-            subject: state.document.selected().map(|subject| &*subject.id),
-            state: &self.state,
-            verdict: self.report.as_ref(),
-            classifier: self.classifier.as_ref(),
-        }
+/// What the pane shows of the selected subject.
+pub fn verdict_view(state: &State) -> VerdictPanelView<'_> {
+    let verdicts = state.verdicts();
+    VerdictPanelView {
+        subject: state.document.selected().map(|subject| &*subject.id),
+        state: verdict_state(state),
+        verdict: report(state),
+        classifier: verdicts.map(|(verdicts, _)| classifier_report(verdicts)),
     }
 }
 
-fn verdict_state(state: &State) -> VerdictState {
+/// Whether verdicts are still to come.
+pub fn classifying(state: &State) -> bool {
+    let work = verdict_state(state);
+    matches!(work, WorkState::Waiting | WorkState::Computing { .. })
+}
+
+fn verdict_state(state: &State) -> WorkState {
     if state.document.selected().is_none() {
-        return VerdictState::Empty;
+        return WorkState::Empty;
     }
     match &state.answers.verdicts {
-        Some(Showing::Ready(_)) => VerdictState::Ready,
+        None => WorkState::Waiting,
         // Statistics of the cohort wait until nothing else is computed.
-        Some(Showing::Computing { watch, .. }) if watch.elapsed().is_zero() => {
-            VerdictState::Waiting
-        }
-        Some(Showing::Computing { watch, .. }) => VerdictState::Computing {
-            fraction: watch.fraction(),
-            phase: watch.phase(),
-            seconds_left: watch.time_left().map(|left| left.as_secs_f64()),
-        },
-        Some(Showing::Interrupted { why, .. }) => match why {
-            Interrupted::Stopped => VerdictState::Stopped,
-            Interrupted::Failed(error) => VerdictState::Failed(error.to_string()),
-        },
-        None => VerdictState::Waiting,
+        Some(Showing::Computing { watch, .. }) if watch.elapsed().is_zero() => WorkState::Waiting,
+        showing => WorkState::of(showing.as_ref()),
     }
 }
 
@@ -100,7 +70,7 @@ fn report(state: &State) -> Option<VerdictReport> {
 
 fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictReport {
     let study = state.document.study();
-    let role = (state.document.selected()).map_or(LabelRole::Unknown, |heart| study.role(heart));
+    let role = (state.document.selected()).map_or(LabelRole::Unknown, |shown| study.role(shown));
     let calibrated = matches!(verdicts.classifier, ClassifierSource::Cohort { .. });
     VerdictReport {
         mark: mark(verdict.finding),
@@ -120,8 +90,8 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
             .as_ref()
             .map(training_distance),
         evidence: evidence(study, verdicts, &verdict.features),
-        similar: [&verdict.similar_normal, &verdict.similar_abnormal].map(|hearts| {
-            hearts
+        similar: [&verdict.similar_normal, &verdict.similar_abnormal].map(|subjects| {
+            subjects
                 .iter()
                 .filter_map(|&subject| similar(state, subject))
                 .collect()
@@ -205,14 +175,12 @@ fn ordinal(number: f64) -> String {
 }
 
 fn similar(state: &State, subject: usize) -> Option<SimilarSubject> {
-    let study = state.document.study();
-    let heart = state.subject(subject)?;
+    let shown = state.subject(subject)?;
     let verdict = cohort_verdict(state, subject).map(|verdict| verdict.text());
     Some(SimilarSubject {
         subject,
-        id: heart.id.clone(),
-        label: heart.label.clone().unwrap_or_else(|| "no label".to_owned()),
-        role: study.role(heart),
+        id: shown.id.clone(),
+        label: shown.label.clone().unwrap_or_else(|| "no label".to_owned()),
         verdict: verdict.unwrap_or_default(),
     })
 }
@@ -319,16 +287,6 @@ fn results(quality: &ClassifierQuality, normal: usize, abnormal: usize) -> [Clas
             permutation_test: String::new(),
         },
     ]
-}
-
-fn p_text(p: f64) -> String {
-    if p < 0.001 {
-        "< 0.001".to_owned()
-    } else if p < 0.1 {
-        format!("{p:.3}")
-    } else {
-        format!("{p:.2}")
-    }
 }
 
 #[cfg(test)]

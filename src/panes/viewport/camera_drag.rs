@@ -9,7 +9,7 @@ use crate::render::Camera;
 use crate::document::state::State;
 use crate::panes::viewport::shown_subject::Cell;
 
-/// A drag over the shorter side of the view turns the heart by this much.
+/// A drag over the shorter side of the view turns the subject by this much.
 const TURN_PER_SIDE_RAD: f32 = std::f32::consts::PI;
 
 /// One notch of a wheel (about 50 points) magnifies by e^(50 · 0.004), about a fifth.
@@ -18,7 +18,7 @@ const ZOOM_PER_POINT: f32 = 0.004;
 /// Nearest and farthest that the wheel goes, in coordinates.
 const HALF_HEIGHTS: std::ops::RangeInclusive<f32> = 1e-4..=1e7;
 
-/// The camera that drag or wheel ask for, in the axes of the heart under the pointer.
+/// The camera that drag or wheel ask for, in the axes of the subject under the pointer.
 pub fn camera_command(
     ui: &Ui,
     response: &Response,
@@ -62,7 +62,7 @@ fn turned(state: &State, cell: &Cell, from: Pos2, to: Pos2) -> Camera {
     if state.document.free_camera {
         return cell.camera.rolled(from, to, size(cell));
     }
-    let up = cell.heart.heart.prepared.axes.up;
+    let up = cell.shown.placed.prepared.axes.up;
     let up = DVec3::new(up.x, up.y, up.z).as_vec3();
     let turn = (to - from) * (TURN_PER_SIDE_RAD / size(cell).min_element());
     cell.camera.turned(up, turn.x, turn.y)
@@ -70,7 +70,7 @@ fn turned(state: &State, cell: &Cell, from: Pos2, to: Pos2) -> Camera {
 
 fn command(cell: &Cell, camera: Camera, drag: bool) -> Command {
     Command::View(ViewCommand::SetCamera {
-        camera: cell.heart.heart.frame.heart_camera(camera),
+        camera: cell.shown.placed.frame.heart_camera(camera),
         drag,
     })
 }

@@ -1,4 +1,4 @@
-//! Cameras that fit hearts into their cells, kept while heart, direction and shape of the view stay.
+//! Cameras that fit subjects into their cells, kept while subject, direction and shape of the view stay.
 
 use std::sync::Arc;
 
@@ -8,52 +8,55 @@ use crate::document::ViewMode;
 use crate::render::Camera;
 
 use crate::document::viewpoint::Look;
-use crate::panes::viewport::pictures::Heart;
+use crate::panes::viewport::pictures::PlacedSubject;
 
-/// Room left and right, above and below a fitted heart, in points: name and scale stand there.
+/// Room left and right, above and below a fitted subject, in points: name and scale stand there.
 const ROOM: [f32; 2] = [24.0, 46.0];
 /// The same in a grid, whose names stand above it.
 const GRID_ROOM: [f32; 2] = [8.0, 10.0];
 
-/// A camera that fits a heart.
+/// A camera that fits a subject.
 struct Fit {
-    heart: Arc<Heart>,
+    subject: Arc<PlacedSubject>,
     world_from_camera: glam::Quat,
     aspect: f32,
     camera: Camera,
 }
 
-/// The cameras of the hearts on screen.
+/// The cameras of the subjects on screen.
 #[derive(Default)]
 pub struct Fits(Vec<Fit>);
 
 impl Fits {
-    /// Forgets the cameras of all other hearts.
-    pub fn keep(&mut self, hearts: &[Arc<Heart>]) {
-        self.0
-            .retain(|fit| hearts.iter().any(|heart| Arc::ptr_eq(heart, &fit.heart)));
+    /// Forgets the cameras of all other subjects.
+    pub fn keep(&mut self, subjects: &[Arc<PlacedSubject>]) {
+        self.0.retain(|fit| {
+            subjects
+                .iter()
+                .any(|subject| Arc::ptr_eq(subject, &fit.subject))
+        });
     }
 
-    /// The camera that fitted a heart last.
-    pub fn latest(&self, heart: &Arc<Heart>) -> Option<Camera> {
-        let fit = self.0.iter().find(|fit| Arc::ptr_eq(&fit.heart, heart));
+    /// The camera that fitted a subject last.
+    pub fn latest(&self, subject: &Arc<PlacedSubject>) -> Option<Camera> {
+        let fit = self.0.iter().find(|fit| Arc::ptr_eq(&fit.subject, subject));
         fit.map(|fit| fit.camera)
     }
 
-    /// A camera for every heart in its cell. Hearts beside each other have one scale.
+    /// A camera for every subject in its cell. Subjects beside each other have one scale.
     pub fn cameras(
         &mut self,
         look: &Look,
         mode: ViewMode,
-        shown: &[Arc<Heart>],
+        shown: &[Arc<PlacedSubject>],
         rects: &[Rect],
     ) -> Vec<Camera> {
         let mut fitted: Vec<Camera> = shown
             .iter()
             .zip(rects)
-            .map(|(heart, rect)| {
-                let rotation = look.rotation(&heart.prepared.axes);
-                self.fitted(mode, heart, rotation, *rect)
+            .map(|(subject, rect)| {
+                let rotation = look.rotation(&subject.prepared.axes);
+                self.fitted(mode, subject, rotation, *rect)
             })
             .collect();
         let greatest = fitted
@@ -66,15 +69,15 @@ impl Fits {
         shown
             .iter()
             .zip(fitted)
-            .map(|(heart, fitted)| look.camera(&heart.frame, fitted))
+            .map(|(subject, fitted)| look.camera(&subject.frame, fitted))
             .collect()
     }
 
-    /// A camera that fits a heart into a cell, with room around it for name, scale and cube.
+    /// A camera that fits a subject into a cell, with room around it for name, scale and cube.
     fn fitted(
         &mut self,
         mode: ViewMode,
-        heart: &Arc<Heart>,
+        subject: &Arc<PlacedSubject>,
         rotation: glam::Quat,
         rect: Rect,
     ) -> Camera {
@@ -85,26 +88,31 @@ impl Fits {
         };
         let inner =
             (rect.size() - egui::vec2(2.0 * room[0], 2.0 * room[1])).max(egui::Vec2::splat(1.0));
-        let camera = self.tightly_fitted(heart, rotation, inner.x / inner.y);
+        let camera = self.tightly_fitted(subject, rotation, inner.x / inner.y);
         Camera {
             half_height: camera.half_height * rect.height().max(1.0) / inner.y,
             ..camera
         }
     }
 
-    fn tightly_fitted(&mut self, heart: &Arc<Heart>, rotation: glam::Quat, aspect: f32) -> Camera {
+    fn tightly_fitted(
+        &mut self,
+        subject: &Arc<PlacedSubject>,
+        rotation: glam::Quat,
+        aspect: f32,
+    ) -> Camera {
         let found = self.0.iter().find(|fit| {
-            Arc::ptr_eq(&fit.heart, heart)
+            Arc::ptr_eq(&fit.subject, subject)
                 && fit.world_from_camera == rotation
                 && (fit.aspect - aspect).abs() < 1e-4
         });
         if let Some(fit) = found {
             return fit.camera;
         }
-        let camera = heart.fitted(rotation, aspect);
-        self.0.retain(|fit| !Arc::ptr_eq(&fit.heart, heart));
+        let camera = subject.fitted(rotation, aspect);
+        self.0.retain(|fit| !Arc::ptr_eq(&fit.subject, subject));
         self.0.push(Fit {
-            heart: Arc::clone(heart),
+            subject: Arc::clone(subject),
             world_from_camera: rotation,
             aspect,
             camera,

@@ -2,46 +2,37 @@
 
 use egui::{Button, Ui};
 
+use crate::document::State;
 use crate::document::ViewMode;
-use crate::panes::commands::{Command, ViewCommand, WallCommand};
+use crate::document::differences::hindrance;
+use crate::panes::action_state::is_on;
+use crate::panes::commands::{Command, ViewCommand, WallCommand, action_of};
 use crate::panes::shortcuts::hint;
 use crate::picture::Quantity;
 use crate::render::Shading;
-use crate::ui::controls::{choice_ui, chooser_ui, pane_header_ui, tab_ui};
+use crate::study::SurfaceKind;
+use crate::ui::controls::{choice_ui, choices_ui, chooser_ui, pane_header_ui, tab_ui};
 use crate::ui::theme::space;
 
-/// What the header of the 3D view shows.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct ViewportHeaderView {
-    /// One subject, two, or all frames of one.
-    pub mode: ViewMode,
-    /// The quantity shown in colour.
-    pub quantity: Quantity,
-    /// Whether the endocardium is shown; `None` where there is none.
-    pub shows_endocardium: Option<bool>,
-    /// Whether the epicardium or the wall is shown; `None` where there is none.
-    pub shows_epicardium: Option<bool>,
-    /// Whether edges are shown.
-    pub shows_wireframe: bool,
-    /// Whether vertices are shown.
-    pub shows_vertices: bool,
-    /// Whether atoms of the medial surface are shown.
-    pub shows_atoms: bool,
-    /// Whether their spokes are shown.
-    pub shows_spokes: bool,
-    /// Whether borders of patches are shown.
-    pub shows_patches: bool,
-    /// Whether ANV and MP are shown.
-    pub shows_direction: bool,
-    /// Whether the camera rotates freely.
-    pub free_camera: bool,
-    /// Smooth or flat.
-    pub shading: Shading,
-    /// Why colours cannot show contributions to the distance; `None` if they can.
-    pub no_contribution: Option<&'static str>,
-    /// Why colours cannot show the difference of a transported motion; `None` if they can.
-    pub no_motion_difference: Option<&'static str>,
-}
+/// Why there is no distance of a transported motion.
+const NO_TRANSPORT: &str = "Drag a subject of the cohort onto another one to transport its motion";
+
+const ENDOCARDIUM: Command = Command::View(ViewCommand::ToggleEndocardium);
+const EPICARDIUM: Command = Command::View(ViewCommand::ToggleEpicardium);
+const ATOMS: Command = Command::Wall(WallCommand::ToggleAtoms);
+
+/// What can be shown and hidden, in the order of the menu.
+const SWITCHES: [Command; 9] = [
+    ENDOCARDIUM,
+    EPICARDIUM,
+    Command::View(ViewCommand::ToggleWireframe),
+    Command::View(ViewCommand::ToggleVertices),
+    ATOMS,
+    Command::Wall(WallCommand::ToggleSpokes),
+    Command::Wall(WallCommand::TogglePatches),
+    Command::Wall(WallCommand::ToggleDirection),
+    Command::View(ViewCommand::ToggleFreeCamera),
+];
 
 /// Short name of a quantity, for buttons.
 pub fn quantity_name(quantity: Quantity) -> &'static str {
@@ -55,41 +46,36 @@ pub fn quantity_name(quantity: Quantity) -> &'static str {
     }
 }
 
+/// Whether a switch is on; `None` where the subject lacks the surface that it shows.
+fn shown(state: &State, switch: &Command) -> Option<bool> {
+    use SurfaceKind::{Cavity, Endocardium, Epicardium, Other, Wall};
+    let sequence = state.document.selected().map(|subject| &subject.sequence);
+    let has = |kinds: &[SurfaceKind]| {
+        let mut kinds = kinds.iter();
+        sequence.is_some_and(|sequence| kinds.any(|kind| sequence.surface(*kind).is_some()))
+    };
+    let there = match switch {
+        Command::View(ViewCommand::ToggleEndocardium) => has(&[Endocardium, Cavity, Other]),
+        Command::View(ViewCommand::ToggleEpicardium) => has(&[Epicardium, Wall]),
+        _ => true,
+    };
+    is_on(state, switch).filter(|_| there)
+}
+
 /// Draws tabs on the left, switches and the quantity on the right.
-pub fn viewport_header_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command>) {
+pub fn viewport_header_ui(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     let wide = ui.available_width() > 640.0;
-    let mut pushed = Vec::new();
-    let mut from_left = Vec::new();
+    let (mut pushed, mut from_left) = (Vec::new(), Vec::new());
     pane_header_ui(
         ui,
+        |ui| modes_ui(ui, state.document.view_mode, &mut from_left),
         |ui| {
-            modes_ui(ui, view.mode, &mut from_left);
-        },
-        |ui| {
-            quantity_ui(ui, view, &mut pushed);
-            display_ui(ui, view, &mut pushed);
+            quantity_ui(ui, state, &mut pushed);
+            display_ui(ui, state, &mut pushed);
             if wide {
-                switch_ui(
-                    ui,
-                    "Atoms",
-                    Some(view.shows_atoms),
-                    Command::Wall(WallCommand::ToggleAtoms),
-                    &mut pushed,
-                );
-                switch_ui(
-                    ui,
-                    "Epicardium",
-                    view.shows_epicardium,
-                    Command::View(ViewCommand::ToggleEpicardium),
-                    &mut pushed,
-                );
-                switch_ui(
-                    ui,
-                    "Endocardium",
-                    view.shows_endocardium,
-                    Command::View(ViewCommand::ToggleEndocardium),
-                    &mut pushed,
-                );
+                switch_ui(ui, "Atoms", state, ATOMS, &mut pushed);
+                switch_ui(ui, "Epicardium", state, EPICARDIUM, &mut pushed);
+                switch_ui(ui, "Endocardium", state, ENDOCARDIUM, &mut pushed);
             }
         },
     );
@@ -107,118 +93,68 @@ fn modes_ui(ui: &mut Ui, chosen: ViewMode, commands: &mut Vec<Command>) {
     if ui.available_width() > 240.0 {
         for (mode, name) in MODES {
             if tab_ui(ui, name, chosen == mode).clicked() {
-                commands.push(Command::View(ViewCommand::SetViewMode(mode)));
+                commands.push(ViewCommand::SetViewMode(mode).into());
             }
             ui.add_space(space::SMALL);
         }
         return;
     }
     let shown = MODES.iter().find(|(mode, _)| *mode == chosen);
-    chooser_ui(
-        ui,
-        "View",
-        shown.map_or("3D view", |(_, name)| name),
-        |ui| {
-            for (mode, name) in MODES {
-                if choice_ui(ui, name, chosen == mode) {
-                    commands.push(Command::View(ViewCommand::SetViewMode(mode)));
-                }
-            }
-        },
-    );
+    chooser_ui(ui, "View", shown.map_or("3D view", |shown| shown.1), |ui| {
+        let mode = choices_ui(ui, MODES, chosen);
+        commands.extend(mode.map(|mode| Command::from(ViewCommand::SetViewMode(mode))));
+    });
 }
 
-fn quantity_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command>) {
-    chooser_ui(ui, "Colour", quantity_name(view.quantity), |ui| {
-        for choice in Quantity::ALL {
-            if choice_ui(ui, quantity_name(choice), choice == view.quantity) {
-                commands.push(Command::View(ViewCommand::SetQuantity(choice)));
-            }
-        }
+fn quantity_ui(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
+    let document = &state.document;
+    let now = document.quantity;
+    let no_transport = document.visible_transport().is_none();
+    chooser_ui(ui, "Colour", quantity_name(now), |ui| {
+        let own = Quantity::ALL.map(|quantity| (quantity, quantity_name(quantity)));
+        let mut chosen = choices_ui(ui, own, now);
         ui.separator();
         for (choice, hindrance) in [
-            (Quantity::Contribution, view.no_contribution),
-            (Quantity::MotionDifference, view.no_motion_difference),
+            (Quantity::Contribution, hindrance(document)),
+            (
+                Quantity::MotionDifference,
+                no_transport.then_some(NO_TRANSPORT),
+            ),
         ] {
             ui.add_enabled_ui(hindrance.is_none(), |ui| {
-                if choice_ui(ui, choice.name(), choice == view.quantity) {
-                    commands.push(Command::View(ViewCommand::SetQuantity(choice)));
+                if choice_ui(ui, choice.name(), choice == now) {
+                    chosen = Some(choice);
                 }
             })
             .response
             .on_disabled_hover_text(hindrance.unwrap_or_default());
         }
+        commands.extend(chosen.map(|quantity| Command::from(ViewCommand::SetQuantity(quantity))));
     });
 }
 
-fn display_ui(ui: &mut Ui, view: &ViewportHeaderView, commands: &mut Vec<Command>) {
+fn display_ui(ui: &mut Ui, state: &State, commands: &mut Vec<Command>) {
     chooser_ui(ui, "Display", "Display", |ui| {
-        for (name, shown, command) in [
-            (
-                "Endocardium",
-                view.shows_endocardium,
-                Command::View(ViewCommand::ToggleEndocardium),
-            ),
-            (
-                "Epicardium",
-                view.shows_epicardium,
-                Command::View(ViewCommand::ToggleEpicardium),
-            ),
-            (
-                "Edges",
-                Some(view.shows_wireframe),
-                Command::View(ViewCommand::ToggleWireframe),
-            ),
-            (
-                "Vertices",
-                Some(view.shows_vertices),
-                Command::View(ViewCommand::ToggleVertices),
-            ),
-            (
-                "Medial atoms",
-                Some(view.shows_atoms),
-                Command::Wall(WallCommand::ToggleAtoms),
-            ),
-            (
-                "Spokes of the atoms",
-                Some(view.shows_spokes),
-                Command::Wall(WallCommand::ToggleSpokes),
-            ),
-            (
-                "Patch outlines",
-                Some(view.shows_patches),
-                Command::Wall(WallCommand::TogglePatches),
-            ),
-            (
-                "ANV and MP of the patch",
-                Some(view.shows_direction),
-                Command::Wall(WallCommand::ToggleDirection),
-            ),
-            (
-                "Free rotation",
-                Some(view.free_camera),
-                Command::View(ViewCommand::ToggleFreeCamera),
-            ),
-        ] {
+        for switch in SWITCHES {
+            let shown = shown(state, &switch);
             let mut on = shown.unwrap_or(false);
+            let name = action_of(&switch).map_or("", |action| action.name);
             let checkbox = egui::Checkbox::new(&mut on, name);
             let mut response = ui.add_enabled(shown.is_some(), checkbox);
-            if let Some(hint) = display_hint(&command) {
+            if let Some(hint) = display_hint(&switch) {
                 response = response.on_hover_text(hint);
             }
             if response.clicked() {
-                commands.push(command);
+                commands.push(switch);
             }
         }
         ui.separator();
-        for (name, shading) in [
-            ("Smooth shading", Shading::Smooth),
-            ("Flat shading", Shading::Flat),
-        ] {
-            if choice_ui(ui, name, view.shading == shading) {
-                commands.push(Command::View(ViewCommand::SetShading(shading)));
-            }
-        }
+        let shadings = [
+            (Shading::Smooth, "Smooth shading"),
+            (Shading::Flat, "Flat shading"),
+        ];
+        let shading = choices_ui(ui, shadings, state.document.visibility.shading);
+        commands.extend(shading.map(|shading| Command::from(ViewCommand::SetShading(shading))));
     });
 }
 
@@ -243,46 +179,34 @@ fn display_hint(command: &Command) -> Option<&'static str> {
     }
 }
 
-fn switch_ui(
-    ui: &mut Ui,
-    name: &str,
-    shown: Option<bool>,
-    command: Command,
-    commands: &mut Vec<Command>,
-) {
+fn switch_ui(ui: &mut Ui, name: &str, state: &State, switch: Command, commands: &mut Vec<Command>) {
+    let shown = shown(state, &switch);
+    let what = format!("Show or hide: {}", name.to_lowercase());
     let button = Button::new(name).selected(shown == Some(true));
-    let text = hint(
-        ui.ctx(),
-        &format!("Show or hide: {}", name.to_lowercase()),
-        &command,
-    );
     let response = ui
         .add_enabled(shown.is_some(), button)
-        .on_hover_text(text)
+        .on_hover_text(hint(ui.ctx(), &what, &switch))
         .on_disabled_hover_text("This subject has no such surface");
     if response.clicked() {
-        commands.push(command);
+        commands.push(switch);
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::document::testing::{state_of, subject_with_frames};
     use egui_kittest::{Harness, kittest::Queryable as _};
 
-    fn clicked(width: f32, names: &[&str]) -> Vec<Command> {
+    /// What is pushed where a subject has one more beside it, and both a cavity alone.
+    fn clicked(mode: ViewMode, width: f32, names: &[&str]) -> Vec<Command> {
+        let mut state = state_of(["a", "b"].map(|id| subject_with_frames(id, 2)).to_vec());
+        state.document.view_mode = mode;
         let mut harness = Harness::builder()
             .with_size([width, 400.0])
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
             .build_ui_state(
-                |ui, commands: &mut Vec<Command>| {
-                    let view = ViewportHeaderView {
-                        shows_endocardium: Some(true),
-                        no_motion_difference: Some("No motion is transported"),
-                        ..Default::default()
-                    };
-                    viewport_header_ui(ui, &view, commands);
-                },
+                move |ui, commands: &mut Vec<Command>| viewport_header_ui(ui, &state, commands),
                 Vec::new(),
             );
         harness.run();
@@ -298,13 +222,16 @@ mod tests {
         let wanted = [Command::View(ViewCommand::SetViewMode(
             ViewMode::SideBySide,
         ))];
-        assert_eq!(clicked(800.0, &["Side by side"]), wanted);
-        assert_eq!(clicked(360.0, &["View: 3D view", "Side by side"]), wanted);
+        assert_eq!(clicked(ViewMode::Single, 800.0, &["Side by side"]), wanted);
+        assert_eq!(
+            clicked(ViewMode::Single, 360.0, &["View: 3D view", "Side by side"]),
+            wanted
+        );
     }
 
     #[test]
     fn a_surface_that_is_not_there_cannot_be_shown() {
-        let commands = clicked(800.0, &["Epicardium", "Endocardium"]);
+        let commands = clicked(ViewMode::Single, 800.0, &["Epicardium", "Endocardium"]);
         assert_eq!(commands, [Command::View(ViewCommand::ToggleEndocardium)]);
     }
 
@@ -314,14 +241,14 @@ mod tests {
         let wanted = [Command::View(ViewCommand::SetQuantity(
             Quantity::Contribution,
         ))];
-        assert_eq!(clicked(800.0, &names), wanted);
+        assert_eq!(clicked(ViewMode::SideBySide, 800.0, &names), wanted);
         let names = ["Colour: Tissue", Quantity::MotionDifference.name()];
-        assert_eq!(clicked(800.0, &names), []);
+        assert_eq!(clicked(ViewMode::SideBySide, 800.0, &names), []);
     }
 
     #[test]
     fn the_quantity_is_chosen_from_a_menu() {
-        let commands = clicked(800.0, &["Colour: Tissue", "Area ratio"]);
+        let commands = clicked(ViewMode::Single, 800.0, &["Colour: Tissue", "Area ratio"]);
         assert_eq!(
             commands,
             [Command::View(ViewCommand::SetQuantity(Quantity::AreaRatio))]

@@ -1,4 +1,4 @@
-//! The 3D view: hearts drawn by our renderer, the camera under the pointer, and what lies over them.
+//! The 3D view: subjects drawn by our renderer, the camera under the pointer, and what lies over them.
 
 use std::sync::Arc;
 use std::sync::atomic::AtomicU64;
@@ -15,6 +15,7 @@ use crate::picture::{
     WallPart, scene_with_extras,
 };
 use crate::render::{Camera, ViewId};
+use crate::ui::controls::clicked_twice;
 use crate::ui::theme::{colours, line, radius, type_size};
 
 use crate::document::play::pose_in;
@@ -22,14 +23,14 @@ use crate::document::state::State;
 use crate::document::visible_poses;
 use crate::panes::viewport::camera_drag::camera_command;
 use crate::panes::viewport::fits::Fits;
-use crate::panes::viewport::overlay_view::phase_name;
+use crate::panes::viewport::overlay_view::{overlay_view, phase_name};
 use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
-use crate::panes::viewport::pictures::{Heart, Pictures};
+use crate::panes::viewport::pictures::{Pictures, PlacedSubject};
 use crate::panes::viewport::places::places;
 use crate::panes::viewport::shown_subject::{Cell, ScalarCache, ShownSubject, shown_subject};
 
-/// The hearts on screen and what was worked out for them.
+/// The subjects on screen and what was worked out for them.
 #[derive(Default)]
 pub struct Viewport {
     shown: Vec<ShownSubject>,
@@ -50,7 +51,7 @@ impl Viewport {
         }
     }
 
-    /// Asks for the hearts of the state; shows them together once all are ready.
+    /// Asks for the subjects of the state; shows them together once all are ready.
     pub fn prepare(&mut self, state: &State, pictures: Pictures<'_>, reference_frames: &[usize]) {
         let study = state.document.study();
         let mut ready = Vec::new();
@@ -58,7 +59,7 @@ impl Viewport {
         for place in visible_poses(state) {
             let numbers = &mut self.numbers;
             match shown_subject(state, pictures, numbers, reference_frames, &place) {
-                Some(heart) => ready.push(heart),
+                Some(shown) => ready.push(shown),
                 None => complete = false,
             }
         }
@@ -71,29 +72,29 @@ impl Viewport {
         {
             self.limits = limits;
         }
-        let hearts = self.hearts();
-        self.fits.keep(&hearts);
-        self.numbers.keep(&hearts);
+        let placed = self.placed();
+        self.fits.keep(&placed);
+        self.numbers.keep(&placed);
     }
 
-    fn hearts(&self) -> Vec<Arc<Heart>> {
-        let hearts = self.shown.iter().map(|shown| &shown.heart);
-        hearts.map(Arc::clone).collect()
+    fn placed(&self) -> Vec<Arc<PlacedSubject>> {
+        let placed = self.shown.iter().map(|shown| &shown.placed);
+        placed.map(Arc::clone).collect()
     }
 
-    /// Hearts on screen.
+    /// Subjects on screen.
     pub fn shown(&self) -> &[ShownSubject] {
         &self.shown
     }
 
-    /// The camera of a heart on screen, as last drawn; fitted to a square where it never was.
+    /// The camera of a subject on screen, as last drawn; fitted to a square where it never was.
     pub fn camera(&self, state: &State, shown: &ShownSubject) -> Camera {
         let look = state.document.look;
-        let fitted = self.fits.latest(&shown.heart).unwrap_or_else(|| {
-            let rotation = look.rotation(&shown.heart.prepared.axes);
-            shown.heart.fitted(rotation, 1.0)
+        let fitted = self.fits.latest(&shown.placed).unwrap_or_else(|| {
+            let rotation = look.rotation(&shown.placed.prepared.axes);
+            shown.placed.fitted(rotation, 1.0)
         });
-        look.camera(&shown.heart.frame, fitted)
+        look.camera(&shown.placed.frame, fitted)
     }
 
     /// The fixed colour ranges of the study.
@@ -101,7 +102,7 @@ impl Viewport {
         &self.limits
     }
 
-    /// How hearts are drawn now.
+    /// How subjects are drawn now.
     pub fn settings(&self, state: &State, dark: bool) -> SceneSettings {
         let document = &state.document;
         let visible = document.visibility;
@@ -143,16 +144,16 @@ impl Viewport {
         let (area, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D viewport"));
         let rects = places(self.mode, area, self.shown.len());
-        let hearts = self.hearts();
+        let placed = self.placed();
         let look = &state.document.look;
-        let cameras = self.fits.cameras(look, self.mode, &hearts, &rects);
+        let cameras = self.fits.cameras(look, self.mode, &placed, &rects);
         let cells: Vec<Cell> = self
             .shown
             .iter()
             .zip(rects)
             .zip(cameras)
-            .map(|((heart, rect), camera)| Cell {
-                heart,
+            .map(|((shown, rect), camera)| Cell {
+                shown,
                 rect,
                 camera,
             })
@@ -180,9 +181,9 @@ impl Viewport {
         self.pinned = pinned;
     }
 
-    /// A double click fits the heart; a click on one of all phases goes there.
+    /// A double click fits the subject; a click on one of all phases goes there.
     fn click_command(&self, response: &Response, cells: &[Cell]) -> Option<Command> {
-        if response.double_clicked() {
+        if clicked_twice(response) {
             return Some(Command::View(ViewCommand::FitView));
         }
         let at = response
@@ -190,10 +191,10 @@ impl Viewport {
             .filter(|_| response.clicked())?;
         let cell = cells.iter().find(|cell| cell.rect.contains(at))?;
         (self.mode == ViewMode::AllFrames)
-            .then_some(Command::Beat(BeatCommand::SetPosition(cell.heart.position)))
+            .then_some(Command::Beat(BeatCommand::SetPosition(cell.shown.position)))
     }
 
-    /// Hands the hearts to our renderer; returns what the colours mean, and at which heart it stands.
+    /// Hands the subjects to our renderer; returns what the colours mean, and at which subject it stands.
     fn draw(
         &self,
         ui: &Ui,
@@ -203,10 +204,10 @@ impl Viewport {
     ) -> Option<(usize, SubjectScene)> {
         let mut legends = None;
         for (place, cell) in cells.iter().enumerate() {
-            let prepared = &cell.heart.heart.prepared;
-            let pose = pose_in(prepared, cell.heart.position);
-            let settings = cell.heart.settings(settings);
-            let mut picture = scene_with_extras(prepared, cell.heart.extras(), &settings, pose);
+            let prepared = &cell.shown.placed.prepared;
+            let pose = pose_in(prepared, cell.shown.position);
+            let settings = cell.shown.settings(settings);
+            let mut picture = scene_with_extras(prepared, cell.shown.extras(), &settings, pose);
             let scene = std::mem::take(&mut picture.scene);
             if legends.is_none() && picture.legend.is_some() {
                 legends = Some((place, picture));
@@ -248,9 +249,9 @@ impl Viewport {
             let last = place + 1 == shown.len();
             let legends = legends.filter(|(at, _)| *at == place || whole_beat);
             let legends = legends.map(|(_, legends)| legends);
-            let view = cell.heart.overlay.view(
+            let view = overlay_view(
                 legends,
-                &cell.heart.heart.prepared,
+                &cell.shown.placed.prepared,
                 &cell.camera,
                 cell.rect.height(),
                 last,
@@ -258,7 +259,7 @@ impl Viewport {
             let builder = UiBuilder::new().max_rect(rect).id_salt(("heart", place));
             let mut over = ui.new_child(builder);
             over.set_clip_rect(rect.intersect(ui.clip_rect()));
-            viewport_overlay_ui(&mut over, &view, commands);
+            viewport_overlay_ui(&mut over, &cell.shown.caption, &view, commands);
             if place > 0 {
                 let line = Stroke::new(line::THIN, colours(ui).line);
                 ui.painter().vline(rect.left(), rect.y_range(), line);
@@ -272,7 +273,7 @@ impl Viewport {
     }
 }
 
-/// While a subject is dragged, the hearts of others are places where it can be let go.
+/// While a subject is dragged, the others are places where it can be let go.
 fn targets_ui(
     ui: &Ui,
     response: &Response,
@@ -287,13 +288,13 @@ fn targets_ui(
         return;
     };
     for cell in cells {
-        let Some(subject) = state.subject(cell.heart.index) else {
+        let Some(subject) = state.subject(cell.shown.index) else {
             continue;
         };
         let fits = subject.sequence.correspondence() == source.sequence.correspondence();
         let target = SubjectTarget {
             rect: cell.rect,
-            subject: cell.heart.index,
+            subject: cell.shown.index,
             id: &subject.id,
             // Any other number says that they do not correspond.
             correspondence: dragged.correspondence + usize::from(!fits),
@@ -303,7 +304,7 @@ fn targets_ui(
 }
 
 /// The vertex under a resting pointer, and the vertex that was clicked: `Some(None)` where a
-/// click met nothing. While the beat plays or the heart turns, nothing is looked for.
+/// click met nothing. While the motion plays or the subject turns, nothing is looked for.
 fn pointed(
     response: &Response,
     state: &State,
@@ -323,7 +324,7 @@ fn pointed(
     (hovered, clicked)
 }
 
-/// A click on a patch of the selected heart selects it; elsewhere, lets go of what was selected.
+/// A click on a patch of the selected subject selects it; elsewhere, lets go of what was selected.
 fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Option<Command> {
     let document = &state.document;
     let on_patch = clicked
@@ -331,10 +332,10 @@ fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Opti
         .and_then(|picked| {
             let mut own = cells
                 .iter()
-                .filter(|cell| cell.heart.index == document.subject);
+                .filter(|cell| cell.shown.index == document.subject);
             let cell = own.find(|cell| picked.is_on(cell))?;
             let atom = picked.atom(cell)?;
-            let found = &cell.heart.medial.as_ref()?.wall.thickening;
+            let found = &cell.shown.medial.as_ref()?.wall.thickening;
             let mut patches = found.patches.iter();
             patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
         });
@@ -342,17 +343,17 @@ fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Opti
     (part != document.part).then_some(Command::Wall(WallCommand::SelectPart(part)))
 }
 
-/// The number of a frame over its heart in the grid of all phases; the one that the time bar
+/// The number of a frame over its subject in the grid of all phases; the one that the time bar
 /// stands on is marked.
 fn frame_label(ui: &Ui, state: &State, cell: &Cell) {
-    let frame = cell.heart.position as usize;
-    let phase = phase_name(state.phases_of(cell.heart.index), frame);
+    let frame = cell.shown.position as usize;
+    let phase = phase_name(state.phases_of(cell.shown.index), frame);
     let text = match phase {
         Some(phase) => format!("{frame} · {phase}"),
         None => frame.to_string(),
     };
     let colours = colours(ui);
-    let here = state.document.subject == cell.heart.index && state.document.frame() == frame;
+    let here = state.document.subject == cell.shown.index && state.document.frame() == frame;
     let colour = if here {
         colours.selection
     } else {

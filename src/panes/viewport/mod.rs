@@ -4,7 +4,6 @@ pub(crate) mod camera_drag;
 pub mod empty_state;
 pub(crate) mod fits;
 pub mod header;
-pub(crate) mod header_view;
 pub(crate) mod hearts;
 pub mod overlay;
 pub(crate) mod overlay_view;
@@ -15,3 +14,5 @@ pub(crate) mod pictures;
 pub(crate) mod places;
 pub(crate) mod shown_subject;
 pub(crate) mod spec;
+
+pub use {empty_state::*, header::*, overlay::*};

@@ -1,176 +1,141 @@
-//! What lies over a heart in the 3D view: its name, colour bar, scale bar and orientation cube.
+//! What lies over a subject in the 3D view: its name, colour bar, scale bar and orientation cube.
 
 use crate::document::ViewMode;
 use crate::document::VisiblePose;
 use crate::document::differences::hindrance;
-use crate::document::document::nearest_frame;
-use crate::document::interpolated_poses::{BetweenWords, between_words};
+use crate::document::document::{TransportedMotion, nearest_frame};
+use crate::document::interpolated_poses::between_words;
 use crate::document::state::State;
 use crate::document::transported::{TransportState, transported_title};
-use crate::panes::beat::straight_because;
+use crate::panes::beat::between_words_of;
+use crate::panes::commands::TransportCommand;
 use crate::panes::patch::words::patch_note;
-use crate::panes::{
-    ColourBarView, Command, CubeView, PatchNote, ScaleBarView, TransportCommand,
-    ViewportOverlayView,
+use crate::panes::viewport::overlay::{
+    ColourBarView, CubeView, ScaleBarView, SubjectCaption, ViewportOverlayView,
 };
 use crate::picture::{
-    ColourLegend, HeartAxes, PreparedSubject, Quantity, SubjectScene, USER_LIMITS, frame_words,
+    ColourLegend, PreparedSubject, Quantity, SubjectAxes, SubjectScene, USER_LIMITS, frame_words,
 };
 use crate::render::Camera;
-use crate::study::{LabelRole, Subject};
+use crate::study::Subject;
 
-/// Owned texts behind the overlay of one heart.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct OverlayData {
-    title: String,
-    subtitle: String,
-    role: LabelRole,
-    between: BetweenWords,
-    /// Why colours are missing; stands where the badge would be.
-    missing: Option<&'static str>,
-    leave: Option<(&'static str, Command)>,
-    patch: Option<PatchNote>,
+/// Names a subject; in the grid of all frames, its whole motion.
+pub fn caption(state: &State, cell: &VisiblePose) -> SubjectCaption {
+    let (document, subject) = (&state.document, state.subject(cell.subject));
+    let Some(subject) = subject else {
+        return SubjectCaption::default();
+    };
+    let beside = document.visible_transport();
+    let beside = beside.filter(|motion| motion.onto == cell.subject);
+    if let Some(from) = beside.and_then(|motion| state.subject(motion.from)) {
+        return beside_its_origin(state, cell, from, subject);
+    }
+    let count = subject.sequence.frame_count();
+    let caption = SubjectCaption {
+        title: subject.id.clone(),
+        role: document.study().role(subject),
+        badge: missing_colours(state, cell),
+        patch: patch_note(state, cell.subject),
+        ..SubjectCaption::default()
+    };
+    if document.view_mode == ViewMode::AllFrames {
+        let label = subject.label.as_deref().unwrap_or("no label");
+        return SubjectCaption {
+            subtitle: format!("{label} · all {count} frames"),
+            ..caption
+        };
+    }
+    let between = between_words_of(state, cell.subject, cell.position);
+    let words = subject.label.clone().into_iter();
+    let moment = moment_words(state, cell.subject, cell.position, count);
+    SubjectCaption {
+        subtitle: words.chain(moment).collect::<Vec<_>>().join(" · "),
+        badge: caption.badge.or(between.badge),
+        badge_note: between.note,
+        ..caption
+    }
 }
 
-impl OverlayData {
-    /// Names a heart; in the grid of all phases, the whole beat.
-    pub fn of(state: &State, cell: &VisiblePose) -> Self {
-        let Some(subject) = state.subject(cell.subject) else {
-            return Self::default();
-        };
-        let count = subject.sequence.frame_count();
-        let frame = nearest_frame(cell.position, count);
-        let phase = phase_name(state.phases_of(cell.subject), frame);
-        if state.document.view_mode == ViewMode::AllFrames {
-            let label = subject.label.as_deref().unwrap_or("no label");
-            return Self {
-                title: subject.id.clone(),
-                subtitle: format!("{label} · all {count} frames"),
-                role: state.document.study().role(subject),
-                missing: missing_colours(state, cell),
-                patch: patch_note(state, cell.subject),
-                ..Self::default()
-            };
-        }
-        let document = &state.document;
-        let beside = document
-            .visible_transport()
-            .filter(|beat| beat.onto == cell.subject);
-        if let Some(from) = beside.and_then(|beat| state.subject(beat.from)) {
-            return Self::beside_its_origin(state, cell, from, subject);
-        }
-        let mut parts: Vec<String> = subject.label.iter().cloned().collect();
-        parts.push(frame_words(frame, count));
-        parts.extend(phase.map(str::to_owned));
-        let interpolated_poses = state
-            .interpolated_poses_of(cell.subject)
-            .map(|beat| &**beat);
-        Self {
-            title: subject.id.clone(),
-            subtitle: parts.join(" · "),
-            role: document.study().role(subject),
-            between: between_words(interpolated_poses, cell.position, straight_because(state)),
-            missing: missing_colours(state, cell),
-            leave: None,
-            patch: patch_note(state, cell.subject),
-        }
-    }
+/// "frame 1 of 2", "ES": the frame at a position, with its phase in the motion of a subject.
+fn moment_words(
+    state: &State,
+    subject: usize,
+    position: f64,
+    count: usize,
+) -> impl Iterator<Item = String> {
+    let frame = nearest_frame(position, count);
+    let phase = phase_name(state.phases_of(subject), frame).map(str::to_owned);
+    std::iter::once(frame_words(frame, count)).chain(phase)
+}
 
-    /// Names the heart that plays a transported motion, or will.
-    fn beside_its_origin(
-        state: &State,
-        cell: &VisiblePose,
-        from: &Subject,
-        onto: &Subject,
-    ) -> Self {
-        let role = state.document.study().role(onto);
-        let own = (
-            "Show own motion",
-            Command::Transport(TransportCommand::StopTransport),
-        );
-        if cell.transported {
-            let count = from.sequence.frame_count();
-            let frame = nearest_frame(cell.position, count);
-            let mut parts = vec!["transported motion".to_owned(), frame_words(frame, count)];
-            let phase = phase_name(state.phases_of(state.document.subject), frame);
-            parts.extend(phase.map(str::to_owned));
-            return Self {
-                title: transported_title(from, onto),
-                subtitle: parts.join(" · "),
-                role,
-                between: between_words(
-                    None,
-                    cell.position,
-                    "A transported motion is interpolated linearly",
-                ),
-                missing: None,
-                leave: Some(own),
-                patch: None,
-            };
-        }
-        let beat = state.document.transported;
-        let (standing, leave) = match (state.answers.transport_state, beat) {
-            (TransportState::Stopped, Some(beat)) => {
-                let (from, onto) = (beat.from, beat.onto);
-                let again = (
-                    "Transport again",
-                    Command::Transport(TransportCommand::TransportMotion { from, onto }),
-                );
-                (
-                    format!("transport from {} was stopped", from_id(state, from)),
-                    again,
-                )
+/// Names the subject that plays a transported motion, or will.
+fn beside_its_origin(
+    state: &State,
+    cell: &VisiblePose,
+    from: &Subject,
+    onto: &Subject,
+) -> SubjectCaption {
+    let own = ("Show own motion", TransportCommand::StopTransport.into());
+    let (title, words, between, leave);
+    if cell.transported {
+        let count = from.sequence.frame_count();
+        let moment = moment_words(state, state.document.subject, cell.position, count);
+        let why = "A transported motion is interpolated linearly";
+        title = transported_title(from, onto);
+        words = std::iter::once("transported motion".to_owned())
+            .chain(moment)
+            .collect();
+        between = between_words(None, cell.position, why);
+        leave = own;
+    } else {
+        let standing;
+        (standing, leave) = match (state.answers.transport_state, state.document.transported) {
+            (TransportState::Stopped, Some(TransportedMotion { from, onto })) => {
+                let again = TransportCommand::TransportMotion { from, onto };
+                ("was stopped", ("Transport again", again.into()))
             }
-            (TransportState::Failed, _) => (format!("transport from {} failed", from.id), own),
-            _ => (format!("transport from {} is being computed", from.id), own),
+            (TransportState::Failed, _) => ("failed", own),
+            _ => ("is being computed", own),
         };
-        let interpolated_poses = state
-            .interpolated_poses_of(cell.subject)
-            .map(|beat| &**beat);
-        Self {
-            title: onto.id.clone(),
-            subtitle: format!("own motion · {standing}"),
-            role,
-            between: between_words(interpolated_poses, cell.position, straight_because(state)),
-            missing: None,
-            leave: Some(leave),
-            patch: None,
-        }
+        title = onto.id.clone();
+        words = vec![
+            "own motion".to_owned(),
+            format!("transport from {} {standing}", from.id),
+        ];
+        between = between_words_of(state, cell.subject, cell.position);
     }
-
-    /// What the overlay shows.
-    pub fn view<'a>(
-        &'a self,
-        legends: Option<&'a SubjectScene>,
-        prepared: &PreparedSubject,
-        camera: &Camera,
-        height: f32,
-        last: bool,
-    ) -> ViewportOverlayView<'a> {
-        ViewportOverlayView {
-            title: &self.title,
-            subtitle: &self.subtitle,
-            role: self.role,
-            badge: self.missing.or(self.between.badge),
-            badge_note: &self.between.note,
-            leave: self.leave.clone(),
-            colour_bar: legends.and_then(|legends| Some(colour_bar(legends.legend.as_ref()?))),
-            atom_bar: legends.and_then(|legends| Some(colour_bar(legends.atom_legend.as_ref()?))),
-            patch: self.patch.as_ref(),
-            scale_bar: last.then(|| ScaleBarView {
-                points_per_unit: f64::from(height / (2.0 * camera.half_height)),
-                unit: prepared.unit.length_symbol(),
-            }),
-            cube: last.then(|| cube(&prepared.axes, camera)),
-        }
+    let words: Vec<String> = words;
+    SubjectCaption {
+        title,
+        subtitle: words.join(" · "),
+        role: state.document.study().role(onto),
+        badge: between.badge,
+        badge_note: between.note,
+        leave: Some(leave),
+        patch: None,
     }
 }
 
-fn from_id(state: &State, subject: usize) -> &str {
-    state.subject(subject).map_or("", |subject| &subject.id)
+/// What lies over a subject beside its caption.
+pub fn overlay_view<'a>(
+    legends: Option<&'a SubjectScene>,
+    prepared: &PreparedSubject,
+    camera: &Camera,
+    height: f32,
+    last: bool,
+) -> ViewportOverlayView<'a> {
+    ViewportOverlayView {
+        colour_bar: legends.and_then(|legends| Some(colour_bar(legends.legend.as_ref()?))),
+        atom_bar: legends.and_then(|legends| Some(colour_bar(legends.atom_legend.as_ref()?))),
+        scale_bar: last.then(|| ScaleBarView {
+            points_per_unit: f64::from(height / (2.0 * camera.half_height)),
+            unit: prepared.unit.length_symbol(),
+        }),
+        cube: last.then(|| cube(&prepared.axes, camera)),
+    }
 }
 
-/// Why colours that were chosen are not there; said once, at the selected heart.
+/// Why colours that were chosen are not there; said once, at the selected subject.
 fn missing_colours(state: &State, cell: &VisiblePose) -> Option<&'static str> {
     let document = &state.document;
     if document.bar_quantity() == Quantity::ThicknessRatio || document.visibility.atoms {
@@ -179,6 +144,12 @@ fn missing_colours(state: &State, cell: &VisiblePose) -> Option<&'static str> {
     }
     let wanted = document.quantity == Quantity::Contribution && cell.subject == document.subject;
     wanted.then(|| hindrance(document)).flatten()
+}
+
+/// "ED", "ES", "frame 3": a frame of a subject.
+pub fn moment_name(state: &State, subject: usize, frame: usize) -> String {
+    let phase = phase_name(state.phases_of(subject), frame);
+    phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
 }
 
 /// ED and ES by their usual short names.
@@ -211,7 +182,7 @@ fn colour_bar(legend: &ColourLegend) -> ColourBarView<'_> {
     }
 }
 
-fn cube(axes: &HeartAxes, camera: &Camera) -> CubeView {
+fn cube(axes: &SubjectAxes, camera: &Camera) -> CubeView {
     let direction = |v: crate::mesh::Vector3| glam::DVec3::new(v.x, v.y, v.z).as_vec3();
     CubeView {
         world_from_camera: camera.world_from_camera,

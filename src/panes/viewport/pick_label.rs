@@ -15,7 +15,7 @@ use crate::ui::theme::{colours, line, radius, space, type_size};
 use crate::document::play::pose_in;
 use crate::panes::viewport::shown_subject::Cell;
 
-/// A vertex of a heart, named so that it stays the same while the beat plays.
+/// A vertex of a subject, named so that it stays the same while the motion plays.
 #[derive(Clone)]
 pub struct Picked {
     subject: Arc<Subject>,
@@ -23,11 +23,11 @@ pub struct Picked {
     vertex: usize,
 }
 
-/// The vertex nearest to where the pointer meets the heart of a cell.
+/// The vertex nearest to where the pointer meets the subject of a cell.
 pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked> {
-    let heart = &cell.heart.heart;
-    let prepared = &heart.prepared;
-    let pose = pose_in(prepared, cell.heart.position);
+    let placed = &cell.shown.placed;
+    let prepared = &placed.prepared;
+    let pose = pose_in(prepared, cell.shown.position);
     let scene = subject_scene(prepared, settings, pose).scene;
     let local = at - cell.rect.min;
     let size = cell.rect.size();
@@ -43,25 +43,25 @@ pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked>
         .iter()
         .find(|surface| Arc::ptr_eq(&surface.geometry, geometry))?;
     Some(Picked {
-        subject: Arc::clone(&cell.heart.subject),
+        subject: Arc::clone(&cell.shown.subject),
         role: surface.role,
         vertex: hit.vertex as usize,
     })
 }
 
 impl Picked {
-    /// Whether the vertex belongs to the heart of a cell.
+    /// Whether the vertex belongs to the subject of a cell.
     pub fn is_on(&self, cell: &Cell) -> bool {
-        Arc::ptr_eq(&self.subject, &cell.heart.subject)
+        Arc::ptr_eq(&self.subject, &cell.shown.subject)
     }
 
     /// The atom of the medial surface that belongs to the vertex.
     pub fn atom(&self, cell: &Cell) -> Option<u32> {
-        let surfaces = &cell.heart.heart.prepared.surfaces;
+        let surfaces = &cell.shown.placed.prepared.surfaces;
         let place = surfaces
             .iter()
             .position(|surface| surface.role == self.role)?;
-        let medial = cell.heart.medial.as_ref()?;
+        let medial = cell.shown.medial.as_ref()?;
         medial.prepared.atom_at(place, self.vertex)
     }
 
@@ -89,8 +89,8 @@ impl Picked {
 
     /// Where the vertex is on the screen at the cell's pose.
     fn place(&self, cell: &Cell) -> Option<Pos2> {
-        let prepared = &cell.heart.heart.prepared;
-        let pose = pose_in(prepared, cell.heart.position);
+        let prepared = &cell.shown.placed.prepared;
+        let pose = pose_in(prepared, cell.shown.position);
         let positions = &prepared.surface(self.role)?.geometry.positions;
         let from = glam::Vec3::from(*positions.get(pose.from)?.get(self.vertex)?);
         let to = glam::Vec3::from(*positions.get(pose.to)?.get(self.vertex)?);
@@ -109,9 +109,9 @@ pub fn picked_ui(ui: &Ui, cell: &Cell, picked: &Picked, quantity: Quantity) {
     let colours = colours(ui);
     let painter = ui.painter().with_clip_rect(cell.rect);
     painter.circle(at, 3.5, colours.selection, (line::THIN, colours.window));
-    let prepared = &cell.heart.heart.prepared;
-    let pose = pose_in(prepared, cell.heart.position);
-    let words = picked.words(prepared, cell.heart.numbers.as_deref(), quantity, pose);
+    let prepared = &cell.shown.placed.prepared;
+    let pose = pose_in(prepared, cell.shown.position);
+    let words = picked.words(prepared, cell.shown.numbers.as_deref(), quantity, pose);
     let font = egui::FontId::proportional(type_size::NOTE);
     let galley = painter.layout_no_wrap(words, font, colours.text);
     let size = galley.size() + egui::vec2(2.0 * space::MEDIUM, space::MEDIUM);

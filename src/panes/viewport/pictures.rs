@@ -1,4 +1,4 @@
-//! Hearts and walls made ready for drawing: questions to the store, like every analysis.
+//! Subjects and walls made ready for drawing: questions to the store, like every analysis.
 
 use std::convert::Infallible;
 use std::sync::Arc;
@@ -7,11 +7,12 @@ use crate::analysis::medial::MedialBeat;
 use crate::engine::{
     Context, Dependencies, Interrupted, Memory, Query, Store, SubjectThickening, Urgency,
 };
-use crate::picture::{CohortLimits, HeartFrame, PreparedMedial, PreparedSubject, fitted_camera};
+use crate::picture::{CohortLimits, PreparedMedial, PreparedSubject, SubjectFrame, fitted_camera};
 use crate::render::Camera;
 use crate::study::{Study, Subject};
 
 use crate::document::interpolated_poses::InterpolatedMotion;
+use crate::panes::same::Same;
 
 /// Bytes of a vertex at a frame: position, normal and colour values on both sides of the graphics card.
 const BYTES_OF_A_VERTEX: usize = 40;
@@ -19,48 +20,34 @@ const BYTES_OF_A_VERTEX: usize = 40;
 /// Bytes of an atom at a frame: the corners of its disc with their values.
 const BYTES_OF_AN_ATOM: usize = 400;
 
-/// A heart ready for drawing, with where it lies.
+/// A subject ready for drawing, with where it lies.
 #[derive(Debug)]
-pub struct Heart {
+pub struct PlacedSubject {
     /// Its geometry and colour values.
     pub prepared: PreparedSubject,
     /// Where it lies in the world.
-    pub frame: HeartFrame,
+    pub frame: SubjectFrame,
     /// Vertices of all its poses together.
     vertex_frames: usize,
 }
 
-impl Heart {
+impl PlacedSubject {
     /// A camera with this rotation that has all frames in view.
     pub fn fitted(&self, world_from_camera: glam::Quat, aspect: f32) -> Camera {
         fitted_camera(self.prepared.all_positions(), world_from_camera, aspect)
     }
 }
 
-/// What a heart is made from.
-#[derive(Clone, Debug)]
+/// What a subject is made from.
+#[derive(Clone, Debug, PartialEq)]
 struct SubjectPicture {
-    subject: Arc<Subject>,
+    subject: Same<Subject>,
     reference_frame: usize,
-    interpolated_poses: Option<Arc<InterpolatedMotion>>,
-}
-
-impl PartialEq for SubjectPicture {
-    /// Whether both are made from the same values, not from equal ones.
-    fn eq(&self, other: &Self) -> bool {
-        let same_poses = match (&self.interpolated_poses, &other.interpolated_poses) {
-            (Some(a), Some(b)) => Arc::ptr_eq(a, b),
-            (None, None) => true,
-            (Some(_), None) | (None, Some(_)) => false,
-        };
-        same_poses
-            && Arc::ptr_eq(&self.subject, &other.subject)
-            && self.reference_frame == other.reference_frame
-    }
+    interpolated_poses: Option<Same<InterpolatedMotion>>,
 }
 
 impl Query for SubjectPicture {
-    type Answer = Heart;
+    type Answer = PlacedSubject;
     type Error = Infallible;
     const TITLE: &'static str = "Surfaces for the 3D view";
     const FAILURE: Option<&'static str> = Some("The surfaces could not be prepared");
@@ -71,49 +58,37 @@ impl Query for SubjectPicture {
         Dependencies::nothing()
     }
 
-    fn run(&self, _: &Context<'_>) -> Result<Heart, Interrupted<Infallible>> {
-        let between = self.interpolated_poses.as_ref();
-        let between = between.map_or_else(Vec::new, |beat| beat.inner_poses());
+    fn run(&self, _: &Context<'_>) -> Result<PlacedSubject, Interrupted<Infallible>> {
+        let subject = &self.subject.0;
+        let motion = self.interpolated_poses.as_ref().map(|motion| &motion.0);
+        let between = motion.map_or_else(Vec::new, |motion| motion.inner_poses());
         let prepared =
-            PreparedSubject::with_interpolated_poses(&self.subject, self.reference_frame, &between);
-        let sequence = &self.subject.sequence;
-        let recorded = sequence.vertex_count() * sequence.frame_count();
-        let computed = self
-            .interpolated_poses
-            .as_ref()
-            .map_or(0, |beat| beat.vertices());
-        Ok(Heart {
-            frame: HeartFrame::of(&prepared),
+            PreparedSubject::with_interpolated_poses(subject, self.reference_frame, &between);
+        let recorded = subject.sequence.vertex_count() * subject.sequence.frame_count();
+        let computed = motion.map_or(0, |motion| motion.vertices());
+        Ok(PlacedSubject {
+            frame: SubjectFrame::of(&prepared),
             vertex_frames: recorded + computed,
             prepared,
         })
     }
 
-    fn memory(heart: &Heart, memory: &mut Memory) {
-        memory.own(heart.vertex_frames * BYTES_OF_A_VERTEX);
+    fn memory(placed: &PlacedSubject, memory: &mut Memory) {
+        memory.own(placed.vertex_frames * BYTES_OF_A_VERTEX);
     }
 
-    /// The 3D view itself keeps the hearts on screen until all new ones are there.
+    /// The 3D view itself keeps the subjects on screen until all new ones are there.
     fn replaces(&self, _: &Self) -> bool {
         false
     }
 }
 
 /// What a medial surface is made from.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 struct MedialPicture {
-    subject: Arc<Subject>,
-    beat: Arc<MedialBeat>,
+    subject: Same<Subject>,
+    beat: Same<MedialBeat>,
     end_diastole: usize,
-}
-
-impl PartialEq for MedialPicture {
-    /// Whether both are made from the same values, not from equal ones.
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.subject, &other.subject)
-            && Arc::ptr_eq(&self.beat, &other.beat)
-            && self.end_diastole == other.end_diastole
-    }
 }
 
 impl Query for MedialPicture {
@@ -129,8 +104,8 @@ impl Query for MedialPicture {
     }
 
     fn run(&self, _: &Context<'_>) -> Result<PreparedMedial, Interrupted<Infallible>> {
-        let medial = PreparedMedial::new(&self.subject, &self.beat, self.end_diastole);
-        Ok(medial)
+        let (subject, beat) = (&self.subject.0, &self.beat.0);
+        Ok(PreparedMedial::new(subject, beat, self.end_diastole))
     }
 
     fn memory(medial: &PreparedMedial, memory: &mut Memory) {
@@ -193,32 +168,36 @@ impl<'a> Pictures<'a> {
         Self { store, study }
     }
 
-    /// The heart, if it is ready; else it is begun. Cheap every frame.
-    pub fn heart(&self, subject: &Arc<Subject>, reference_frame: usize) -> Option<Arc<Heart>> {
-        self.heart_of(subject, reference_frame, None)
+    /// The subject, if it is ready; else it is begun. Cheap every frame.
+    pub fn placed(
+        &self,
+        subject: &Arc<Subject>,
+        reference_frame: usize,
+    ) -> Option<Arc<PlacedSubject>> {
+        self.placed_of(subject, reference_frame, None)
     }
 
-    /// The heart with poses between its frames; while it is being made, the heart without them.
-    pub fn heart_between(
+    /// The subject with poses between its frames; while it is being made, the subject without them.
+    pub fn placed_between(
         &self,
         subject: &Arc<Subject>,
         reference_frame: usize,
         interpolated_poses: Option<&Arc<InterpolatedMotion>>,
-    ) -> Option<Arc<Heart>> {
-        let whole =
-            interpolated_poses.and_then(|beat| self.heart_of(subject, reference_frame, Some(beat)));
-        whole.or_else(|| self.heart(subject, reference_frame))
+    ) -> Option<Arc<PlacedSubject>> {
+        let whole = interpolated_poses
+            .and_then(|motion| self.placed_of(subject, reference_frame, Some(motion)));
+        whole.or_else(|| self.placed(subject, reference_frame))
     }
 
-    /// The medial surface of a heart, if it is ready; else it is begun. Cheap every frame.
+    /// The medial surface of a subject, if it is ready; else it is begun. Cheap every frame.
     pub fn medial(
         &self,
         subject: &Arc<Subject>,
         wall: &Arc<SubjectThickening>,
     ) -> Option<ShownMedial> {
         let query = MedialPicture {
-            subject: Arc::clone(subject),
-            beat: Arc::clone(&wall.beat),
+            subject: Same(Arc::clone(subject)),
+            beat: Same(Arc::clone(&wall.beat)),
             end_diastole: wall.thickening.end_diastole,
         };
         let showing = self.store.ask(self.study, &query);
@@ -237,16 +216,16 @@ impl<'a> Pictures<'a> {
         showing.latest().map(|limits| **limits)
     }
 
-    fn heart_of(
+    fn placed_of(
         &self,
         subject: &Arc<Subject>,
         reference_frame: usize,
         interpolated_poses: Option<&Arc<InterpolatedMotion>>,
-    ) -> Option<Arc<Heart>> {
+    ) -> Option<Arc<PlacedSubject>> {
         let query = SubjectPicture {
-            subject: Arc::clone(subject),
+            subject: Same(Arc::clone(subject)),
             reference_frame,
-            interpolated_poses: interpolated_poses.cloned(),
+            interpolated_poses: Same::of(interpolated_poses),
         };
         self.store.ask(self.study, &query).ready().cloned()
     }
@@ -265,17 +244,17 @@ mod tests {
         let study = study_of(vec![subject_with_frames("a", 3)]);
         let (pictures, subject) = (Pictures::new(&store, &study), &study.subjects[0]);
         let begin = Instant::now();
-        let heart = loop {
-            if let Some(heart) = pictures.heart(subject, 0) {
-                break heart;
+        let placed = loop {
+            if let Some(placed) = pictures.placed(subject, 0) {
+                break placed;
             }
             assert!(begin.elapsed() < Duration::from_secs(5));
             std::hint::spin_loop();
         };
-        assert_eq!(heart.prepared.frame_count, 3);
-        assert!(heart.frame.middle.length() < 1e-3);
-        let again = pictures.heart(subject, 0).unwrap();
-        assert!(Arc::ptr_eq(&heart, &again));
+        assert_eq!(placed.prepared.frame_count, 3);
+        assert!(placed.frame.middle.length() < 1e-3);
+        let again = pictures.placed(subject, 0).unwrap();
+        assert!(Arc::ptr_eq(&placed, &again));
         assert!(store.activities().is_empty(), "pictures are not listed");
     }
 }

@@ -13,7 +13,7 @@ const BEST_ASPECT: f32 = 0.68;
 /// Room above a grid for the subject's name, and below for colour bar, scale and cube.
 const GRID_MARGINS: [f32; 2] = [58.0, 84.0];
 
-/// Places of `count` hearts on a view: beside each other, or in rows.
+/// Places of `count` subjects on a view: beside each other, or in rows.
 pub fn places(mode: ViewMode, area: Rect, count: usize) -> Vec<Rect> {
     match mode {
         _ if count <= 1 => vec![area; count],

@@ -1,4 +1,4 @@
-//! A heart on screen: whose it is, where in its beat, and the numbers that it has beside another one.
+//! A subject on screen: whose it is, where in its cycle, and the numbers that it has beside another one.
 
 use std::sync::Arc;
 
@@ -14,32 +14,34 @@ use crate::study::Subject;
 
 use crate::document::VisiblePose;
 use crate::document::state::State;
-use crate::panes::viewport::overlay_view::OverlayData;
-use crate::panes::viewport::pictures::{Heart, Pictures, ShownMedial};
+use crate::panes::same::Same;
+use crate::panes::viewport::overlay::SubjectCaption;
+use crate::panes::viewport::overlay_view::caption;
+use crate::panes::viewport::pictures::{Pictures, PlacedSubject, ShownMedial};
 
-/// A heart on screen: it stays until the next one is ready.
+/// A subject on screen: it stays until the next one is ready.
 #[derive(Clone)]
 pub struct ShownSubject {
     /// Index into the study's subjects.
     pub index: usize,
-    /// Whose heart it is; with a transported motion, a subject of its own.
+    /// Whose it is; with a transported motion, a subject of its own.
     pub subject: Arc<Subject>,
-    /// Place in its beat.
+    /// Place in its cycle.
     pub position: f64,
     /// Its geometry.
-    pub heart: Arc<Heart>,
-    /// Numbers that it has beside another heart.
+    pub placed: Arc<PlacedSubject>,
+    /// Numbers that it has beside another subject.
     pub numbers: Option<Arc<SurfaceScalars>>,
     /// The middle of its wall.
     pub medial: Option<ShownMedial>,
     /// How the borders of its patches look.
     pub patch_look: PatchLook,
-    /// What lies over it.
-    pub overlay: OverlayData,
+    /// What is said over it.
+    pub caption: SubjectCaption,
 }
 
 impl ShownSubject {
-    /// How it is drawn, where hearts are drawn so.
+    /// How it is drawn, where subjects are drawn so.
     pub fn settings(&self, settings: &SceneSettings) -> SceneSettings {
         SceneSettings {
             medial: MedialSettings {
@@ -62,17 +64,17 @@ impl ShownSubject {
     }
 }
 
-/// One heart of this frame's picture.
+/// One subject of this frame's picture.
 pub struct Cell<'a> {
-    /// Which heart.
-    pub heart: &'a ShownSubject,
+    /// Which subject.
+    pub shown: &'a ShownSubject,
     /// Where on the screen.
     pub rect: Rect,
     /// From where it is looked at.
     pub camera: Camera,
 }
 
-/// The heart of one place, once it is ready.
+/// The subject of one place, once it is ready.
 pub fn shown_subject(
     state: &State,
     pictures: Pictures<'_>,
@@ -86,15 +88,15 @@ pub fn shown_subject(
         place.subject
     };
     let reference = reference_frames.get(origin).copied().unwrap_or(0);
-    let (subject, heart) = if place.transported {
+    let (subject, placed) = if place.transported {
         let subject = &state.transported_subject()?.subject;
-        (subject, pictures.heart(subject, reference)?)
+        (subject, pictures.placed(subject, reference)?)
     } else {
         let subject = state.subject(place.subject)?;
         let between = state.interpolated_poses_of(place.subject);
         (
             subject,
-            pictures.heart_between(subject, reference, between)?,
+            pictures.placed_between(subject, reference, between)?,
         )
     };
     let found = (!place.transported)
@@ -108,89 +110,84 @@ pub fn shown_subject(
         index: place.subject,
         subject: Arc::clone(subject),
         position: place.position,
-        numbers: numbers.of(state, place, &heart, medial.as_ref()),
+        numbers: numbers.of(state, place, &placed, medial.as_ref()),
         medial,
-        heart,
+        placed,
         patch_look: state.patch_look(place.subject),
-        overlay: OverlayData::of(state, place),
+        caption: caption(state, place),
     })
 }
 
-/// Numbers that were divided over the surfaces of the hearts on screen: the same arrays as long as
-/// hearts and numbers stay, so that playing uploads nothing.
+/// Numbers that were divided over the surfaces of the subjects on screen: the same arrays as long as
+/// subjects and numbers stay, so that playing uploads nothing.
 #[derive(Default)]
 pub struct ScalarCache(Vec<Made>);
 
 struct Made {
-    heart: Arc<Heart>,
+    placed: Arc<PlacedSubject>,
     source: Source,
     numbers: Arc<SurfaceScalars>,
 }
 
 /// What numbers are divided from.
-#[derive(Clone)]
+#[derive(Clone, PartialEq)]
 enum Source {
     /// Lists over all vertices.
-    Lists(Arc<Vec<Vec<f32>>>),
+    Lists(Same<Vec<Vec<f32>>>),
     /// Atoms.
-    Medial(Arc<PreparedMedial>),
+    Medial(Same<PreparedMedial>),
 }
 
 impl Source {
-    fn is(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Lists(a), Self::Lists(b)) => Arc::ptr_eq(a, b),
-            (Self::Medial(a), Self::Medial(b)) => Arc::ptr_eq(a, b),
-            _ => false,
-        }
-    }
-
-    fn numbers(&self, heart: &Heart, quantity: Quantity) -> Option<SurfaceScalars> {
+    fn numbers(&self, placed: &PlacedSubject, quantity: Quantity) -> Option<SurfaceScalars> {
         match self {
-            Self::Lists(lists) => SurfaceScalars::of_heart(&heart.prepared, quantity, lists),
-            Self::Medial(medial) => medial.numbers(&heart.prepared),
+            Self::Lists(Same(lists)) => SurfaceScalars::of_heart(&placed.prepared, quantity, lists),
+            Self::Medial(Same(medial)) => medial.numbers(&placed.prepared),
         }
     }
 }
 
 impl ScalarCache {
-    /// Forgets the numbers of all other hearts.
-    pub fn keep(&mut self, hearts: &[Arc<Heart>]) {
-        self.0
-            .retain(|made| hearts.iter().any(|heart| Arc::ptr_eq(heart, &made.heart)));
+    /// Forgets the numbers of all other subjects.
+    pub fn keep(&mut self, on_screen: &[Arc<PlacedSubject>]) {
+        self.0.retain(|made| {
+            on_screen
+                .iter()
+                .any(|placed| Arc::ptr_eq(placed, &made.placed))
+        });
     }
 
     fn of(
         &mut self,
         state: &State,
         place: &VisiblePose,
-        heart: &Arc<Heart>,
+        placed: &Arc<PlacedSubject>,
         medial: Option<&ShownMedial>,
     ) -> Option<Arc<SurfaceScalars>> {
         // Where atoms have the colours, the wall under the pointer says PT.
         let quantity = state.document.bar_quantity();
         let source = match quantity {
             Quantity::MotionDifference if place.transported => {
-                Source::Lists(Arc::clone(&state.transported_subject()?.distances))
+                Source::Lists(Same(Arc::clone(&state.transported_subject()?.distances)))
             }
             Quantity::Contribution if state.document.view_mode == ViewMode::SideBySide => {
-                Source::Lists(Arc::clone(state.answers.difference()?))
+                Source::Lists(Same(Arc::clone(state.answers.difference()?)))
             }
-            Quantity::ThicknessRatio => Source::Medial(Arc::clone(&medial?.prepared)),
+            Quantity::ThicknessRatio => Source::Medial(Same(Arc::clone(&medial?.prepared))),
             _ => return None,
         };
         let same = |made: &&Made| {
-            Arc::ptr_eq(&made.heart, heart)
-                && made.source.is(&source)
+            Arc::ptr_eq(&made.placed, placed)
+                && made.source == source
                 && made.numbers.quantity == quantity
         };
         if let Some(made) = self.0.iter().find(same) {
             return Some(Arc::clone(&made.numbers));
         }
-        let numbers = Arc::new(source.numbers(heart, quantity)?);
-        self.0.retain(|made| !Arc::ptr_eq(&made.heart, heart));
+        let numbers = Arc::new(source.numbers(placed, quantity)?);
+        self.0.retain(|made| !Arc::ptr_eq(&made.placed, placed));
         self.0.push(Made {
-            heart: Arc::clone(heart),
+            placed: Arc::clone(placed),
             source,
             numbers: Arc::clone(&numbers),
         });

@@ -4,7 +4,6 @@ use egui::Ui;
 
 use super::empty_state::{EmptyStateView, empty_state_ui};
 use super::header::viewport_header_ui;
-use super::header_view::viewport_header_view;
 use super::hearts::Viewport;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::look::Look;
@@ -20,13 +19,14 @@ pub const PANE: PaneSpec = PaneSpec {
     pane: Pane::VIEWPORT,
     title: "3D view",
     toggle: "Pane: 3D view",
+    open: None,
     place: Place::Middle,
     header: Header::Always(header_ui),
     ui,
 };
 
 fn header_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    viewport_header_ui(ui, &viewport_header_view(look.state()), commands);
+    viewport_header_ui(ui, look.state(), commands);
 }
 
 fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {

@@ -8,7 +8,7 @@ use crate::picture::bulls_eye::BullsEyeQuantity;
 use crate::picture::figure::content::{FigureContent, FigureSubject};
 use crate::picture::figure::layout::{FigureFrame, drawn_figure};
 use crate::picture::figure::saved_view::{SavedCamera, SavedView};
-use crate::picture::heart_frame::HeartFrame;
+use crate::picture::heart_frame::SubjectFrame;
 use crate::picture::page::{FigureFonts, FigureSettings, Page, VIEW_KEY};
 use crate::picture::prepared::PreparedSubject;
 use crate::picture::scene::{SubjectExtras, SubjectScene, scene_with_extras};
@@ -139,7 +139,7 @@ impl FigureOrder<'_> {
             self.study,
             self.shown.subject,
             self.position,
-            SavedCamera::of(*camera, &HeartFrame::of(self.prepared)),
+            SavedCamera::of(*camera, &SubjectFrame::of(self.prepared)),
             &self.scene,
             self.bulls_eye,
             self.thickening,

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::analysis::segments::Segment;
 use crate::engine::ThickeningSettings;
 use crate::picture::bulls_eye::BullsEyeQuantity;
-use crate::picture::heart_frame::HeartFrame;
+use crate::picture::heart_frame::SubjectFrame;
 use crate::picture::medial::WallPart;
 use crate::picture::quantity::Quantity;
 use crate::picture::scene_settings::SceneSettings;
@@ -146,7 +146,7 @@ impl SavedSubject {
 
 impl SavedCamera {
     /// A camera in the world, for a heart that lies like `frame`.
-    pub fn of(camera: Camera, frame: &HeartFrame) -> Self {
+    pub fn of(camera: Camera, frame: &SubjectFrame) -> Self {
         let inside = frame.heart_camera(camera);
         Self {
             rotation: inside.world_from_camera.to_array(),

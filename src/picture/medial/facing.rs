@@ -5,14 +5,14 @@ use glam::{DVec3, Mat3, Quat, Vec3};
 use crate::analysis::thickening::Patch;
 use crate::engine::SubjectThickening;
 use crate::mesh::Vector3;
-use crate::picture::axes::HeartAxes;
+use crate::picture::axes::SubjectAxes;
 
 /// Normals of a patch that is all around leave less than this of themselves in their mean.
 const MIN_DIRECTION: f64 = 0.2;
 
 /// Rotation of a camera that looks straight at a patch, base up; a patch all around has no direction of its own and is
 /// seen from the front.
-pub fn facing_patch(wall: &SubjectThickening, patch: &Patch, axes: &HeartAxes) -> Option<Quat> {
+pub fn facing_patch(wall: &SubjectThickening, patch: &Patch, axes: &SubjectAxes) -> Option<Quat> {
     let rest = wall.beat.frames.get(wall.thickening.end_diastole)?;
     let normal: Vector3 = (patch.atoms.iter())
         .filter_map(|&atom| rest.normals.get(atom as usize))

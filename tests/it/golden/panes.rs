@@ -5,7 +5,7 @@ use cardiomorph::app::App;
 use cardiomorph::document::{ThemeChoice, ViewMode};
 use cardiomorph::engine::MedialMapParams;
 use cardiomorph::panes::{
-    BeatCommand, Command, Pane, TransportCommand, ViewCommand, WallCommand, WindowCommand,
+    BeatCommand, Command, PANES, Pane, TransportCommand, ViewCommand, WallCommand, WindowCommand,
 };
 use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 use cardiomorph::ui::theme::space;
@@ -35,24 +35,6 @@ pub const NAMES: [&str; 16] = [
 /// Heights of the bars above and below the panes, as `app/frame_ui.rs` has them.
 const BARS: [f32; 2] = [34.0, 72.0 + 36.0];
 
-/// Panes in the order of their tabs: closed one after another, each is in front when its turn comes.
-const PANES: [Pane; 14] = [
-    Pane::COHORT,
-    Pane::ACTIVITY,
-    Pane::METRIC,
-    Pane::VIEWPORT,
-    Pane::POSE_MAP,
-    Pane::DEFORMATION_MAP,
-    Pane::SPATIOTEMPORAL,
-    Pane::MEDIAL_MAP,
-    Pane::MEASURES,
-    Pane::PATCH,
-    Pane::VERDICT,
-    Pane::BULLS_EYE,
-    Pane::CURVES,
-    Pane::THICKNESS,
-];
-
 /// Compares a pane of this size alone in the window, after these commands.
 fn compare_pane(
     name: &str,
@@ -68,9 +50,9 @@ fn compare_pane(
     let [above, below] = BARS;
     let gap = space::PANE_GAP;
     let window = [width + 2.0 * gap, above + height + 2.0 * gap + below];
-    let mut all: Vec<Command> = PANES
-        .map(|pane| Command::Window(WindowCommand::TogglePane(pane)))
-        .to_vec();
+    // Closed one after another in the order of their tabs, each is in front when its turn comes.
+    let toggles = (PANES.iter()).map(|spec| WindowCommand::TogglePane(spec.pane));
+    let mut all: Vec<Command> = toggles.map(Command::Window).collect();
     all.push(Command::Window(WindowCommand::ShowPane(pane)));
     all.extend_from_slice(commands);
     let mut harness = window_after(window, theme, all, ready);

@@ -1,8 +1,10 @@
 //! Panes and sheets in states that the built-in cohort does not bring about, from views made by hand.
 
+use std::time::Duration;
+
 use cardiomorph::app::*;
 use cardiomorph::document::ErrorCard;
-use cardiomorph::engine::{PoseMapParams, Topic};
+use cardiomorph::engine::{Activity, ActivityState, PoseMapParams, Topic};
 use cardiomorph::panes::*;
 use cardiomorph::study::Notice;
 use cardiomorph::ui::*;
@@ -40,9 +42,8 @@ fn over_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comman
     match name {
         "palette" => {
             let view = CommandPaletteView {
-                actions: &example.actions,
+                actions: &example.actions(),
                 subjects: &example.rows,
-                selected: Some(9),
             };
             command_palette_ui(ui, &view, commands);
         }
@@ -98,26 +99,29 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
     pane(ui, whole.shrink(2.0), |ui| match name {
         "map_hover" | "map_computing" | "map_failed" | "map_empty" => {
             let state = match name {
-                "map_computing" => MapState::Computing {
+                "map_computing" => WorkState::Computing {
                     fraction: 0.42,
+                    phase: String::new(),
                     seconds_left: Some(12.0),
                 },
                 "map_failed" => {
-                    MapState::Failed("no two subjects have corresponding vertices".to_owned())
+                    WorkState::Failed("no two subjects have corresponding vertices".to_owned())
                 }
-                "map_empty" => MapState::Empty,
-                _ => MapState::Ready,
+                "map_empty" => WorkState::Empty,
+                _ => WorkState::Ready,
             };
             let mut view = example.map(state);
             if name == "map_empty" {
-                view.map.points = &[];
+                view.points = &[];
             }
-            pose_map_header_ui(ui, &view, commands);
-            pose_map_ui(ui, &view, commands);
+            named_header_ui(ui, "Poses", |ui| {
+                pose_map_choosers_ui(ui, PoseMapParams::default(), 56.0, commands);
+            });
+            scatter_map_ui(ui, &view, 0.0, commands);
         }
         "deformations_few" => {
             let too_few = "Fewer than 4 subjects: no deformation map";
-            let mut view = example.deformation_map(MapState::Unanswerable(too_few.to_owned()));
+            let mut view = example.deformation_map(WorkState::Unanswerable(too_few.to_owned()));
             view.map.points = &[];
             pane_header_ui(
                 ui,
@@ -131,16 +135,19 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
             deformation_map_ui(ui, &view, commands);
         }
         "activity" => {
-            let item = |title: &str, parameters: &str, duration_s, state| WorkItem {
-                kind: Topic::of::<PoseMapParams>(),
-                title: title.to_owned(),
+            let item = |name: &str, parameters: &str, seconds, state| Activity {
+                number: 0,
+                topic: Topic::of::<PoseMapParams>(),
+                name: name.to_owned(),
                 parameters: parameters.to_owned(),
-                duration_s,
+                asked_ago: Duration::from_secs_f64(seconds),
+                duration: Duration::from_secs_f64(seconds),
                 state,
             };
-            let running = WorkState::Running {
+            let running = ActivityState::Running {
                 fraction: 0.71,
-                seconds_left: Some(3.2),
+                phase: "",
+                time_left: Some(Duration::from_secs_f64(3.2)),
             };
             let items = [
                 item(
@@ -149,14 +156,14 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                     2.4,
                     running,
                 ),
-                item("Measures", "23 subjects", 0.08, WorkState::Done),
+                item("Measures", "23 subjects", 0.08, ActivityState::Done),
                 item(
                     "Reading",
                     "acdc_walls/study.toml",
                     12.3,
-                    WorkState::Failed("no such folder".to_owned()),
+                    ActivityState::Failed("no such folder".to_owned()),
                 ),
-                item("Pose map", "rigid · MDS", 0.9, WorkState::Stopped),
+                item("Pose map", "rigid · MDS", 0.9, ActivityState::Stopped),
             ];
             activity_ui(ui, &items, commands);
         }
@@ -171,10 +178,10 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
         "thickness" => {
             let view = ThicknessPanelView {
                 subject: Some("P-050"),
-                state: &ThicknessState::Ready,
-                moment: "ES",
+                state: WorkState::Ready,
+                moment: "ES".to_owned(),
                 unit: "mm",
-                rows: &thickness_rows(),
+                rows: thickness_rows().to_vec(),
                 max: 16.0,
             };
             thickness_panel_ui(ui, &view, commands);

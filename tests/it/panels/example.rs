@@ -1,23 +1,27 @@
 //! A cohort made up for pictures and layouts: ids, labels and numbers that look like a study's.
 
 use std::f64::consts::{PI, TAU};
+use std::sync::Arc;
 
 use cardiomorph::analysis::deformations::DeformationMapParams;
+use cardiomorph::document::State;
 use cardiomorph::engine::PoseMapParams;
+use cardiomorph::mesh::phantom;
 use cardiomorph::panes::*;
-use cardiomorph::study::LabelRole;
+use cardiomorph::picture::Quantity;
+use cardiomorph::study::{LabelRole, MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
+use cardiomorph::units::LengthUnit;
 
 /// What panels show.
 pub struct Example {
     pub rows: Vec<CohortRow>,
-    pub subjects: Vec<MapSubject>,
     pub points: Vec<ScatterPoint>,
     pub deformations: Vec<ScatterPoint>,
     pub classifiers: Vec<ClassifierView>,
     pub volumes: Vec<f64>,
     pub outer: Vec<f64>,
     pub shares: Vec<f64>,
-    pub actions: ActionState,
+    pub state: State,
 }
 
 impl Example {
@@ -28,7 +32,7 @@ impl Example {
             ("DCM", LabelRole::Abnormal, 4, 0.22),
             ("RV", LabelRole::Unknown, 2, 0.55),
         ];
-        let (mut rows, mut subjects, mut points) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut rows, mut points) = (Vec::new(), Vec::new());
         for (label, role, count, ef) in groups {
             for _ in 0..count {
                 let subject = rows.len();
@@ -43,12 +47,6 @@ impl Example {
                     frame_count: 8,
                     warning_count: usize::from(subject == 5),
                     correspondence: 0,
-                });
-                subjects.push(MapSubject {
-                    id: rows[subject].id.clone(),
-                    label: Some(label.to_owned()),
-                    role,
-                    ejection_fraction,
                 });
                 for frame in 0..8 {
                     let turn = (1.0 - (TAU * frame as f64 / 8.0).cos()) / 2.0;
@@ -75,7 +73,7 @@ impl Example {
                 }
             }
         }
-        let deformations = deformations(&subjects);
+        let deformations = deformations(&rows);
         let shares: Vec<f64> = (0..8).map(|frame| frame as f64 / 8.0).collect();
         let volumes = shares
             .iter()
@@ -85,24 +83,15 @@ impl Example {
             .iter()
             .map(|s| 196.0 - 34.0 * (PI * s).sin().powi(2))
             .collect();
-        let actions = ActionState {
-            has_study: true,
-            can_undo: true,
-            shows_endocardium: true,
-            shows_epicardium: true,
-            looping: true,
-            ..Default::default()
-        };
         Self {
             rows,
-            subjects,
             points,
             deformations,
             classifiers: classifiers(),
             volumes,
             outer,
             shares,
-            actions,
+            state: state(),
         }
     }
 
@@ -110,16 +99,16 @@ impl Example {
         &'a self,
         words: &'static MapWords,
         points: &'a [ScatterPoint],
-        state: MapState,
+        state: WorkState,
     ) -> ScatterView<'a> {
         ScatterView {
             state,
             selected: Some(9),
-            ..ScatterView::new(words, &self.subjects, points)
+            ..ScatterView::new(words, &self.rows, points)
         }
     }
 
-    pub fn deformation_map(&self, state: MapState) -> DeformationMapView<'_> {
+    pub fn deformation_map(&self, state: WorkState) -> DeformationMapView<'_> {
         DeformationMapView {
             map: ScatterView {
                 compared: Some(2),
@@ -133,13 +122,17 @@ impl Example {
         }
     }
 
-    pub fn space_time(&self, state: MapState) -> SpaceTimeView<'_> {
-        SpaceTimeView {
-            map: ScatterView {
-                compared: Some(2),
-                ..self.scatter(&SPACE_TIME, &self.points, state)
-            },
-            share: 0.3,
+    pub fn space_time(&self, state: WorkState) -> ScatterView<'_> {
+        ScatterView {
+            compared: Some(2),
+            ..self.scatter(&SPACE_TIME, &self.points, state)
+        }
+    }
+
+    pub fn actions(&self) -> ActionState<'_> {
+        ActionState {
+            state: &self.state,
+            hidden_panes: Vec::new(),
         }
     }
 
@@ -147,35 +140,55 @@ impl Example {
         MetricPanelView {
             poses: PoseMapParams::default(),
             deformations: DeformationMapParams::default(),
-            subjects: &self.subjects,
+            subjects: &self.rows,
             selected: Some(9),
             neighbours: Some(5),
             time_weight: Some(1.42),
         }
     }
 
-    pub fn axis(&self) -> BeatAxis<'_> {
-        BeatAxis {
-            frame_shares: &self.shares,
+    pub fn axis(&self) -> CycleAxis {
+        CycleAxis {
+            frame_shares: self.shares.clone(),
         }
     }
 
-    pub fn map(&self, state: MapState) -> PoseMapView<'_> {
+    pub fn map(&self, state: WorkState) -> ScatterView<'_> {
         let part = |axis: usize| {
             let (from, to) = (&self.points[9 * 8 + 2], &self.points[9 * 8 + 3]);
             from.at[axis] + 0.4 * (to.at[axis] - from.at[axis])
         };
         let [note, explanation] = pose_map_note(Some(0.083), None);
-        PoseMapView {
-            map: ScatterView {
-                current: vec![[part(0), part(1)]],
-                note,
-                explanation,
-                ..self.scatter(&POSE_MAP, &self.points, state)
-            },
-            params: PoseMapParams::default(),
+        ScatterView {
+            current: vec![[part(0), part(1)]],
+            note,
+            explanation,
+            ..self.scatter(&POSE_MAP, &self.points, state)
         }
     }
+}
+
+/// A study of one subject with both surfaces, after a first change.
+fn state() -> State {
+    let surface = |kind, radius| SurfaceSequence::new(kind, vec![phantom::sphere(1, radius)]);
+    let surfaces = [
+        (SurfaceKind::Endocardium, 25.0),
+        (SurfaceKind::Epicardium, 34.0),
+    ];
+    let surfaces = surfaces.map(|(kind, radius)| surface(kind, radius).unwrap());
+    let sequence = MeshSequence::new(surfaces.to_vec()).unwrap();
+    let subject = Subject::new("P-041", sequence, LengthUnit::Millimetre);
+    let study = Study {
+        name: "A study with quite a long name, as folders often have".to_owned(),
+        subjects: vec![Arc::new(subject)],
+        ..Study::default()
+    };
+    let mut state = State::default();
+    state.show_study(Arc::new(study), Default::default());
+    let before = state.document.clone();
+    state.history.record(before, None, false, 0.0);
+    state.document.quantity = Quantity::AreaRatio;
+    state
 }
 
 /// What a study's hearts of that label are usually found to have.
@@ -195,7 +208,7 @@ fn verdict(label: &str, wobble: f64) -> CohortVerdict {
 }
 
 /// One point per heart, normal ones apart from the others but for two.
-fn deformations(subjects: &[MapSubject]) -> Vec<ScatterPoint> {
+fn deformations(subjects: &[CohortRow]) -> Vec<ScatterPoint> {
     let places: Vec<[f64; 2]> = (0..subjects.len())
         .map(|subject| {
             let turn = subject as f64 * 2.399;
@@ -218,7 +231,7 @@ fn deformations(subjects: &[MapSubject]) -> Vec<ScatterPoint> {
             ScatterPoint {
                 subject,
                 at: places[subject],
-                phase: PosePhase::WholeBeat,
+                phase: PosePhase::WholeMotion,
                 label: Some(""),
                 cluster: Some(usize::from(places[subject][0] > -0.2)),
                 nearest,

@@ -82,20 +82,13 @@ fn bars_hold_their_text_at_every_width() {
     for width in widths(520, 1700) {
         wrong.extend(faults(width, 72.0, time));
         wrong.extend(faults(width, 36.0, |ui, example, commands| {
-            let view = MenuBarView {
-                study_name: Some("A study with quite a long name, as folders often have"),
-                subject_count: example.rows.len(),
-                pose_count: example.points.len(),
-                recent: &[],
-                actions: &example.actions,
-            };
-            menu_bar_ui(ui, &view, commands);
+            menu_bar_ui(ui, &example.actions(), commands);
         }));
         wrong.extend(faults(width, 36.0, |ui, _, commands| {
             let view = StatusBarView {
                 job: Some(StatusJob {
-                    kind: Topic::of::<PoseMapParams>(),
-                    text: "Quasi-conformal distances of 2500 poses of 100 subjects",
+                    topic: Topic::of::<PoseMapParams>(),
+                    text: "Quasi-conformal distances of 2500 poses of 100 subjects".to_owned(),
                     fraction: 1.0,
                     seconds_left: Some(86.0),
                 }),
@@ -116,14 +109,16 @@ fn panes_hold_their_text_at_every_width() {
     for width in widths(200, 900) {
         wrong.extend(faults(width, 420.0, cohort));
         wrong.extend(faults(width, 360.0, |ui, example, commands| {
-            let view = example.map(MapState::Ready);
-            pose_map_header_ui(ui, &view, commands);
-            pose_map_ui(ui, &view, commands);
+            let view = example.map(WorkState::Ready);
+            named_header_ui(ui, "Poses", |ui| {
+                pose_map_choosers_ui(ui, PoseMapParams::default(), 56.0, commands);
+            });
+            scatter_map_ui(ui, &view, 0.0, commands);
         }));
     }
     for width in widths(220, 900) {
         wrong.extend(faults(width, 420.0, |ui, example, commands| {
-            let view = example.deformation_map(MapState::Ready);
+            let view = example.deformation_map(WorkState::Ready);
             pane_header_ui(
                 ui,
                 |ui| {
@@ -134,7 +129,7 @@ fn panes_hold_their_text_at_every_width() {
             deformation_map_ui(ui, &view, commands);
         }));
         wrong.extend(faults(width, 360.0, |ui, example, commands| {
-            space_time_ui(ui, &example.space_time(MapState::Ready), commands);
+            space_time_ui(ui, &example.space_time(WorkState::Ready), 0.3, commands);
         }));
         wrong.extend(faults(width, 900.0, |ui, example, commands| {
             metric_panel_ui(ui, &example.metric(), commands);

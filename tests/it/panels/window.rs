@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use cardiomorph::app::*;
 use cardiomorph::panes::*;
-use cardiomorph::picture::Quantity;
 use cardiomorph::report::SubjectRow;
 use cardiomorph::study::LabelRole;
 use cardiomorph::ui::theme::colours;
@@ -63,13 +62,7 @@ pub fn cohort(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
 }
 
 pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
-    let view = ViewportHeaderView {
-        quantity: Quantity::AreaRatio,
-        shows_endocardium: Some(true),
-        shows_epicardium: Some(true),
-        ..Default::default()
-    };
-    viewport_header_ui(ui, &view, commands);
+    viewport_header_ui(ui, &example.state, commands);
     let picture = ui.available_rect_before_wrap();
     // Where the renderer draws, something like a heart.
     let colours = colours(ui);
@@ -84,13 +77,15 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
     let map: Arc<[[u8; 3]]> = (0..256)
         .map(|i| [43 + (i as u8 / 2), 108, 176 - i as u8 / 2])
         .collect();
-    let view = ViewportOverlayView {
-        title: &example.rows[9].id,
-        subtitle: "MINF · frame 3 of 8",
+    let caption = SubjectCaption {
+        title: example.rows[9].id.clone(),
+        subtitle: "MINF · frame 3 of 8".to_owned(),
         role: LabelRole::Abnormal,
         badge: Some("interpolated"),
-        badge_note: "3 poses between these frames",
-        leave: None,
+        badge_note: "3 poses between these frames".to_owned(),
+        ..SubjectCaption::default()
+    };
+    let view = ViewportOverlayView {
         colour_bar: Some(ColourBarView {
             title: "Area relative to end-diastole",
             unit: "",
@@ -104,7 +99,6 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
             typed: false,
         }),
         atom_bar: None,
-        patch: None,
         scale_bar: Some(ScaleBarView {
             points_per_unit: 4.3,
             unit: "mm",
@@ -118,7 +112,7 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         }),
     };
     let mut over = ui.new_child(UiBuilder::new().max_rect(picture));
-    viewport_overlay_ui(&mut over, &view, commands);
+    viewport_overlay_ui(&mut over, &caption, &view, commands);
 }
 
 pub fn measures(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
@@ -138,19 +132,19 @@ pub fn measures(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         UiBuilder::new().max_rect(Rect::from_min_max(whole.min, pos2(split, whole.bottom()))),
     );
     let view = CurvesView {
-        curves: &[
+        curves: vec![
             Curve {
                 kind: CurveKind::Endocardium,
-                values: &example.volumes,
+                values: example.volumes.clone(),
             },
             Curve {
                 kind: CurveKind::Epicardium,
-                values: &example.outer,
+                values: example.outer.clone(),
             },
         ],
         unit: "ml",
         axis: example.axis(),
-        beat_ms: Some(920.0),
+        cycle_ms: Some(920.0),
         position: 2.4,
         end_diastole: Some(0),
         end_systole: Some(4),
@@ -190,8 +184,8 @@ pub fn time(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         end_systole: Some(4),
         time_ms: Some(276.0),
         between: Some("interpolated"),
-        interpolated_poses: &[2.25, 2.5, 2.75, 3.25, 3.5, 3.75],
-        note: "",
+        interpolated_poses: vec![2.25, 2.5, 2.75, 3.25, 3.5, 3.75],
+        note: String::new(),
     };
     time_bar_ui(ui, &view, commands);
 }

@@ -5,13 +5,14 @@ use egui::{
     WidgetInfo, pos2, vec2,
 };
 
-use crate::panes::beat_axis::BeatAxis;
 use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::cycle_axis::CycleAxis;
 use crate::panes::shortcuts::hint;
-use crate::ui::controls::{choice_ui, chooser_ui, focus_ring, icon_button_ui};
+use crate::ui::controls::{choices_ui, chooser_ui, focus_ring, icon_button_ui};
 use crate::ui::marks::{Icon, icon};
-use crate::ui::style::{note_font, text_font};
-use crate::ui::theme::{Colours, colours, line, space};
+use crate::ui::style::text_font;
+use crate::ui::text::{note_at, text_width};
+use crate::ui::theme::{colours, line, space};
 
 /// Speeds on offer, relative to the recorded motion.
 pub const SPEEDS: [f32; 6] = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0];
@@ -20,8 +21,8 @@ pub const SPEEDS: [f32; 6] = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0];
 const SNAP: f32 = 6.0;
 
 /// What the time bar shows.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TimeBarView<'a> {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TimeBarView {
     /// Whether the motion plays.
     pub playing: bool,
     /// Speed relative to the recorded motion.
@@ -31,7 +32,7 @@ pub struct TimeBarView<'a> {
     /// Position in frames, in `0..frame_count`.
     pub position: f64,
     /// Times of the frames within the cycle.
-    pub axis: BeatAxis<'a>,
+    pub axis: CycleAxis,
     /// Frame of end-diastole.
     pub end_diastole: Option<usize>,
     /// Frame of end-systole.
@@ -39,11 +40,11 @@ pub struct TimeBarView<'a> {
     /// Time after the R peak, where the study states it.
     pub time_ms: Option<f64>,
     /// What is shown between frames, such as `interpolated`; `None` on a frame.
-    pub between: Option<&'a str>,
+    pub between: Option<&'static str>,
     /// Positions of computed poses between frames, ascending; each has a small mark.
-    pub interpolated_poses: &'a [f64],
+    pub interpolated_poses: Vec<f64>,
     /// More about the poses between frames, for whoever points at the line; may be empty.
-    pub note: &'a str,
+    pub note: String,
 }
 
 /// Draws the buttons, the line and the readout.
@@ -59,7 +60,7 @@ pub fn time_bar_ui(ui: &mut Ui, view: &TimeBarView, commands: &mut Vec<Command>)
                 speed_ui(ui, view.speed, commands);
                 let name = hint(ui.ctx(), "Loop", &Command::Beat(BeatCommand::ToggleLoop));
                 if icon_button_ui(ui, Icon::Loop, "Loop", &name, view.looping).clicked() {
-                    commands.push(Command::Beat(BeatCommand::ToggleLoop));
+                    commands.push(BeatCommand::ToggleLoop.into());
                 }
             }
         });
@@ -99,7 +100,7 @@ fn play_button_ui(ui: &mut Ui, playing: bool, commands: &mut Vec<Command>) {
     focus_ring(ui, &response);
     let text = hint(ui.ctx(), name, &Command::Beat(BeatCommand::TogglePlay));
     if response.on_hover_text(text).clicked() {
-        commands.push(Command::Beat(BeatCommand::TogglePlay));
+        commands.push(BeatCommand::TogglePlay.into());
     }
 }
 
@@ -111,19 +112,19 @@ fn frame_buttons_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
     ] {
         let text = hint(ui.ctx(), name, &Command::Beat(BeatCommand::StepFrame(step)));
         if icon_button_ui(ui, symbol, name, &text, false).clicked() {
-            commands.push(Command::Beat(BeatCommand::StepFrame(step)));
+            commands.push(BeatCommand::StepFrame(step).into());
         }
     }
 }
 
 fn speed_ui(ui: &mut Ui, speed: f32, commands: &mut Vec<Command>) {
     chooser_ui(ui, "Speed", speed_text(speed), |ui| {
-        for choice in SPEEDS {
-            let chosen = (choice - speed).abs() < 1e-3;
-            if choice_ui(ui, &speed_text(choice), chosen) {
-                commands.push(Command::Beat(BeatCommand::SetSpeed(choice)));
-            }
-        }
+        let now = SPEEDS
+            .into_iter()
+            .find(|choice| (choice - speed).abs() < 1e-3);
+        let speeds = SPEEDS.map(|choice| (choice, speed_text(choice)));
+        let chosen = choices_ui(ui, speeds, now.unwrap_or(speed));
+        commands.extend(chosen.map(|choice| Command::from(BeatCommand::SetSpeed(choice))));
     });
 }
 
@@ -145,10 +146,7 @@ fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
     if with_between {
         widest += " · linear interpolation";
     }
-    let galley = ui
-        .painter()
-        .layout_no_wrap(widest, text_font(), Color32::PLACEHOLDER);
-    galley.size().x + space::LARGE
+    text_width(ui, &widest, text_font()) + space::LARGE
 }
 
 /// "412 ms · 53 % R-R · interpolated".
@@ -184,38 +182,26 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
     draw_knob(ui, knob, &response);
     if let Some(pointer) = response.interact_pointer_pos() {
         let share = f64::from(egui::remap_clamp(pointer.x, rail.x_range(), 0.0..=1.0));
-        if response.clicked() {
-            commands.push(Command::Beat(BeatCommand::SetPosition(snapped(
-                view,
-                share,
-                rail.width(),
-            ))));
-        } else if response.dragged() {
-            commands.push(Command::Beat(BeatCommand::SetPosition(position_within(
-                view.axis, share,
-            ))));
-        }
+        let position = match (response.clicked(), response.dragged()) {
+            (true, _) => Some(snapped(view, share, rail.width())),
+            (false, true) => Some(view.axis.position_within(share)),
+            (false, false) => None,
+        };
+        commands.extend(position.map(|position| Command::from(BeatCommand::SetPosition(position))));
     }
     keys(ui, &response, commands);
     response.on_hover_ui_at_pointer(|ui| {
         ui.label("Drag to move through the cardiac cycle, click near a mark to show its pose");
         if !view.note.is_empty() {
-            ui.label(crate::ui::style::note(view.note));
+            ui.label(crate::ui::style::note(&view.note));
         }
     });
-}
-
-/// The end of the cycle is its start, so positions stay below the number of frames.
-fn position_within(axis: BeatAxis, share: f64) -> f64 {
-    let count = axis.frame_count() as f64;
-    let position = axis.position_at(share);
-    if position >= count { 0.0 } else { position }
 }
 
 /// The nearest pose where it is near enough, the very position otherwise. A frame goes before the
 /// poses beside it.
 fn snapped(view: &TimeBarView, share: f64, rail_width: f32) -> f64 {
-    let axis = view.axis;
+    let axis = &view.axis;
     let near = |position: f64| {
         (axis.share_at(position) - share).abs() * f64::from(rail_width) <= f64::from(SNAP)
     };
@@ -235,7 +221,7 @@ fn snapped(view: &TimeBarView, share: f64, rail_width: f32) -> f64 {
         .min_by(|a, b| distance(a).total_cmp(&distance(b)));
     nearest
         .filter(|position| near(*position))
-        .unwrap_or_else(|| position_within(axis, share))
+        .unwrap_or_else(|| axis.position_within(share))
 }
 
 /// With the keyboard on the line, the arrows step through frames instead of controls.
@@ -250,7 +236,7 @@ fn keys(ui: &Ui, response: &Response, commands: &mut Vec<Command>) {
     ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
     for (key, step) in [(Key::ArrowLeft, -1), (Key::ArrowRight, 1)] {
         if ui.input(|input| input.key_pressed(key) && input.modifiers.is_none()) {
-            commands.push(Command::Beat(BeatCommand::StepFrame(step)));
+            commands.push(BeatCommand::StepFrame(step).into());
         }
     }
 }
@@ -275,7 +261,7 @@ fn draw_rail(ui: &Ui, view: &TimeBarView, rail: Rect, x_at: impl Fn(f64) -> f32)
     let frame_gap = rail.width() / count.max(1) as f32;
     let per_frame = view.interpolated_poses.len() as f32 / count.max(1) as f32;
     if frame_gap > 4.0 * (per_frame + 1.0) {
-        for position in view.interpolated_poses {
+        for position in &view.interpolated_poses {
             let share = view.axis.share_at(*position);
             let tick = Rect::from_center_size(pos2(x_at(share), rail.center().y), vec2(1.0, 5.0));
             painter.rect_filled(tick, 0.0, shade(share));
@@ -286,16 +272,10 @@ fn draw_rail(ui: &Ui, view: &TimeBarView, rail: Rect, x_at: impl Fn(f64) -> f32)
         let tick = Rect::from_center_size(pos2(x_at(share), rail.center().y), vec2(2.0, 9.0));
         painter.rect_filled(tick, 1.0, shade(share));
     }
-    draw_phase_names(ui, view, rail, x_at, colours);
+    draw_phase_names(ui, view, rail, x_at);
 }
 
-fn draw_phase_names(
-    ui: &Ui,
-    view: &TimeBarView,
-    rail: Rect,
-    x_at: impl Fn(f64) -> f32,
-    colours: &Colours,
-) {
+fn draw_phase_names(ui: &Ui, view: &TimeBarView, rail: Rect, x_at: impl Fn(f64) -> f32) {
     let count = view.axis.frame_count();
     let mut marks: Vec<(f32, &str)> = Vec::new();
     for (frame, name) in [(view.end_diastole, "ED"), (view.end_systole, "ES")] {
@@ -306,14 +286,8 @@ fn draw_phase_names(
         }
     }
     for (x, name) in marks {
-        let y = rail.center().y + 6.0;
-        ui.painter().text(
-            pos2(x, y),
-            Align2::CENTER_TOP,
-            name,
-            note_font(),
-            colours.muted,
-        );
+        let at = pos2(x, rail.center().y + 6.0);
+        note_at(ui, at, Align2::CENTER_TOP, name);
     }
 }
 

@@ -15,15 +15,15 @@ fn harness() -> Harness<'static, Vec<Command>> {
                     speed: 1.0,
                     looping: true,
                     position: 0.5,
-                    axis: BeatAxis {
-                        frame_shares: &[0.0, 0.25, 0.5, 0.75],
+                    axis: CycleAxis {
+                        frame_shares: vec![0.0, 0.25, 0.5, 0.75],
                     },
                     end_diastole: Some(0),
                     end_systole: Some(2),
                     time_ms: Some(100.0),
                     between: Some("interpolated"),
-                    interpolated_poses: &[2.25, 2.5, 2.75],
-                    note: "3 interpolated poses per interval",
+                    interpolated_poses: vec![2.25, 2.5, 2.75],
+                    note: "3 interpolated poses per interval".to_owned(),
                 };
                 time_bar_ui(ui, &view, commands);
             },

@@ -3,13 +3,16 @@
 use std::sync::Arc;
 
 use egui::{
-    Align2, Button, Color32, Key, Mesh, Popup, Rect, RichText, Shape, Stroke, TextEdit, Ui,
-    UiBuilder, pos2, vec2,
+    Align2, Button, Color32, Key, Popup, Rect, RichText, Shape, Stroke, TextEdit, Ui, UiBuilder,
+    pos2, vec2,
 };
 
 use crate::panes::commands::{Command, ViewCommand};
 use crate::picture::Tick;
-use crate::ui::style::{note, note_font};
+use crate::ui::marks::colour_strip;
+use crate::ui::number_field::without_zeros;
+use crate::ui::style::note;
+use crate::ui::text::note_at;
 use crate::ui::theme::{colours, line, space};
 
 /// What a colour bar shows.
@@ -59,9 +62,7 @@ pub fn fixed_colour_bar_ui(ui: &mut Ui, inner: Rect, view: &ColourBarView) {
     let bar = plain_bar_ui(ui, inner, view);
     for (index, x) in [(0, bar.left()), (1, bar.right())] {
         let at = pos2(x, bar.bottom() + 4.0);
-        let (text, colour) = (tick_text(view.limits[index]), colours(ui).muted);
-        ui.painter()
-            .text(at, Align2::CENTER_TOP, text, note_font(), colour);
+        note_at(ui, at, Align2::CENTER_TOP, tick_text(view.limits[index]));
     }
     title_ui(ui, inner, bar, view);
 }
@@ -113,20 +114,14 @@ fn rgb([r, g, b]: [u8; 3]) -> Color32 {
 }
 
 fn draw_gradient(ui: &Ui, bar: Rect, view: &ColourBarView) {
-    let mut mesh = Mesh::default();
     let last = view.map.len().saturating_sub(1).max(1) as f32;
-    for (index, colour) in view.map.iter().enumerate() {
-        let x = egui::lerp(bar.x_range(), index as f32 / last);
-        mesh.colored_vertex(pos2(x, bar.top()), rgb(*colour));
-        mesh.colored_vertex(pos2(x, bar.bottom()), rgb(*colour));
-        if index > 0 {
-            let next = 2 * index as u32;
-            mesh.add_triangle(next - 2, next - 1, next);
-            mesh.add_triangle(next - 1, next + 1, next);
-        }
-    }
     let painter = ui.painter();
-    painter.add(Shape::mesh(mesh));
+    painter.add(colour_strip(view.map.iter().enumerate().map(
+        |(index, colour)| {
+            let x = egui::lerp(bar.x_range(), index as f32 / last);
+            ([pos2(x, bar.top()), pos2(x, bar.bottom())], rgb(*colour))
+        },
+    )));
     for (edge, tip, colour) in [
         (bar.left(), bar.left() - CAP, view.below),
         (bar.right(), bar.right() + CAP, view.above),
@@ -151,12 +146,7 @@ fn tick_text(value: f64) -> String {
         m if m < 1e-12 => 0,
         _ => 3,
     };
-    let text = format!("{value:.digits$}");
-    if text.contains('.') {
-        text.trim_end_matches('0').trim_end_matches('.').to_owned()
-    } else {
-        text
-    }
+    without_zeros(format!("{value:.digits$}"))
 }
 
 /// Marks with their numbers, as many as have room beside each other and beside the limits.
@@ -171,13 +161,7 @@ fn draw_ticks(ui: &Ui, bar: Rect, view: &ColourBarView) {
             .vline(x, bar.bottom()..=bar.bottom() + 3.0, stroke);
         if x >= free_from && x <= bar.right() - ROOM {
             let at = pos2(x, bar.bottom() + 4.0);
-            ui.painter().text(
-                at,
-                Align2::CENTER_TOP,
-                &tick.text,
-                note_font(),
-                colours.muted,
-            );
+            note_at(ui, at, Align2::CENTER_TOP, &tick.text);
             free_from = x + ROOM;
         }
     }
@@ -232,13 +216,13 @@ fn limits_form_ui(ui: &mut Ui, view: &ColourBarView, commands: &mut Vec<Command>
             .add_enabled(limits.is_ok(), Button::new("Apply"))
             .clicked();
         if ui.button("Default range").clicked() {
-            commands.push(Command::View(ViewCommand::SetColourLimits(None)));
+            commands.push(ViewCommand::SetColourLimits(None).into());
             ui.close();
         }
     });
     ui.data_mut(|data| data.insert_temp(id, typed));
     if let (true, Ok(limits)) = (done, limits) {
-        commands.push(Command::View(ViewCommand::SetColourLimits(Some(limits))));
+        commands.push(ViewCommand::SetColourLimits(Some(limits)).into());
         ui.data_mut(|data| data.remove::<[String; 2]>(id));
         ui.close();
     }
@@ -247,16 +231,10 @@ fn limits_form_ui(ui: &mut Ui, view: &ColourBarView, commands: &mut Vec<Command>
 /// Two numbers in order, both above zero where the bar divides by ratios.
 fn parse_limits(typed: &[String; 2], logarithmic: bool) -> Result<[f64; 2], &'static str> {
     let number = |text: &str| {
-        let value: f64 = text
-            .trim()
-            .replace(',', ".")
-            .parse()
-            .map_err(|_| "Not a number")?;
-        if value.is_finite() {
-            Ok(value)
-        } else {
-            Err("Not a number")
-        }
+        let value: f64 = (text.trim().replace(',', ".").parse()).unwrap_or(f64::NAN);
+        Some(value)
+            .filter(|value| value.is_finite())
+            .ok_or("Not a number")
     };
     let (low, high) = (number(&typed[0])?, number(&typed[1])?);
     if low >= high {

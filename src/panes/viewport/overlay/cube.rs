@@ -63,7 +63,7 @@ pub fn cube_ui(ui: &mut Ui, inner: Rect, view: &CubeView, commands: &mut Vec<Com
             None => nearest,
         };
         if let Some(face) = chosen {
-            commands.push(Command::View(ViewCommand::ViewFrom(face.view)));
+            commands.push(ViewCommand::ViewFrom(face.view).into());
         }
     }
     let hint = match pointed {

@@ -12,33 +12,40 @@ pub use scale_bar::ScaleBarView;
 
 use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
 
+use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::Command;
 use crate::study::LabelRole;
 use crate::ui::marks::role_mark;
 use crate::ui::style::{note, note_font, title_font};
+use crate::ui::text::text_width;
 use crate::ui::theme::{colours, space};
 
-/// What is drawn over one 3D picture.
-#[derive(Clone, Debug, Default)]
-pub struct ViewportOverlayView<'a> {
+/// What is said over the 3D picture of a subject.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SubjectCaption {
     /// Pseudonym; empty when nothing is shown.
-    pub title: &'a str,
+    pub title: String,
     /// "MINF · frame 1 of 2 · ES".
-    pub subtitle: &'a str,
+    pub subtitle: String,
     /// Shape beside the title.
     pub role: LabelRole,
     /// Whether the picture is between two poses, or estimated, and how: `interpolated`.
-    pub badge: Option<&'a str>,
+    pub badge: Option<&'static str>,
     /// More about the badge, for whoever points at it; may be empty.
-    pub badge_note: &'a str,
+    pub badge_note: String,
     /// What ends the special state that the title names: words of the button and its command.
-    pub leave: Option<(&'a str, Command)>,
+    pub leave: Option<(&'static str, Command)>,
+    /// The patches of this subject: number, size, segments.
+    pub patch: Option<PatchNote>,
+}
+
+/// What is drawn over one 3D picture beside its caption.
+#[derive(Clone, Debug, Default)]
+pub struct ViewportOverlayView<'a> {
     /// The quantity shown in colour; `None` for plain tissue.
     pub colour_bar: Option<ColourBarView<'a>>,
     /// The quantity shown by the colours of atoms, where the surfaces have other colours.
     pub atom_bar: Option<ColourBarView<'a>>,
-    /// The patches of this subject: number, size, segments.
-    pub patch: Option<&'a PatchNote>,
     /// How long lengths are on screen.
     pub scale_bar: Option<ScaleBarView<'a>>,
     /// Orientation of the heart.
@@ -50,13 +57,18 @@ const BELOW_TITLE: f32 = 45.0;
 
 /// Draws over `ui.max_rect()`, which the 3D picture fills. Two pictures side by side need a `ui`
 /// each, with its own `id_salt`.
-pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &mut Vec<Command>) {
+pub fn viewport_overlay_ui(
+    ui: &mut Ui,
+    caption: &SubjectCaption,
+    view: &ViewportOverlayView,
+    commands: &mut Vec<Command>,
+) {
     let whole = ui.max_rect();
     let inner = whole.shrink(space::LARGE + space::SMALL);
     if !inner.is_positive() || inner.width() < 60.0 {
         return;
     }
-    title_ui(ui, inner, view, commands);
+    title_ui(ui, inner, caption, commands);
     let tall = inner.height() > 180.0;
     let mut free = inner.x_range();
     if let Some(bar) = &view.colour_bar {
@@ -68,10 +80,10 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
             colour_bar::fixed_colour_bar_ui(ui, above, atoms);
         }
     }
-    if let Some(patch) = view.patch
+    if let Some(patch) = &caption.patch
         && tall
     {
-        let down = if view.badge.is_some() { 32.0 } else { 6.0 };
+        let down = if caption.badge.is_some() { 32.0 } else { 6.0 };
         patch_note::patch_note_ui(ui, inner, down, patch);
     }
     if let Some(cube) = &view.cube
@@ -85,52 +97,37 @@ pub fn viewport_overlay_ui(ui: &mut Ui, view: &ViewportOverlayView, commands: &m
     }
 }
 
-fn title_ui(ui: &mut Ui, inner: Rect, view: &ViewportOverlayView, commands: &mut Vec<Command>) {
-    if view.title.is_empty() {
+fn title_ui(ui: &mut Ui, inner: Rect, caption: &SubjectCaption, commands: &mut Vec<Command>) {
+    if caption.title.is_empty() {
         return;
     }
-    let colours = colours(ui);
+    let strong = colours(ui).strong;
     let mut corner = ui.new_child(
         UiBuilder::new().max_rect(Rect::from_min_size(inner.min, vec2(inner.width(), 90.0))),
     );
     corner.spacing_mut().item_spacing = vec2(space::MEDIUM, 0.0);
     corner.horizontal(|ui| {
         let (mark, _) = ui.allocate_exact_size(vec2(10.0, 24.0), egui::Sense::hover());
-        role_mark(
-            ui.painter(),
-            mark.center(),
-            5.0,
-            view.role,
-            colours.role(view.role),
-            true,
-        );
-        let title = RichText::new(view.title)
+        role_mark(ui, mark.center(), 5.0, caption.role, true);
+        let title = RichText::new(&caption.title)
             .font(title_font())
-            .color(colours.strong);
+            .color(strong);
         ui.add(egui::Label::new(title).truncate());
     });
-    corner.add(egui::Label::new(note(view.subtitle)).truncate());
-    if let Some((words, command)) = &view.leave {
+    corner.add(egui::Label::new(note(&caption.subtitle)).truncate());
+    if let Some((words, command)) = &caption.leave {
         corner.add_space(space::SMALL);
-        if corner.button(note(*words)).clicked() {
-            commands.push(command.clone());
-        }
+        command_button_ui(&mut corner, note(*words), command.clone(), commands);
     }
-    if let Some(badge) = view.badge {
-        badge_ui(ui, inner, badge, view);
+    if let Some(badge) = caption.badge {
+        badge_ui(ui, inner, badge, caption);
     }
 }
 
 /// Beside the title where there is room, below it where there is none.
-fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, view: &ViewportOverlayView) {
+fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, caption: &SubjectCaption) {
     let colours = colours(ui);
-    let width = |text: &str, font| {
-        let galley = ui
-            .painter()
-            .layout_no_wrap(text.to_owned(), font, colours.muted);
-        galley.size().x
-    };
-    let title_width = width(view.title, title_font()) + 10.0 + space::MEDIUM;
+    let title_width = text_width(ui, &caption.title, title_font()) + 10.0 + space::MEDIUM;
     let galley = ui
         .painter()
         .layout_no_wrap(badge.to_owned(), note_font(), colours.muted);
@@ -138,8 +135,8 @@ fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, view: &ViewportOverlayView) {
     let beside = title_width + space::LARGE + size.x <= inner.width();
     let down = if beside { 6.0 } else { BELOW_TITLE };
     let rect = Align2::RIGHT_TOP.anchor_size(inner.right_top() + vec2(0.0, down), size);
-    let taken = match &view.leave {
-        Some((words, _)) if !beside => width(words, note_font()) + 2.0 * space::LARGE,
+    let taken = match &caption.leave {
+        Some((words, _)) if !beside => text_width(ui, words, note_font()) + 2.0 * space::LARGE,
         _ => 0.0,
     };
     if rect.left() < inner.left() + taken {
@@ -150,8 +147,8 @@ fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, view: &ViewportOverlayView) {
         .galley(rect.min + vec2(7.0, 3.0), galley, colours.muted);
     let response = ui.interact(rect, ui.scope_id().with("badge"), egui::Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, badge));
-    if !view.badge_note.is_empty() {
-        response.on_hover_text(view.badge_note);
+    if !caption.badge_note.is_empty() {
+        response.on_hover_text(&caption.badge_note);
     }
 }
 
@@ -168,8 +165,11 @@ mod tests {
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
             .build_ui_state(
                 |ui, commands: &mut Vec<Command>| {
+                    let caption = SubjectCaption {
+                        title: "P-041".to_owned(),
+                        ..Default::default()
+                    };
                     let view = ViewportOverlayView {
-                        title: "P-041",
                         colour_bar: Some(ColourBarView {
                             title: "Displacement",
                             unit: "mm",
@@ -191,7 +191,7 @@ mod tests {
                         }),
                         ..Default::default()
                     };
-                    viewport_overlay_ui(ui, &view, commands);
+                    viewport_overlay_ui(ui, &caption, &view, commands);
                 },
                 Vec::new(),
             )

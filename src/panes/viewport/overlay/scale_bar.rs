@@ -3,7 +3,7 @@
 use egui::{Align2, Rangef, Rect, Stroke, Ui, pos2};
 
 use crate::picture::{nice_floor, tick_text};
-use crate::ui::style::note_font;
+use crate::ui::text::note_at;
 use crate::ui::theme::{colours, line};
 
 /// How long lengths are on screen, at the middle of the picture.
@@ -37,11 +37,5 @@ pub fn scale_bar_ui(ui: &Ui, inner: Rect, free: Rangef, view: &ScaleBarView) {
         ui.painter().vline(end, y - 6.0..=y, stroke);
     }
     let text = format!("{} {}", tick_text(length, length), view.unit);
-    ui.painter().text(
-        pos2(x, y + 3.0),
-        Align2::CENTER_TOP,
-        text,
-        note_font(),
-        colours.muted,
-    );
+    note_at(ui, pos2(x, y + 3.0), Align2::CENTER_TOP, text);
 }

@@ -1,14 +1,27 @@
 //! Positions counted in frames, and the share of the cardiac cycle of each.
 
+use crate::document::document::phase_of;
+use crate::study::Subject;
+
 /// Times of the frames within the cardiac cycle: one share in `0..1` per frame, ascending; after the last
 /// frame the cycle continues with the first.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct BeatAxis<'a> {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CycleAxis {
     /// Share of the cycle of each frame.
-    pub frame_shares: &'a [f64],
+    pub frame_shares: Vec<f64>,
 }
 
-impl BeatAxis<'_> {
+impl CycleAxis {
+    /// The frames of a subject.
+    pub fn of(subject: &Subject) -> Self {
+        let frames = 0..subject.sequence.frame_count();
+        Self {
+            frame_shares: frames
+                .map(|frame| phase_of(subject, frame as f64))
+                .collect(),
+        }
+    }
+
     /// Number of frames.
     pub fn frame_count(&self) -> usize {
         self.frame_shares.len()
@@ -26,6 +39,16 @@ impl BeatAxis<'_> {
         let part = position - frame as f64;
         let (here, next) = (self.share_of(frame), self.share_of(frame + 1));
         here + part * (next - here)
+    }
+
+    /// The same below `frame_count`: the end of the cycle is its start.
+    pub fn position_within(&self, share: f64) -> f64 {
+        let position = self.position_at(share);
+        if position >= self.frame_count() as f64 {
+            0.0
+        } else {
+            position
+        }
     }
 
     /// Position at a share of the cycle, in `0..=frame_count`.
@@ -51,8 +74,8 @@ mod tests {
 
     #[test]
     fn shares_and_positions_undo_each_other() {
-        let axis = BeatAxis {
-            frame_shares: &[0.0, 0.1, 0.4, 0.7],
+        let axis = CycleAxis {
+            frame_shares: vec![0.0, 0.1, 0.4, 0.7],
         };
         for position in [0.0, 0.5, 1.25, 2.0, 3.9, 4.0] {
             let share = axis.share_at(position);
@@ -66,7 +89,7 @@ mod tests {
 
     #[test]
     fn a_motion_without_frames_stays_at_its_start() {
-        let axis = BeatAxis { frame_shares: &[] };
+        let axis = CycleAxis::default();
         assert!(axis.position_at(0.7).abs() < 1e-12);
     }
 }

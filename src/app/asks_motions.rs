@@ -1,4 +1,4 @@
-//! What the window asks the store about beats: poses between frames, a transported motion, where two poses differ.
+//! What the window asks the store about motions: poses between frames, a transported motion, where two poses differ.
 
 use std::collections::HashMap;
 use std::sync::Arc;
@@ -13,7 +13,7 @@ use crate::picture::{Quantity, relative_density};
 use crate::document::answers::{Answers, InterpolationAnswer};
 use crate::document::differences::{PosePair, pair_on_screen};
 use crate::document::interpolated_poses::{
-    BeatMemo, InterpolatedMotion, geodesic_params, interval_count,
+    InterpolatedMotion, MotionMemo, geodesic_params, interval_count,
 };
 use crate::document::play::is_between;
 use crate::document::state::State;
@@ -23,17 +23,17 @@ use crate::document::{VisiblePose, visible_poses};
 /// Where two poses differ, for all poses of a subject.
 type Density = Arc<Vec<Vec<f32>>>;
 
-/// What is made of answers about beats, as long as these stay the same.
+/// What is made of answers about motions, as long as these stay the same.
 #[derive(Debug, Default)]
-pub struct BeatAsks {
+pub struct MotionAsks {
     /// By subject: the interval on screen, which is computed first.
     looked_at: HashMap<usize, LookedAt>,
-    memo: BeatMemo,
+    memo: MotionMemo,
     transported: Option<TransportedSubject>,
     difference: Option<(Arc<Vec<f64>>, Density)>,
 }
 
-impl BeatAsks {
+impl MotionAsks {
     /// Asks for what the subjects on screen need.
     pub fn ask(&mut self, state: &State, store: &Store, answers: &mut Answers) {
         // Settings without a geodesic leave linear interpolation; its note says why.
@@ -60,14 +60,14 @@ impl BeatAsks {
             selected.position = state.document.position;
         }
         places.retain(|place| !place.transported);
-        let beats = places.iter();
-        beats
+        let motions = places.iter();
+        motions
             .filter_map(|place| self.interpolated_poses_of(state, store, params, place))
             .collect()
     }
 
-    /// The whole beat once it is there; while it is computed and the beat stands still, the intervals that were on
-    /// screen alone. A playing beat changes its poses once, not with every interval.
+    /// The whole motion once it is there; while it is computed and the motion stands still, the intervals that were on
+    /// screen alone. A playing motion changes its poses once, not with every interval.
     fn interpolated_poses_of(
         &mut self,
         state: &State,
@@ -108,10 +108,10 @@ impl BeatAsks {
         {
             self.memo.put(subject, &params, interval, &[path]);
         }
-        let beat: Option<&Arc<InterpolatedMotion>> = self.memo.get(subject, &params);
+        let motion: Option<&Arc<InterpolatedMotion>> = self.memo.get(subject, &params);
         Some(InterpolationAnswer {
             subject: index,
-            beat: beat.cloned(),
+            motion: motion.cloned(),
             stopped: showing.stopped(),
         })
     }
@@ -122,17 +122,18 @@ impl BeatAsks {
         store: &Store,
     ) -> (Option<TransportedSubject>, TransportState) {
         let nothing = (None, TransportState::Done);
-        let Some(beat) = state.document.visible_transport() else {
+        let Some(motion) = state.document.visible_transport() else {
             return nothing;
         };
-        let (Some(from), Some(onto)) = (state.subject(beat.from), state.subject(beat.onto)) else {
+        let (Some(from), Some(onto)) = (state.subject(motion.from), state.subject(motion.onto))
+        else {
             return nothing;
         };
         let study = state.document.study();
         let params = transport_params(&state.document);
         let query = MotionTransport {
-            from: beat.from,
-            onto: beat.onto,
+            from: motion.from,
+            onto: motion.onto,
             params,
         };
         let showing = store.ask(study, &query);
@@ -144,9 +145,10 @@ impl BeatAsks {
             };
             return (None, standing);
         };
-        let key = (study.revision, beat, params);
-        let same =
-            |heart: &TransportedSubject| heart.key == key && Arc::ptr_eq(&heart.sequence, sequence);
+        let key = (study.revision, motion, params);
+        let same = |transported: &TransportedSubject| {
+            transported.key == key && Arc::ptr_eq(&transported.sequence, sequence)
+        };
         if !self.transported.as_ref().is_some_and(same) {
             self.transported = Some(TransportedSubject::new(key, sequence, from, onto));
         }
