@@ -12,6 +12,7 @@ mod medial_atoms;
 mod medial_experiment_json;
 mod medial_experiments;
 mod segments;
+mod shared;
 mod summary;
 mod table;
 #[cfg(test)]
