@@ -1,6 +1,5 @@
 //! Hearts and walls made ready for drawing: questions to the store, like every analysis.
 
-use std::convert::Infallible;
 use std::sync::Arc;
 
 use crate::analysis::medial::MedialBeat;
@@ -61,7 +60,6 @@ impl PartialEq for SubjectPicture {
 
 impl Query for SubjectPicture {
     type Answer = Heart;
-    type Error = Infallible;
     const TITLE: &'static str = "Surfaces for the 3D view";
     const FAILURE: Option<&'static str> = Some("The surfaces could not be prepared");
     const URGENCY: Urgency = Urgency::Interactive;
@@ -71,7 +69,7 @@ impl Query for SubjectPicture {
         Dependencies::nothing()
     }
 
-    fn run(&self, _: &Context<'_>) -> Result<Heart, Interrupted<Infallible>> {
+    fn run(&self, _: &Context<'_>) -> Result<Heart, Interrupted> {
         let between = self.interpolated_poses.as_ref();
         let between = between.map_or_else(Vec::new, |beat| beat.inner_poses());
         let prepared =
@@ -118,7 +116,6 @@ impl PartialEq for MedialPicture {
 
 impl Query for MedialPicture {
     type Answer = PreparedMedial;
-    type Error = Infallible;
     const TITLE: &'static str = "Medial surface for the 3D view";
     const FAILURE: Option<&'static str> = Some("The medial surface could not be prepared");
     const URGENCY: Urgency = Urgency::Interactive;
@@ -128,7 +125,7 @@ impl Query for MedialPicture {
         Dependencies::nothing()
     }
 
-    fn run(&self, _: &Context<'_>) -> Result<PreparedMedial, Interrupted<Infallible>> {
+    fn run(&self, _: &Context<'_>) -> Result<PreparedMedial, Interrupted> {
         let medial = PreparedMedial::new(&self.subject, &self.beat, self.end_diastole);
         Ok(medial)
     }
@@ -151,7 +148,6 @@ struct ColourRanges {
 
 impl Query for ColourRanges {
     type Answer = CohortLimits;
-    type Error = Infallible;
     const TITLE: &'static str = "Colour ranges";
     const FAILURE: Option<&'static str> = Some("The colour ranges could not be computed");
     const LISTED: bool = false;
@@ -160,7 +156,7 @@ impl Query for ColourRanges {
         Dependencies::study(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<CohortLimits, Interrupted<Infallible>> {
+    fn run(&self, cx: &Context<'_>) -> Result<CohortLimits, Interrupted> {
         Ok(CohortLimits::of(cx.study(), &self.reference_frames))
     }
 

@@ -71,7 +71,6 @@ struct Dragged(Number);
 
 impl Query for Dragged {
     type Answer = u32;
-    type Error = TooLarge;
     const TITLE: &'static str = "Dragged";
     const URGENCY: Urgency = Urgency::Interactive;
 
@@ -79,7 +78,7 @@ impl Query for Dragged {
         self.0.depends_on(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted<TooLarge>> {
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
         self.0.run(cx)
     }
 
@@ -121,7 +120,6 @@ struct Statistics(Number);
 
 impl Query for Statistics {
     type Answer = u32;
-    type Error = TooLarge;
     const TITLE: &'static str = "Statistics";
     const URGENCY: Urgency = Urgency::Background;
 
@@ -129,7 +127,7 @@ impl Query for Statistics {
         Dependencies::study(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted<TooLarge>> {
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
         self.0.run(cx)
     }
 
