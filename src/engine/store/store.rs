@@ -20,7 +20,7 @@ use crate::study::Study;
 const MAX_RELEASES: usize = 16;
 
 /// What a pane may draw for a question.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Showing<A> {
     /// The answer.
     Ready(Arc<A>),
@@ -84,23 +84,6 @@ impl<A> Showing<A> {
                 ..
             }
         )
-    }
-}
-
-// Written by hand, because `derive` would ask for `A: Clone`.
-impl<A> Clone for Showing<A> {
-    fn clone(&self) -> Self {
-        match self {
-            Self::Ready(answer) => Self::Ready(Arc::clone(answer)),
-            Self::Computing { previous, watch } => Self::Computing {
-                previous: previous.clone(),
-                watch: Arc::clone(watch),
-            },
-            Self::Interrupted { why, previous } => Self::Interrupted {
-                why: why.clone(),
-                previous: previous.clone(),
-            },
-        }
     }
 }
 
