@@ -74,7 +74,7 @@ pub fn align_sequences(
     sequences: &[Vec<&[Point3]>],
     progress: &Progress,
 ) -> Result<Vec<RigidMotion>, Stopped> {
-    // One motion for a whole beat: aligned frame by frame, the beat would lose its own movement.
+    // One motion for a whole sequence: aligned frame by frame, it would lose movement of its own.
     let means: Vec<Vec<Point3>> = sequences.iter().map(|frames| mean_pose(frames)).collect();
     let poses: Vec<&[Point3]> = means.iter().map(Vec::as_slice).collect();
     align_poses(&poses, progress)

@@ -42,7 +42,7 @@ pub fn deformation_distances(
     for (i, beat) in beats.iter().enumerate() {
         progress.step()?;
         for other in &beats[i + 1..] {
-            // Each beat has its own phases; both ways make the distance symmetric.
+            // Each subject has its own phases; both ways make the distance symmetric.
             let forth = mean_square(&poses.distances, beat, other);
             let back = mean_square(&poses.distances, other, beat);
             upper.push((0.5 * (forth + back)).sqrt());

@@ -113,7 +113,7 @@ pub fn deformation_map(
 
 /// (x, y, w t) of the poses of a beat and, at t = 1, of its first pose again.
 fn closed_curve(beat: &Beat, map: &Embedding, time_weight: f64) -> Vec<[f64; 3]> {
-    // The beat is periodic: without the way back the last interval would count for nothing.
+    // The cycle is periodic: without the way back the last interval would count for nothing.
     let again = beat.rows.first().map(|row| (row, &1.0));
     (beat.rows.iter().zip(&beat.times))
         .chain(again)

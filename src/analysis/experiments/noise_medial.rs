@@ -109,7 +109,7 @@ fn one_draw(
 /// None for a normal sheet, one share for one with a patch.
 fn shares(params: &MedialNoiseParams, class: usize, seed: u64, stream: u64) -> Vec<f64> {
     let [least, most] = params.patch_shares;
-    // Another stream of numbers than that of the sheets, so that both classes have the same sheets.
+    // Another stream of numbers than that of the sheets.
     let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x7061_7463_6800_0000);
     random.set_stream(stream);
     let share = least + (most - least) * random.random::<f64>();

@@ -66,7 +66,7 @@ fn noisy_sequence(
     let from_rest: Vec<Vec<Point3>> = (0..count)
         .filter_map(|step| sequence.pose((begin + step) % count))
         .collect();
-    // One level for all frames: noise of a measurement does not follow the beat.
+    // One level for all frames: noise of a measurement does not follow the cycle.
     let sigma = noise_sigma(&from_rest, noise.percent, noise.reference);
     let mut random = ChaCha8Rng::seed_from_u64(noise.seed);
     // A stream per subject: leaving one out changes no noise of the others.

@@ -221,7 +221,7 @@ impl SheetMotion {
         let twist = Rotation3::from_scaled_axis(Vector3::z() * (self.twist_rad * c * (d.z + 0.5)));
         let inward = 1.0 - self.inward * c;
         let rest = d.component_mul(&self.axes_mm);
-        // The apex stays and the base comes down, as in a heart.
+        // The apex stays and the base comes down, as in a ventricle.
         let height = (rest.z + self.axes_mm.z) * (1.0 - self.shortening * c) - self.axes_mm.z;
         let bend = self.bend_mm * d.z * d.z;
         let drawn_in = Vector3::new(rest.x * inward, rest.y * inward, height);
@@ -261,7 +261,7 @@ impl Wall {
 
     /// Half thickness where thickening has gone so far, from 0 to 1.
     fn radius_mm(&self, d: &Vector3, c: f64) -> f64 {
-        // The last fifth of the height.
+        // Near the apex alone: the last fifth of the height.
         let at_apex = ((-d.z - 0.8) / 0.2).max(0.0);
         let amount = self.thickening * (1.0 + self.slopes[1].dot(d)) * (1.0 - APEX_LESS * at_apex);
         self.radius_mm * (1.0 + self.slopes[0].dot(d)) * (c * amount).exp()

@@ -28,7 +28,7 @@ pub(super) fn centred_logs(beat: &MedialBeat) -> Vec<Vec<f64>> {
     for atom in 0..beat.regular.len() {
         let sum: f64 = columns.iter().map(|column| column[atom]).sum();
         let mean = sum / beat.frames.len() as f64;
-        // The mean over the beat is thickness itself, which says nothing of its change.
+        // The mean over the cycle is thickness itself, which says nothing of its change.
         columns.iter_mut().for_each(|column| column[atom] -= mean);
     }
     columns

@@ -27,7 +27,7 @@ pub fn half_beat_of(
     end_systole: usize,
     poses: usize,
 ) -> HalfBeat {
-    // Counted from end-diastole around the beat, wherever in the sequence that stands.
+    // Counted from end-diastole around the cycle, wherever in the sequence that stands.
     let after_filling = |pose: usize| (pose + poses - end_diastole) % poses;
     if after_filling(from) < after_filling(end_systole) {
         HalfBeat::Contraction

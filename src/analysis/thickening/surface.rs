@@ -25,7 +25,7 @@ pub(super) struct Surface {
 
 impl Surface {
     pub fn new(beat: &MedialBeat, measures: &SubjectMeasures) -> Result<Self, ThickeningError> {
-        // The mean over the beat: its noise is smaller by the root of the number of poses.
+        // The mean over the cycle: its noise is smaller by the root of the number of poses.
         let middle = mean_shape(beat);
         let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
         let phases = phases(beat, measures);
