@@ -173,6 +173,44 @@ fn sliders_come_first_and_statistics_of_the_cohort_last() {
     assert!(place(90) < place(3) && place(3) < place(50), "{order:?}");
 }
 
+/// Asked for with the pointer down; unlike a slider's, none waits for another.
+#[derive(Clone, Debug, PartialEq)]
+struct Urgent(Number);
+
+impl Query for Urgent {
+    type Answer = u32;
+    const TITLE: &'static str = "Urgent";
+    const URGENCY: Urgency = Urgency::Interactive;
+
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
+        self.0.run(cx)
+    }
+
+    fn memory(_: &u32, _: &mut Memory) {}
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn of_what_waits_for_a_thread_the_most_urgent_begins_first() {
+    let (store, study) = (store(), study());
+    let [held, freed, waiting] = [Desk::default(), Desk::default(), Desk::default()];
+    // All four threads are taken, and one of them is given back.
+    for i in 0..3 {
+        store.ask(&study, &Urgent(gated(&held, i)));
+    }
+    store.ask(&study, &Urgent(gated(&freed, 3)));
+    until(|| held.runs() + freed.runs() == 4);
+    store.ask(&study, &number(&waiting, 60));
+    store.ask(&study, &Urgent(number(&waiting, 95)));
+    freed.open();
+    until(|| waiting.runs() == 2);
+    assert_eq!(waiting.order(), [95, 60]);
+    held.open();
+}
+
 #[test]
 fn past_the_budget_the_answer_used_longest_ago_goes_and_what_is_on_screen_stays() {
     // Each answer holds a megabyte and a little: three fit.
