@@ -62,7 +62,7 @@ pub(super) fn answered<Q: Query>(
 }
 
 /// Why a question has no answer, as a command says it.
-pub(super) fn interrupted<E: std::fmt::Display>(why: Interrupted<E>) -> CliError {
+pub(super) fn interrupted(why: Interrupted) -> CliError {
     match why {
         Interrupted::Stopped => CliError::Stopped(Stopped),
         Interrupted::Failed(error) => CliError::unusable(error),

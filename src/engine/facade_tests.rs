@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use super::*;
 use crate::analysis::embedding::MapMethod;
+use crate::analysis::medial::MedialParams;
 use crate::study::Study;
 use crate::study::built_in::BuiltInParams;
 
@@ -144,6 +145,39 @@ fn kinds_of_analysis_stand_beside_each_other_and_are_cancelled_alone() {
     assert!(engine.store().ask(&study, &map).stopped());
     engine.retry(Topic::of::<DeformationMapSettings>());
     assert!(engine.store().ask(&study, &map).computing());
+}
+
+/// Looks at the walls of five subjects one after the other, and says whose are kept.
+fn kept_walls(options: StoreOptions) -> [bool; 5] {
+    let mut engine = Engine::start(options).unwrap();
+    let study = opened(&mut engine, 200);
+    let wall = |subject| MedialSurfaces {
+        subject,
+        params: MedialParams::default(),
+    };
+    for subject in 0..5 {
+        until(&mut engine, |engine| {
+            let showing = engine.store().ask(&study, &wall(subject));
+            engine.store().end_frame();
+            showing.ready().is_some()
+        });
+    }
+    // What has left the screen goes once frames have passed without it.
+    for _ in 0..3 {
+        assert!(engine.store().ask(&study, &wall(4)).ready().is_some());
+        engine.store().end_frame();
+    }
+    [0, 1, 2, 3, 4].map(|subject| engine.store().known(&study, &wall(subject)).is_some())
+}
+
+#[test]
+fn past_the_budget_of_the_window_only_what_is_looked_at_is_kept() {
+    assert_eq!(kept_walls(StoreOptions::default()), [true; 5]);
+    let tight = StoreOptions {
+        budget: 1,
+        ..StoreOptions::default()
+    };
+    assert_eq!(kept_walls(tight), [false, false, false, false, true]);
 }
 
 #[test]

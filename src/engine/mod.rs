@@ -27,20 +27,11 @@ pub use engine::{Engine, ExportError};
 pub use export::{ExportFile, FileBytes, PassingFile, write_files};
 pub use job::{Ending, Job, JobError, JobWatch, Wake};
 pub use open::{OpenSource, open};
-pub use queries::{
-    ClassesError, ClassesSettings, ComparedMethod, Contribution, ContributionError,
-    DeformationMapSettings, DeformationsError, DistancesError, FrameThickness, FrameThicknessError,
-    InterpolatedPoses, InterpolatedPosesError, Interval, LookedAt, Measures, MedialBeatError,
-    MedialMapParams, MedialMapQueryError, MedialPaths, MedialSurfaces, MethodResult,
-    MotionTransport, MotionTransportError, NoSubject, PoseMap, PoseMapError, PoseMapParams,
-    PoseThickness, StudyPaths, SubjectThickening, ThickeningQueryError, ThickeningSettings,
-    ThicknessSettings, VerdictSettings, VerdictsError, WallThickening, distance_words,
-    medial_words, metric_words, thickening_words,
-};
+pub use queries::*;
 pub use store::{
-    Answered, Context, Dependencies, FailedWork, Failure, Interrupted, Memory, Query, SharedError,
-    Showing, Store, StoreOptions, Urgency, configure_memory, default_budget,
+    Answered, Context, Dependencies, FailedWork, Interrupted, Memory, Query, SharedError, Showing,
+    Store, StoreOptions, Urgency, configure_memory, default_budget,
 };
 pub use tables::{AnalysisTables, TableSettings};
-pub use wall_tables::{TablesError, Unassessed};
+pub use wall_tables::Unassessed;
 pub use workers::configure_threads;

@@ -9,14 +9,15 @@ use crate::analysis::classification::{Classes, ClassesParams};
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::Verdicts;
+use crate::analysis::medial_map::medial_map;
+use crate::analysis::verdicts::{Verdicts, verdicts};
 use crate::engine::export::ExportFile;
 use crate::engine::queries::{
-    ClassesError, ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams,
-    VerdictSettings, distance_words, map_of, verdicts_of,
+    ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams, VerdictSettings,
+    distance_words,
 };
-use crate::engine::store::{Failure, Interrupted, Store};
-use crate::engine::wall_tables::{TablesError, Unassessed, WallTables};
+use crate::engine::store::{Interrupted, Store};
+use crate::engine::wall_tables::{Unassessed, WallTables};
 use crate::progress::Progress;
 use crate::report::{AnalysisReport, columns_md, pretty_json};
 use crate::study::Study;
@@ -74,9 +75,8 @@ impl AnalysisTables {
         settings: &TableSettings,
         folder: &Path,
         progress: &Progress,
-    ) -> Result<Self, Interrupted<TablesError>> {
-        let measures = (store.answer(study, &Measures, progress))
-            .map_err(|why| why.map(TablesError::Measures))?;
+    ) -> Result<Self, Interrupted> {
+        let measures = store.answer(study, &Measures, progress)?;
         let (deformations, folder) = (&settings.deformations, folder.to_owned());
         let part = progress.part("comparing poses", 0.0, POSES_SHARE);
         let maps = (methods(deformations.poses.method).into_iter())
@@ -85,11 +85,9 @@ impl AnalysisTables {
                     method,
                     ..deformations.poses
                 };
-                let map = store.answer(study, &query, &part);
-                map.map(|map| (word, map))
-                    .map_err(|why| why.map(TablesError::Map))
+                Ok((word, store.answer(study, &query, &part)?))
             })
-            .collect::<Result<Vec<_>, _>>()?;
+            .collect::<Result<Vec<_>, Interrupted>>()?;
         let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
         let (classes, without_deformations) = match classified(store, study, deformations, &part) {
             Ok(classes) => (Some(classes), None),
@@ -99,11 +97,10 @@ impl AnalysisTables {
         let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
         let walls = WallTables::of(store, study, &settings.verdicts, &folder, &part)?;
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
-        let checked = (settings.verdicts.verdicts.check())
-            .map_err(|error| Interrupted::Failed(TablesError::Verdicts(error.into())))?;
-        let verdicts = verdicts_of(study, &walls.examined, &checked, &part)
-            .map_err(|why| why.map(TablesError::Verdicts))?;
-        let medial = match map_of(&walls.paths, MapMethod::ClassicalMds, &part) {
+        let checked = settings.verdicts.verdicts.check()?;
+        let verdicts = verdicts(study, &walls.examined, &checked, &part)?;
+        let medial = medial_map(&walls.paths, MapMethod::ClassicalMds, &part);
+        let medial = match medial.map_err(Interrupted::from) {
             Ok(map) => Ok(map),
             Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
             Err(Interrupted::Failed(error)) => Err(error.to_string()),
@@ -123,8 +120,7 @@ impl AnalysisTables {
             medial_map: medial.as_ref().map_err(String::as_str),
             thickening: &walls.summary,
         };
-        let tables = (report.tables())
-            .map_err(|error| Interrupted::Failed(TablesError::Write(error.to_string())))?;
+        let tables = report.tables()?;
         let summary = report.summary();
         Ok(Self {
             measures,
@@ -195,15 +191,12 @@ fn classified(
     study: &Arc<Study>,
     settings: &DeformationMapSettings,
     progress: &Progress,
-) -> Result<Classified, Interrupted<Failure<ClassesError>>> {
+) -> Result<Classified, Interrupted> {
     let classes = ClassesSettings {
         deformations: *settings,
         classes: ClassesParams::default(),
     };
     let classes = store.answer(study, &classes, progress)?;
     // The classification has asked for the map, so it is known by now.
-    let map = store.answer(study, settings, progress).map_err(|why| {
-        why.map(|failure| Failure::Analysis(Arc::new(ClassesError::Deformations(failure))))
-    })?;
-    Ok((map, classes))
+    Ok((store.answer(study, settings, progress)?, classes))
 }

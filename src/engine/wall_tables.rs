@@ -1,6 +1,5 @@
 //! Tables of the walls of all subjects, one subject after the other.
 
-use std::convert::Infallible;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -8,10 +7,8 @@ use serde_json::{Value, json};
 
 use crate::analysis::verdicts::{Examined, NotAssessed};
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
-use crate::engine::queries::{
-    PoseMapError, StudyPaths, VerdictSettings, VerdictsError, WallThickening, examined, paths_of,
-};
-use crate::engine::store::{Answered, Failure, Interrupted, Store};
+use crate::engine::queries::{StudyPaths, VerdictSettings, WallThickening, examined, paths_of};
+use crate::engine::store::{Answered, Interrupted, Store};
 use crate::progress::Progress;
 use crate::report::{
     AssessedWall, AtomRow, PatchRow, SegmentRow, csv_header, csv_rows, thickening_params_json,
@@ -19,22 +16,10 @@ use crate::report::{
 };
 use crate::study::Study;
 
-/// Why the tables of a whole analysis could not be made.
+/// The folder of the tables cannot be written to.
 #[derive(Debug, thiserror::Error)]
-pub enum TablesError {
-    /// There are no measures.
-    #[error(transparent)]
-    Measures(Failure<Infallible>),
-    /// There is no pose map.
-    #[error(transparent)]
-    Map(Failure<PoseMapError>),
-    /// There are no verdicts.
-    #[error(transparent)]
-    Verdicts(VerdictsError),
-    /// The folder cannot be written to.
-    #[error("{0}")]
-    Write(String),
-}
+#[error("{0}")]
+struct WriteError(String);
 
 /// A subject whose wall could not be assessed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -73,16 +58,14 @@ impl WallTables {
         settings: &VerdictSettings,
         folder: &Path,
         progress: &Progress,
-    ) -> Result<Self, Interrupted<TablesError>> {
+    ) -> Result<Self, Interrupted> {
         let VerdictSettings {
             thickening,
             verdicts,
         } = settings;
-        let checked = (verdicts.check())
-            .map_err(|error| Interrupted::Failed(TablesError::Verdicts(error.into())))?;
+        let checked = verdicts.check()?;
         let mut tables = Self {
-            atoms: PassingFile::create(folder.join("atoms.csv"))
-                .map_err(|reason| Interrupted::Failed(TablesError::Write(reason)))?,
+            atoms: PassingFile::create(folder.join("atoms.csv")).map_err(WriteError)?,
             patches: csv_header::<PatchRow>(),
             segments: csv_header::<SegmentRow>(),
             summary: Value::Null,
@@ -119,7 +102,7 @@ impl WallTables {
         index: usize,
         answer: Answered<WallThickening>,
         progress: &Progress,
-    ) -> Result<Value, Interrupted<TablesError>> {
+    ) -> Result<Value, Interrupted> {
         let subject = &study.subjects[index];
         let answer = match answer {
             Ok(answer) => answer,
@@ -151,8 +134,8 @@ impl WallTables {
         Ok(wall_json(&wall))
     }
 
-    fn add_atoms(&mut self, text: &str) -> Result<(), Interrupted<TablesError>> {
-        (self.atoms.write(text)).map_err(|reason| Interrupted::Failed(TablesError::Write(reason)))
+    fn add_atoms(&mut self, text: &str) -> Result<(), WriteError> {
+        self.atoms.write(text).map_err(WriteError)
     }
 
     /// The files.

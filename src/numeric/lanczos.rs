@@ -8,7 +8,7 @@ use super::{Eigen, EigenDiverged, add_scaled, dot, symmetric_eigen};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum LeadingEigenError {
     /// The products were stopped.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
     /// The small problem inside did not converge.
     #[error(transparent)]

@@ -1,5 +1,8 @@
 //! One column of a table: its key, heading, unit, digits and explanation, written down once for all who show it.
 
+use std::borrow::Cow;
+use std::fmt::Write;
+
 use serde_json::{Value, json};
 
 use crate::units::LengthUnit;
@@ -7,15 +10,13 @@ use crate::units::LengthUnit;
 /// What stands where there is no value.
 pub const NO_VALUE: &str = "–";
 
-/// A value of a row.
+/// A value of a row, borrowed from it where it is words.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Cell {
+pub enum Cell<'a> {
     /// No value.
     Empty,
     /// Words.
-    Text(String),
-    /// Words of the program itself.
-    Word(&'static str),
+    Text(Cow<'a, str>),
     /// A count or a number of something in a list.
     Count(usize),
     /// A measured number.
@@ -24,17 +25,18 @@ pub enum Cell {
     Flag(bool),
 }
 
-impl Cell {
-    /// As tables hold it: numbers as the shortest text that reads back as the same number.
-    pub(super) fn text(&self) -> String {
+impl Cell<'_> {
+    /// Adds it as tables hold it: numbers as the shortest text that reads back as the same number.
+    pub(super) fn add_to(&self, text: &mut String) {
+        // Writing into a string cannot fail.
         match self {
-            Self::Empty => String::new(),
-            Self::Text(words) => words.clone(),
-            Self::Word(word) => (*word).to_owned(),
-            Self::Count(count) => count.to_string(),
-            Self::Number(number) => number.to_string(),
-            Self::Flag(flag) => u8::from(*flag).to_string(),
+            Self::Empty => Ok(()),
+            Self::Text(words) => text.write_str(words),
+            Self::Count(count) => write!(text, "{count}"),
+            Self::Number(number) => write!(text, "{number}"),
+            Self::Flag(flag) => write!(text, "{}", u8::from(*flag)),
         }
+        .ok();
     }
 
     /// As JSON holds it.
@@ -42,7 +44,6 @@ impl Cell {
         match self {
             Self::Empty => Value::Null,
             Self::Text(words) => json!(words),
-            Self::Word(word) => json!(word),
             Self::Count(count) => json!(count),
             Self::Number(number) => json!(number),
             Self::Flag(flag) => json!(flag),
@@ -53,7 +54,7 @@ impl Cell {
 /// Values of rows become cells by `.into()`.
 macro_rules! cell_from {
     ($($type:ty: $value:ident => $cell:expr;)*) => {
-        $(impl From<$type> for Cell {
+        $(impl<'a> From<$type> for Cell<'a> {
             fn from($value: $type) -> Self {
                 $cell
             }
@@ -62,16 +63,16 @@ macro_rules! cell_from {
 }
 
 cell_from! {
-    &String: words => Self::Text(words.clone());
-    String: words => Self::Text(words);
-    &'static str: word => Self::Word(word);
+    &'a str: words => Self::Text(Cow::Borrowed(words));
+    &'a String: words => Self::Text(Cow::Borrowed(words));
+    String: words => Self::Text(Cow::Owned(words));
     usize: count => Self::Count(count);
     u32: count => Self::Count(count as usize);
     f64: number => Self::Number(number);
     bool: flag => Self::Flag(flag);
 }
 
-impl<T: Into<Self>> From<Option<T>> for Cell {
+impl<T: Into<Self>> From<Option<T>> for Cell<'_> {
     fn from(value: Option<T>) -> Self {
         value.map_or(Self::Empty, Into::into)
     }
@@ -166,61 +167,82 @@ pub struct Column<R: 'static> {
     pub digits: Digits,
     /// What it is, in a sentence.
     pub explanation: &'static str,
-    pub(super) cell: fn(&R) -> Cell,
+    pub(super) cell: fn(&R) -> Cell<'_>,
 }
 
-impl<R: 'static> Column<R> {
-    /// A column of words, counts, or numbers without a unit.
-    pub(super) const fn plain(
-        key: &'static str,
-        heading: &'static str,
-        explanation: &'static str,
-        cell: fn(&R) -> Cell,
-    ) -> Self {
-        let digits = Digits::Places(2);
-        Self::new(key, heading, Unit::None, digits, explanation, cell)
-    }
+/// A column that has neither unit nor explanation yet; one of its methods adds both.
+pub(super) struct Named<R: 'static> {
+    key: &'static str,
+    heading: &'static str,
+    cell: fn(&R) -> Cell<'_>,
+}
 
-    /// A column of numbers with a unit.
-    pub(super) const fn new(
-        key: &'static str,
-        heading: &'static str,
-        unit: Unit,
-        digits: Digits,
-        explanation: &'static str,
-        cell: fn(&R) -> Cell,
-    ) -> Self {
-        Self {
-            key,
-            heading,
-            short_heading: heading,
+/// Begins a column: its name in files, its heading, and the value of a row.
+pub(super) const fn column<R>(
+    key: &'static str,
+    heading: &'static str,
+    cell: fn(&R) -> Cell<'_>,
+) -> Named<R> {
+    Named { key, heading, cell }
+}
+
+impl<R: 'static> Named<R> {
+    /// With this unit and so many digits on screen.
+    pub const fn with(self, unit: Unit, digits: Digits, explanation: &'static str) -> Column<R> {
+        Column {
+            key: self.key,
+            heading: self.heading,
+            short_heading: self.heading,
             unit,
             digits,
             explanation,
-            cell,
+            cell: self.cell,
         }
     }
 
-    /// A column of lengths in coordinates.
-    pub(super) const fn length(
-        key: &'static str,
-        heading: &'static str,
-        explanation: &'static str,
-        cell: fn(&R) -> Cell,
-    ) -> Self {
-        let digits = Digits::Places(1);
-        Self::new(key, heading, Unit::Length, digits, explanation, cell)
+    /// Words, counts, or numbers without a unit.
+    pub const fn plain(self, explanation: &'static str) -> Column<R> {
+        self.with(Unit::None, Digits::Places(2), explanation)
     }
 
-    /// A column of PT, the thickness ratio.
-    pub(super) const fn thickness_ratio(
-        key: &'static str,
-        heading: &'static str,
-        explanation: &'static str,
-        cell: fn(&R) -> Cell,
-    ) -> Self {
-        let digits = Digits::Places(2);
-        Self::new(key, heading, Unit::Symbol("×"), digits, explanation, cell)
+    /// A coordinate without a unit: on a map, or of a direction.
+    pub const fn coordinate(self, explanation: &'static str) -> Column<R> {
+        self.with(Unit::None, Digits::Places(3), explanation)
+    }
+
+    /// A share from 0 to 1.
+    pub const fn share(self, explanation: &'static str) -> Column<R> {
+        self.with(Unit::Share, Digits::Places(0), explanation)
+    }
+
+    /// A number in percent.
+    pub const fn percent(self, explanation: &'static str) -> Column<R> {
+        self.with(Unit::Percent, Digits::Places(1), explanation)
+    }
+
+    /// A length in coordinates.
+    pub const fn length(self, explanation: &'static str) -> Column<R> {
+        self.with(Unit::Length, Digits::Places(1), explanation)
+    }
+
+    /// An area in the shown unit of the subject.
+    pub const fn area(self, explanation: &'static str) -> Column<R> {
+        self.with(Unit::Area, Digits::OneBelowTen, explanation)
+    }
+
+    /// A volume in the shown unit of the subject.
+    pub const fn volume(self, explanation: &'static str) -> Column<R> {
+        self.with(Unit::Volume, Digits::OneBelowTen, explanation)
+    }
+}
+
+impl<R: 'static> Column<R> {
+    /// With a unit that is the same for every subject.
+    pub(super) const fn in_unit(self, symbol: &'static str) -> Self {
+        Self {
+            unit: Unit::Symbol(symbol),
+            ..self
+        }
     }
 
     /// With another heading where there is little room.
@@ -252,7 +274,11 @@ impl<R: 'static> Column<R> {
             Cell::Number(number) => digits.shown(number),
             Cell::Flag(true) => "yes".to_owned(),
             Cell::Flag(false) => "no".to_owned(),
-            words @ (Cell::Text(_) | Cell::Word(_) | Cell::Count(_)) => words.text(),
+            words @ (Cell::Text(_) | Cell::Count(_)) => {
+                let mut text = String::new();
+                words.add_to(&mut text);
+                text
+            }
         }
     }
 
@@ -304,21 +330,14 @@ mod tests {
 
     #[test]
     fn shares_are_shown_in_percent_and_missing_values_without_a_unit() {
-        let column: Column<Option<f64>> = Column::new(
-            "share",
-            "Share",
-            Unit::Share,
-            Digits::Places(0),
-            "A share",
-            |row| (*row).into(),
-        );
+        let column: Column<Option<f64>> =
+            column("share", "Share", |row: &Option<f64>| (*row).into()).share("A share");
         let mm = LengthUnit::Millimetre;
         assert_eq!(column.shown_with_unit(&Some(0.312), mm), "31 %");
         assert_eq!(column.shown_with_unit(&None, mm), "–");
         assert_eq!(column.heading_with_unit(mm), "Share, %");
-        assert_eq!(
-            (column.cell)(&Some(0.1 + 0.2)).text(),
-            "0.30000000000000004"
-        );
+        let mut text = String::new();
+        (column.cell)(&Some(0.1 + 0.2)).add_to(&mut text);
+        assert_eq!(text, "0.30000000000000004");
     }
 }

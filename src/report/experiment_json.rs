@@ -7,6 +7,7 @@ use crate::analysis::experiments::{
 };
 
 use super::experiments::reference_word;
+use super::table::json_row;
 
 /// The noise study with its protocol.
 pub fn noise_json(result: &NoiseDeformationResult) -> Value {
@@ -54,21 +55,8 @@ pub fn comparison_json(comparison: &MetricComparison) -> Value {
     json!({ "classification": Value::Array(rows.collect()) })
 }
 
-/// Ranks of the other sequence of the same patient, a row per transport and method.
+/// Ranks of the other sequence of the same patient, as `partners.csv` has them.
 pub fn partners_json(study: &PartnerStudy) -> Value {
-    let rows = study.rows.iter().map(|row| {
-        let ranks = &row.ranks;
-        json!({
-            "transfer": row.transport,
-            "method": row.method,
-            "pairs": ranks.pairs,
-            "nearer_than_median": ranks.nearer_than_median,
-            "nearest": ranks.nearest,
-            "mean_rank": ranks.mean_rank,
-            "nearest_by_chance": ranks.nearest_by_chance,
-            "mean_rank_by_chance": ranks.mean_rank_by_chance,
-            "mean_distance": ranks.mean_distance,
-        })
-    });
+    let rows = study.rows.iter().map(|row| Value::Object(json_row(row)));
     json!({ "partners": Value::Array(rows.collect()) })
 }

@@ -1,6 +1,7 @@
 //! Tables of the experiments on deformations: noise, transport, interpolation, metrics, pairs of sequences.
 
-use super::column::{Cell, Column, Digits, Unit};
+use super::column::{Cell, Column, column};
+use super::shared;
 use super::table::Row;
 use crate::analysis::experiments::{
     ComparisonRow, InterpolationCase, NoiseDeformationResult, NoiseReference, PartnerRow,
@@ -68,139 +69,105 @@ impl Row for NoiseRow {
     const FILES: &'static [&'static str] = &["noise.csv"];
     const ROW: &'static str = "`experiment noise-deformation`: cluster agreement under noise, a row per method, condition and object";
     const COLUMNS: &'static [Column<Self>] = &[
-        METHOD,
-        Column::plain(
-            "family",
-            "Noise",
-            "Distribution of the noise, or clean",
-            |row| row.family.into(),
+        column("method", "Method", |row: &Self| row.method.into()).plain("Metric and pipeline"),
+        shared::noise_family(|row| row.family.into()),
+        column("percent", "Level of noise", |row: &Self| row.percent.into())
+            .percent("Level of noise, a share of the quantity in percent_of"),
+        column("percent_of", "Level relative to", |row: &Self| {
+            reference_word(row.reference).into()
+        })
+        .plain("What the level is a share of: shape or displacement"),
+        column("object", "Object", |row: &Self| row.object.into())
+            .plain("Kind of object, or all for the mean over objects"),
+        column("tau_percent", "Cluster agreement τ", |row: &Self| {
+            percent(row.tau)
+        })
+        .percent(
+            "Cluster agreement τ: share of deformations whose cluster stands for their \
+                     class",
         ),
-        percentage(
-            "percent",
-            "Level of noise",
-            "Level of noise, a share of the quantity in percent_of",
-            |row| row.percent.into(),
-        ),
-        Column::plain(
-            "percent_of",
-            "Level relative to",
-            "What the level is a share of: shape or displacement",
-            |row| reference_word(row.reference).into(),
-        ),
-        Column::plain(
-            "object",
-            "Object",
-            "Kind of object, or all for the mean over objects",
-            |row| row.object.into(),
-        ),
-        percentage(
-            "tau_percent",
-            "Cluster agreement τ",
-            "Cluster agreement τ: share of deformations whose cluster stands for their class",
-            |row| percent(row.tau),
-        ),
-        percentage(
-            "standard_error",
-            "Standard error of τ",
-            "Standard error of τ over redraws",
-            |row| row.standard_error.map(percent).into(),
-        ),
-        percentage(
-            "baseline",
-            "Permutation mean of τ",
-            "Mean of τ over permuted labels",
-            |row| row.baseline.map(percent).into(),
-        ),
-        percentage(
-            "published",
-            "Table 3.1",
-            "Value of τ in table 3.1 of the text, where it has one",
-            |row| row.published.map(percent).into(),
-        ),
+        column("standard_error", "Standard error of τ", |row: &Self| {
+            row.standard_error.map(percent).into()
+        })
+        .percent("Standard error of τ over redraws"),
+        column("baseline", "Permutation mean of τ", |row: &Self| {
+            row.baseline.map(percent).into()
+        })
+        .percent("Mean of τ over permuted labels"),
+        column("published", "Table 3.1", |row: &Self| {
+            row.published.map(percent).into()
+        })
+        .percent("Value of τ in table 3.1 of the text, where it has one"),
     ];
 }
-
-const METHOD: Column<NoiseRow> = Column::plain("method", "Method", "Metric and pipeline", |row| {
-    row.method.into()
-});
 
 impl Row for ComparisonRow {
     const FILES: &'static [&'static str] = &["metrics.csv"];
     const ROW: &'static str =
         "`experiment metrics`: classification by every metric, a row per level of noise and method";
     const COLUMNS: &'static [Column<Self>] = &[
-        percentage(
-            "noise_percent",
-            "Level of noise",
-            "Level of noise of the copies; 0 for the study itself",
-            |row| row.percent.into(),
-        ),
-        Column::plain("method", "Method", "Metric and form", |row| {
-            row.method.into()
-        }),
-        Column::plain(
-            "labelled",
-            "Labelled",
-            "Number of subjects with a label",
-            |row| row.labelled.into(),
-        ),
-        Column::plain("copies", "Copies", "Number of noisy copies", |row| {
-            row.copies.into()
-        }),
-        percentage(
+        column("noise_percent", "Level of noise", |row: &Self| {
+            row.percent.into()
+        })
+        .percent("Level of noise of the copies; 0 for the study itself"),
+        shared::method(|row| row.method.into()),
+        column("labelled", "Labelled", |row: &Self| row.labelled.into())
+            .plain("Number of subjects with a label"),
+        column("copies", "Copies", |row: &Self| row.copies.into()).plain("Number of noisy copies"),
+        column(
             "nearest_neighbour_percent",
             "Nearest neighbour",
-            "Accuracy of the nearest-neighbour classifier, leave-one-out",
-            |row| percent(row.nearest_neighbour.share),
-        ),
-        percentage("nearest_neighbour_standard_error", "±", ERROR, |row| {
+            |row: &Self| percent(row.nearest_neighbour.share),
+        )
+        .percent("Accuracy of the nearest-neighbour classifier, leave-one-out"),
+        column("nearest_neighbour_standard_error", "±", |row: &Self| {
             percent(row.nearest_neighbour.standard_error)
-        }),
-        percentage(
+        })
+        .percent(ERROR),
+        column(
             "nearest_neighbour_baseline",
             "Permutation mean",
-            PERMUTED,
-            |row| percent(row.nearest_neighbour.baseline),
-        ),
-        percentage(
-            "linear_rule_percent",
-            "Linear classifier",
-            "Accuracy of the linear classifier on distances, leave-one-out",
-            |row| percent(row.linear_classifier.share),
-        ),
-        percentage("linear_rule_standard_error", "±", ERROR, |row| {
+            |row: &Self| percent(row.nearest_neighbour.baseline),
+        )
+        .percent(PERMUTED),
+        column("linear_rule_percent", "Linear classifier", |row: &Self| {
+            percent(row.linear_classifier.share)
+        })
+        .percent("Accuracy of the linear classifier on distances, leave-one-out"),
+        column("linear_rule_standard_error", "±", |row: &Self| {
             percent(row.linear_classifier.standard_error)
-        }),
-        percentage(
-            "linear_rule_baseline",
-            "Permutation mean",
-            PERMUTED,
-            |row| percent(row.linear_classifier.baseline),
-        ),
-        percentage(
+        })
+        .percent(ERROR),
+        column("linear_rule_baseline", "Permutation mean", |row: &Self| {
+            percent(row.linear_classifier.baseline)
+        })
+        .percent(PERMUTED),
+        column(
             "plane_rule_percent",
             "Classifier on the 2-D embedding",
-            "Accuracy of the classifier on the 2-D embedding, leave-one-out",
-            |row| percent(row.plane_classifier.share),
-        ),
-        percentage("plane_rule_standard_error", "±", ERROR, |row| {
+            |row: &Self| percent(row.plane_classifier.share),
+        )
+        .percent("Accuracy of the classifier on the 2-D embedding, leave-one-out"),
+        column("plane_rule_standard_error", "±", |row: &Self| {
             percent(row.plane_classifier.standard_error)
-        }),
-        percentage("plane_rule_baseline", "Permutation mean", PERMUTED, |row| {
+        })
+        .percent(ERROR),
+        column("plane_rule_baseline", "Permutation mean", |row: &Self| {
             percent(row.plane_classifier.baseline)
-        }),
-        percentage(
-            "tau_percent",
-            "Cluster agreement τ",
-            "Cluster agreement τ: share of subjects whose cluster stands for their class",
-            |row| percent(row.tau.share),
-        ),
-        percentage("tau_standard_error", "±", ERROR, |row| {
+        })
+        .percent(PERMUTED),
+        column("tau_percent", "Cluster agreement τ", |row: &Self| {
+            percent(row.tau.share)
+        })
+        .percent("Cluster agreement τ: share of subjects whose cluster stands for their class"),
+        column("tau_standard_error", "±", |row: &Self| {
             percent(row.tau.standard_error)
-        }),
-        percentage("tau_baseline", "Permutation mean", PERMUTED, |row| {
+        })
+        .percent(ERROR),
+        column("tau_baseline", "Permutation mean", |row: &Self| {
             percent(row.tau.baseline)
-        }),
+        })
+        .percent(PERMUTED),
     ];
 }
 
@@ -211,57 +178,39 @@ impl Row for PartnerRow {
     const FILES: &'static [&'static str] = &["partners.csv"];
     const ROW: &'static str = "`experiment partners`: rank of the other sequence of the same patient, a row per transport and method";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain(
-            "transfer",
-            "Transport",
-            "How motions are transported before they are compared",
-            |row| row.transport.into(),
-        ),
-        Column::plain("method", "Method", "Metric and form", |row| {
-            row.method.into()
-        }),
-        Column::plain(
-            "pairs",
-            "Sequences",
-            "Number of sequences with a partner: another sequence of the same patient",
-            |row| row.ranks.pairs.into(),
-        ),
-        Column::plain(
+        column("transfer", "Transport", |row: &Self| row.transport.into())
+            .plain("How motions are transported before they are compared"),
+        shared::method(|row| row.method.into()),
+        column("pairs", "Sequences", |row: &Self| row.ranks.pairs.into())
+            .plain("Number of sequences with a partner: another sequence of the same patient"),
+        column(
             "nearer_than_median",
             "Nearer than the median",
-            "Number of sequences whose partner is nearer than the median of all others",
-            |row| row.ranks.nearer_than_median.into(),
-        ),
-        Column::plain(
-            "nearest",
-            "Nearest",
-            "Number of sequences whose partner is the nearest of all others",
-            |row| row.ranks.nearest.into(),
-        ),
-        Column::plain(
-            "mean_rank",
-            "Mean rank",
-            "Mean rank of the partner among all others by distance, from 1",
-            |row| row.ranks.mean_rank.into(),
-        ),
-        Column::plain(
+            |row: &Self| row.ranks.nearer_than_median.into(),
+        )
+        .plain("Number of sequences whose partner is nearer than the median of all others"),
+        column("nearest", "Nearest", |row: &Self| row.ranks.nearest.into())
+            .plain("Number of sequences whose partner is the nearest of all others"),
+        column("mean_rank", "Mean rank", |row: &Self| {
+            row.ranks.mean_rank.into()
+        })
+        .plain("Mean rank of the partner among all others by distance, from 1"),
+        column(
             "nearest_by_chance",
             "Nearest, random order",
-            "Expected number of such sequences if distances were in random order",
-            |row| row.ranks.nearest_by_chance.into(),
-        ),
-        Column::plain(
+            |row: &Self| row.ranks.nearest_by_chance.into(),
+        )
+        .plain("Expected number of such sequences if distances were in random order"),
+        column(
             "mean_rank_by_chance",
             "Mean rank, random order",
-            "Expected mean rank if distances were in random order",
-            |row| row.ranks.mean_rank_by_chance.into(),
-        ),
-        Column::plain(
-            "mean_distance",
-            "Mean distance",
-            "Mean distance to the partner, relative to the median distance to all others",
-            |row| row.ranks.mean_distance.into(),
-        ),
+            |row: &Self| row.ranks.mean_rank_by_chance.into(),
+        )
+        .plain("Expected mean rank if distances were in random order"),
+        column("mean_distance", "Mean distance", |row: &Self| {
+            row.ranks.mean_distance.into()
+        })
+        .plain("Mean distance of any two sequences, of the same patient or not"),
     ];
 }
 
@@ -269,47 +218,31 @@ impl Row for TransportCase {
     const FILES: &'static [&'static str] = &["transfer.csv"];
     const ROW: &'static str = "`experiment noise-deformation`: parallel transport of synthetic deformations, a row per deformation";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("source", "Source", "Object that is deformed", |row| {
-            row.object.name().into()
-        }),
-        Column::plain(
-            "target",
-            "Target",
-            "Object that the deformation is transported onto",
-            |row| row.target.into(),
-        ),
-        Column::plain("motion", "Motion", "Kind of deformation", |row| {
-            row.motion.name().into()
-        }),
-        Column::plain(
-            "relative_error",
-            "Relative error",
-            "Difference from the true deformation of the target, relative to it",
-            |row| row.relative_error.into(),
-        ),
-        Column::plain(
-            "cosine",
-            "Cosine",
-            "Cosine between transported and true deformation",
-            |row| row.cosine.into(),
-        ),
-        Column::plain(
-            "norm_ratio",
-            "Norm ratio",
-            "Norm of the transported deformation relative to that of the true one",
-            |row| row.norm_ratio.into(),
-        ),
-        Column::plain(
-            "flipped_faces",
-            "Flipped faces",
-            "Number of faces whose normal the transported deformation reverses",
-            |row| row.flipped_faces.into(),
-        ),
-        Column::plain(
-            "followed",
-            "Reproduced",
-            "true if the cosine is at least 0.9, the norm within a third of the true one and no face flipped",
-            |row| Cell::Word(if row.followed { "true" } else { "false" }),
+        column("source", "Source", |row: &Self| row.object.name().into())
+            .plain("Object that is deformed"),
+        column("target", "Target", |row: &Self| row.target.into())
+            .plain("Object that the deformation is transported onto"),
+        shared::motion(|row| row.motion.name().into()),
+        column("relative_error", "Relative error", |row: &Self| {
+            row.relative_error.into()
+        })
+        .plain("Difference from the true deformation of the target, relative to it"),
+        column("cosine", "Cosine", |row: &Self| row.cosine.into())
+            .plain("Cosine between transported and true deformation"),
+        column("norm_ratio", "Norm ratio", |row: &Self| {
+            row.norm_ratio.into()
+        })
+        .plain("Norm of the transported deformation relative to that of the true one"),
+        column("flipped_faces", "Flipped faces", |row: &Self| {
+            row.flipped_faces.into()
+        })
+        .plain("Number of faces whose normal the transported deformation reverses"),
+        column("followed", "Reproduced", |row: &Self| {
+            (if row.followed { "true" } else { "false" }).into()
+        })
+        .plain(
+            "true if the cosine is at least 0.9, the norm within a third of the true one \
+                     and no face flipped",
         ),
     ];
 }
@@ -318,48 +251,40 @@ impl Row for InterpolationCase {
     const FILES: &'static [&'static str] = &["interpolation.csv"];
     const ROW: &'static str = "`experiment noise-deformation`: interpolated (geodesic) poses, a row per object and motion";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("object", "Object", "Kind of object", |row| {
-            row.object.name().into()
-        }),
-        Column::plain("motion", "Motion", "Kind of deformation", |row| {
-            row.motion.name().into()
-        }),
-        Column::plain(
-            "energy_over_linear",
-            "Energy ratio",
-            "Energy of the path relative to that of linear interpolation",
-            |row| row.energy_ratio.into(),
-        ),
-        Column::plain(
-            "longest_over_shortest_step",
-            "Step ratio",
-            "Longest step of the path relative to the shortest",
-            |row| row.step_ratio.into(),
-        ),
-        Column::plain(
+        shared::object(|row| row.object.name().into()),
+        shared::motion(|row| row.motion.name().into()),
+        column("energy_over_linear", "Energy ratio", |row: &Self| {
+            row.energy_ratio.into()
+        })
+        .plain("Energy of the path relative to that of linear interpolation"),
+        column("longest_over_shortest_step", "Step ratio", |row: &Self| {
+            row.step_ratio.into()
+        })
+        .plain("Longest step of the path relative to the shortest"),
+        column(
             "least_volume_ratio",
             "Minimum volume ratio",
+            |row: &Self| row.volume_ratios[0].into(),
+        )
+        .plain(
             "Minimum over the path of volume relative to its linear interpolation between the ends",
-            |row| row.volume_ratios[0].into(),
         ),
-        Column::plain(
+        column(
             "greatest_volume_ratio",
             "Maximum volume ratio",
+            |row: &Self| row.volume_ratios[1].into(),
+        )
+        .plain(
             "Maximum over the path of volume relative to its linear interpolation between the ends",
-            |row| row.volume_ratios[1].into(),
         ),
-        Column::plain(
-            "midpoint_error",
-            "Midpoint error",
-            "Distance of the middle pose from the true one, relative to the motion",
-            |row| row.midpoint_error.into(),
-        ),
-        Column::plain(
-            "self_intersections",
-            "Self-intersections",
-            "Number of pairs of faces that intersect",
-            |row| row.self_intersections.into(),
-        ),
+        column("midpoint_error", "Midpoint error", |row: &Self| {
+            row.midpoint_error.into()
+        })
+        .plain("Distance of the middle pose from the true one, relative to the motion"),
+        column("self_intersections", "Self-intersections", |row: &Self| {
+            row.self_intersections.into()
+        })
+        .plain("Number of pairs of faces that intersect"),
     ];
 }
 
@@ -371,24 +296,7 @@ pub(super) fn reference_word(reference: NoiseReference) -> &'static str {
     }
 }
 
-/// A column in percent.
-pub(super) const fn percentage<R>(
-    key: &'static str,
-    heading: &'static str,
-    explanation: &'static str,
-    cell: fn(&R) -> Cell,
-) -> Column<R> {
-    Column::new(
-        key,
-        heading,
-        Unit::Percent,
-        Digits::Places(1),
-        explanation,
-        cell,
-    )
-}
-
 /// A share in percent, to a hundredth.
-pub(super) fn percent(share: f64) -> Cell {
+pub(super) fn percent(share: f64) -> Cell<'static> {
     ((share * 1e4).round() / 100.0).into()
 }

@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::column::{Column, ColumnWords, Digits, Unit};
+use super::column::{Column, ColumnWords, column};
+use super::shared;
 use super::table::{Row, TableWords, records};
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
@@ -137,18 +138,10 @@ impl Row for PoseRow {
         &["poses_mds.csv", "poses_smacof.csv", "poses_isomap.csv"];
     const ROW: &'static str = "Pose map: embedding of the distances between poses (classical MDS, SMACOF, Isomap), a row per pose";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        }),
-        Column::plain("frame", "Frame", "Frame, numbered from 0", |row| {
-            row.frame.into()
-        }),
-        coordinate("x", "Map x", "First coordinate on the map", |row| {
-            row.place[0].into()
-        }),
-        coordinate("y", "Map y", "Second coordinate on the map", |row| {
-            row.place[1].into()
-        }),
+        shared::subject(|row| (&row.subject).into()),
+        shared::frame(|row| row.frame.into()),
+        shared::map_x(|row| row.place[0].into()),
+        shared::map_y(|row| row.place[1].into()),
     ];
 }
 
@@ -182,24 +175,13 @@ impl Row for DeformationRow {
     const ROW: &'static str =
         "Deformation map: locally linear embedding (LLE) of whole motions, a row per subject";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        }),
-        Column::plain(
-            "label",
-            "Label",
-            "Label that the study gives the subject; empty without one",
-            |row| row.label.clone().into(),
+        shared::subject(|row| (&row.subject).into()),
+        shared::label(|row| row.label.as_deref().into()),
+        column("x", "Map x", |row: &Self| row.place[0].into()).coordinate(
+            "First coordinate on the map; each coordinate has root sum of squares 1 \
+                     over the subjects",
         ),
-        coordinate(
-            "x",
-            "Map x",
-            "First coordinate on the map; each coordinate has root sum of squares 1 over the subjects",
-            |row| row.place[0].into(),
-        ),
-        coordinate("y", "Map y", "Second coordinate on the map", |row| {
-            row.place[1].into()
-        }),
+        shared::map_y(|row| row.place[1].into()),
     ];
 }
 
@@ -241,51 +223,16 @@ impl Row for MedialPoseRow {
     const FILES: &'static [&'static str] = &["medial_mds.csv"];
     const ROW: &'static str = "Medial map: classical MDS of the poses of akinetic regions in the medial shape space, a row per step of a path";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        }),
-        Column::plain(
-            "step_from",
-            "From",
-            "First frame of the step, numbered from 0",
-            |row| row.step_from.into(),
-        ),
-        Column::plain(
-            "step_to",
-            "To",
-            "Last frame of the step, numbered from 0",
-            |row| row.step_to.into(),
-        ),
-        Column::plain(
-            "patch",
-            "Patch",
-            "Number of the patch as in patches.csv; empty for all akinetic atoms together",
-            |row| row.patch.into(),
-        ),
-        coordinate("x", "Map x", "First coordinate on the map", |row| {
-            row.place[0].into()
-        }),
-        coordinate("y", "Map y", "Second coordinate on the map", |row| {
-            row.place[1].into()
-        }),
+        shared::subject(|row| (&row.subject).into()),
+        column("step_from", "From", |row: &Self| row.step_from.into())
+            .plain("First frame of the step, numbered from 0"),
+        column("step_to", "To", |row: &Self| row.step_to.into())
+            .plain("Last frame of the step, numbered from 0"),
+        column("patch", "Patch", |row: &Self| row.patch.into())
+            .plain("Number of the patch as in patches.csv; empty for all akinetic atoms together"),
+        shared::map_x(|row| row.place[0].into()),
+        shared::map_y(|row| row.place[1].into()),
     ];
-}
-
-/// Coordinates on a map have no unit.
-const fn coordinate<R>(
-    key: &'static str,
-    heading: &'static str,
-    explanation: &'static str,
-    cell: fn(&R) -> super::column::Cell,
-) -> Column<R> {
-    Column::new(
-        key,
-        heading,
-        Unit::None,
-        Digits::Places(3),
-        explanation,
-        cell,
-    )
 }
 
 fn place(map: &Embedding, item: usize) -> [Option<f64>; 2] {

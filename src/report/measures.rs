@@ -2,7 +2,8 @@
 
 use serde_json::{Value, json};
 
-use super::column::{Cell, Column, Digits, Unit};
+use super::column::{Column, Digits, Unit, column};
+use super::shared;
 use super::table::{Row, json_row};
 use crate::analysis::measures::{PhaseSource, SubjectMeasures};
 use crate::study::Study;
@@ -35,76 +36,36 @@ pub struct SubjectRow {
     pub phases_stated: bool,
 }
 
-const VOLUME: (Unit, Digits) = (Unit::Volume, Digits::OneBelowTen);
-
-const fn volume(
-    key: &'static str,
-    heading: &'static str,
-    explanation: &'static str,
-    cell: fn(&SubjectRow) -> Cell,
-) -> Column<SubjectRow> {
-    Column::new(key, heading, VOLUME.0, VOLUME.1, explanation, cell)
-}
-
 impl SubjectRow {
     /// Its pseudonym.
-    pub const SUBJECT: Column<Self> =
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        });
+    pub const SUBJECT: Column<Self> = shared::subject(|row| (&row.subject).into());
     /// What the study says.
-    pub const LABEL: Column<Self> = Column::plain(
-        "label",
-        "Label",
-        "Label that the study gives the subject; empty without one",
-        |row| row.label.clone().into(),
-    );
+    pub const LABEL: Column<Self> = shared::label(|row| row.label.as_deref().into());
     /// Frame of end-diastole.
-    pub const END_DIASTOLE: Column<Self> = Column::plain(
-        "end_diastole",
-        "ED",
-        "Frame of end-diastole, numbered from 0",
-        |row| row.end_diastole.into(),
-    );
+    pub const END_DIASTOLE: Column<Self> =
+        column("end_diastole", "ED", |row: &Self| row.end_diastole.into())
+            .plain("Frame of end-diastole, numbered from 0");
     /// Frame of end-systole.
-    pub const END_SYSTOLE: Column<Self> = Column::plain(
-        "end_systole",
-        "ES",
-        "Frame of end-systole, numbered from 0",
-        |row| row.end_systole.into(),
-    );
+    pub const END_SYSTOLE: Column<Self> =
+        column("end_systole", "ES", |row: &Self| row.end_systole.into())
+            .plain("Frame of end-systole, numbered from 0");
     /// End-diastolic volume.
-    pub const EDV: Column<Self> =
-        volume("edv", "EDV", "End-diastolic volume of the cavity", |row| {
-            row.edv.into()
-        });
+    pub const EDV: Column<Self> = column("edv", "EDV", |row: &Self| row.edv.into())
+        .volume("End-diastolic volume of the cavity");
     /// End-systolic volume.
-    pub const ESV: Column<Self> =
-        volume("esv", "ESV", "End-systolic volume of the cavity", |row| {
-            row.esv.into()
-        });
+    pub const ESV: Column<Self> = column("esv", "ESV", |row: &Self| row.esv.into())
+        .volume("End-systolic volume of the cavity");
     /// Stroke volume.
-    pub const SV: Column<Self> =
-        volume("sv", "Stroke volume", "Stroke volume, EDV − ESV", |row| {
-            row.sv.into()
-        });
+    pub const SV: Column<Self> = column("sv", "Stroke volume", |row: &Self| row.sv.into())
+        .volume("Stroke volume, EDV − ESV");
     /// Ejection fraction.
-    pub const EF: Column<Self> = Column::new(
-        "ef",
-        "EF",
-        Unit::Share,
-        Digits::Places(0),
-        "Ejection fraction, (EDV − ESV) / EDV, as a fraction",
-        |row| row.ef.into(),
-    );
+    pub const EF: Column<Self> = column("ef", "EF", |row: &Self| row.ef.into())
+        .share("Ejection fraction, (EDV − ESV) / EDV, as a fraction");
     /// Mass of the myocardium.
-    pub const MASS_G: Column<Self> = Column::new(
-        "mass_g",
-        "Mass",
+    pub const MASS_G: Column<Self> = column("mass_g", "Mass", |row: &Self| row.mass_g.into()).with(
         Unit::Symbol("g"),
         Digits::OneBelowTen,
         "Mass of the myocardium at end-diastole; empty where coordinates are not in mm",
-        |row| row.mass_g.into(),
     );
 
     /// One row per subject of the study.
@@ -162,23 +123,18 @@ impl Row for SubjectRow {
         Self::SV,
         Self::EF,
         Self::MASS_G,
-        Column::plain(
-            "volume_unit",
-            "Unit",
-            "Unit of the volumes: ml where coordinates are in mm, else units³",
-            |row| row.unit.volume_symbol().into(),
-        ),
-        Column::plain(
-            "phase_source",
-            "Frames set by",
-            "Source of end-diastole and end-systole: volume curve, or stated: set by the user or the study",
-            |row| {
-                Cell::Word(if row.phases_stated {
-                    "stated"
-                } else {
-                    "volume curve"
-                })
-            },
+        shared::volume_unit(|row| row.unit.volume_symbol().into()),
+        column("phase_source", "Frames set by", |row: &Self| {
+            (if row.phases_stated {
+                "stated"
+            } else {
+                "volume curve"
+            })
+            .into()
+        })
+        .plain(
+            "Source of end-diastole and end-systole: volume curve, or stated: set by the \
+                     user or the study",
         ),
     ];
 }
@@ -231,74 +187,38 @@ impl FrameRow {
     }
 }
 
-const fn size(
-    key: &'static str,
-    heading: &'static str,
-    unit: Unit,
-    explanation: &'static str,
-    cell: fn(&FrameRow) -> Cell,
-) -> Column<FrameRow> {
-    Column::new(key, heading, unit, Digits::OneBelowTen, explanation, cell)
-}
-
 impl Row for FrameRow {
     const FILES: &'static [&'static str] = &["frames.csv"];
     const ROW: &'static str =
         "Volumes and areas, a row per frame; empty where the surface is missing";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        }),
-        Column::plain("frame", "Frame", "Frame, numbered from 0", |row| {
-            row.frame.into()
-        }),
-        size(
-            "endo_volume",
-            "Endocardial volume",
-            Unit::Volume,
-            "Volume inside the endocardium or of the cavity, closed at the base",
-            |row| row.endo_volume.into(),
-        ),
-        size(
-            "epi_volume",
-            "Epicardial volume",
-            Unit::Volume,
-            "Volume inside the epicardium, closed at the base",
-            |row| row.epi_volume.into(),
-        ),
-        Column::plain(
-            "volume_unit",
-            "Unit",
-            "Unit of the volumes: ml where coordinates are in mm, else units³",
-            |row| row.unit.volume_symbol().into(),
-        ),
-        size(
-            "wall_volume",
-            "Wall volume",
-            Unit::Volume,
-            "Volume of the myocardium: epicardial less endocardial, or that of a closed wall",
-            |row| row.wall_volume.into(),
-        ),
-        size(
-            "endo_area",
-            "Endocardial area",
-            Unit::Area,
-            "Area of the endocardium or cavity",
-            |row| row.endo_area.into(),
-        ),
-        size(
-            "epi_area",
-            "Epicardial area",
-            Unit::Area,
-            "Area of the epicardium",
-            |row| row.epi_area.into(),
-        ),
-        Column::plain(
-            "area_unit",
-            "Unit",
-            "Unit of the areas: cm² where coordinates are in mm, else units²",
-            |row| row.unit.area_symbol().into(),
-        ),
+        shared::subject(|row| (&row.subject).into()),
+        shared::frame(|row| row.frame.into()),
+        column("endo_volume", "Endocardial volume", |row: &Self| {
+            row.endo_volume.into()
+        })
+        .volume("Volume inside the endocardium or of the cavity, closed at the base"),
+        column("epi_volume", "Epicardial volume", |row: &Self| {
+            row.epi_volume.into()
+        })
+        .volume("Volume inside the epicardium, closed at the base"),
+        shared::volume_unit(|row| row.unit.volume_symbol().into()),
+        column("wall_volume", "Wall volume", |row: &Self| {
+            row.wall_volume.into()
+        })
+        .volume("Volume of the myocardium: epicardial less endocardial, or that of a closed wall"),
+        column("endo_area", "Endocardial area", |row: &Self| {
+            row.endo_area.into()
+        })
+        .area("Area of the endocardium or cavity"),
+        column("epi_area", "Epicardial area", |row: &Self| {
+            row.epi_area.into()
+        })
+        .area("Area of the epicardium"),
+        column("area_unit", "Unit", |row: &Self| {
+            row.unit.area_symbol().into()
+        })
+        .plain("Unit of the areas: cm² where coordinates are in mm, else units²"),
     ];
 }
 

@@ -11,7 +11,10 @@ mod measures;
 mod medial_atoms;
 mod medial_experiment_json;
 mod medial_experiments;
+#[cfg(test)]
+mod row_tests;
 mod segments;
+mod shared;
 mod summary;
 mod table;
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! The 17 segments of each subject, or four levels where the orientation is not known.
 
-use super::column::{Column, Digits, Unit};
+use super::column::{Column, Digits, Unit, column};
+use super::shared;
 use super::table::Row;
 use super::wall::AssessedWall;
 use crate::analysis::segments::{Level, Segment, level};
@@ -60,69 +61,50 @@ impl Row for SegmentRow {
     const ROW: &'static str = "Wall thickening of the 17 AHA segments, or of four levels where the orientation is not known, a row per \
          segment; empty without atoms";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        }),
-        Column::plain(
-            "segment",
-            "Segment",
-            "AHA number of the segment; empty for a level",
-            |row| row.segment.map(usize::from).into(),
-        ),
-        Column::plain("name", "Name", "Name of the segment or level", |row| {
-            row.name.into()
-        }),
-        Column::length(
-            "thickness_ed",
-            "Thickness at ED",
-            "Mean wall thickness at end-diastole, area-weighted",
-            |row| {
-                row.thickening
-                    .map(|place| place.thickness.end_diastole)
-                    .into()
-            },
-        ),
-        Column::length(
-            "thickness_es",
-            "Thickness at ES",
-            "Mean wall thickness at end-systole, area-weighted",
-            |row| {
-                row.thickening
-                    .map(|place| place.thickness.end_systole)
-                    .into()
-            },
-        ),
-        Column::plain(
-            "length_unit",
-            "Unit",
-            "Unit of thickness: mm, or units where the files do not say",
-            |row| row.unit.length_symbol().into(),
-        ),
-        Column::new(
-            "thickening_percent",
-            "Thickening",
+        shared::subject(|row| (&row.subject).into()),
+        column("segment", "Segment", |row: &Self| {
+            row.segment.map(usize::from).into()
+        })
+        .plain("AHA number of the segment; empty for a level"),
+        column("name", "Name", |row: &Self| row.name.into()).plain("Name of the segment or level"),
+        column("thickness_ed", "Thickness at ED", |row: &Self| {
+            row.thickening
+                .map(|place| place.thickness.end_diastole)
+                .into()
+        })
+        .length("Mean wall thickness at end-diastole, area-weighted"),
+        column("thickness_es", "Thickness at ES", |row: &Self| {
+            row.thickening
+                .map(|place| place.thickness.end_systole)
+                .into()
+        })
+        .length("Mean wall thickness at end-systole, area-weighted"),
+        column("length_unit", "Unit", |row: &Self| {
+            row.unit.length_symbol().into()
+        })
+        .plain("Unit of thickness: mm, or units where the files do not say"),
+        column("thickening_percent", "Thickening", |row: &Self| {
+            row.thickening
+                .and_then(|place| place.thickness.percent())
+                .into()
+        })
+        .with(
             Unit::Percent,
             Digits::Places(0),
-            "Thickening of the mean thickness from end-diastole to end-systole",
-            |row| {
-                row.thickening
-                    .and_then(|place| place.thickness.percent())
-                    .into()
-            },
+            "Thickening of the mean thickness from \
+                     end-diastole to end-systole",
         ),
-        Column::thickness_ratio(
-            "pt",
-            "Thickness ratio PT",
-            "Thickness ratio PT: thickness at end-systole relative to end-diastole, geometric mean over the segment",
-            |row| row.thickening.map(|place| place.pt).into(),
-        ),
-        Column::new(
-            "patch_share",
-            "In patches",
-            Unit::Share,
-            Digits::Places(0),
-            "Share of the segment's area that lies in patches",
-            |row| row.thickening.map(|place| place.patch_share).into(),
-        ),
+        column("pt", "Thickness ratio PT", |row: &Self| {
+            row.thickening.map(|place| place.pt).into()
+        })
+        .plain(
+            "Thickness ratio PT: thickness at end-systole relative to end-diastole, \
+                     geometric mean over the segment",
+        )
+        .in_unit("×"),
+        column("patch_share", "In patches", |row: &Self| {
+            row.thickening.map(|place| place.patch_share).into()
+        })
+        .share("Share of the segment's area that lies in patches"),
     ];
 }

@@ -1,6 +1,6 @@
 //! Tables of rows as CSV and JSON: the one place where results become text for scripts.
 
-use csv::{QuoteStyle, WriterBuilder};
+use csv::{QuoteStyle, Writer, WriterBuilder};
 use serde_json::{Map, Value};
 
 use super::column::{Column, ColumnWords};
@@ -47,10 +47,19 @@ pub fn csv_header<R: Row>() -> String {
 
 /// Rows alone, to be added to others.
 pub fn csv_rows<R: Row>(rows: &[R]) -> String {
-    records(
-        rows.iter()
-            .map(|row| R::COLUMNS.iter().map(|column| (column.cell)(row).text())),
-    )
+    let mut writer = writer();
+    // One text for all cells: the tables of atoms have millions of them.
+    let mut text = String::new();
+    for row in rows {
+        for column in R::COLUMNS {
+            text.clear();
+            (column.cell)(row).add_to(&mut text);
+            // Memory takes every record, of any length.
+            writer.write_field(&text).ok();
+        }
+        writer.write_record(None::<&[u8]>).ok();
+    }
+    written(writer)
 }
 
 /// A row as an object of JSON with the keys of its columns.
@@ -91,15 +100,23 @@ pub fn pretty_json(value: &Value) -> Result<String, serde_json::Error> {
 pub(super) fn records<C: AsRef<[u8]>>(
     records: impl IntoIterator<Item = impl IntoIterator<Item = C>>,
 ) -> String {
-    let mut writer = WriterBuilder::new()
-        .flexible(true)
-        .has_headers(false)
-        .quote_style(QuoteStyle::Necessary)
-        .from_writer(Vec::new());
+    let mut writer = writer();
     for record in records {
         // Memory takes every record, of any length.
         writer.write_record(record).ok();
     }
+    written(writer)
+}
+
+fn writer() -> Writer<Vec<u8>> {
+    WriterBuilder::new()
+        .flexible(true)
+        .has_headers(false)
+        .quote_style(QuoteStyle::Necessary)
+        .from_writer(Vec::new())
+}
+
+fn written(writer: Writer<Vec<u8>>) -> String {
     let bytes = writer.into_inner().unwrap_or_default();
     // Cells are texts, and what stands between them is ASCII.
     String::from_utf8(bytes).unwrap_or_default()

@@ -1,6 +1,7 @@
 //! Verdicts: a row per subject, with what the classifier reads.
 
-use super::column::{Cell, Column, Digits, Unit};
+use super::column::{Cell, Column, column};
+use super::shared;
 use super::table::Row;
 use crate::analysis::verdicts::{ClassifierSource, Feature, Features, Verdict, Verdicts};
 use crate::study::Study;
@@ -36,29 +37,21 @@ pub struct VerdictRow {
 
 impl VerdictRow {
     /// What the study says.
-    pub const LABEL: Column<Self> = Column::plain(
-        "label",
-        "Label",
-        "Label that the study gives the subject; empty without one",
-        |row| row.label.clone().into(),
-    );
+    pub const LABEL: Column<Self> = shared::label(|row| row.label.as_deref().into());
     /// Predicted probability.
-    pub const PROBABILITY: Column<Self> = Column::<Self>::new(
+    pub const PROBABILITY: Column<Self> = column(
         "probability",
         "Predicted probability",
-        Unit::Share,
-        Digits::Places(0),
-        "Predicted probability of class abnormal, leave-one-out where the subject has a label; an uncalibrated \
-         score where calibrated is no",
-        |row| row.probability.into(),
-    ).or_short("Probability");
+        |row: &Self| row.probability.into(),
+    )
+    .share(
+        "Predicted probability of class abnormal, leave-one-out where the subject has a label; an \
+                 uncalibrated score where calibrated is no",
+    )
+    .or_short("Probability");
     /// The verdict in words.
-    pub const FINDING: Column<Self> = Column::plain(
-        "finding",
-        "Verdict",
-        "Verdict: what the classifier and the patch detection say together",
-        |row| row.finding.into(),
-    );
+    pub const FINDING: Column<Self> = column("finding", "Verdict", |row: &Self| row.finding.into())
+        .plain("Verdict: what the classifier and the patch detection say together");
 
     /// One row per subject of the study.
     pub fn of_study(study: &Study, verdicts: &Verdicts) -> Vec<Self> {
@@ -106,198 +99,172 @@ impl VerdictRow {
 
 const YES_NO: [&str; 2] = ["no", "yes"];
 
+/// The first word for no, the second for yes.
+fn word(flag: Option<bool>, words: [&'static str; 2]) -> Cell<'static> {
+    flag.map(|flag| words[usize::from(flag)]).into()
+}
+
+fn listed(subjects: &[String]) -> Cell<'static> {
+    subjects.join(" ").into()
+}
+
+fn feature(row: &VerdictRow, feature: Feature) -> Cell<'static> {
+    row.features.get(feature).into()
+}
+
 impl Row for VerdictRow {
     const FILES: &'static [&'static str] = &["verdicts.csv"];
     const ROW: &'static str = "Verdicts, a row per subject";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        }),
+        shared::subject(|row| (&row.subject).into()),
         Self::LABEL,
-        Column::plain(
-            "verdict",
-            "Class",
-            "Predicted class, normal or abnormal; empty where the subject is not assessed",
-            |row| {
-                row.abnormal
-                    .map(|abnormal| ["normal", "abnormal"][usize::from(abnormal)])
-                    .into()
-            },
-        ),
+        column("verdict", "Class", |row: &Self| {
+            word(row.abnormal, ["normal", "abnormal"])
+        })
+        .plain("Predicted class, normal or abnormal; empty where the subject is not assessed"),
         Self::PROBABILITY,
-        Column::plain(
-            "assessed",
-            "Assessed",
-            "yes, or no where no verdict is possible",
-            |row| YES_NO[usize::from(row.abnormal.is_some())].into(),
-        ),
-        Column::plain(
-            "reason",
-            "Reason",
-            "Why the subject is not assessed",
-            |row| row.reason.clone().into(),
-        ),
+        column("assessed", "Assessed", |row: &Self| {
+            word(Some(row.abnormal.is_some()), YES_NO)
+        })
+        .plain("yes, or no where no verdict is possible"),
+        column("reason", "Reason", |row: &Self| {
+            row.reason.as_deref().into()
+        })
+        .plain("Why the subject is not assessed"),
         Self::FINDING,
-        Column::plain(
-            "calibrated",
-            "Calibrated",
-            "yes if the probability comes from a classifier trained on the labelled subjects; no for default \
-             thresholds",
-            |row| {
-                row.calibrated
-                    .map(|calibrated| YES_NO[usize::from(calibrated)])
-                    .into()
-            },
+        column("calibrated", "Calibrated", |row: &Self| {
+            word(row.calibrated, YES_NO)
+        })
+        .plain(
+            "yes if the probability comes from a classifier trained on the labelled subjects; \
+                 no for default thresholds",
         ),
-        Column::plain(
-            "alike_normal",
-            "Most similar normal",
-            "Most similar subjects with a normal label, nearest first",
-            |row| row.similar_normal.join(" ").into(),
-        ),
-        Column::plain(
-            "alike_abnormal",
-            "Most similar abnormal",
-            "Most similar subjects with an abnormal label, nearest first",
-            |row| row.similar_abnormal.join(" ").into(),
-        ),
-        distance(
+        column("alike_normal", "Most similar normal", |row: &Self| {
+            listed(&row.similar_normal)
+        })
+        .plain("Most similar subjects with a normal label, nearest first"),
+        column("alike_abnormal", "Most similar abnormal", |row: &Self| {
+            listed(&row.similar_abnormal)
+        })
+        .plain("Most similar subjects with an abnormal label, nearest first"),
+        column(
             "distance_from_seen",
             "Distance to training set",
-            "Distance to the nearest subject of the training set, in standard deviations of the model features",
-            |row| row.distance_from_seen.into(),
+            |row: &Self| row.distance_from_seen.into(),
+        )
+        .plain(
+            "Distance to the nearest subject of the training set, in standard deviations of \
+                     the model features",
         ),
-        distance(
+        column(
             "usual_distance",
             "Median distance in training set",
-            "Median over the training set of the distance to its nearest other subject, in standard deviations of the model features",
-            |row| row.usual_distance.into(),
+            |row: &Self| row.usual_distance.into(),
+        )
+        .plain(
+            "Median over the training set of the distance to its nearest other subject, in \
+                     standard deviations of the model features",
         ),
-        share(
-            "still_share",
-            "Akinetic region",
-            "Share of the wall with thickening below 10 % from end-diastole to end-systole (akinetic)",
-            |row| row.features.get(Feature::AkineticShare).into(),
+        column("still_share", "Akinetic region", |row: &Self| {
+            feature(row, Feature::AkineticShare)
+        })
+        .share(
+            "Share of the wall with thickening below 10 % from end-diastole to end-systole \
+                     (akinetic)",
         ),
-        ln_pt(
-            "median_ln_pt",
-            "Median thickening",
-            "Area-weighted median over the wall of ln PT from end-diastole to end-systole",
-            |row| row.features.get(Feature::Median).into(),
-        ),
-        ln_pt(
-            "spread_ln_pt",
-            "SD of thickening",
-            "Area-weighted standard deviation over the wall of ln PT",
-            |row| row.features.get(Feature::Spread).into(),
-        ),
-        distance(
+        column("median_ln_pt", "Median thickening", |row: &Self| {
+            feature(row, Feature::Median)
+        })
+        .plain(
+            "Area-weighted median over the wall of ln PT from end-diastole to \
+                     end-systole",
+        )
+        .in_unit("ln PT"),
+        column("spread_ln_pt", "SD of thickening", |row: &Self| {
+            feature(row, Feature::Spread)
+        })
+        .plain("Area-weighted standard deviation over the wall of ln PT")
+        .in_unit("ln PT"),
+        column(
             "relative_spread",
             "Thickening heterogeneity",
-            "Standard deviation of ln PT over the wall relative to ln PT of the remote myocardium, which counts as at least ln 1.1",
-            |row| row.features.get(Feature::RelativeSpread).into(),
+            |row: &Self| feature(row, Feature::RelativeSpread),
+        )
+        .plain(
+            "Standard deviation of ln PT over the wall relative to ln PT of the remote \
+                     myocardium, which counts as at least ln 1.1",
         ),
-        ln_pt(
+        column(
             "weakest_tenth_ln_pt",
             "10th percentile of thickening",
-            "Area-weighted 10th percentile over the wall of ln PT",
-            |row| row.features.get(Feature::TenthPercentile).into(),
+            |row: &Self| feature(row, Feature::TenthPercentile),
+        )
+        .plain("Area-weighted 10th percentile over the wall of ln PT")
+        .in_unit("ln PT"),
+        column("well_ln_pt", "Remote thickening", |row: &Self| {
+            feature(row, Feature::Remote)
+        })
+        .plain("ln PT of the remote myocardium from end-diastole to end-systole")
+        .in_unit("ln PT"),
+        column("reach_ln_pt", "Upper range of thickening", |row: &Self| {
+            feature(row, Feature::UpperRange)
+        })
+        .plain(
+            "ln PT of the remote myocardium plus twice the standard deviation \
+                     over the wall",
+        )
+        .in_unit("ln PT"),
+        column("patch_share", "Wall in patches", |row: &Self| {
+            feature(row, Feature::PatchShare)
+        })
+        .share("Share of the wall in patches, each weighted by its detection stability"),
+        column("patch_confidence", "Detection stability", |row: &Self| {
+            feature(row, Feature::Confidence)
+        })
+        .share(
+            "Detection stability of the largest patch: share of noise redraws in which it \
+                     is detected again; 0 without a patch",
         ),
-        ln_pt(
-            "well_ln_pt",
-            "Remote thickening",
-            "ln PT of the remote myocardium from end-diastole to end-systole",
-            |row| row.features.get(Feature::Remote).into(),
-        ),
-        ln_pt(
-            "reach_ln_pt",
-            "Upper range of thickening",
-            "ln PT of the remote myocardium plus twice the standard deviation over the wall",
-            |row| row.features.get(Feature::UpperRange).into(),
-        ),
-        share(
-            "patch_share",
-            "Wall in patches",
-            "Share of the wall in patches, each weighted by its detection stability",
-            |row| row.features.get(Feature::PatchShare).into(),
-        ),
-        share(
-            "patch_confidence",
-            "Detection stability",
-            "Detection stability of the largest patch: share of noise redraws in which it is detected again; 0 without a patch",
-            |row| row.features.get(Feature::Confidence).into(),
-        ),
-        distance(
+        column(
             "patch_relative_thickening",
             "Ratio of patch to remote thickening",
-            "ln PT of the largest patch relative to that of the remote myocardium; 1 without a patch",
-            |row| row.features.get(Feature::PatchThickening).into(),
+            |row: &Self| feature(row, Feature::PatchThickening),
+        )
+        .plain(
+            "ln PT of the largest patch relative to that of the remote myocardium; 1 \
+                     without a patch",
         ),
-        distance(
-            "patch_compactness",
-            "Compactness",
-            "Compactness of the largest patch, 4π × area / perimeter², at most 1; 0 without a patch",
-            |row| row.features.get(Feature::Compactness).into(),
+        column("patch_compactness", "Compactness", |row: &Self| {
+            feature(row, Feature::Compactness)
+        })
+        .plain(
+            "Compactness of the largest patch, 4π × area / perimeter², at most 1; 0 without \
+                     a patch",
         ),
-        distance(
-            "pose_distance",
-            "Mean pose distance",
-            "Mean distance between poses in the medial shape space, of the largest patch or, without one, of all akinetic atoms",
-            |row| row.features.get(Feature::MeanPoseDistance).into(),
+        column("pose_distance", "Mean pose distance", |row: &Self| {
+            feature(row, Feature::MeanPoseDistance)
+        })
+        .plain(
+            "Mean distance between poses in the medial shape space, of the largest patch \
+                     or, without one, of all akinetic atoms",
         ),
-        Column::new(
-            "normal_spread_rad",
-            "Angular SD of ANV",
-            Unit::Symbol("rad"),
-            Digits::Places(2),
-            "Angular standard deviation of the average normal vector (ANV) over the beat",
-            |row| row.features.get(Feature::NormalSpread).into(),
-        ),
-        Column::new(
-            "gap_sizes",
-            "Distance of MP",
-            Unit::Symbol("× size"),
-            Digits::Places(3),
-            "Mean distance of the mean position (MP) from the medial surface, relative to the size of the medial surface",
-            |row| row.features.get(Feature::MeanPositionDistance).into(),
-        ),
+        column("normal_spread_rad", "Angular SD of ANV", |row: &Self| {
+            feature(row, Feature::NormalSpread)
+        })
+        .plain(
+            "Angular standard deviation of the average normal vector (ANV) over the \
+                     beat",
+        )
+        .in_unit("rad"),
+        column("gap_sizes", "Distance of MP", |row: &Self| {
+            feature(row, Feature::MeanPositionDistance)
+        })
+        .coordinate(
+            "Mean distance of the mean position \
+                     (MP) from the medial surface, relative to the size of the medial surface",
+        )
+        .in_unit("× size"),
     ];
-}
-
-const fn share(
-    key: &'static str,
-    heading: &'static str,
-    explanation: &'static str,
-    cell: fn(&VerdictRow) -> Cell,
-) -> Column<VerdictRow> {
-    Column::new(
-        key,
-        heading,
-        Unit::Share,
-        Digits::Places(0),
-        explanation,
-        cell,
-    )
-}
-
-const fn ln_pt(
-    key: &'static str,
-    heading: &'static str,
-    explanation: &'static str,
-    cell: fn(&VerdictRow) -> Cell,
-) -> Column<VerdictRow> {
-    let unit = Unit::Symbol("ln PT");
-    Column::new(key, heading, unit, Digits::Places(2), explanation, cell)
-}
-
-/// Distances and ratios without a unit.
-const fn distance(
-    key: &'static str,
-    heading: &'static str,
-    explanation: &'static str,
-    cell: fn(&VerdictRow) -> Cell,
-) -> Column<VerdictRow> {
-    Column::plain(key, heading, explanation, cell)
 }
 
 #[cfg(test)]

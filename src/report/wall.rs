@@ -2,7 +2,10 @@
 //!
 //! Rows are made of one subject after the other, so that a cohort never is in memory as a whole.
 
-use super::column::{Cell, Column, Digits, Unit};
+use std::sync::Arc;
+
+use super::column::{Cell, Column, Digits, Unit, column};
+use super::shared;
 use super::table::Row;
 use crate::analysis::medial::MedialBeat;
 use crate::analysis::segments::{LongAxis, Segment};
@@ -31,7 +34,7 @@ pub struct AssessedWall<'a> {
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct AtomRow {
     /// Pseudonym.
-    pub subject: String,
+    pub subject: Arc<str>,
     /// From 0.
     pub frame: usize,
     /// Vertex of the endocardium or of the inner side of a wall.
@@ -59,10 +62,12 @@ impl AtomRow {
             }
         }
         let end_diastole = &beat.frames[found.end_diastole].atoms;
+        // Shared: a name of its own for each of half a million atoms takes longer than its numbers.
+        let subject: Arc<str> = wall.subject.into();
         let atoms = beat.frames[frame].atoms.iter().enumerate();
         atoms
             .map(|(place, atom)| Self {
-                subject: wall.subject.to_owned(),
+                subject: Arc::clone(&subject),
                 frame,
                 vertex: beat.vertices[place],
                 position: atom.position,
@@ -80,66 +85,27 @@ impl Row for AtomRow {
     const ROW: &'static str =
         "Atoms of the medial surface, a row per vertex of the endocardium and frame";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        }),
-        Column::plain("frame", "Frame", "Frame, numbered from 0", |row| {
-            row.frame.into()
-        }),
-        Column::plain(
-            "vertex",
-            "Vertex",
-            "Vertex of the endocardium, numbered from 0",
-            |row| row.vertex.into(),
-        ),
-        Column::length(
-            "x",
-            "Centre x",
-            "x of the centre of the inscribed sphere",
-            |row| row.position.x.into(),
-        ),
-        Column::length(
-            "y",
-            "Centre y",
-            "y of the centre of the inscribed sphere",
-            |row| row.position.y.into(),
-        ),
-        Column::length(
-            "z",
-            "Centre z",
-            "z of the centre of the inscribed sphere",
-            |row| row.position.z.into(),
-        ),
-        Column::length(
-            "r",
-            "Radius",
-            "Radius of the inscribed sphere, half of the wall thickness",
-            |row| row.radius.into(),
-        ),
-        Column::thickness_ratio(
-            "pt",
-            "Thickness ratio PT",
-            "Thickness ratio PT: radius relative to end-diastole",
-            |row| row.thickness_ratio.into(),
-        ),
-        Column::plain(
-            "in_patch",
-            "In patch",
-            "1 if the atom lies in a patch, else 0",
-            |row| row.patch.is_some().into(),
-        ),
-        Column::plain(
-            "regular",
-            "Regular",
-            "1 if the atom is used; 0 if the medial surface ends there in any frame",
-            |row| row.regular.into(),
-        ),
-        Column::plain(
-            "patch",
-            "Patch",
-            "Number of the patch as in patches.csv; empty outside patches",
-            |row| row.patch.into(),
-        ),
+        shared::subject(|row| (&*row.subject).into()),
+        shared::frame(|row| row.frame.into()),
+        column("vertex", "Vertex", |row: &Self| row.vertex.into())
+            .plain("Vertex of the endocardium, numbered from 0"),
+        shared::centre_x(|row| row.position.x.into()),
+        shared::centre_y(|row| row.position.y.into()),
+        shared::centre_z(|row| row.position.z.into()),
+        shared::radius(|row| row.radius.into()),
+        column("pt", "Thickness ratio PT", |row: &Self| {
+            row.thickness_ratio.into()
+        })
+        .plain("Thickness ratio PT: radius relative to end-diastole")
+        .in_unit("×"),
+        column("in_patch", "In patch", |row: &Self| {
+            row.patch.is_some().into()
+        })
+        .plain("1 if the atom lies in a patch, else 0"),
+        column("regular", "Regular", |row: &Self| row.regular.into())
+            .plain("1 if the atom is used; 0 if the medial surface ends there in any frame"),
+        column("patch", "Patch", |row: &Self| row.patch.into())
+            .plain("Number of the patch as in patches.csv; empty outside patches"),
     ];
 }
 
@@ -172,54 +138,41 @@ pub struct PatchRow {
 
 impl PatchRow {
     /// Its area in cm².
-    pub const AREA_CM2: Column<Self> = Column::<Self>::new(
-        "area_cm2",
-        "Area",
-        Unit::Symbol("cm²"),
-        Digits::OneBelowTen,
-        "Area on the medial surface at end-diastole; empty where coordinates are not in mm",
-        |row| row.area_cm2.into(),
-    )
-    .or_short("cm²");
+    pub const AREA_CM2: Column<Self> = column("area_cm2", "Area", |row: &Self| row.area_cm2.into())
+        .with(
+            Unit::Symbol("cm²"),
+            Digits::OneBelowTen,
+            "Area on the medial surface at end-diastole; empty where coordinates are not in mm",
+        )
+        .or_short("cm²");
     /// Its share of the wall.
-    pub const SHARE: Column<Self> = Column::<Self>::new(
-        "share",
-        "LV share",
-        Unit::Share,
-        Digits::Places(0),
-        "Share of the medial surface of the left ventricle at end-diastole",
-        |row| row.share.into(),
-    )
-    .or_short("% LV");
+    pub const SHARE: Column<Self> = column("share", "LV share", |row: &Self| row.share.into())
+        .share("Share of the medial surface of the left ventricle at end-diastole")
+        .or_short("% LV");
     /// How stable its detection is.
-    pub const STABILITY: Column<Self> = Column::<Self>::new(
-        "confidence",
-        "Stability",
-        Unit::Share,
-        Digits::Places(0),
-        "Detection stability: share of noise redraws in which the patch is detected again",
-        |row| row.stability.into(),
-    )
-    .or_short("stab.");
+    pub const STABILITY: Column<Self> =
+        column("confidence", "Stability", |row: &Self| row.stability.into())
+            .share(
+                "Detection stability: share of noise redraws in which the patch is detected again",
+            )
+            .or_short("stab.");
     /// Its thickness ratio.
-    pub const THICKNESS_RATIO: Column<Self> = Column::new(
-        "pt",
-        "PT",
-        Unit::Symbol("×"),
-        Digits::Places(2),
-        "PT: thickness at end-systole relative to end-diastole, geometric mean over the patch",
-        |row| row.thickness_ratio.into(),
-    );
+    pub const THICKNESS_RATIO: Column<Self> = column("pt", "PT", |row: &Self| {
+        row.thickness_ratio.into()
+    })
+    .plain("PT: thickness at end-systole relative to end-diastole, geometric mean over the patch")
+    .in_unit("×");
     /// Its thickening.
-    pub const THICKENING: Column<Self> = Column::<Self>::new(
-        "thickening_percent",
-        "Thickening",
-        Unit::Percent,
-        Digits::Places(0),
-        "Thickening from end-diastole to end-systole, 100 (PT − 1)",
-        |row| (100.0 * (row.thickness_ratio - 1.0)).into(),
-    )
-    .or_short("thick.");
+    pub const THICKENING: Column<Self> =
+        column("thickening_percent", "Thickening", |row: &Self| {
+            (100.0 * (row.thickness_ratio - 1.0)).into()
+        })
+        .with(
+            Unit::Percent,
+            Digits::Places(0),
+            "Thickening from end-diastole to end-systole, 100 (PT − 1)",
+        )
+        .or_short("thick.");
 
     /// All patches of one wall, by falling area.
     pub fn of_wall(wall: &AssessedWall<'_>) -> Vec<Self> {
@@ -247,7 +200,7 @@ impl PatchRow {
     }
 
     /// One value per segment, with spaces between.
-    fn listed(&self, value: impl Fn(&PatchSegment) -> String) -> Cell {
+    fn listed(&self, value: impl Fn(&PatchSegment) -> String) -> Cell<'static> {
         let values: Vec<String> = self.segments.iter().map(value).collect();
         values.join(" ").into()
     }
@@ -258,62 +211,34 @@ impl Row for PatchRow {
     const ROW: &'static str =
         "Patches: regions of low wall thickening, by falling area, a row per patch";
     const COLUMNS: &'static [Column<Self>] = &[
-        Column::plain("subject", "Subject", "Pseudonym of the subject", |row| {
-            (&row.subject).into()
-        }),
-        Column::plain("patch", "Patch", "Number of the patch, from 0", |row| {
-            row.patch.into()
-        }),
+        shared::subject(|row| (&row.subject).into()),
+        column("patch", "Patch", |row: &Self| row.patch.into())
+            .plain("Number of the patch, from 0"),
         Self::AREA_CM2,
         Self::SHARE,
-        Column::plain(
-            "segments",
-            "Segments",
-            "AHA segments that the patch touches, by falling share of the patch",
-            |row| row.listed(|part| part.segment.number().to_string()),
-        ),
-        Column::length(
-            "x",
-            "Centroid x",
-            "x of the centroid at end-diastole",
-            |row| row.centroid.x.into(),
-        ),
-        Column::length(
-            "y",
-            "Centroid y",
-            "y of the centroid at end-diastole",
-            |row| row.centroid.y.into(),
-        ),
-        Column::length(
-            "z",
-            "Centroid z",
-            "z of the centroid at end-diastole",
-            |row| row.centroid.z.into(),
-        ),
+        column("segments", "Segments", |row: &Self| {
+            row.listed(|part| part.segment.number().to_string())
+        })
+        .plain("AHA segments that the patch touches, by falling share of the patch"),
+        column("x", "Centroid x", |row: &Self| row.centroid.x.into())
+            .length("x of the centroid at end-diastole"),
+        column("y", "Centroid y", |row: &Self| row.centroid.y.into())
+            .length("y of the centroid at end-diastole"),
+        column("z", "Centroid z", |row: &Self| row.centroid.z.into())
+            .length("z of the centroid at end-diastole"),
         Self::STABILITY,
-        Column::plain(
-            "segment_shares",
-            "Shares of segments",
-            "Share of the patch in each of these segments, 0 to 1",
-            |row| row.listed(|part| part.of_patch.to_string()),
-        ),
-        Column::new(
-            "area",
-            "Area",
-            Unit::Area,
-            Digits::OneBelowTen,
-            "Area on the medial surface at end-diastole, in area_unit",
-            |row| row.area.into(),
-        ),
-        Column::plain(
-            "area_unit",
-            "Unit",
-            "Unit of area: cm² where coordinates are in mm, else units²",
-            |row| row.unit.area_symbol().into(),
-        ),
-        Column::plain("atoms", "Atoms", "Number of atoms of the patch", |row| {
-            row.atoms.into()
-        }),
+        column("segment_shares", "Shares of segments", |row: &Self| {
+            row.listed(|part| part.of_patch.to_string())
+        })
+        .plain("Share of the patch in each of these segments, 0 to 1"),
+        column("area", "Area", |row: &Self| row.area.into())
+            .area("Area on the medial surface at end-diastole, in area_unit"),
+        column("area_unit", "Unit", |row: &Self| {
+            row.unit.area_symbol().into()
+        })
+        .plain("Unit of area: cm² where coordinates are in mm, else units²"),
+        column("atoms", "Atoms", |row: &Self| row.atoms.into())
+            .plain("Number of atoms of the patch"),
         Self::THICKNESS_RATIO,
         Self::THICKENING,
     ];

@@ -85,6 +85,7 @@ fn largest_group(study: &Study) -> Option<Group<'_>> {
 
 fn usable(subject: &Subject, group: Group<'_>) -> Result<(usize, SizeScale), String> {
     let sequence = &subject.sequence;
+    // Equal counts are not enough: vertex i must mean the same place in both.
     if sequence.correspondence() != group.key {
         return Err(format!(
             "its vertices ({} with {} faces) do not correspond with those of {} ({} with {} faces)",
@@ -95,6 +96,7 @@ fn usable(subject: &Subject, group: Group<'_>) -> Result<(usize, SizeScale), Str
             group.first.sequence.face_count(),
         ));
     }
+    // Not looked for in the volumes: a subject without a cavity has a size too.
     let end_diastole = subject.end_diastole.unwrap_or(0);
     let points = sequence.pose(end_diastole).ok_or_else(|| {
         format!(
@@ -102,6 +104,7 @@ fn usable(subject: &Subject, group: Group<'_>) -> Result<(usize, SizeScale), Str
             sequence.frame_count()
         )
     })?;
+    // Points that coincide would divide by zero.
     let scale = SizeScale::of_end_diastole(&points).ok_or_else(|| {
         format!("its size at end-diastole (frame {end_diastole}) is not measurable")
     })?;

@@ -11,11 +11,14 @@ pub fn cross_covariance(
     target: [&[f64]; 3],
     target_mean: Vector3<f64>,
 ) -> Matrix3<f64> {
+    // Four doubles fill a 256-bit register.
     const LANES: usize = 4;
     let mut sums = [[0.0; LANES]; 9];
     let count = source[0].len().min(target[0].len());
+    // The remainder is added below, point by point.
     let whole = count - count % LANES;
     for at in (0..whole).step_by(LANES) {
+        // Centred before multiplying: Σ t sᵀ − n t̄ s̄ᵀ would cancel far from the origin.
         let s = [0, 1, 2].map(|axis| centred::<LANES>(source[axis], at, source_mean[axis]));
         let t = [0, 1, 2].map(|axis| centred::<LANES>(target[axis], at, target_mean[axis]));
         for row in 0..3 {
@@ -64,6 +67,7 @@ pub fn rotation_from_covariance(covariance: &Matrix3<f64>) -> (Matrix3<f64>, f64
     let least = values.imin();
     let mut signs = Vector3::repeat(1.0);
     if u.determinant() * v_t.determinant() < 0.0 {
+        // A reflection would fit better; taking it back along the smallest singular value costs the least.
         signs[least] = -1.0;
     }
     let rotation = u * Matrix3::from_diagonal(&signs) * v_t;

@@ -33,6 +33,7 @@ pub fn align_poses(poses: &[&[Point3]], progress: &Progress) -> Result<Vec<Rigid
         let mut members = 0.0;
         for (pose, motion) in poses.iter().zip(&mut motions) {
             progress.step()?;
+            // Another number of points: it has no place in the mean.
             let Ok(found) = rigid_motion(pose, &mean) else {
                 continue;
             };
@@ -49,12 +50,14 @@ pub fn align_poses(poses: &[&[Point3]], progress: &Progress) -> Result<Vec<Rigid
         let moved: f64 = (mean.iter().zip(&next))
             .map(|(old, new)| (new - old).norm_squared())
             .sum();
+        // Relative to the size, so that it settles alike in millimetres and in metres.
         let size: f64 = next.iter().map(|p| (p - next[0]).norm_squared()).sum();
         mean = next;
         if moved <= SETTLED * size {
             break;
         }
     }
+    // The mean drifts while it settles; seen from the first pose it does not.
     let back = motions[0].inverse();
     Ok(motions.iter().map(|motion| motion.then(&back)).collect())
 }
@@ -71,6 +74,7 @@ pub fn align_sequences(
     sequences: &[Vec<&[Point3]>],
     progress: &Progress,
 ) -> Result<Vec<RigidMotion>, Stopped> {
+    // One motion for a whole sequence: aligned frame by frame, it would lose movement of its own.
     let means: Vec<Vec<Point3>> = sequences.iter().map(|frames| mean_pose(frames)).collect();
     let poses: Vec<&[Point3]> = means.iter().map(Vec::as_slice).collect();
     align_poses(&poses, progress)

@@ -64,6 +64,7 @@ impl RigidMotion {
 
     /// The motion back.
     pub fn inverse(&self) -> Self {
+        // The inverse of a rotation, without the round-off of inverting a matrix.
         let rotation = self.rotation.transpose();
         Self {
             rotation,
@@ -153,6 +154,7 @@ impl Fit {
             return Err(AlignmentError::NoPoints);
         }
         let (source_mean, target_mean) = (mean(source), mean(target));
+        // Axis by axis, so that the sums run over neighbouring numbers in memory.
         let (s, t) = (axes(source), axes(target));
         let covariance = cross_covariance(
             [&s[0], &s[1], &s[2]],

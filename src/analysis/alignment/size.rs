@@ -49,14 +49,17 @@ pub fn principal_box_sides(points: &[Point3]) -> Option<[f64; 3]> {
     let reach = points
         .iter()
         .fold(0.0_f64, |m, p| m.max((p.coords - centre).amax()));
+    // Points that coincide, or whose extent overflows, have no axes.
     if !(reach.is_finite() && reach > 0.0) {
         return Some([reach; 3]);
     }
+    // Divided by the reach, so that squares of large coordinates do not overflow.
     let scatter: Matrix3<f64> = points
         .iter()
         .map(|p| (p.coords - centre) / reach)
         .map(|offset| offset * offset.transpose())
         .sum();
+    // Eigenvectors turn with the points, so that the box does not depend on the axes of the file.
     let axes = SymmetricEigen::new(scatter).eigenvectors;
     let mut sides = [0, 1, 2].map(|column| {
         let axis: Vector3<f64> = axes.column(column).into();

@@ -98,7 +98,7 @@ impl ClassesParams {
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
 pub enum ClassifyError {
     /// It was asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
     /// The coordinates for the linear classifier cannot be computed.
     #[error(transparent)]
@@ -149,6 +149,7 @@ pub fn classify(
     check_rows(distances, plane, labels)?;
     let params = params.0;
     let (names, of_row) = named(labels);
+    // As many clusters as classes, or τ could not reach 1.
     let wanted = params.clusters.map_or(names.len().max(2), usize::from);
     let clustering = k_means(
         &plane.coordinates,
@@ -167,6 +168,7 @@ pub fn classify(
         class_of_cluster: matching.class_of_cluster,
         ..Classes::default()
     };
+    // One class is told from nothing.
     if classes.names.len() < 2 {
         return Ok(classes);
     }
@@ -191,6 +193,7 @@ fn check_rows(
             labels: labels.len(),
         });
     }
+    // Squares of such numbers overflow, and with them every distance to a mean.
     let too_large = |x: &f64| x.is_nan() || x.abs() >= TOO_LARGE;
     match plane.coordinates.iter().position(too_large) {
         Some(at) => Err(ClassifyError::NotFinite {
@@ -204,6 +207,7 @@ fn check_rows(
 /// The different labels in alphabetical order, and which of them each row has.
 fn named(labels: &[Option<&str>]) -> (Vec<String>, Vec<Option<usize>>) {
     let mut names: Vec<&str> = labels.iter().copied().flatten().collect();
+    // By name, so that numbers of classes do not depend on the order of the study.
     names.sort_unstable();
     names.dedup();
     let of_row = labels
@@ -244,6 +248,7 @@ impl Criteria {
             .filter(|&row| classes.of_row[row].is_some())
             .collect();
         progress.step()?;
+        // A linear classifier needs coordinates; classical scaling gives those of the distances.
         let (components, width) = components(distances, &rows, progress)?;
         let (in_plane, own) = labelled_rows(&plane.coordinates, plane.dimensions, &classes.of_row);
         Ok(Self {
@@ -304,6 +309,7 @@ impl Criteria {
             let sum: usize = permuted.iter().map(|correct| correct[criterion]).sum();
             let as_good = permuted
                 .iter()
+                // As good counts as better: with few cases ties are common.
                 .filter(|p| p[criterion] >= correct[criterion])
                 .count();
             let count = f64::from(params.permutations);
@@ -311,6 +317,7 @@ impl Criteria {
                 correct: correct[criterion],
                 of,
                 baseline: sum as f64 / (count * of as f64),
+                // The labels as they are count as one permutation, so that no p-value is zero.
                 p_value: (1.0 + as_good as f64) / (1.0 + count),
             }
         }))
@@ -325,6 +332,7 @@ fn components(
 ) -> Result<(Vec<f64>, usize), ClassifyError> {
     let among = DistanceMatrix::of_pairs(rows.len(), |i, j| distances.get(rows[i], rows[j]))
         .unwrap_or_else(DistanceMatrix::empty);
+    // With half as many components as cases a plane would separate labels drawn at random.
     let most = MAX_COMPONENTS.min(rows.len().saturating_sub(1) / 2);
     let map = classical_mds(&among, most, progress).map_err(|error| match error {
         EmbeddingError::Stopped(stopped) => ClassifyError::Stopped(stopped),
@@ -333,6 +341,7 @@ fn components(
     let values = map.eigenvalues.as_deref().unwrap_or_default();
     let largest = values.first().copied().unwrap_or(0.0);
     let width = (values.iter().take(most))
+        // What is left is round-off, and would be weighted like the rest by the scatter.
         .take_while(|value| **value > MIN_COMPONENT * largest)
         .count();
     let coordinates = (0..map.len()).flat_map(|row| map.point(row)[..width].iter().copied());

@@ -36,6 +36,7 @@ pub fn k_means(
 ) -> Result<Clustering, Stopped> {
     let rows = Rows { points, width };
     progress.check()?;
+    // More clusters than rows would stay empty.
     let clusters = clusters.min(rows.count());
     if clusters == 0 {
         return Ok(Clustering::default());
@@ -45,6 +46,7 @@ pub fn k_means(
         .into_par_iter()
         .map(|start| {
             let mut random = ChaCha8Rng::seed_from_u64(seed);
+            // A stream per start, so that threads may take the starts in any order.
             random.set_stream(start as u64);
             let centres = rows.drawn_centres(clusters, &mut random);
             let found = rows.descend(centres, progress)?;
@@ -53,12 +55,14 @@ pub fn k_means(
         })
         .collect::<Result<Vec<_>, Stopped>>()?;
     let best = (found.into_iter()).reduce(|best, next| {
+        // Strictly less: of equals the first start, whichever thread ends first.
         if next.inertia < best.inertia {
             next
         } else {
             best
         }
     });
+    // Numbers of clusters carry no meaning; these are the same for the same partition.
     Ok(best.map(numbered_by_first_rows).unwrap_or_default())
 }
 
@@ -98,6 +102,7 @@ impl Rows<'_> {
             .collect();
         while centres.len() < clusters * self.width {
             let sum: f64 = nearest.iter().sum();
+            // In proportion to squared distance (k-means++): far rows begin clusters, outliers not always.
             let mut left = random.random::<f64>() * sum;
             let drawn = nearest.iter().position(|square| {
                 left -= square;
@@ -119,6 +124,7 @@ impl Rows<'_> {
             progress.check()?;
             centres = self.means(&now, &centres);
             let next = self.joined(&centres);
+            // The same members have the same means, so nothing changes from here on.
             let settled = next.clusters == now.clusters;
             now = next;
             if settled {
@@ -164,6 +170,7 @@ impl Rows<'_> {
                 mean.iter_mut().for_each(|x| *x /= members[cluster] as f64);
                 continue;
             }
+            // Only where a cluster is empty: most sweeps never need the order.
             if far.is_empty() {
                 far = (joined.clusters.iter().enumerate())
                     .map(|(row, &own)| {

@@ -22,6 +22,7 @@ pub(super) struct Scratch {
 impl LinearClassifier {
     /// Of `points`, rows of `width` numbers one after the other; the unit of length does not matter.
     pub(super) fn new(points: &[f64], width: usize, shrinkage: f64) -> Self {
+        // The classes do not depend on the unit, but squares of very large or small numbers would.
         let largest = points.iter().fold(0.0_f64, |m, x| m.max(x.abs()));
         let unit = if largest > 0.0 { largest } else { 1.0 };
         Self {
@@ -102,6 +103,7 @@ impl LinearClassifier {
         let (here, others) = (self.row(case), (members[own] - 1) as f64);
         step.clear();
         step.extend(here.iter().zip(&means[own * width..]).map(|(x, m)| x - m));
+        // The scatter of all is known; leaving one case out is a change of rank one, not another pass.
         factor.clone_from(scatter);
         add_outer(factor, step, -(others + 1.0) / others);
         shrink(factor, width, self.shrinkage);
@@ -111,11 +113,13 @@ impl LinearClassifier {
         step.iter_mut().for_each(|d| *d *= (others + 1.0) / others);
         let distance = solved_norm2(factor, step);
         (0..members.len())
+            // A class whose last member was permuted away has no mean.
             .filter(|&class| class != own && members[class] > 0)
             .all(|class| {
                 let mean = &means[class * width..][..width];
                 step.clear();
                 step.extend(here.iter().zip(mean).map(|(x, m)| x - m));
+                // Strictly: a case between two classes is told by neither.
                 distance < solved_norm2(factor, step)
             })
     }
@@ -137,6 +141,7 @@ fn shrink(matrix: &mut [f64], width: usize, shrinkage: f64) {
     // Cases lie within 1 of the origin: less than this is round-off of their coordinates.
     let some = trace > 1e-24;
     let keep = if some { 1.0 - shrinkage } else { 0.0 };
+    // In the mean of the diagonal, so that shrinking has no unit and changes no total scatter.
     let floor = if some {
         shrinkage * trace / width as f64
     } else {
@@ -186,6 +191,7 @@ pub(super) fn labelled_rows(
 ) -> (Vec<f64>, Vec<usize>) {
     let mut cases = Vec::new();
     for (row, label) in labels.iter().enumerate() {
+        // Without a label a case can neither train nor test.
         if label.is_some() {
             cases.extend_from_slice(&points[row * width..][..width]);
         }

@@ -28,6 +28,7 @@ impl Matching {
 /// `labels` holds a class for each row, or none; rows without are not counted.
 pub fn tau(clusters: &[usize], labels: &[Option<usize>]) -> Matching {
     let labelled = || (clusters.iter().zip(labels)).filter_map(|(&c, l)| l.map(|l| (c, l)));
+    // Of all rows: a cluster without labelled members still takes part in the matching.
     let cluster_count = clusters.iter().max().map_or(0, |most| most + 1);
     let class_count = labelled().map(|(_, label)| label + 1).max().unwrap_or(0);
     let mut confusion = vec![vec![0; cluster_count]; class_count];
@@ -58,10 +59,12 @@ pub fn tau(clusters: &[usize], labels: &[Option<usize>]) -> Matching {
 ///
 /// Source: Kuhn (1955), Naval Res. Logist. Q. 2; in the form of Jonker and Volgenant (1987).
 fn best_match(counts: &[Vec<usize>], columns: usize) -> Vec<Option<usize>> {
+    // Square, so that clusters or classes that are left over are matched with nothing.
     let size = counts.len().max(columns);
     // Index 0 is the row being added; rows and columns count from 1. Missing ones cost nothing.
     let cost = |row: usize, column: usize| -> i64 {
         let count = counts.get(row - 1).and_then(|row| row.get(column - 1));
+        // Most agreement is least cost.
         -(count.copied().unwrap_or(0) as i64)
     };
     let mut of_row = vec![0_i64; size + 1];
@@ -91,6 +94,7 @@ fn best_match(counts: &[Vec<usize>], columns: usize) -> Vec<Option<usize>> {
                     of_row[row_in[other]] += step;
                     of_column[other] -= step;
                 } else {
+                    // A column not reached yet stays at infinity.
                     least[other] = least[other].saturating_sub(step);
                 }
             }

@@ -14,6 +14,7 @@ impl NearestCases {
             let mut least = f64::INFINITY;
             for (place, &other) in rows.iter().enumerate() {
                 let distance = distances.get(row, other);
+                // A case at distance 0 from itself would always be right.
                 if other == row || distance > least {
                     continue;
                 }
@@ -42,6 +43,7 @@ impl NearestCases {
                     votes.resize(classes.iter().max().map_or(0, |most| most + 1), 0);
                     several.iter().for_each(|&place| votes[classes[place]] += 1);
                     let mut others = votes.iter().enumerate().filter(|(class, _)| class != *own);
+                    // A tie is not an answer, so that equal distances cannot be right by the order of the study.
                     others.all(|(_, &vote)| vote < votes[**own])
                 }
             })

@@ -25,14 +25,17 @@ pub(super) struct Between {
 impl Beat {
     /// Where a share of the beat in `0.0..=1.0` lies; the last row runs into the first.
     pub(super) fn at(&self, time: f64) -> Between {
+        // At least one row is there.
         let last = self.rows.len() - 1;
         let next = self.times.partition_point(|t| *t <= time);
         let before = next.saturating_sub(1).min(last);
         let start = self.times[before];
+        // After the last row the cycle closes: the next end-diastole is at 1.
         let end = self.times.get(before + 1).copied().unwrap_or(1.0);
         Between {
             from: self.rows[before],
             to: self.rows[if before == last { 0 } else { before + 1 }],
+            // Round-off at the ends must not extrapolate.
             share: ((time - start) / (end - start)).clamp(0.0, 1.0),
         }
     }
@@ -50,6 +53,7 @@ pub(super) fn beats(study: &Study, poses: &[PoseId]) -> Vec<Beat> {
             let subject = of_subject[0].subject;
             let count = of_subject.len();
             let stated = study.subjects.get(subject).and_then(|s| s.end_diastole);
+            // A stated frame past the end would otherwise leave the cycle without a beginning.
             let begin = stated.unwrap_or(0) % count;
             let order = || (0..count).map(|step| (begin + step) % count);
             let beat = Beat {
@@ -75,8 +79,10 @@ fn times(subject: Option<&Subject>, frames: impl Iterator<Item = usize>, count: 
         .collect();
     let mut times = vec![0.0; count];
     for step in 1..count {
+        // Phases jump from 1 to 0 where the next cycle begins; differences modulo 1 do not.
         times[step] = times[step - 1] + (phases[step] - phases[step - 1]).rem_euclid(1.0);
     }
+    // Equal or falling times would make chords of no duration, and shares without meaning.
     let ascend = times.windows(2).all(|pair| pair[0] < pair[1]);
     if ascend && times.last().is_some_and(|last| *last < 1.0) {
         times

@@ -12,14 +12,17 @@ pub fn resampled(curve: &[[f64; 3]], samples: usize) -> Vec<[f64; 3]> {
         reached[i + 1] = reached[i] + distance(&pair[0], &pair[1]);
     }
     let whole = reached.last().copied().unwrap_or(0.0);
+    // A subject that does not move has no direction in which to step.
     if whole <= 0.0 {
         return vec![*first; samples];
     }
+    // Both ends are samples: one step fewer than points.
     let steps = samples.saturating_sub(1).max(1) as f64;
     let mut chord = 0;
     (0..samples)
         .map(|sample| {
             let length = whole * sample as f64 / steps;
+            // Lengths ascend from sample to sample, so the search never goes back.
             while chord + 2 < curve.len() && reached[chord + 1] < length {
                 chord += 1;
             }

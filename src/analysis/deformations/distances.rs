@@ -42,6 +42,7 @@ pub fn deformation_distances(
     for (i, beat) in beats.iter().enumerate() {
         progress.step()?;
         for other in &beats[i + 1..] {
+            // Each subject has its own phases; both ways make the distance symmetric.
             let forth = mean_square(&poses.distances, beat, other);
             let back = mean_square(&poses.distances, other, beat);
             upper.push((0.5 * (forth + back)).sqrt());
@@ -74,5 +75,6 @@ fn squared(distances: &DistanceMatrix, a: &Between, b: &Between) -> f64 {
     let across = (1.0 - u) * ((1.0 - v) * square(a.from, b.from) + v * square(a.from, b.to))
         + u * ((1.0 - v) * square(a.to, b.from) + v * square(a.to, b.to));
     let along = u * (1.0 - u) * square(a.from, a.to) + v * (1.0 - v) * square(b.from, b.to);
+    // Distances of a metric need not be Euclidean, and then the theorem may fall below zero.
     (across - along).max(0.0)
 }

@@ -19,7 +19,7 @@ const FEWEST: usize = 3;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DeformationMapError {
     /// It was asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
     /// A plane needs three points.
     #[error("a deformation map needs at least {FEWEST} of them, not {deformations}")]
@@ -86,6 +86,7 @@ pub fn deformation_map(
             deformations: count,
         });
     }
+    // Without this the axis with the larger numbers would decide the arc length alone.
     let time_weight = (params.time_weight).unwrap_or_else(|| balancing_weight(&beats, map));
     let curves: Vec<Vec<[f64; 3]>> = (beats.iter())
         .map(|beat| {
@@ -96,6 +97,7 @@ pub fn deformation_map(
         .collect::<Result<_, Stopped>>()?;
     let neighbours = params.neighbours.map(usize::from);
     let lle_params = LleParams {
+        // A deformation cannot be put together from itself.
         neighbours: (neighbours.unwrap_or_else(|| default_neighbours(count))).min(count - 1),
         regularisation: params.regularisation,
         dimensions: DIMENSIONS,
@@ -111,6 +113,7 @@ pub fn deformation_map(
 
 /// (x, y, w t) of the poses of a beat and, at t = 1, of its first pose again.
 fn closed_curve(beat: &Beat, map: &Embedding, time_weight: f64) -> Vec<[f64; 3]> {
+    // The cycle is periodic: without the way back the last interval would count for nothing.
     let again = beat.rows.first().map(|row| (row, &1.0));
     (beat.rows.iter().zip(&beat.times))
         .chain(again)
@@ -130,6 +133,7 @@ fn balancing_weight(beats: &[Beat], map: &Embedding) -> f64 {
     };
     let time = variance(&times);
     if time > 0.0 {
+        // Both coordinates of the plane together against the one of time.
         ((spread(0) + spread(1)) / time).sqrt()
     } else {
         0.0

@@ -49,7 +49,9 @@ impl Default for DeformationMapParams {
 /// | SMACOF | 11 | 15 | 16 | 20 | 18 | 19 | 18 | 18 | 18 | 20 |
 /// | classical MDS | 20 | 20 | 19 | 18 | 21 | 20 | 20 | 21 | 21 | 21 |
 pub fn default_neighbours(deformations: usize) -> usize {
+    // Half of them reach beyond any class of up to half.
     let half = deformations.div_ceil(2).max(4);
+    // One fewer than all: a deformation is no neighbour of itself.
     half.min(deformations.saturating_sub(1))
 }
 

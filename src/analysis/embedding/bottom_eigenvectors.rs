@@ -125,6 +125,7 @@ fn by_shifted_inverse(
     progress: &Progress,
 ) -> Result<Vec<Vec<f64>>, EmbeddingError> {
     let size = matrix.size();
+    // M is singular, so that it cannot be inverted without a shift; this one is at round-off.
     let mut shift = SHIFT * largest_diagonal(matrix);
     let factor = loop {
         progress.step()?;
@@ -159,6 +160,7 @@ fn settled(
     vectors: &[Vec<f64>],
 ) -> Result<(Vec<f64>, Vec<Vec<f64>>), EmbeddingError> {
     let count = vectors.len();
+    // From (I − W) v itself: of M = (I − W)ᵀ(I − W) small eigenvalues would be round-off.
     let images: Vec<Vec<f64>> = vectors.iter().map(|v| residual(weights, v)).collect();
     let mut products = vec![0.0; count * count];
     for i in 0..count {

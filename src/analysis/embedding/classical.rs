@@ -114,7 +114,9 @@ impl CentredSquares {
     fn product(&self, x: &[f64], out: &mut [f64], progress: &Progress) -> Result<(), Stopped> {
         let n = self.items as f64;
         let mean = x.iter().sum::<f64>() / n;
+        // Centred on the way in and out, the centred matrix itself is never formed.
         let centred: Vec<f64> = x.iter().map(|x| x - mean).collect();
+        // A fixed number of shares, not one per thread: sums in another order would be other bits.
         let shares: Vec<Vec<f64>> = (0..SHARES)
             .into_par_iter()
             .map(|share| self.share_of_product(share, &centred))
@@ -132,6 +134,7 @@ impl CentredSquares {
     fn share_of_product(&self, share: usize, x: &[f64]) -> Vec<f64> {
         let n = self.items;
         let mut sums = vec![0.0; n];
+        // Every sixteenth row: long rows at the top and short ones below are shared out evenly.
         for i in (share..n).step_by(SHARES) {
             let row = &self.upper[i * n - i * (i + 1) / 2..][..n - i - 1];
             sums[i] += dot(row, &x[i + 1..]);

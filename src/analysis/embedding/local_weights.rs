@@ -95,6 +95,7 @@ impl LocalWeights {
             regularisation: self.regularisation,
         };
         let mut scratch = Scratch::default();
+        // Weights of the others cannot change: they depend on their own neighbours alone.
         for &item in &changed {
             progress.check()?;
             let weights = &mut weights[item * count..][..count];

@@ -150,6 +150,7 @@ impl NeighbourGraph {
                 continue;
             }
             let mut group = Vec::with_capacity(LANES);
+            // Breadth first: members of a group are near each other and share most of their ways.
             let mut open = VecDeque::from([first]);
             seen_by[first] = first;
             while let Some(item) = open.pop_front() {
@@ -219,6 +220,7 @@ impl Traveller<'_> {
             }
             if any {
                 any = false;
+                // Forth and back: lanes that begin elsewhere need ways against the order of the first.
                 for at in (0..self.order.len()).rev() {
                     any |= self.offer_on(self.order[at]);
                 }
@@ -234,6 +236,7 @@ impl Traveller<'_> {
         self.open.push(Reverse((0, first as u32)));
         while let Some(Reverse((bits, item))) = self.open.pop() {
             let (here, item) = (f64::from_bits(bits), item as usize);
+            // An older entry of the heap, since found by a shorter way.
             if here > self.lengths[item][0] {
                 continue;
             }

@@ -97,6 +97,7 @@ impl Neighbours {
             .into_par_iter()
             .map_init(Vec::new, |squares, item| {
                 progress.step()?;
+                // A new item has no known neighbours; old ones can only gain new items.
                 if item >= before {
                     return Ok((true, nearest_of_point(&axes, item, self.count, squares)));
                 }
@@ -169,6 +170,7 @@ fn possible(items: usize, count: usize) -> Result<(), EmbeddingError> {
 /// Points axis by axis, so that distances from one to all others are a stream.
 fn axes(points: &[f64], items: usize) -> Result<Vec<Vec<f64>>, EmbeddingError> {
     let width = points.len().checked_div(items).unwrap_or(0);
+    // Squares of such numbers overflow.
     let too_large = |x: &f64| x.is_nan() || x.abs() >= TOO_LARGE;
     if width * items != points.len() || points.iter().any(too_large) {
         return Err(EmbeddingError::Points {
@@ -237,6 +239,7 @@ impl Nearest {
         {
             return false;
         }
+        // Behind equals, so that ties are in the order of the items.
         let place = self.distances.partition_point(|known| *known <= distance);
         self.distances.insert(place, distance);
         self.indices.insert(place, index as u32);

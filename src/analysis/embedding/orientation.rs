@@ -59,6 +59,7 @@ impl Embedding {
         let means = centre(&mut y, d);
         let products = nalgebra::DMatrix::from_row_slice(d, d, &cross_products(&x, &y, d));
         let svd = products.svd(true, true);
+        // Reflections are allowed here: a map has no handedness.
         let turn = svd.u? * svd.v_t?;
         let coordinates = x
             .chunks_exact(d.max(1))

@@ -21,6 +21,7 @@ pub(super) fn closed_parts(neighbours: &Neighbours) -> usize {
         if order[root] != UNSEEN {
             continue;
         }
+        // Tarjan’s components with a stack of its own: a chain of neighbours may be as long as the list.
         let mut way = vec![(root, 0)];
         while let Some(&mut (item, ref mut next)) = way.last_mut() {
             if *next == 0 {
@@ -34,6 +35,7 @@ pub(super) fn closed_parts(neighbours: &Neighbours) -> usize {
                 if order[other] == UNSEEN {
                     way.push((other, 0));
                 } else if part_of[other] == UNSEEN {
+                    // Only of members that are still open: a finished part cannot lead back.
                     lowest[item] = lowest[item].min(order[other]);
                 }
                 continue;
@@ -57,6 +59,7 @@ pub(super) fn closed_parts(neighbours: &Neighbours) -> usize {
     for item in 0..items {
         for &other in neighbours.of(item) {
             if part_of[item] != part_of[other as usize] {
+                // A part with a link out takes its mean from elsewhere, and is not free to move by itself.
                 closed[part_of[item]] = false;
             }
         }

@@ -36,6 +36,7 @@ pub fn pca(
         return Err(wrong);
     }
     let centred = centred(points, items, width);
+    // Of XXᵀ and XᵀX the smaller one; both have the same eigenvalues but for zeros.
     let by_items = items <= width;
     let size = items.min(width);
     let mut products = vec![0.0; size * size];
@@ -72,6 +73,7 @@ pub fn pca(
             };
         }
     }
+    // Variance over n − 1, since the mean is estimated from the same items.
     let degrees = items.saturating_sub(1).max(1) as f64;
     Ok(Embedding {
         dimensions,

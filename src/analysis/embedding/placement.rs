@@ -33,6 +33,7 @@ pub fn placed_classically(
     let pulls: Vec<f64> = (0..items)
         .map(|i| {
             let row = (0..items).map(|j| distances.get(i, j).powi(2));
+            // Gower’s formula: the means of all rows together cancel, since coordinates sum to zero.
             row.sum::<f64>() / items as f64 - to_items[i].powi(2)
         })
         .collect();

@@ -90,6 +90,7 @@ pub fn smacof(
         progress,
     };
     let mut best = majoriser.descend(&start.coordinates, &params)?;
+    // Places as far apart as the items are, or the first step would only rescale.
     let radius = (distances.upper().iter().map(|d| d * d).sum::<f64>()
         / distances.upper().len().max(1) as f64)
         .sqrt();
@@ -194,6 +195,7 @@ impl Majoriser<'_> {
                 sum.iter_mut().zip(moved).for_each(|(sum, x)| *sum += x);
             }
         }
+        // The Guttman transform with equal weights: V⁺ is 1/n on centred coordinates.
         let share = 1.0 / items.max(1) as f64;
         sums.iter_mut().flatten().for_each(|x| *x *= share);
         Ok((sums, stress))

@@ -40,6 +40,7 @@ pub fn raw_stress(distances: &DistanceMatrix, map: &Embedding) -> Option<f64> {
 pub fn kruskal_stress(distances: &DistanceMatrix, map: &Embedding) -> Option<f64> {
     let raw = raw_stress(distances, map)?;
     let scale: f64 = distances.upper().iter().map(|d| d * d).sum();
+    // All distances zero and kept: no stress, instead of zero over zero.
     Some(if raw == 0.0 {
         0.0
     } else {

@@ -7,7 +7,7 @@ use crate::analysis::classification::{Accuracy, Classes, ClassesParams, classify
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::{Embedding, MapMethod};
 use crate::analysis::measures::measure_study;
-use crate::analysis::metrics::{Form, MetricKind, MetricParams};
+use crate::analysis::metrics::{METRICS, MetricParams};
 use crate::analysis::pose_distances::{DistanceMatrix, PoseDistanceParams};
 use crate::analysis::transport::CohortTransportParams;
 use crate::progress::Progress;
@@ -41,37 +41,26 @@ impl MetricComparisonParams {
     /// All kinds and forms with the default smoothing and this transport, and plain displacement as
     /// it is; 0, 1, 2.5 and 5 % of Gaussian noise, three copies each.
     pub fn all_metrics(transport: Option<CohortTransportParams>) -> Self {
-        let base = MetricParams::default();
-        let of_kind = |kind| MetricParams { kind, ..base };
-        let of_form = |form| MetricParams { form, ..base };
-        let angle = of_kind(MetricKind::AnglePreserving);
-        let printed_angle = MetricParams {
-            form: Form::Printed,
-            ..angle
-        };
-        let method = |name, metric| Method {
-            name,
-            distances: PoseDistanceParams {
-                metric,
-                transport,
-                ..PoseDistanceParams::default()
-            },
+        let methods = METRICS.into_iter().flat_map(|kind| {
+            kind.words().forms.iter().map(move |&(name, form)| Method {
+                name,
+                distances: PoseDistanceParams {
+                    metric: MetricParams {
+                        kind,
+                        form,
+                        ..MetricParams::default()
+                    },
+                    transport,
+                    ..PoseDistanceParams::default()
+                },
+            })
+        });
+        let plain = Method {
+            name: "plain displacement",
+            ..Method::procrustes()
         };
         Self {
-            methods: vec![
-                method("default: quasi-conformal, additive", base),
-                method("quasi-conformal, frozen", of_form(Form::Frozen)),
-                method("quasi-conformal, bilinear", of_form(Form::Bilinear)),
-                method("quasi-conformal, printed", of_form(Form::Printed)),
-                method("angle-preserving", angle),
-                method("angle-preserving, printed", printed_angle),
-                method("isometric", of_kind(MetricKind::Isometric)),
-                method("rigid", of_kind(MetricKind::Rigid)),
-                Method {
-                    name: "plain displacement",
-                    ..Method::procrustes()
-                },
-            ],
+            methods: methods.chain([plain]).collect(),
             percents: vec![0.0, 1.0, 2.5, 5.0],
             family: NoiseFamily::Gaussian,
             redraws: 3,
@@ -156,6 +145,7 @@ pub fn metric_comparison(
     }
     let mut tasks = Vec::new();
     for &percent in &params.percents {
+        // Without noise all copies would be the same.
         let copies = if percent > 0.0 { params.redraws } else { 1 };
         for method in 0..=params.methods.len() {
             tasks.extend((0..copies).map(|copy| (percent, method, copy)));
@@ -170,6 +160,7 @@ pub fn metric_comparison(
                 family: params.family,
                 percent,
                 reference: NoiseReference::Shape,
+                // By copy alone: every method sees the same noise.
                 seed: params.seed.wrapping_add(u64::from(copy)),
             };
             let copy = noisy_study(study, &noise)?;
@@ -189,6 +180,7 @@ pub fn metric_comparison(
                 let accuracies = copies.iter().filter_map(|(_, classes)| accuracy(classes));
                 let accuracies: Vec<Accuracy> = accuracies.collect();
                 let shares: Vec<f64> = accuracies.iter().map(Accuracy::share).collect();
+                // Between copies; how far the accuracy is from chance is for the permutation mean to say.
                 let (share, standard_error) = mean_and_error(&shares);
                 let baselines: Vec<f64> = accuracies.iter().map(|a| a.baseline).collect();
                 MeanAccuracy {
@@ -243,8 +235,10 @@ fn by_ejection_fraction(
     let (subjects, fractions): (Vec<usize>, Vec<f64>) = (measures.iter().enumerate())
         .filter_map(|(subject, measured)| Some((subject, measured.ef?)))
         .unzip();
+    // Differences of EF, so that the same classifiers can read them.
     let distances = DistanceMatrix::of_points(&fractions, fractions.len())
         .unwrap_or_else(DistanceMatrix::empty);
+    // EF is one number: its line takes the place of the plane.
     let line = Embedding {
         dimensions: 1,
         coordinates: fractions,

@@ -13,7 +13,7 @@ use crate::study::SequenceError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ExperimentError {
     /// It was asked to stop; no error to show.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
     /// A number is too small.
     #[error("{name}: at least {least} are needed, not {value}")]

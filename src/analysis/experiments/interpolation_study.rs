@@ -110,6 +110,7 @@ fn interpolated(
         )
     };
     let at_end_diastole = volume(&start);
+    // Relative to the start, so that a shrinking straight line shows below 1.
     let volumes = path.poses.iter().map(|pose| volume(pose) / at_end_diastole);
     let (least, greatest) = volumes.fold((f64::MAX, f64::MIN), |(low, high), v| {
         (low.min(v), high.max(v))
@@ -119,6 +120,7 @@ fn interpolated(
         (low.min(s), high.max(s))
     });
     let found = &path.poses[path.poses.len() / 2];
+    // The path is free to turn: rigid motion costs nothing in the metric.
     let onto = rigid_motion(found, &middle).map_err(|e| step("aligning objects", &e))?;
     let square = |a: &[Point3], b: &[Point3]| -> f64 {
         a.iter().zip(b).map(|(p, q)| (p - q).norm_squared()).sum()
@@ -130,6 +132,7 @@ fn interpolated(
         energy_ratio: path.energy / path.energy_linear,
         step_ratio: longest / shortest,
         volume_ratios: [least, greatest],
+        // Relative to the whole motion, so that objects and motions can be compared.
         midpoint_error: (square(&laid, &middle) / square(&start, &end)).sqrt(),
         self_intersections: path.self_intersections,
         poses: path.poses,

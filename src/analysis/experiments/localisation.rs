@@ -168,6 +168,7 @@ fn one_redraw(
 /// Adds what was found on one sheet.
 fn compared(clean: &Sheet, found: &Thickening, joined: &mut Found) {
     let at_end_diastole = &clean.positions[PHASES[0]];
+    // Areas of the clean sheet, so that noise changes no size of what is to be detected.
     let areas = regular_areas(at_end_diastole, clean.faces.triangles(), &clean.regular);
     let area = |atoms: &[u32]| -> f64 { atoms.iter().map(|&atom| areas[atom as usize]).sum() };
     let overlap = |patch: &Patch, truth: &[u32]| -> f64 {
@@ -180,9 +181,11 @@ fn compared(clean: &Sheet, found: &Thickening, joined: &mut Found) {
     for truth in &clean.patches {
         let nearest = (found.patches.iter().enumerate())
             .map(|(index, patch)| (overlap(patch, truth), index))
+            // Each detected patch stands for one true patch at most.
             .filter(|(common, index)| *common > 0.0 && !taken.contains(index))
             .max_by(|a, b| a.0.total_cmp(&b.0));
         let Some((common, index)) = nearest else {
+            // A patch that is missed overlaps with nothing; leaving it out would flatter the mean.
             joined.dice.push(0.0);
             continue;
         };
@@ -198,6 +201,7 @@ fn compared(clean: &Sheet, found: &Thickening, joined: &mut Found) {
         }
     }
     if !clean.patches.is_empty() {
+        // Detected are all or not: two patches that merge into one are a miss.
         let all = taken.len() == clean.patches.len();
         joined.all.push(f64::from(u8::from(all)));
     }
@@ -262,6 +266,7 @@ fn segments_compared(
     let (found, main) = taken_segments(of_found);
     let common = found.iter().filter(|s| truth.contains(s)).count();
     let either = found.len() + truth.len() - common;
+    // Without segments on either side there is nothing to agree on.
     if either > 0 {
         joined.segments.push(common as f64 / either as f64);
     }
@@ -289,6 +294,7 @@ fn taken_segments(
     }
     let main = main.map(|(_, segment)| segment);
     if taken.is_empty() {
+        // A small patch fills a third of no segment, but lies in one.
         taken.extend(main);
     }
     (taken, main)
@@ -302,6 +308,7 @@ fn row(
 ) -> LocalisationRow {
     let mean = |values: &[f64]| (!values.is_empty()).then(|| mean_and_error(values).0);
     let over = |list: &dyn Fn(&Found) -> &Vec<f64>| -> Option<MeanAndError> {
+        // Redraws, not sheets, are what is drawn independently: the error is between their means.
         let means: Vec<f64> = redraws
             .iter()
             .filter_map(|found| mean(list(found)))

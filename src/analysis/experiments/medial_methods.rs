@@ -69,6 +69,7 @@ pub(super) fn assessed(
         Ok::<_, ExperimentError>(thickening(&beat, &stated(), axis, &params, progress)?)
     };
     let printed = ThickeningParams {
+        // The text calls an atom akinetic where PT differs from 1 by at most 5 %.
         tolerance: Some(1.05_f64.ln()),
         ratio: RatioForm::Product,
         ..*params
@@ -147,6 +148,7 @@ pub(super) fn groups(
         return Ok(votes
             .iter()
             .map(|[first, second]| match (first, second) {
+                // Without any akinetic pose it belongs to neither cluster, and counts as wrong.
                 (0, 0) => 2,
                 _ => usize::from(second > first),
             })
@@ -160,13 +162,16 @@ pub(super) fn groups(
 
 /// Poses of M̂ over the beat, with positions from the middle of the sheet in its sizes.
 fn path(method: MedialMethod, sheet: &Assessed, centre: &Point3) -> Vec<PoseDescriptor> {
+    // The printed form takes every step, the default those in which a normal wall changes.
     let (found, all) = match (method, &sheet.printed) {
         (MedialMethod::PathsPrinted | MedialMethod::PosesPrinted, Some(printed)) => (printed, true),
         _ => (&sheet.found, false),
     };
     (found.steps.iter())
+        // In steps in which even a normal wall stands still all atoms are akinetic, and say nothing.
         .filter(|step| all || step.telling)
         .filter_map(|step| step.descriptor)
+        // Positions from the centre in sizes of the sheet, or place and size would outweigh the angles.
         .map(|pose| pose.relative_to(centre, found.size))
         .collect()
 }

@@ -58,6 +58,7 @@ impl Motion {
             Self::Bend => {
                 let radius = 1.0 / amplitude;
                 let (sin, cos) = (amplitude * x).sin_cos();
+                // The line y = z = 0 keeps its length: bending is no stretch along the middle.
                 Point3::new((radius - z) * sin, y, radius - (radius - z) * cos)
             }
             Self::Twist => {
@@ -65,6 +66,7 @@ impl Motion {
                 Point3::new(x, cos * y - sin * z, sin * y + cos * z)
             }
             Self::Stretch => {
+                // Narrower as it gets longer: the volume stays, so that volume alone tells no class.
                 let across = 1.0 / (1.0 + amplitude).sqrt();
                 Point3::new((1.0 + amplitude) * x, across * y, across * z)
             }

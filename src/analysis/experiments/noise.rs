@@ -46,9 +46,11 @@ impl NoiseFamily {
     /// One draw with standard deviation `sigma`, in its unit.
     pub fn draw(self, sigma: f64, random: &mut ChaCha8Rng) -> f64 {
         match self {
+            // The variance of a uniform number on ±1 is a third.
             Self::Uniform => sigma * 3.0_f64.sqrt() * random.random_range(-1.0..1.0),
             Self::Gaussian => sigma * standard_normal(random),
             Self::Poisson => {
+                // Mean and variance of a Poisson number are both its rate.
                 sigma * (f64::from(poisson(random)) - POISSON_RATE) / POISSON_RATE.sqrt()
             }
         }
@@ -69,6 +71,7 @@ pub fn coordinate_variance(points: &[Point3]) -> f64 {
     let spread: f64 = (points.iter())
         .map(|p| (p.coords - mean).norm_squared())
         .sum();
+    // Per coordinate, since noise is added to each.
     spread / (3.0 * count)
 }
 
@@ -80,6 +83,7 @@ pub fn noise_sigma(poses: &[Vec<Point3>], percent: f64, reference: NoiseReferenc
     let variance = match reference {
         NoiseReference::Shape => coordinate_variance(rest),
         NoiseReference::Displacement => {
+            // About zero, not about its mean: a translation is displacement, too.
             let square: f64 = (moved.iter().flat_map(|pose| pose.iter().zip(rest)))
                 .map(|(p, q)| (p - q).norm_squared())
                 .sum();
@@ -100,6 +104,7 @@ fn standard_normal(random: &mut ChaCha8Rng) -> f64 {
 fn poisson(random: &mut ChaCha8Rng) -> u32 {
     let limit = (-POISSON_RATE).exp();
     let (mut product, mut count) = (random.random::<f64>(), 0);
+    // Knuth: waiting times of a unit rate until they exceed the mean; the rate is small.
     while product > limit {
         product *= random.random::<f64>();
         count += 1;

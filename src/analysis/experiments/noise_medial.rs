@@ -73,6 +73,7 @@ fn one_draw(
     for class in 0..2_usize {
         for member in 0..params.per_class {
             progress.step()?;
+            // A stream per sheet, so that threads may take sheets in any order.
             let stream = (class as u64) << 32 | u64::from(member);
             let clean = sheet(
                 &params.sheets,
@@ -81,6 +82,7 @@ fn one_draw(
                 stream,
             )?;
             let noisy = disturbed(&clean, condition, seed, stream);
+            // Of the noisy sheet: a method knows nothing else.
             centres.push(centre(&noisy.positions[PHASES[0]]));
             sheets.push(assessed(
                 &noisy,
@@ -107,6 +109,7 @@ fn one_draw(
 /// None for a normal sheet, one share for one with a patch.
 fn shares(params: &MedialNoiseParams, class: usize, seed: u64, stream: u64) -> Vec<f64> {
     let [least, most] = params.patch_shares;
+    // Another stream of numbers than that of the sheets.
     let mut random = ChaCha8Rng::seed_from_u64(seed ^ 0x7061_7463_6800_0000);
     random.set_stream(stream);
     let share = least + (most - least) * random.random::<f64>();
@@ -135,6 +138,7 @@ fn scored(
     };
     let both = |labels: &[usize], swap| right(labels, 0, swap) + right(labels, 1, swap);
     let swap = |labels: &[usize]| {
+        // Clusters have no names and may be swapped; a detected patch says which class it is.
         method != MedialMethod::PatchFound && both(labels, true) > both(labels, false)
     };
     let share = |labels: &[usize]| both(labels, swap(labels)) as f64 / labels.len().max(1) as f64;
@@ -148,6 +152,7 @@ fn scored(
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let mut permuted = labels.to_vec();
     let mut sum = 0.0;
+    // The same choice of names for permuted labels: its optimism is part of the baseline.
     for _ in 0..params.permutations {
         permuted.shuffle(&mut random);
         sum += share(&permuted);

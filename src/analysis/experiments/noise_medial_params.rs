@@ -57,6 +57,7 @@ impl Default for MedialNoiseParams {
 /// The defaults of the search for patches; its redraws tell how sure a patch is, which is not asked here.
 pub(super) fn without_confidence() -> ThickeningParams {
     ThickeningParams {
+        // Stability takes most of the time, and no number of these tables reads it.
         redraws: 0,
         ..ThickeningParams::default()
     }
@@ -108,6 +109,7 @@ pub(super) type Condition = Option<(NoiseFamily, f64)>;
 pub(super) fn conditions(families: &[NoiseFamily], percents: &[f64]) -> Vec<Condition> {
     let noisy = (families.iter())
         .flat_map(|&family| percents.iter().map(move |&percent| Some((family, percent))));
+    // Without noise first: every other condition is read against it.
     std::iter::once(None).chain(noisy).collect()
 }
 

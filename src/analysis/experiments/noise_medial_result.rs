@@ -51,6 +51,7 @@ pub fn published_medial_tau(family: NoiseFamily, percent: f64) -> Option<f64> {
     let column = match family {
         NoiseFamily::Uniform => 0,
         NoiseFamily::Gaussian => 1,
+        // Table 4.2 has no column for it.
         NoiseFamily::Poisson => return None,
     };
     let (_, row) = PUBLISHED.iter().find(|(level, _)| *level == percent)?;

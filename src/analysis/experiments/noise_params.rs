@@ -94,6 +94,7 @@ impl NoiseDeformationParams {
 
     /// Every draw of every condition, the clean one first; in the order of the result.
     pub(super) fn conditions(&self) -> Vec<Condition> {
+        // Clean once: both readings of a level of zero are the same.
         let mut conditions = vec![Condition::Clean];
         for &reference in &self.references {
             for &family in &self.families {

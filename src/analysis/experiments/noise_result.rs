@@ -49,6 +49,7 @@ const PUBLISHED: [(f64, [f64; 3]); 5] = [
 /// Source: V. Taimouri, *Shape Analysis in Shape Space*, table 3.1.
 pub fn published_tau(family: NoiseFamily, percent: f64) -> Option<f64> {
     let column = NoiseFamily::ALL.iter().position(|f| *f == family)?;
+    // Levels are typed, not computed, so that equality is meant.
     let (_, row) = PUBLISHED.iter().find(|(level, _)| *level == percent)?;
     Some(row[column] / 100.0)
 }
@@ -63,6 +64,7 @@ impl NoiseCell {
         let redraws = usize::from(params.redraws);
         let objects = params.objects.len();
         let over_objects = |value: &dyn Fn(Draw) -> f64, redraw: usize| {
+            // Over objects first: they are a choice, not a draw, and their differences are no error.
             (0..objects).map(|o| value(draw(o, redraw))).sum::<f64>() / objects as f64
         };
         let mean_of = |value: &dyn Fn(Draw) -> f64| -> Vec<f64> {
@@ -80,6 +82,7 @@ impl NoiseCell {
                 reference,
             } => (Some(family), percent, reference),
         };
+        // Over redraws alone: tables show objects beside each other.
         let of_object =
             |object: usize| (0..redraws).map(|r| draw(object, r).tau).sum::<f64>() / redraws as f64;
         Self {
@@ -105,6 +108,7 @@ impl NoiseCell {
 pub(super) fn mean_and_error(values: &[f64]) -> (f64, f64) {
     let count = values.len() as f64;
     let mean = values.iter().sum::<f64>() / count.max(1.0);
+    // One value has no scatter.
     if values.len() < 2 {
         return (mean, 0.0);
     }

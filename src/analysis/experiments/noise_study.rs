@@ -106,10 +106,12 @@ pub(super) fn classified(
     progress: &Progress,
 ) -> Result<Draw, ExperimentError> {
     let whole = method.compared(study, params.map, &params.deformations, progress)?;
+    // Rows are the subjects that could be compared, in their order.
     let labels: Vec<Option<usize>> = whole.subjects.iter().map(|&s| labels[s]).collect();
     let clusters = k_means(
         &whole.plane.coordinates,
         whole.plane.dimensions,
+        // As many clusters as classes, or τ could not reach 1.
         Motion::ALL.len(),
         usize::from(params.restarts),
         seed,

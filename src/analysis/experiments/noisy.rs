@@ -36,6 +36,7 @@ pub fn noisy_study(study: &Study, noise: &Noise) -> Result<Study, ExperimentErro
             percent: noise.percent,
         });
     }
+    // Without noise not even round-off may differ.
     if noise.percent == 0.0 {
         return Ok(study.clone());
     }
@@ -60,12 +61,15 @@ fn noisy_sequence(
 ) -> Result<MeshSequence, ExperimentError> {
     let sequence = &subject.sequence;
     let count = sequence.frame_count();
+    // Levels relative to displacement count from end-diastole.
     let begin = subject.end_diastole.unwrap_or(0) % count;
     let from_rest: Vec<Vec<Point3>> = (0..count)
         .filter_map(|step| sequence.pose((begin + step) % count))
         .collect();
+    // One level for all frames: noise of a measurement does not follow the cycle.
     let sigma = noise_sigma(&from_rest, noise.percent, noise.reference);
     let mut random = ChaCha8Rng::seed_from_u64(noise.seed);
+    // A stream per subject: leaving one out changes no noise of the others.
     random.set_stream(index as u64);
     let surfaces = (sequence.surfaces().iter())
         .map(|surface| {

@@ -90,6 +90,7 @@ fn lying_sphere(subdivisions: u32) -> TriMesh {
 fn with_hole(mesh: &TriMesh, direction: &Vector3, rings: u32) -> TriMesh {
     let along = |v: usize| mesh.vertices()[v].coords.dot(direction);
     let count = mesh.vertices().len();
+    // The vertex farthest along the direction; of equals the first, so that the mesh is always the same.
     let centre = (0..count).reduce(|best, v| if along(v) > along(best) { v } else { best });
     let mut ring_of: Vec<Option<u32>> = vec![None; count];
     let mut queue: VecDeque<usize> = centre.into_iter().collect();
@@ -99,6 +100,7 @@ fn with_hole(mesh: &TriMesh, direction: &Vector3, rings: u32) -> TriMesh {
     let edges = mesh.faces().edges();
     while let Some(at) = queue.pop_front() {
         let next = ring_of[at].map_or(0, |ring| ring + 1);
+        // A hole of so many rings of vertices around its centre.
         if next > rings {
             continue;
         }

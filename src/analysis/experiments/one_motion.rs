@@ -23,6 +23,7 @@ pub(super) fn one_motion_study(study: &Study) -> Result<Study, ExperimentError> 
     let Some(first) = members.first() else {
         return Ok(study.clone());
     };
+    // In sizes of each subject: a large one moves by more.
     let normalised = |member: &Comparable<'_>, frame: usize| {
         let pose = member.subject.sequence.pose(frame).unwrap_or_default();
         let points: Vec<Point3> = pose.iter().map(|p| member.scale.normalised(p)).collect();
@@ -38,6 +39,7 @@ pub(super) fn one_motion_study(study: &Study) -> Result<Study, ExperimentError> 
     let subjects = (members.iter())
         .map(|member| {
             let own = normalised(member, member.end_diastole);
+            // Displacements are turned with the subject, or the motion would point elsewhere in each.
             let turn = rigid_motion(&rest, &own).map_err(|e| step("aligning subjects", &e))?;
             let poses: Vec<Vec<Point3>> = (displacements.iter())
                 .map(|field| {
@@ -48,6 +50,7 @@ pub(super) fn one_motion_study(study: &Study) -> Result<Study, ExperimentError> 
                 .collect();
             Ok(Arc::new(Subject {
                 sequence: moved(&member.subject.sequence, &poses)?,
+                // Alike in time, too.
                 timing: first.subject.timing.clone(),
                 end_diastole: Some(first.end_diastole),
                 end_systole: first.subject.end_systole,

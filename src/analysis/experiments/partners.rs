@@ -40,6 +40,7 @@ impl PartnerParams {
     /// onto the mean along geodesics or linear interpolation as given, and with one motion for all. As they are
     /// also what smoothing, area weights and λ bring.
     pub fn all_metrics(transport: CohortTransportParams) -> Self {
+        // Without poses in between the path is the straight line: what geodesics add shows against it.
         let straight = CohortTransportParams {
             interpolated_poses: 0,
             ..transport
@@ -205,6 +206,7 @@ fn are_partners(a: &str, b: &str) -> bool {
 fn refuse_without_partners(ids: &[&str]) -> Result<(), ExperimentError> {
     let sequences = ids.len();
     let mut with_partner = (ids.iter().enumerate())
+        // Being partners is mutual, so that the later ones are enough.
         .filter(|(i, id)| (ids[i + 1..].iter()).any(|other| are_partners(id, other)));
     let Some((_, id)) = with_partner.next() else {
         return Err(ExperimentError::NoPartners { sequences });
@@ -222,6 +224,7 @@ fn ranked(ids: &[&str], whole: &DeformationDistances) -> PartnerRanks {
     let mut found = PartnerRanks::default();
     let (mut ranks, mut ranks_by_chance) = (0.0, 0.0);
     for (i, id) in ids.iter().enumerate() {
+        // Other sequences of the same patient are no competitors.
         let (partners, others): (Vec<usize>, Vec<usize>) = (0..ids.len())
             .filter(|&j| j != i)
             .partition(|&j| are_partners(id, ids[j]));
@@ -231,12 +234,15 @@ fn ranked(ids: &[&str], whole: &DeformationDistances) -> PartnerRanks {
         others.sort_by(f64::total_cmp);
         let count = others.len() as f64;
         for distance in partners.into_iter().map(|j| whole.distances.get(i, j)) {
+            // Ties count against the partner, so that distances that are all equal give the last rank.
             let as_near = others.partition_point(|other| *other <= distance);
             found.pairs += 1;
             found.nearest += usize::from(as_near == 0);
             found.nearer_than_median += usize::from(distance < median(&others));
+            // One of count + 1 places, all equally likely.
             found.nearest_by_chance += 1.0 / (count + 1.0);
             ranks += 1.0 + as_near as f64;
+            // The mean of the places 1 to count + 1.
             ranks_by_chance += 1.0 + 0.5 * count;
         }
     }

@@ -41,6 +41,7 @@ impl Method {
         progress: &Progress,
     ) -> Result<Compared, ExperimentError> {
         let poses = pose_distances(study, &self.distances.check()?, progress)?;
+        // Classifiers read these; the plane is for k-means and the eye.
         let whole = deformation_distances(study, &poses, progress)?;
         let map = embed(&poses.distances, map, PLANE, progress)?;
         let plane = deformation_map(study, &poses.poses, &map, &plane.check()?, progress)?;

@@ -23,7 +23,9 @@ pub(super) fn hemisphere(rings: usize) -> Result<TriMesh, MeshError> {
         let past_cap = ring.saturating_sub(cap);
         let outer = Ring {
             first: points.len(),
+            // Six more per ring keeps triangles even near the pole; past the cap rings hardly grow.
             count: 6 * ring.min(cap),
+            // Every other ring is turned by half a step, or triangles would lean the same way all around.
             offset: if past_cap % 2 == 1 { 0.5 } else { 0.0 },
         };
         let (sin_polar, cos_polar) = (FRAC_PI_2 * ring as f64 / rings as f64).sin_cos();
@@ -57,6 +59,7 @@ impl Ring {
 
     /// Steps around; none on the pole.
     fn steps(&self) -> usize {
+        // The pole is one point: there is nowhere to go along it.
         if self.count == 1 { 0 } else { self.count }
     }
 }
@@ -65,6 +68,7 @@ impl Ring {
 fn join(inner: &Ring, outer: &Ring, triangles: &mut Vec<[u32; 3]>) {
     let (mut i, mut j) = (0, 0);
     while i < inner.steps() || j < outer.steps() {
+        // Whichever ring lags behind in angle goes on, so that no triangle becomes a sliver.
         let outer_first = j < outer.steps() && outer.turn(j + 1) <= inner.turn(i + 1);
         if i == inner.steps() || outer_first {
             triangles.push([inner.atom(i), outer.atom(j + 1), outer.atom(j)]);

@@ -25,6 +25,7 @@ pub(super) struct PatchPlace {
 impl PatchPlace {
     /// How much a direction belongs to the patch, from 0 to 1: ½ at its radius, even across its border.
     pub fn membership(&self, d: &Vector3) -> f64 {
+        // A border as wide as the patch would leave nothing that is fully akinetic.
         let half = HALF_BORDER_RAD.min(BORDER_SHARE * self.radius_rad);
         let inside = self.radius_rad - d.angle(&self.centre);
         (0.5 + 0.5 * inside / half).clamp(0.0, 1.0)
@@ -52,6 +53,7 @@ pub(super) fn patches(
         for _ in 0..TRIES {
             let place = sized(direction(random), share, directions, &areas);
             let gap = (places.iter().map(|other| place.gap_rad(other))).fold(f64::MAX, f64::min);
+            // Large patches may have no room to be apart; the widest gap that was drawn is taken then.
             if best.is_none_or(|(least, _)| gap > least) {
                 best = Some((gap, place));
             }
@@ -71,6 +73,7 @@ fn sized(centre: Vector3, share: f64, directions: &[Vector3], areas: &[f64]) -> 
         .map(|(d, &area)| (d.angle(&centre), area))
         .collect();
     order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0));
+    // Of the regular area, since that is what the detection reports shares of.
     let wanted = share * order.iter().map(|(_, area)| area).sum::<f64>();
     let mut within = 0.0;
     let reached = order.iter().find(|(_, area)| {
@@ -92,6 +95,7 @@ pub(super) fn regular_areas(
     let mut areas = vec![0.0; points.len()];
     for triangle in triangles {
         let corners = triangle.map(|vertex| vertex as usize);
+        // As the detection does: a face with a vertex that takes no part has no area.
         if corners.iter().all(|&vertex| regular[vertex]) {
             let [a, b, c] = corners.map(|vertex| points[vertex]);
             let third = (b - a).cross(&(c - a)).norm() / 6.0;
@@ -103,6 +107,7 @@ pub(super) fn regular_areas(
 
 /// A direction of the lower hemisphere, away from the base, evenly over its area.
 fn direction(random: &mut ChaCha8Rng) -> Vector3 {
+    // Evenly in height is evenly in area on a sphere; the base is left free of patch centres.
     let z: f64 = random.random_range(-1.0..-0.15);
     let around = random.random_range(0.0..TAU);
     let across = (1.0 - z * z).sqrt();

@@ -121,7 +121,9 @@ pub fn sheet(
     let mut draw = Draw(&mut random);
     let motion = SheetMotion::new(params, &mut draw);
     let wall = Wall::new(params, &mut draw);
+    // Timing differs between subjects as well, or all would be compared at equal phases.
     let pace = draw.factor(params.motion_jitter);
+    // A power keeps the curve between 0 and 1, and its extremes at their phases.
     let curve = CURVE.map(|c| c.powf(pace));
     let positions: Vec<Vec<Point3>> = curve
         .iter()
@@ -135,6 +137,7 @@ pub fn sheet(
         shares,
         &mut random,
     );
+    // Where patches overlap the stronger one counts: a wall cannot be more than akinetic.
     let ill = |d: &Vector3| places.iter().map(|p| p.membership(d)).fold(0.0, f64::max);
     let radii = (curve.iter())
         .map(|&c| {
@@ -145,6 +148,7 @@ pub fn sheet(
         .collect();
     let members = |place: &PatchPlace| -> Vec<u32> {
         (0..directions.len())
+            // Half-way across the border is where a detection may cut either way.
             .filter(|&i| regular[i] && place.membership(&directions[i]) >= 0.5)
             .map(|i| i as u32)
             .collect()
@@ -213,9 +217,11 @@ impl SheetMotion {
     /// Place of a direction of the hemisphere, pole at −z, when the beat has gone so far: the base comes
     /// down to the apex, the wall inwards, and apex and base turn opposite ways.
     fn at(&self, d: &Vector3, c: f64) -> Point3 {
+        // Base and apex turn against each other; in between the sheet stays.
         let twist = Rotation3::from_scaled_axis(Vector3::z() * (self.twist_rad * c * (d.z + 0.5)));
         let inward = 1.0 - self.inward * c;
         let rest = d.component_mul(&self.axes_mm);
+        // The apex stays and the base comes down, as in a ventricle.
         let height = (rest.z + self.axes_mm.z) * (1.0 - self.shortening * c) - self.axes_mm.z;
         let bend = self.bend_mm * d.z * d.z;
         let drawn_in = Vector3::new(rest.x * inward, rest.y * inward, height);
@@ -255,6 +261,7 @@ impl Wall {
 
     /// Half thickness where thickening has gone so far, from 0 to 1.
     fn radius_mm(&self, d: &Vector3, c: f64) -> f64 {
+        // Near the apex alone: the last fifth of the height.
         let at_apex = ((-d.z - 0.8) / 0.2).max(0.0);
         let amount = self.thickening * (1.0 + self.slopes[1].dot(d)) * (1.0 - APEX_LESS * at_apex);
         self.radius_mm * (1.0 + self.slopes[0].dot(d)) * (c * amount).exp()
@@ -270,6 +277,7 @@ impl Sheet {
     pub fn noisy(&self, family: NoiseFamily, percent: f64, random: &mut ChaCha8Rng) -> Self {
         let share = percent / 100.0;
         let way = (share * coordinate_variance(&self.positions[PHASES[0]])).sqrt();
+        // Over atoms and poses together, as the variance of what a measurement has to tell apart.
         let thickness = (share * variance(&self.radii)).sqrt();
         let positions = (self.positions.iter())
             .map(|pose| family.added(pose, way, random))
@@ -277,6 +285,7 @@ impl Sheet {
         let radii = (self.radii.iter())
             .map(|pose| {
                 (pose.iter())
+                    // A radius cannot be negative, and its logarithm must exist.
                     .map(|r| (r + family.draw(thickness, random)).max(MIN_RADIUS * r))
                     .collect()
             })
@@ -318,6 +327,7 @@ fn surface(points: &[Point3], radii: &[f64], triangles: &[[u32; 3]]) -> MedialSu
     let atoms = (0..points.len())
         .map(|i| {
             let normal = &normals[i];
+            // The gradient along the surface: of a noisy face it has a part along the normal.
             let along = gradients[i] - normal * normal.dot(&gradients[i]);
             Atom {
                 position: points[i],
@@ -349,6 +359,7 @@ fn gradients(points: &[Point3], values: &[f64], triangles: &[[u32; 3]]) -> Vec<V
             .sum();
         for corner in [i, j, k] {
             sums[corner].0 += normal.cross(&turned);
+            // Weighted by area: a thin face has a wild gradient.
             sums[corner].1 += doubled.norm();
         }
     }

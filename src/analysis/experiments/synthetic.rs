@@ -79,6 +79,7 @@ pub fn synthetic_cohort(params: &SyntheticParams) -> Result<SyntheticCohort, Exp
     for (class, motion) in Motion::ALL.into_iter().enumerate() {
         for member in 0..params.per_class {
             let mut random = ChaCha8Rng::seed_from_u64(params.seed);
+            // A stream per member: more members change none of the first.
             random.set_stream((class as u64) << 32 | u64::from(member));
             deformations.push(Deformation {
                 class,
@@ -132,6 +133,7 @@ fn deformed(
     let solid = params.object.solid;
     let amplitude = motion.typical_amplitude(solid) * factor(params.amplitude_jitter);
     let mut angle = || random.random_range(-3.0..3.0);
+    // Anywhere in space: a method must not tell classes by position.
     let turn = Rotation3::from_euler_angles(angle(), angle(), angle());
     let place = Vector3::new(angle(), angle(), angle());
     let rest: Vec<Point3> = (template.vertices().iter())
@@ -139,6 +141,7 @@ fn deformed(
         .collect();
     let poses = (0..params.poses)
         .map(|pose| {
+            // From rest to the full amplitude in equal steps.
             let reached = amplitude * f64::from(pose) / f64::from(params.poses - 1);
             let at = |p: &Point3| turn * motion.moved(solid, p, reached) + place;
             rest.iter().map(at).collect()
@@ -173,6 +176,7 @@ impl SyntheticCohort {
             let sequence = MeshSequence::new(vec![surface])?;
             let mut subject = Subject::new(id, sequence, LengthUnit::FileUnit);
             subject.label = Some(class.to_owned());
+            // The first pose is at rest; without volumes nothing else would say so.
             subject.end_diastole = Some(0);
             subjects.push(Arc::new(subject));
         }

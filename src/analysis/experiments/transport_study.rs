@@ -116,6 +116,7 @@ fn transported(
 ) -> Result<TransportCase, ExperimentError> {
     let checked = params.transport.check();
     let checked = checked.map_err(|error| step("transporting a motion", &error))?;
+    // Another shape than the source, or transport would have nothing to do.
     let (target, shaped) = target(object);
     let rest: Vec<Point3> = template.vertices().iter().map(shaped).collect();
     let (motion, poses) = (Motion::ALL[deformation.class], &deformation.poses);
@@ -154,6 +155,7 @@ fn transported(
         cosine,
         norm_ratio,
         flipped_faces,
+        // All three: direction, amount, and a surface that does not fold.
         followed: cosine >= MIN_COSINE && NORM_RANGE.contains(&norm_ratio) && flipped_faces == 0,
     })
 }
@@ -174,6 +176,7 @@ pub(super) fn difference(
     rest: &[Point3],
     triangles: &[[u32; 3]],
 ) -> Result<Difference, ExperimentError> {
+    // Where the target lies in space is no part of the question.
     let onto = rigid_motion(transported, truth).map_err(|e| step("aligning objects", &e))?;
     let laid: Vec<Point3> = transported.iter().map(|p| onto.apply(p)).collect();
     let field =
@@ -192,6 +195,7 @@ pub(super) fn difference(
         cosine: product(&found, &true_field) / (own * whole),
         norm_ratio: own / whole,
         flipped_faces: (normals(&laid).iter().zip(&normals(truth)))
+            // Against the true normals: a true motion may turn a face far.
             .filter(|(a, b)| a.dot(b) < 0.0)
             .count(),
     })

@@ -17,6 +17,7 @@ pub(super) fn prolonged(
     let straight = resampled(coarse_ends[0], &[], coarse_ends[1], interpolated_poses);
     let mut fine = resampled(ends[0], &[], ends[1], interpolated_poses);
     let size = coarse_ends[0].len().max(1);
+    // Only how the path departs from the straight line is coarse: the ends keep all their detail.
     let offsets: Vec<f64> = (found.iter().zip(&straight))
         .map(|(found, straight)| found - straight)
         .collect();

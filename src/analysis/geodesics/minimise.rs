@@ -76,6 +76,7 @@ pub(super) fn time_levels(interpolated_poses: usize) -> Vec<usize> {
     let mut next = 1;
     while next < interpolated_poses {
         levels.push(next);
+        // Each interval is halved, so that poses that are there already stay where they are.
         next = 2 * next + 1;
     }
     levels.push(interpolated_poses);
@@ -102,6 +103,7 @@ pub(super) fn resampled(
     };
     let mut out = Vec::with_capacity(size * interpolated_poses);
     for k in 1..=interpolated_poses {
+        // Equal steps of time; poses in between lie on the straight line of their neighbours.
         let at = k as f64 * old_steps as f64 / (interpolated_poses + 1) as f64;
         let from = at.floor();
         let t = at - from;

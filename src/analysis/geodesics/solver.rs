@@ -74,6 +74,7 @@ impl GeodesicSolver {
         let solver = Self::new(
             decimation.faces(),
             &decimation.restricted(reference),
+            // Or the coarse solver would make a coarser one of its own.
             &params.on_all_vertices(),
         )?;
         Ok(Some(Box::new(Coarse { decimation, solver })))
@@ -156,6 +157,7 @@ impl GeodesicSolver {
         );
         poses.push(end.to_vec());
         let mut self_intersections = 0;
+        // The ends are as given.
         for pose in &poses[1..poses.len() - 1] {
             match crossing_faces(pose, self.faces.triangles(), go_on) {
                 Some(count) => self_intersections += count,
@@ -209,6 +211,7 @@ impl GeodesicSolver {
         };
         let stiffness = own.as_ref().or(self.stiffness.as_ref());
         let mut best = from(&[count], stiffness)?;
+        // One search is enough where every start leads to the same path.
         if !has_many_minima(&self.params) {
             return Ok(best);
         }
@@ -241,6 +244,7 @@ impl GeodesicSolver {
     ) -> Result<Option<Stiffness>, GeodesicError> {
         let steps = match self.params.metric.curvature_role() {
             CurvatureRole::Unused | CurvatureRole::Term => return Ok(None),
+            // The factor is the whole change in every step.
             CurvatureRole::FrozenFactor => 1.0,
             // Each of the steps makes an equal part of the change of the ends.
             CurvatureRole::StepFactor => f64::from(self.params.interpolated_poses) + 1.0,

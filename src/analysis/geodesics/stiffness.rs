@@ -88,6 +88,7 @@ impl Stiffness {
         } else {
             regulariser + own_displacement
         };
+        // Relative to the mean: a shift that is small for one size would be large for another.
         let mean = diagonal.iter().sum::<f64>() / size as f64 + even;
         for (k, value) in diagonal.into_iter().enumerate() {
             entries.push((k, k, value + even + SHIFT * mean));
@@ -117,6 +118,7 @@ impl Stiffness {
 fn solve_in_time(values: &mut [f64], size: usize) {
     let poses = values.len() / size;
     for k in 1..poses {
+        // Gaussian elimination of the matrix (−1, 2, −1), whose pivots are (k + 1) / k.
         let factor = k as f64 / (k + 1) as f64;
         let (before, here) = values[(k - 1) * size..(k + 1) * size].split_at_mut(size);
         for (here, before) in here.iter_mut().zip(before) {
@@ -173,6 +175,7 @@ fn face_block(
     for (e, &length2) in length2.iter().enumerate() {
         if length2 > 0.0 {
             let (p, q) = (3 * e, 3 * ((e + 1) % 3));
+            // Sides that were free to turn would wrinkle, and the search would have to take that back.
             let tension = TENSION * stiffest / length2;
             for axis in 0..3 {
                 block[p + axis][p + axis] += tension;

@@ -39,6 +39,7 @@ pub(super) fn inner_side(
     whole: &CappedSheet,
 ) -> Result<CappedSheet, InnerSideError> {
     const MIN_PART: f64 = 0.98;
+    // Files orient walls either way; what looks inwards is relative to that.
     let outward = whole.signed_volume(vertices).signum();
     let faces: Vec<FaceFrame> = sheet
         .triangles
@@ -48,6 +49,7 @@ pub(super) fn inner_side(
     let all: f64 = faces.iter().map(FaceFrame::area).sum();
     let sum: Vector3 = faces.iter().map(|f| f.centre.coords * f.area()).sum();
     let middle = Point3::from(sum / all.max(f64::MIN_POSITIVE));
+    // Above one half is inside the myocardium, below it in the cavity or outside.
     if whole.winding_number(vertices, middle) > 0.5 {
         return Err(InnerSideError::NoCavity);
     }
@@ -63,6 +65,7 @@ pub(super) fn inner_side(
     // The pieces of an orientable surface are orientable.
     let pieces = sheets(&inner).unwrap_or_default();
     let inner_area: f64 = pieces.iter().map(area).sum();
+    // Rough walls have single faces that look the other way; the cup is the large piece.
     let Some(largest) = pieces.iter().max_by(|a, b| area(a).total_cmp(&area(b))) else {
         return Err(InnerSideError::NoSingleCup {
             part: 0.0,
@@ -71,6 +74,7 @@ pub(super) fn inner_side(
     };
     let capped = CappedSheet::new(vertices.len(), largest)?;
     let part = area(largest) / inner_area.max(f64::MIN_POSITIVE);
+    // One rim is the base; a second one would be a hole, and the volume a guess.
     if part < MIN_PART || capped.loop_count() != 1 {
         return Err(InnerSideError::NoSingleCup {
             part: 100.0 * part,

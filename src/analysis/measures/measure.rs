@@ -65,6 +65,7 @@ fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, St
     measured.esv = volume_at(measured.end_systole);
     if let (Some(edv), Some(esv)) = (measured.edv, measured.esv) {
         measured.sv = Some(edv - esv);
+        // A cavity without volume has no fraction.
         measured.ef = Some((edv - esv) / edv).filter(|ef| ef.is_finite());
     }
     // Without phases, as of a wall whose cavity is not known, the first frame stands for all.
@@ -72,6 +73,7 @@ fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, St
         .frames
         .get(measured.end_diastole.unwrap_or(0))
         .and_then(|frame| frame.wall_volume);
+    // Density is per millilitre: without a unit there is no mass.
     if subject.unit == LengthUnit::Millimetre {
         measured.mass = wall_ml.map(|ml| Grams(MUSCLE_DENSITY_G_PER_ML * ml));
     }
@@ -103,6 +105,7 @@ fn frame_measures(
         subject.unit.volume_from_cubic(),
         subject.unit.area_from_square(),
     );
+    // Very large coordinates overflow in cubes, and infinity is no volume.
     let finite = |value: f64| Some(value).filter(|value| value.is_finite());
     let points = subject
         .sequence
@@ -133,15 +136,18 @@ fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
     let extreme = |sign: f64| {
         volumes
             .iter()
+            // From the end, since `max_by` takes the last of equals: the first frame wins.
             .rev()
             .max_by(|a, b| (sign * a.1).total_cmp(&(sign * b.1)))
             .map(|&(frame, _)| frame)
     };
+    // A stated frame past the end is as if nothing had been stated.
     let stated = |frame: Option<usize>| frame.filter(|&frame| frame < count);
     let (stated_ed, stated_es) = (stated(subject.end_diastole), stated(subject.end_systole));
     if stated_ed.is_some() || stated_es.is_some() {
         measured.phase_source = PhaseSource::Stated;
     }
     measured.end_diastole = stated_ed.or_else(|| extreme(1.0));
+    // One frame has no systole: it would have an ejection fraction of 0.
     measured.end_systole = stated_es.or_else(|| extreme(-1.0).filter(|_| count > 1));
 }

@@ -109,6 +109,7 @@ impl<'a> SubjectGeometry<'a> {
                 .map_err(|reason| unknown.push(reason))
                 .ok()
         };
+        // A cavity is bounded by the endocardium; where both are given the endocardium is what was traced.
         let endo = enclosure([SurfaceKind::Endocardium, SurfaceKind::Cavity]);
         let epi = enclosure([SurfaceKind::Epicardium; 2]);
         let wall = sequence.surface(SurfaceKind::Wall).and_then(|surface| {
@@ -140,6 +141,7 @@ impl<'a> SubjectGeometry<'a> {
         };
         if let Some(wall) = &self.wall {
             let of_wall = wall.at(frame);
+            // Surfaces of their own are nearer to what was measured than sides split off a wall.
             sizes.endo = sizes.endo.or(of_wall.endo);
             sizes.epi = sizes.epi.or(of_wall.epi);
             sizes.wall_volume = of_wall.wall_volume;
@@ -187,6 +189,7 @@ impl<'a> Wall<'a> {
         let vertices = surface.frames()[0].vertices();
         let form = match (found.len(), found.pop(), found.pop()) {
             (1, Some((sheet, whole)), None) => {
+                // A cap across both sides of an open end would close the cavity, too.
                 if whole.loop_count() > 0 {
                     return Err(UnknownVolume::OpenWall {
                         loops: whole.loop_count(),
@@ -258,12 +261,14 @@ fn nested(
 ) -> Result<WallForm, UnknownVolume> {
     const MAX_SAMPLES: usize = 64;
     let volume = |sheet: &CappedSheet| sheet.signed_volume(vertices).abs();
+    // The order in a file says nothing; what is inside is smaller.
     let (inner, outer) = if volume(&one) < volume(&other) {
         (one, other)
     } else {
         (other, one)
     };
     let corners = inner.vertices();
+    // A winding number is a pass over the outer surface: a sample of vertices is enough.
     let stride = corners.len().div_ceil(MAX_SAMPLES).max(1);
     let samples: Vec<Point3> = corners
         .iter()
@@ -274,6 +279,7 @@ fn nested(
         .iter()
         .filter(|&&point| outer.winding_number(vertices, point) > 0.5)
         .count();
+    // Coarse surfaces may touch or cross a little; half inside would be beside each other.
     if 10 * inside >= 9 * samples.len() {
         Ok(WallForm::Nested { inner, outer })
     } else {
@@ -297,6 +303,7 @@ fn capped_sheets(surface: &SurfaceSequence) -> Result<Vec<(Sheet, CappedSheet)>,
 
 fn sized(sheet: &CappedSheet, vertices: &[Point3]) -> SurfaceSize {
     SurfaceSize {
+        // The sign is the orientation of the faces, which files choose freely.
         volume: sheet.signed_volume(vertices).abs(),
         area: sheet.area(vertices),
     }

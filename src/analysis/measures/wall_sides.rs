@@ -74,6 +74,7 @@ pub struct WallSides<'a> {
 pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
     let whole = |kind| sequence.surface(kind).map(Side::whole);
     let mut sides = WallSides {
+        // The endocardium where both are given, as for volumes.
         inner: whole(SurfaceKind::Endocardium).or_else(|| whole(SurfaceKind::Cavity)),
         outer: whole(SurfaceKind::Epicardium),
         unsplit: None,
@@ -85,6 +86,7 @@ pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
                 sides.outer = sides.outer.or(Some(outer));
             }
             Err(reason) => {
+                // Unsplit it is still outside, which is what the long axis needs of it.
                 sides.outer = sides.outer.or_else(|| Some(Side::whole(wall)));
                 sides.unsplit = Some(reason);
             }
@@ -99,6 +101,7 @@ pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
 /// If the wall is open, of more than two sheets, or its inner side cannot be determined.
 pub fn split_wall(wall: &SurfaceSequence) -> Result<[Side<'_>; 2], UnknownVolume> {
     let inner = wall_inner_side(wall)?.triangles().to_vec();
+    // Sheets are oriented anew, so corners may stand in another order than in the file.
     let sorted = |mut triangle: [u32; 3]| {
         triangle.sort_unstable();
         triangle

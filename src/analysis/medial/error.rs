@@ -60,6 +60,6 @@ pub enum MedialError {
     #[error(transparent)]
     Mesh(#[from] MeshError),
     /// Asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
 }

@@ -34,10 +34,12 @@ pub fn medial_map(
         hearts.filter_map(|(subject, heart)| Some((subject, heart.as_ref().ok()?)))
     };
     let known: Vec<&SubjectPaths> = mapped().map(|(_, heart)| heart).collect();
+    // One frame for all: distances between positions in different axes would mean nothing.
     let frame = shared_frame(&known);
     let poses: Vec<MedialPose> = mapped()
         .flat_map(|(subject, heart)| placed(subject, heart, frame))
         .collect();
+    // Two points always lie on a line, at their distance: a plane would say no more.
     if poses.len() < MIN_POSES {
         return Err(MedialMapError::TooFewPoses {
             poses: poses.len(),
@@ -66,6 +68,7 @@ pub fn medial_map(
 fn shared_frame(hearts: &[&SubjectPaths]) -> Frame {
     let known =
         |frame: &Frame| (hearts.iter()).all(|heart| heart.placements[*frame as usize].is_some());
+    // From the most to the least comparable.
     (Frame::ALL.into_iter()).find(known).unwrap_or(Frame::Files)
 }
 
@@ -96,6 +99,7 @@ fn distances(poses: &[MedialPose], progress: &Progress) -> Result<DistanceMatrix
         progress.step()?;
         let (others, before) = (poses[row + 1..].iter(), upper.len());
         upper.extend(others.map(|other| pose_distance(&pose.descriptor, &other.descriptor)));
+        // Row by row, so that the subject can be named.
         if upper[before..].iter().any(|distance| !distance.is_finite()) {
             let subject = pose.subject;
             return Err(MedialMapError::NotFinite { subject });

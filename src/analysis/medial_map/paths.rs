@@ -20,6 +20,7 @@ pub fn subject_paths(
     found: &Thickening,
     axis: Option<&LongAxis>,
 ) -> Result<SubjectPaths, NotMapped> {
+    // Patches are what the map is about; without any, all that is akinetic is one path.
     let paths: Vec<AkineticPath> = if found.patches.is_empty() {
         let steps = found.steps.iter().filter_map(|step| {
             Some(PathStep {
@@ -58,6 +59,7 @@ pub fn subject_paths(
     let centres: Vec<Point3> = (beat.frames.get(found.end_diastole))
         .map(|rest| rest.atoms.iter().map(|atom| atom.position).collect())
         .unwrap_or_default();
+    // In all frames: which one all subjects share is known only when all are there.
     let placements = Frame::ALL.map(|frame| Placement::new(frame, axis, &centres));
     if placements.iter().all(Option::is_none) {
         return Err(NotMapped::NoSize);

@@ -55,6 +55,7 @@ impl Placement {
     pub fn new(frame: Frame, axis: Option<&LongAxis>, centres: &[Point3]) -> Option<Self> {
         let frame_from_coordinates = match frame {
             Frame::Files => Matrix3::identity(),
+            // By the smallest turn, so that angles around the axis stay as in the file.
             Frame::LongAxis => upright(&axis?.direction()),
             Frame::Anatomical => {
                 let axis = axis.filter(|axis| axis.is_oriented())?;
@@ -62,11 +63,13 @@ impl Placement {
                 Matrix3::from_rows(&rows.map(|row| row.transpose()))
             }
         };
+        // Turned before it is measured: the box, and with it the size, lies along the axes of the frame.
         let turned: Vec<Point3> = (centres.iter())
             .map(|centre| frame_from_coordinates * centre)
             .collect();
         let [low, high] = bounding_box(&turned)?;
         let size = (high - low).max();
+        // A surface without extent has no size to count positions in.
         (size > 0.0 && size.is_finite()).then(|| Self {
             frame_from_coordinates,
             middle: nalgebra::center(&low, &high).coords,
@@ -79,6 +82,7 @@ impl Placement {
         let turn = &self.frame_from_coordinates;
         PoseDescriptor {
             position: Point3::from((turn * pose.position.coords - self.middle) / self.size),
+            // A direction has no place: it is turned only.
             normal: pose.normal.map(|normal| turn * normal),
             ..*pose
         }

@@ -135,6 +135,6 @@ pub enum MedialMapError {
     #[error(transparent)]
     Embedding(EmbeddingError),
     /// It was asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
 }

@@ -80,6 +80,7 @@ pub fn atom_exp(base: &Atom, tangent: &AtomTangent) -> Atom {
     let [v0, v1] = &tangent.spokes;
     Atom {
         position: base.position + tangent.position,
+        // Multiplied, so that a radius stays positive however long the tangent.
         radius: base.radius * tangent.log_radius.exp(),
         spokes: [exp(s0, v0), exp(s1, v1)],
     }
@@ -139,6 +140,7 @@ impl AtomDifference {
             self.log_radius * self.log_radius,
         );
         match norm {
+            // Its terms have different units; kept to compare with the text.
             AtomNorm::Printed => (way2 + mean_radius * log2 + angles2).sqrt(),
             AtomNorm::Fletcher => (way2 + mean_radius * mean_radius * (log2 + angles2)).sqrt(),
         }

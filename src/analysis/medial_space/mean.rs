@@ -32,13 +32,16 @@ pub fn frechet_mean(directions: &[Vector3], weights: &[f64]) -> Option<Vector3> 
     let total: f64 = weights.iter().sum();
     let pairs = || directions.iter().zip(weights);
     let sum: Vector3 = pairs().map(|(d, &w)| d * w).sum();
+    // Directions that cancel have no mean; any answer would be made of round-off.
     if total.is_nan() || total <= 0.0 || sum.norm() <= 1e-12 * total {
         return None;
     }
+    // Within a half sphere the average lies in the region where the mean is unique.
     let mut mean = unit(&sum)?;
     for _ in 0..MAX_STEPS {
         let step: Vector3 = pairs().map(|(d, &w)| log(&mean, d).tangent * w).sum();
         let step = step / total;
+        // Normalised in every step, or round-off would leave the sphere.
         mean = unit(&exp(&mean, &step))?;
         if step.norm() <= TOLERANCE_RAD {
             break;

@@ -102,7 +102,9 @@ impl PoseDescriptor {
 /// the mean over all directions; where neither has, nothing differs.
 pub fn pose_distance(a: &PoseDescriptor, b: &PoseDescriptor) -> f64 {
     let way = (b.position - a.position).norm_squared();
+    // ln r̂^ρ = ρ ln r̂: the power is never formed, since it leaves the range of numbers.
     let ratio = b.rho * b.log_ratio - a.rho * a.log_ratio;
+    // A direction that is missing must neither hide nor exaggerate a difference.
     let turn = match (&a.normal, &b.normal) {
         (Some(a), Some(b)) => angle(a, b),
         (None, None) => 0.0,

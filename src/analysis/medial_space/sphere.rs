@@ -99,6 +99,7 @@ pub(super) fn unit(vector: &Vector3) -> Option<Vector3> {
 
 /// sin x / x, 1 at 0.
 fn sin_over(x: f64) -> f64 {
+    // The limit at 0; for any other x, however small, the quotient is exact to round-off.
     if x == 0.0 { 1.0 } else { x.sin() / x }
 }
 
@@ -107,12 +108,14 @@ fn over_sin(sine: f64, cosine: f64) -> f64 {
     if sine == 0.0 {
         1.0
     } else {
+        // The arctangent keeps its digits where the arccosine is flat.
         sine.atan2(cosine) / sine
     }
 }
 
 /// A unit vector at right angles: the axis that lies least along `base`, without its part along it.
 fn square_to(base: &Vector3) -> Vector3 {
+    // The axis farthest from parallel: the part along the base takes the fewest digits away.
     let least = (0..3)
         .min_by(|&i, &j| base[i].abs().total_cmp(&base[j].abs()))
         .unwrap_or(0);

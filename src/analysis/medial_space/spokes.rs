@@ -11,6 +11,7 @@ use crate::mesh::Vector3;
 /// Follows from (x + r S)_u · S = 0 along every direction u of the surface: x_u · S = −r_u.
 pub fn spokes_from_gradient(normal: &Vector3, gradient: &Vector3) -> Option<[Vector3; 2]> {
     let along = 1.0 - gradient.norm_squared();
+    // Where r grows as fast as one walks, one sphere swallows the next.
     if along.is_nan() || along <= 0.0 {
         return None;
     }

@@ -64,7 +64,9 @@ pub fn medial_distance(
     check(a)?;
     check(b)?;
     same_count(a, b)?;
+    // Of both surfaces, or the distance would not be symmetric.
     let rho = mean_radius(a, b);
+    // Printed or Fletcher: the sum and the root belong to different norms of atoms.
     let norms =
         |norm| (a.iter().zip(b)).map(move |(a, b)| AtomDifference::new(a, b).norm(norm, rho));
     Ok(match kind {
@@ -100,6 +102,7 @@ pub fn interpolate(
 }
 
 fn end_between(a: Option<&EndSpoke>, b: Option<&EndSpoke>, t: f64) -> Option<EndSpoke> {
+    // Without a partner the spoke stays as it is instead of growing from nothing.
     let (a, b) = (a.or(b)?, b.or(a)?);
     Some(EndSpoke {
         direction: between(&a.direction, &b.direction, t),
@@ -139,6 +142,7 @@ pub fn mean_atom(atoms: &[Atom]) -> Option<Atom> {
     let log_radius: f64 = atoms.iter().map(|atom| atom.radius.ln()).sum();
     Some(Atom {
         position: Point3::from(centre / count),
+        // The Fréchet mean of ln r: the geometric mean.
         radius: (log_radius / count).exp(),
         spokes: [spokes(0)?, spokes(1)?],
     })

@@ -44,6 +44,7 @@ impl Connectivity {
         }
         let flat_rad = flat_angles_rad(faces);
         let (first_neighbour, neighbours) = neighbours(faces.vertex_count(), &edges);
+        // The largest valence bounds the growth of a gathered sum, so that many rings do not overflow.
         let most = first_neighbour.windows(2).map(|w| w[1] - w[0]).max();
         Self {
             vertex_count: faces.vertex_count(),
@@ -56,6 +57,7 @@ impl Connectivity {
                 .collect(),
             flat_rad,
             edges,
+            // One factor for all vertices: it cancels in the quotient of turn and area.
             shrink: 1.0 / f64::from(1 + most.unwrap_or(0)),
             first_neighbour,
             neighbours,
@@ -117,6 +119,7 @@ impl Connectivity {
 fn neighbours(vertex_count: usize, edges: &[Edge]) -> (Vec<u32>, Vec<u32>) {
     let mut first = vec![0_u32; vertex_count + 1];
     for &end in edges.iter().flatten() {
+        // Counted one place on, so that the running sum gives where each list begins.
         first[end as usize + 1] += 1;
     }
     for v in 0..vertex_count {

@@ -39,6 +39,7 @@ impl Metric {
             if let Some(own) = kind.vertex_terms(self, [a, b], pose, points, &field) {
                 areas.spread(&self.mesh, &own, self.params.area_weights, &mut shares);
             }
+            // Half at either pose, as for the terms of faces.
             let rest: Vec<f64> = (field.iter())
                 .map(|x| 0.5 * pose.regulariser_factor * x.norm_squared())
                 .collect();

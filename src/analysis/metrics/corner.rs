@@ -73,6 +73,7 @@ pub(super) fn face_shape<T: Arithmetic>(a: Axes<T>, b: Axes<T>, c: Axes<T>) -> (
         ab[2] * bc[0] - ab[0] * bc[2],
         ab[0] * bc[1] - ab[1] * bc[0],
     ];
+    // Cosines times lengths: with the doubled area they give angles without a division.
     let products = [-dot(ab, ca), -dot(ab, bc), -dot(bc, ca)];
     (dot(normal, normal).sqrt(), products)
 }
@@ -89,6 +90,7 @@ pub(super) fn angles_rad((doubled_area, products): (Lanes, [Lanes; 3])) -> [Lane
     let half_turn = Lanes::splat(PI);
     let first = Lanes::angle_rad(doubled_area, products[0]);
     let second = Lanes::angle_rad(doubled_area, products[1]);
+    // An arc tangent saved: angles of a triangle add up to half a turn.
     let rest = half_turn - first - second;
     // Without area the angles need not add up: coincident corners have none.
     let third = |lane: usize| {

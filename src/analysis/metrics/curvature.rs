@@ -49,6 +49,7 @@ impl Areas {
             let area = 0.5 * (b - a).cross(&(c - a)).norm();
             of_faces.push(area);
             for &corner in triangle {
+                // Barycentric shares: never negative, unlike those of Voronoi cells with obtuse corners.
                 of_vertices[corner as usize] += area / 3.0;
             }
         }
@@ -156,6 +157,7 @@ fn gathered_inside(
     rings: u32,
 ) -> Vec<[f64; 2]> {
     let mut values: Vec<[f64; 2]> = (deficits.iter().zip(areas).zip(&mesh.inside))
+        // At the rim the turn depends on where the surface was cut, so it gives nothing to the mean.
         .map(|((&turn, &area), &inside)| if inside { [turn, area] } else { [0.0; 2] })
         .collect();
     let mut spare = values.clone();

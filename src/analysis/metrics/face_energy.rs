@@ -28,9 +28,11 @@ pub(super) fn of_corners<T: Arithmetic>(
     let bare = corner_terms(s);
     let long = l.map_or(bare, |l| times(bare, raw_units(l)));
     let t = k.map_or(long, |k| times(long, k));
+    // Backwards through the factors: curvature, then lengths, then the bare terms.
     let gradients = energy_gradient(t, printed);
     let along_long = k.map_or(gradients, |k| times(gradients, k));
     let along_bare = l.map_or(along_long, |l| times(along_long, raw_units(l)));
+    // Each stretch stands in two corner terms, once with either sign.
     let [a, b, c] = along_bare;
     FaceEnergy {
         energy: energy(t, printed),

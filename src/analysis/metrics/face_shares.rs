@@ -35,6 +35,7 @@ pub(super) struct RelativeAreas(Vec<f64>);
 impl RelativeAreas {
     pub fn new(mesh: &Connectivity, points: &[Point3]) -> Self {
         let areas = Areas::new(mesh, points);
+        // A pose without area has no shares; zero adds nothing instead of not-a-number.
         let over = if areas.total > 0.0 {
             1.0 / areas.total
         } else {

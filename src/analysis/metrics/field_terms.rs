@@ -50,6 +50,7 @@ impl Metric {
             .map(|(e, &[p, q])| {
                 let difference = field[p as usize] - field[q as usize];
                 let side = Vector3::new(at.edge_axes[0][e], at.edge_axes[1][e], at.edge_axes[2][e]);
+                // The rate of the logarithm of length, to first order in the field.
                 difference.dot(&side) * at.inverse_length2[e]
             })
             .collect()
@@ -124,6 +125,7 @@ impl Metric {
 
     /// K(M + X) − K(M) of each vertex.
     pub(super) fn curvature_change(&self, at: &PreparedPose, field: &[Vector3]) -> Vec<f64> {
+        // The true change, not its rate: the printed form multiplies by K(M + X) − K(M).
         let moved: Vec<_> = (at.points().into_iter().zip(field))
             .map(|(p, x)| p + x)
             .collect();

@@ -34,6 +34,7 @@ impl Metric {
             // Fields that do not fit give not-a-number, as single products do.
             return [(x, x), (x, y), (y, y)].map(|(x, y)| self.inner_product(at, x, y));
         }
+        // In one pass where a metric has one: transport asks for all three at every sample.
         let own = terms(self.params.kind).products(self, at, x, y);
         let rest = [(x, x), (x, y), (y, y)].map(|(x, y)| self.regulariser(at, x, y));
         [0, 1, 2].map(|i| own[i] + rest[i])

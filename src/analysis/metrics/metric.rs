@@ -45,6 +45,7 @@ impl PairNorms {
 
     /// √(energy / 2): the mean of both norms in the quadratic sense, a length.
     pub fn distance(&self) -> f64 {
+        // Round-off of equal poses may fall below zero.
         (0.5 * self.energy()).max(0.0).sqrt()
     }
 }

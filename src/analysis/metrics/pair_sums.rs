@@ -25,6 +25,7 @@ pub(super) fn stretches(
     out: &mut Vec<Both>,
 ) {
     let count = a.inverse_length2.len();
+    // The memory of the pair before is used again: a matrix allocates nothing per pair.
     out.resize(count, [0.0; 2]);
     let r: [[f64; 3]; 3] = [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[(row, column)]));
     // Equal lengths, told to the compiler, let it drop the checks and use vector instructions.
@@ -66,6 +67,7 @@ fn plain_angles(mesh: &Connectivity, a: &PreparedPose, b: &PreparedPose, stretch
     let (faces, last_faces) = mesh.face_edges.as_chunks::<LANES>();
     let (of_a, last_of_a) = a.face_weight.as_chunks::<LANES>();
     let (of_b, last_of_b) = b.face_weight.as_chunks::<LANES>();
+    // Several sums side by side: additions need not wait for each other.
     let mut sums = [[0.0; 2]; LANES];
     for (faces, (of_a, of_b)) in faces.iter().zip(of_a.iter().zip(of_b)) {
         for lane in 0..LANES {
@@ -155,6 +157,7 @@ fn weighted_sums(
     let count = a.vertex_share.len();
     let (wa, wb) = (&a.vertex_share[..count], &b.vertex_share[..count]);
     let mut sums = [[0.0; LANES]; 2];
+    // The rest is added to the first lane, in a fixed order.
     let whole = count - count % LANES;
     let mut add = |lane: usize, v: usize| {
         let value = term(v);

@@ -147,6 +147,7 @@ impl MetricParams {
                 return Err(ParamError::Weight { name, value });
             }
         }
+        // Past this a mean covers any surface, and only costs time.
         if self.curvature_rings > MAX_RINGS {
             return Err(ParamError::Rings {
                 rings: self.curvature_rings,

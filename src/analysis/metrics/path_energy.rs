@@ -54,7 +54,9 @@ impl PathEnergy {
         let frozen = metric.frozen_weights(&ends[0], &ends[1]);
         let plan = Plan {
             interpolated_poses,
+            // Steps, one more than poses; lanes left over rest at the end, where a step costs nothing.
             blocks: (interpolated_poses + 1).div_ceil(LANES),
+            // The energy squares its factors, and the weights are squares already.
             frozen: frozen.into_iter().map(f64::sqrt).collect(),
             rest_factor: None,
             side_parts: metric.mesh.side_parts(metric.params.area_weights).collect(),
@@ -73,6 +75,7 @@ impl PathEnergy {
         path.lay(0, start);
         measure::measure(&path.plan, &mut path.state, &mut path.gradients);
         path.state.keep_as_start();
+        // All poses but the first at the end: lanes past the last step stay there for good.
         path.lay(1, end);
         Ok(path)
     }
@@ -94,6 +97,7 @@ impl PathEnergy {
     /// `inner` holds x, y, z of every vertex, pose after pose: 3 · vertices · number of interpolated poses, and so
     /// does `gradient`; missing ones count as where they were before. Allocates nothing.
     pub fn evaluate(&mut self, inner: &[f64], gradient: &mut [f64]) -> f64 {
+        // Forward first: the way back reads what every measure was.
         let energy = self.energy(inner);
         backpropagation::backpropagate(&self.plan, &self.state, &mut self.gradients);
         let (coordinates, blocks) = (3 * self.plan.mesh.vertex_count, self.plan.blocks);

@@ -40,6 +40,7 @@ impl PreparedPose {
         let edge = |&[p, q]: &[u32; 2]| points[p as usize] - points[q as usize];
         let edge_axes = [0, 1, 2].map(|axis| mesh.edges.iter().map(|e| edge(e)[axis]).collect());
         let length2: Vec<f64> = mesh.edges.iter().map(|e| edge(e).norm_squared()).collect();
+        // A pose without area has no shares.
         let share = |area: f64| {
             if areas.total > 0.0 {
                 area / areas.total
@@ -113,6 +114,7 @@ impl PreparedPose {
 /// regulariser penalises displacement relative to size, as the corners penalise relative change.
 pub(super) fn regulariser_factor(params: &CheckedMetricParams, total_area: f64) -> f64 {
     match (params.regulariser, params.corners) {
+        // In radii of a sphere of the same area, so that scaling a subject changes no distance.
         (Regulariser::Area, Corners::ScaleFree) if total_area > 0.0 => {
             params.lambda * 4.0 * std::f64::consts::PI / total_area
         }

@@ -28,6 +28,7 @@ impl RigidField {
 /// Source: V. Taimouri, section 2.3.7, solved by the inertia tensor.
 pub fn rigid_part(points: &[Point3], weights: &[f64], field: &[Vector3]) -> RigidField {
     let total: f64 = weights.iter().sum();
+    // Without weight there is nothing that a motion could explain.
     if total.is_nan() || total <= 0.0 {
         return RigidField {
             k1: Vector3::zeros(),
@@ -62,6 +63,7 @@ pub fn rigid_part(points: &[Point3], weights: &[f64], field: &[Vector3]) -> Rigi
         })
         .sum::<Vector3>();
     RigidField {
+        // Back from the centroid to the origin, about which a field is written.
         k1: drift - k2.cross(&centre),
         k2,
     }

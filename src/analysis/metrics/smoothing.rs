@@ -35,6 +35,8 @@ impl Smoother {
     pub fn new(faces: &Faces, radius: f64) -> Result<Self, SparseCholeskyError> {
         let vertex_count = faces.vertex_count();
         let factors = if radius > 0.0 {
+            // The Laplacian of the graph is about 1.5 edge² times that of the surface, and n vertices of equal
+            // triangles have edge² = 2 A / (√3 n).
             let tau = radius * radius * vertex_count as f64 / 3.0_f64.sqrt();
             Some(SparseCholesky::new(vertex_count, &penalised(faces, tau))?)
         } else {
@@ -76,6 +78,7 @@ fn penalised(faces: &Faces, tau: f64) -> Vec<(usize, usize, f64)> {
         neighbours[b as usize].push(a as usize);
     }
     let mut entries = Vec::new();
+    // A row of the squared Laplacian reaches two edges far: few entries, found by column.
     let mut row: HashMap<usize, f64> = HashMap::new();
     for i in 0..n {
         row.clear();
@@ -91,9 +94,11 @@ fn penalised(faces: &Faces, tau: f64) -> Vec<(usize, usize, f64)> {
             }
         }
         let mut lower: Vec<(usize, usize, f64)> = (row.iter())
+            // Symmetric: the factorisation reads the lower triangle.
             .filter(|(column, _)| **column <= i)
             .map(|(&column, &value)| (i, column, value))
             .collect();
+        // A hash map has no order, and sums must have the same bits on every run.
         lower.sort_unstable_by_key(|&(_, column, _)| column);
         entries.extend(lower);
     }

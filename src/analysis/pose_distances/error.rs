@@ -7,7 +7,7 @@ use crate::progress::Stopped;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PoseDistanceError {
     /// It was asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
     /// Motions cannot be transported onto the subject that was chosen.
     #[error(transparent)]

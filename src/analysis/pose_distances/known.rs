@@ -23,7 +23,9 @@ impl KnownDistances<'_> {
         let now = || study.subjects.iter().map(|subject| subject.shape_key());
         match transport.map(|transport| transport.reference) {
             None => true,
+            // The mean moves with every subject, and with it everything that is transported onto it.
             Some(Reference::Mean) => now().eq(self.shapes.iter().copied()),
+            // Only the subject onto which all are transported must be as it was.
             Some(Reference::Subject(index)) => now().nth(index).as_ref() == self.shapes.get(index),
         }
     }
@@ -46,6 +48,7 @@ impl<'a> KnownRows<'a> {
         };
         let mut subjects: HashMap<ShapeKey, usize> = HashMap::new();
         for (index, shape) in known.shapes.iter().enumerate() {
+            // Copies of one subject have the same distances, so the first stands for all.
             subjects.entry(*shape).or_insert(index);
         }
         let rows: HashMap<PoseId, usize> =
@@ -64,6 +67,7 @@ impl<'a> KnownRows<'a> {
     /// Whether no pair is left to compute.
     pub(super) fn all_known(&self) -> bool {
         let rows: Option<Vec<usize>> = self.rows.iter().copied().collect();
+        // A pair in the other order is computed anew, because its last bits may differ.
         rows.is_some_and(|rows| rows.is_sorted_by(|a, b| a < b))
     }
 

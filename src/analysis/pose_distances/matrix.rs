@@ -79,6 +79,7 @@ pub fn pose_distances_knowing(
     let (comparable, left_out) = comparable_subjects(study);
     let known = known.filter(|known| known.hold(study, params.transport.as_ref()));
     let all = poses_of(&comparable);
+    // Asked before anything is smoothed: an edited label costs no work at all.
     let rows = KnownRows::of(known, study, &all);
     if rows.all_known() {
         return Ok(ComputedDistances {
@@ -91,6 +92,7 @@ pub fn pose_distances_knowing(
         });
     }
     let smooth = smoothed_study(study, params.smoothing, progress)?;
+    // Sizes are those of the smoothed poses, as the distances are.
     let (comparable, left_out) = comparable_subjects(&smooth);
     let faces = comparable
         .first()
@@ -123,9 +125,11 @@ fn compared(
 ) -> Result<ComputedDistances, PoseDistanceError> {
     let pairs = sources.len() * sources.len().saturating_sub(1) / 2;
     progress.expect_steps(sources.len() + pairs);
+    // Once per pose, not once per pair: areas, edges and curvature depend on one pose alone.
     let prepared = prepare(metric, sources, progress)?;
     leave_out_unprepared(sources, &prepared, &mut left_out);
     let (poses, prepared): (Vec<PoseId>, Vec<PreparedPose>) = (sources.iter().zip(prepared))
+        // One unusable frame takes the whole subject out, since its motion would have a gap.
         .filter(|(source, _)| {
             left_out
                 .iter()
@@ -177,6 +181,7 @@ fn leave_out_unprepared(
             });
         }
     }
+    // Reasons come from two steps; readers see them in the order of the study.
     left_out.sort_by_key(|left| left.subject);
 }
 
@@ -195,6 +200,7 @@ fn all_pairs(
 ) -> Result<(DistanceMatrix, usize), Stopped> {
     let count = poses.len();
     let blocks = count.div_ceil(BLOCK);
+    // Blocks on and right of the diagonal: the matrix is symmetric.
     let tasks: Vec<[usize; 2]> = (0..blocks)
         .flat_map(|row| (row..blocks).map(move |column| [row, column]))
         .collect();
@@ -208,6 +214,7 @@ fn all_pairs(
                     if let Some(distance) = known.distance(i, j) {
                         return Ok(distance);
                     }
+                    // Only a count; nothing is ordered by it.
                     computed.fetch_add(1, Ordering::Relaxed);
                     Ok(aligned_distance(metric, &poses[i], &poses[j], scratch))
                 })
@@ -236,6 +243,7 @@ fn aligned_distance(
     b: &PreparedPose,
     scratch: &mut PairScratch,
 ) -> f64 {
+    // Closed form: no search, so that the rotation has the same bits on every thread.
     let covariance = cross_covariance(b.axes(), b.centroid(), a.axes(), a.centroid());
     let (rotation, _) = rotation_from_covariance(&covariance);
     let translation = a.centroid() - rotation * b.centroid();

@@ -15,7 +15,7 @@ use super::smooth::smoothed_study;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PairError {
     /// It was asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
     /// Their vertices do not correspond.
     #[error(
@@ -76,6 +76,7 @@ pub fn pair_contributions(
             b_vertices: second.vertex_count(),
         });
     }
+    // Through the same smoothing as the matrix, so that shares sum to its entry.
     let both = Study {
         subjects: vec![Arc::new(a.0.clone()), Arc::new(b.0.clone())],
         ..Study::default()
@@ -83,6 +84,7 @@ pub fn pair_contributions(
     let smooth = smoothed_study(&both, params.smoothing, progress)?;
     let [a, b] = [(0, a.1), (1, b.1)].map(|(index, frame)| (&*smooth.subjects[index], frame));
     let (target, source) = (normalised(a)?, normalised(b)?);
+    // The second onto the first, as in the matrix.
     let motion = rigid_motion(&source, &target)?;
     let metric = Metric::new(&first.joined_faces(), params.metric);
     let (target, source) = (metric.prepare(&target)?, metric.prepare(&source)?);
@@ -101,6 +103,7 @@ fn normalised((subject, frame): (&Subject, usize)) -> Result<Vec<Point3>, PairEr
             frames: subject.sequence.frame_count(),
         })
     };
+    // Size is that of end-diastole at every frame: contraction is not normalised away.
     let rest = pose(subject.end_diastole.unwrap_or(0))?;
     let scale = SizeScale::of_end_diastole(&rest).ok_or_else(|| PairError::NoSize {
         subject: subject.id.clone(),

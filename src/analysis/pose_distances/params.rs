@@ -78,6 +78,7 @@ impl PoseDistanceParams {
         if !(0.0..=LARGEST_RADIUS).contains(&self.smoothing) {
             return Err(PoseDistanceParamError::Smoothing(self.smoothing));
         }
+        // Checked with the metric in force, not with the one that the transport was made with.
         if let Some(transport) = self.transport {
             transport.with_metric(self.metric).check()?;
         }

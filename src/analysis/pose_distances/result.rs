@@ -23,6 +23,7 @@ impl DistanceMatrix {
     /// is negative or not finite.
     pub fn from_upper(size: usize, upper: Vec<f64>) -> Option<Self> {
         let fits = upper.len() == size * size.saturating_sub(1) / 2;
+        // A distance that is not a number would be passed on by every map.
         let distances = upper.iter().all(|d| d.is_finite() && *d >= 0.0);
         (fits && distances).then_some(Self { size, upper })
     }

@@ -27,6 +27,7 @@ pub fn smoothed_study(study: &Study, radius: f64, progress: &Progress) -> Result
         if smoothers.contains_key(&address(faces)) {
             continue;
         }
+        // Meshes read from separate files have equal faces that are not shared; factorising is dear.
         let made = known.iter().find(|(other, _)| **other == **faces);
         let smoother = match made {
             Some((_, smoother)) => Some(smoother.clone()),
@@ -71,6 +72,7 @@ fn smoothed_sequence(
                 let points = smoother.smoothed(mesh.vertices());
                 TriMesh::new(points, Arc::clone(surface.faces())).ok()
             });
+            // A surface that cannot be smoothed still has distances, only noisier ones.
             frames.push(smoothed.unwrap_or_else(|| mesh.clone()));
         }
         match SurfaceSequence::new(surface.kind(), frames) {

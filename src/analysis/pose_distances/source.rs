@@ -31,6 +31,7 @@ impl Source<'_> {
                     .map(|point| member.scale.normalised(point))
                     .collect()
             }
+            // Transport has normalised them already.
             Points::Transported(points) => Cow::Borrowed(points),
         }
     }

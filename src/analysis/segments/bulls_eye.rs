@@ -21,6 +21,7 @@ pub fn plot_radius(height: f64) -> f64 {
     for (ring, outer) in RING_RADII.into_iter().enumerate() {
         let [low, high] = [LEVEL_HEIGHTS[ring], LEVEL_HEIGHTS[ring + 1]];
         if height < high {
+            // A negative height lies beyond the end of the cavity and is drawn in the middle.
             return inner + (outer - inner) * ((height - low) / (high - low)).max(0.0);
         }
         inner = outer;
@@ -63,6 +64,7 @@ pub fn segment_on_plot([x, y]: [f64; 2]) -> Option<Segment> {
         let [inner, outer] = ring(level);
         (inner..outer).contains(&radius)
     })?;
+    // Any depth inside each level will do; the ring has decided the level.
     let depths = [0.0, 0.5, 0.8, 1.0];
     Some(Segment::at(depths[level.index()], y.atan2(x)))
 }
@@ -89,6 +91,7 @@ pub fn flat_map(polar: &[Polar], vertices: &[Point3], triangles: &[[u32; 3]]) ->
         .iter()
         .map(|triangle| flat_share(triangle.map(|v| points[v as usize])))
         .collect();
+    // Weighted by area in space: many small folded faces do not outvote the wall.
     let way: f64 = (flat.iter().zip(triangles))
         .map(|(&share, triangle)| {
             let [a, b, c] = triangle.map(|v| vertices[v as usize]);
@@ -101,6 +104,7 @@ pub fn flat_map(polar: &[Polar], vertices: &[Point3], triangles: &[[u32; 3]]) ->
         dropped: Vec::new(),
     };
     for (face, (&share, &triangle)) in flat.iter().zip(triangles).enumerate() {
+        // Above the base all vertices lie on the rim, where faces have no area.
         if share * way.signum() > FLAT {
             map.faces.push(triangle);
         } else {

@@ -48,6 +48,7 @@ impl LongAxis {
         let axis = Self::new(apex, base, septal)?;
         let septal = axis.left;
         let anterior = across(axis.direction(), anterior)?;
+        // The septum is kept and the anterior wall turned: segments are counted from their border.
         let anterior = (anterior - septal * septal.dot(&anterior)).try_normalize(1e-9)?;
         Some(Self {
             septal: Some(septal),
@@ -64,6 +65,7 @@ impl LongAxis {
             .map(|&point| self.share(point))
             .fold(0.0, f64::max);
         Self {
+            // An inner surface above its own base tells nothing; the cavity then reaches to the apex.
             cavity_share: if deepest > 0.0 { deepest.min(1.0) } else { 1.0 },
             ..self
         }
@@ -116,5 +118,6 @@ impl LongAxis {
 
 /// The part of `direction` square to the unit vector `axis`, as a unit vector.
 fn across(axis: Vector3, direction: Vector3) -> Option<Vector3> {
+    // Nearly parallel, what is left of a direction is round-off.
     (direction - axis * axis.dot(&direction)).try_normalize(1e-9 * direction.norm())
 }

@@ -9,6 +9,7 @@ pub fn vertex_areas(vertices: &[Point3], triangles: &[[u32; 3]]) -> Vec<f64> {
     let mut areas = vec![0.0; vertices.len()];
     for triangle in triangles {
         let [a, b, c] = triangle.map(|v| vertices[v as usize]);
+        // The cross product is twice the area, and each corner has a third of it.
         let third = (b - a).cross(&(c - a)).norm() / 6.0;
         for &vertex in triangle {
             areas[vertex as usize] += third;
@@ -44,6 +45,7 @@ fn group_means<G: Copy, const N: usize>(
 ) -> [Option<f64>; N] {
     let mut sums = [[0.0; 2]; N];
     for ((group, &weight), &value) in groups.iter().zip(weights).zip(values) {
+        // One value that is not a number would otherwise spoil the mean of its whole segment.
         if let (Some(group), true) = (group, (weight * value).is_finite() && weight > 0.0) {
             let sum = &mut sums[index(*group)];
             sum[0] += weight;

@@ -29,6 +29,7 @@ pub fn long_axis(subject: &Subject, frame: usize) -> Result<LongAxis, SegmentErr
     let sides = wall_sides(&subject.sequence);
     let (Some(rim_side), Some(tip_side)) = (
         sides.inner.as_ref().or(sides.outer.as_ref()),
+        // The tip of the ventricle is on its outside; the wall at the apex belongs to it.
         sides.outer.as_ref().or(sides.inner.as_ref()),
     ) else {
         return Err(SegmentError::NoHeart);
@@ -70,6 +71,7 @@ fn member_points(side: &Side<'_>, frame: usize) -> Vec<Point3> {
 fn rims(side: &Side<'_>, frame: usize) -> Vec<Vec<u32>> {
     let vertices = side.vertices(frame);
     let loops = side.faces().boundary_loops();
+    // By length, not by number of vertices: a finely cut hole is still a small one.
     let lengths: Vec<f64> = (loops.iter())
         .map(|rim| sides_of(rim, vertices).map(|[a, b]| (b - a).norm()).sum())
         .collect();
@@ -91,6 +93,7 @@ fn rim_centre(rims: &[Vec<u32>], vertices: &[Point3]) -> Option<Point3> {
     let mut whole = 0.0;
     for [a, b] in rims.iter().flat_map(|rim| sides_of(rim, vertices)) {
         let length = (b - a).norm();
+        // By length, so that a rim sampled more densely on one side keeps its centre.
         sum += 0.5 * length * (a.coords + b.coords);
         whole += length;
     }
@@ -112,6 +115,7 @@ fn found(
         });
     };
     let tip_vertices = tip_side.vertices(frame);
+    // Along the direction of the centroid: the farthest point in space may lie on the rim itself.
     let towards = area_centroid(tip_vertices, tip_side.faces().triangles()) - base;
     let apex = (member_points(tip_side, frame).into_iter())
         .max_by(|a, b| {
@@ -144,6 +148,7 @@ fn moved_anatomy(
 ) -> Result<LongAxis, SegmentError> {
     let apex = anatomy.apex + displacement(tip_side, anatomy.apex, frame);
     let rim_at = |frame| rim_centre(rims, rim_side.vertices(frame));
+    // The whole rim is steadier than the one vertex nearest to the landmark.
     let base = match (rim_at(0), rim_at(frame)) {
         (Some(first), Some(now)) => anatomy.base + (now - first),
         _ => anatomy.base + displacement(rim_side, anatomy.base, frame),

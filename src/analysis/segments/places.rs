@@ -28,6 +28,7 @@ pub struct Polar {
 /// Place of a point on the bull's-eye.
 pub fn polar(axis: &LongAxis, point: Point3) -> Polar {
     Polar {
+        // What lies beyond the end of the cavity is drawn in the middle, not mirrored.
         radius: (1.0 - axis.depth(point)).max(0.0),
         angle_rad: axis.angle_rad(point),
     }
@@ -54,6 +55,7 @@ fn wall_depth(axis: &LongAxis, point: Point3) -> Option<f64> {
     let depth = axis.depth(point);
     if depth < -ABOVE_BASE {
         None
+    // Exactly 1 is the apex for levels and segments.
     } else if depth >= 1.0 - CAP_SHARE {
         Some(1.0)
     } else {

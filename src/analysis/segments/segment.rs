@@ -103,10 +103,12 @@ impl Segment {
     /// Basal and mid segments are 60° wide and count from the anterior wall over the septum,
     /// apical ones 90°. Source: Cerqueira et al. (2002), Figs. 2–4.
     pub fn at(depth: f64, angle_rad: f64) -> Self {
+        // The first sector begins at 60°, so that the anterior wall, at 90°, is in its middle.
         let sixth = || sector(angle_rad - FRAC_PI_3, FRAC_PI_3, 6);
         match Level::at_depth(depth) {
             Level::Basal => Self(1 + sixth()),
             Level::Mid => Self(7 + sixth()),
+            // Four sectors of 90°: the first begins at 45° for the same reason.
             Level::Apical => Self(13 + sector(angle_rad - FRAC_PI_4, FRAC_PI_2, 4)),
             Level::Apex => Self(17),
         }
@@ -156,6 +158,7 @@ impl Segment {
 
 /// Index of the sector of `width` in which an angle lies, of `count`.
 fn sector(angle_rad: f64, width: f64, count: u8) -> u8 {
+    // Round-off just below a full turn must not make one sector more.
     ((angle_rad.rem_euclid(TAU) / width) as u8).min(count - 1)
 }
 

@@ -15,6 +15,7 @@ impl GroupThickening {
     /// (ES − ED) / ED in percent; `None` where there is no thickness at end-diastole.
     pub fn percent(self) -> Option<f64> {
         let share = (self.end_systole - self.end_diastole) / self.end_diastole;
+        // Of no thickness at end-diastole a percentage says nothing.
         share.is_finite().then_some(100.0 * share)
     }
 }
@@ -58,6 +59,7 @@ fn told_at_both(ed: &[Option<f64>], es: &[Option<f64>]) -> [Vec<f64>; 2] {
     let (ed, es) = (ed.iter().zip(es))
         .map(|(&ed, &es)| match (finite(ed), finite(es)) {
             (Some(ed), Some(es)) => (ed, es),
+            // Means leave out what is not a number, so both phases average the same vertices.
             _ => (f64::NAN, f64::NAN),
         })
         .unzip();

@@ -22,6 +22,7 @@ const SURE: f64 = 3.0;
 const FEW_POSES: f64 = 2.0;
 
 fn min_share(poses: usize, params: &CheckedThickeningParams) -> f64 {
+    // With few poses noise is estimated from neighbours, and small patches are often noise.
     let factor = if poses < MIN_POSES { FEW_POSES } else { 1.0 };
     factor * params.min_share
 }

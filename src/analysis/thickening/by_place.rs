@@ -79,6 +79,7 @@ impl AtomValues {
         Self {
             areas: mesh.areas,
             thickness: [thickness(found.end_diastole), thickness(found.end_systole)],
+            // Means of logarithms: halving and doubling cancel.
             log_pt: found.ed_to_es.iter().map(|pt| pt.ln()).collect(),
             in_patch,
         }

@@ -36,6 +36,7 @@ pub(super) fn confidences(
         let drawn = redrawn(estimate, mesh, &mut random);
         // The reference is redrawn as well: it is estimated from the same noisy values.
         let remote = area_quantile(&drawn, &mesh.areas, REMOTE_QUANTILE);
+        // Redraws may split or join regions, so that atoms are compared and not regions.
         let mut again = vec![false; drawn.len()];
         for part in akinetic_regions(
             &drawn,

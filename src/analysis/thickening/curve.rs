@@ -28,6 +28,7 @@ pub(super) fn centred_logs(beat: &MedialBeat) -> Vec<Vec<f64>> {
     for atom in 0..beat.regular.len() {
         let sum: f64 = columns.iter().map(|column| column[atom]).sum();
         let mean = sum / beat.frames.len() as f64;
+        // The mean over the cycle is thickness itself, which says nothing of its change.
         columns.iter_mut().for_each(|column| column[atom] -= mean);
     }
     columns
@@ -82,6 +83,7 @@ impl ThickeningCurve {
 
     /// What a wall of a thickening adds to ln r from one pose to another.
     pub fn step(&self, thickening: f64, from: usize, to: usize) -> f64 {
+        // All of the wall follows one curve: a step is its part of the way from ED to ES.
         thickening * (self.shape[to] - self.shape[from]) / self.rise.max(f64::EPSILON)
     }
 

@@ -72,6 +72,7 @@ impl Profile {
         let time = 0.5 * averaged / (6.0 * PI);
         let radius = (area / PI).sqrt();
         let ring = (radius + REACH * time.sqrt()) / RINGS as f64;
+        // Areas of rings: (i + 1)² − i² = 2 i + 1.
         let volume = |i: usize| PI * ring * ring * (2 * i + 1) as f64;
         // The ring on the disc's edge is still in part.
         let mut values: Vec<f64> = (0..RINGS)
@@ -95,6 +96,7 @@ impl Profile {
             return 0.0;
         };
         let [low, high] = [self.values[before], self.values[first]];
+        // Between the middles of two rings, by the values there.
         let centre = before as f64 + 0.5 + (limit - low) / (high - low);
         PI * (self.ring * centre).powi(2)
     }
@@ -118,6 +120,7 @@ fn diffused(values: &[f64], volume: impl Fn(usize) -> f64, time: f64) -> Vec<f64
             0 => [0.0, 0.0],
             _ => [upper[i - 1], found[i - 1]],
         };
+        // Thomas’ algorithm: the matrix of rings is tridiagonal.
         let pivot = volume(i) + side(i) + side(i + 1) - side(i) * above;
         upper[i] = side(i + 1) / pivot;
         found[i] = (volume(i) * values[i] + side(i) * left) / pivot;

@@ -71,6 +71,7 @@ impl Diffusion {
             for corner in 0..3 {
                 let [i, j, k] = [0, 1, 2].map(|step| triangle[(corner + step) % 3] as usize);
                 let (u, v) = (positions[j] - positions[i], positions[k] - positions[i]);
+                // Cotangent of the corner is the scalar product over this.
                 let doubled_area = u.cross(&v).norm();
                 // A face of zero area has no angles and conducts nothing.
                 if doubled_area > 0.0 {

@@ -49,6 +49,6 @@ pub enum ThickeningError {
     #[error(transparent)]
     Smoothing(#[from] SparseCholeskyError),
     /// Asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
 }

@@ -53,6 +53,7 @@ impl Neighbours {
                     }
                 }
             }
+            // Ascending, so that membership can be looked up by bisection.
             part.sort_unstable();
             parts.push(part);
         }

@@ -30,6 +30,7 @@ pub(super) fn noise_of(
             let around = neighbours.of(atom);
             let count = around.len() as f64;
             let mean = around.iter().map(|&n| thickening[n as usize]).sum::<f64>() / count;
+            // The mean of the neighbours is noisy as well.
             let scale = (1.0 + 1.0 / count).sqrt();
             (!around.is_empty()).then(|| (thickening[atom] - mean).abs() / scale)
         });
@@ -46,6 +47,7 @@ pub(super) fn noise_of(
             .map(|(x, c)| (x[atom] - along * c).powi(2))
             .sum()
     });
+    // Wilson and Hilferty’s median of χ², by which a median of squares becomes a variance.
     let chi2 = degrees * (1.0 - 2.0 / (9.0 * degrees)).powi(3);
     // The median atom, since atoms of a patch or a rim follow the curve badly without being noisy.
     (median(left.collect()) / chi2).sqrt()

@@ -130,6 +130,7 @@ impl ThickeningParams {
                 });
             }
         }
+        // A region is grown from its core: the core must be part of it.
         if self.extent < self.core {
             return Err(ThickeningParamError::Order {
                 core: self.core,

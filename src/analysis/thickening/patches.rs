@@ -91,6 +91,7 @@ impl Wall<'_> {
             }
         }
         for &atom in atoms {
+            // Without an axis the list is empty, and the patch has no segments.
             if let Some(Some(segment)) = self.segments.get(atom as usize) {
                 areas[segment.index()][1] += self.mesh.areas[atom as usize];
             }
@@ -115,6 +116,7 @@ impl Wall<'_> {
         let mut inside = vec![false; self.mesh.areas.len()];
         atoms.iter().for_each(|&atom| inside[atom as usize] = true);
         let triangles: Vec<[u32; 3]> = (self.mesh.triangles.iter().copied())
+            // The outline runs along atoms of the patch, not half-way to its neighbours.
             .filter(|triangle| triangle.iter().all(|&atom| inside[atom as usize]))
             .collect();
         // Faces of a mesh are faces, so that this never fails.

@@ -71,12 +71,14 @@ pub(super) fn tidied(
     let mut outside: Vec<bool> = mesh.areas.iter().map(|&area| area > 0.0).collect();
     part.iter().for_each(|&atom| outside[atom as usize] = false);
     let area = |hole: &[u32]| -> f64 { hole.iter().map(|&v| mesh.areas[v as usize]).sum() };
+    // A hole smaller than a patch would count is no remote myocardium within it.
     let holes =
         (neighbours.parts(&outside).into_iter()).filter(|hole| area(hole) < min_share * mesh.whole);
     let mut inside = vec![false; mesh.areas.len()];
     (part.iter().copied().chain(holes.flatten())).for_each(|atom| inside[atom as usize] = true);
     let mut on_face = vec![false; mesh.areas.len()];
     for triangle in &mesh.triangles {
+        // Single rows of atoms at the outline have no area of their own.
         if triangle.iter().all(|&atom| inside[atom as usize]) {
             triangle
                 .iter()

@@ -27,6 +27,7 @@ pub fn half_beat_of(
     end_systole: usize,
     poses: usize,
 ) -> HalfBeat {
+    // Counted from end-diastole around the cycle, wherever in the sequence that stands.
     let after_filling = |pose: usize| (pose + poses - end_diastole) % poses;
     if after_filling(from) < after_filling(end_systole) {
         HalfBeat::Contraction
@@ -78,6 +79,7 @@ pub(super) fn steps(
                 from,
                 to,
                 half,
+                // Twice the tolerance: remote myocardium then changes by more than what counts as akinetic.
                 telling: (remote_at(to) - remote_at(from)).abs() > 2.0 * tolerance,
                 remote_share: remote / mesh.whole,
                 gap: gap_of(beat, from, descriptor.as_ref()),

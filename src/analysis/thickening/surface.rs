@@ -25,6 +25,7 @@ pub(super) struct Surface {
 
 impl Surface {
     pub fn new(beat: &MedialBeat, measures: &SubjectMeasures) -> Result<Self, ThickeningError> {
+        // The mean over the cycle: its noise is smaller by the root of the number of poses.
         let middle = mean_shape(beat);
         let mesh = RegularMesh::new(beat.faces.triangles(), &middle, &beat.regular);
         let phases = phases(beat, measures);
@@ -113,6 +114,7 @@ pub fn phases(beat: &MedialBeat, measures: &SubjectMeasures) -> [usize; 2] {
     match [within(measures.end_diastole), within(measures.end_systole)] {
         [Some(ed), Some(es)] if ed != es => [ed, es],
         _ => {
+            // Without volumes: the medial surface is largest where the cavity is.
             let area = |pose: usize| {
                 RegularMesh::new(
                     beat.faces.triangles(),

@@ -59,6 +59,7 @@ pub(super) fn gap(
     triangles: &[[u32; 3]],
 ) -> f64 {
     (triangles.iter())
+        // Of all triangles: a mean position lies inside the cup, far from any one of them.
         .map(|triangle| (nearest(point, triangle.map(&positions)) - point).norm_squared())
         .fold(f64::INFINITY, f64::min)
         .sqrt()
@@ -76,6 +77,7 @@ fn nearest(point: &Point3, [a, b, c]: [Point3; 3]) -> Point3 {
         let length2 = side.norm_squared().max(f64::MIN_POSITIVE);
         from + side * (side.dot(&(point - from)) / length2).clamp(0.0, 1.0)
     };
+    // Outside of all three sides the nearest point lies on one of them.
     let mut best = on_side(a, b);
     for other in [on_side(b, c), on_side(c, a)] {
         if (other - point).norm_squared() < (best - point).norm_squared() {

@@ -67,6 +67,7 @@ pub(super) fn centreline(
         .into_par_iter()
         .map(|slice| {
             progress.step()?;
+            // In the middle of each slab, so that no slice lies in the plane of the rim or in the tip.
             let depth = length * (slice as f64 + 0.5) / slices as f64;
             let origin = axis.base - axis.direction() * depth;
             let contour = |mesh: &TriMesh| {
@@ -74,6 +75,7 @@ pub(super) fn centreline(
                     plane_section(mesh.vertices(), mesh.triangles(), origin, axis.direction());
                 largest(
                     cut.into_iter()
+                        // Above a tilted rim a slice is open, and a chord might leave through the gap.
                         .filter(|c| c.closed)
                         .map(|contour| contour.points.iter().map(|&p| frame.flat(p)).collect()),
                 )
@@ -85,6 +87,7 @@ pub(super) fn centreline(
     let at = |vertex: Point3| {
         let depth = axis.depth(vertex);
         let place = depth * slices as f64 - 0.5;
+        // In the cap slices run along the wall, and chords are no thickness.
         let local = (depth < 1.0 - CAP_SHARE).then(|| between(&found, place, frame.flat(vertex)));
         local.flatten()
     };
@@ -101,6 +104,7 @@ fn largest(contours: impl Iterator<Item = Vec<Point2>>) -> Option<Vec<Point2>> {
     let mut best = contours.max_by(|a, b| area(a).abs().total_cmp(&area(b).abs()))?;
     let signed = area(&best);
     if signed < 0.0 {
+        // Counter-clockwise, so that outward is always to the right of the way round.
         best.reverse();
     }
     (signed != 0.0).then_some(best)
@@ -113,6 +117,7 @@ fn slice_of(inner: &[Point2], outer: &[Point2], chords: usize) -> Option<Slice> 
     for step in 0..chords {
         let (sin, cos) = (TAU * step as f64 / chords as f64).sin_cos();
         let direction = Vector2::new(cos, sin);
+        // The last crossing: a papillary muscle may cross the ray before the wall does.
         let last = |contour| crossings(contour, centre, direction).fold(0.0, f64::max);
         let [near, far] = [last(inner), last(outer)];
         if near > 0.0 && far > near {
@@ -120,11 +125,13 @@ fn slice_of(inner: &[Point2], outer: &[Point2], chords: usize) -> Option<Slice> 
             line.push(centre + direction * (0.5 * (near + far)));
         }
     }
+    // A centre line from less than half of the rays would be a guess.
     if 2 * line.len() < chords {
         return None;
     }
     let mut found = Vec::new();
     for _ in 0..ROUNDS {
+        // Middles of chords bunch where the wall bends; even steps keep the next directions steady.
         line = resampled(&line, chords);
         found = across(&line, inner, outer, longest);
         let middles: Vec<Point2> = (found.iter())
@@ -152,10 +159,12 @@ fn across(
     let count = line.len();
     (0..count)
         .filter_map(|i| {
+            // Central difference: one-sided ones would tilt every chord the same way.
             let along = line[(i + 1) % count] - line[(i + count - 1) % count];
             let outward = Vector2::new(along.y, -along.x).try_normalize(0.0)?;
             let nearest = |contour| {
                 crossings(contour, line[i], outward)
+                    // Beyond that a chord has missed its wall and hit the opposite one.
                     .filter(|way| way.abs() <= longest)
                     .min_by(|a, b| a.abs().total_cmp(&b.abs()))
             };
@@ -179,6 +188,7 @@ fn between(slices: &[Option<Slice>], place: f64, point: Point2) -> Option<f64> {
     let part = place - low;
     match (at(low), at(low + 1.0)) {
         (Some(a), Some(b)) => Some(a * (1.0 - part) + b * part),
+        // At the ends the nearer slice alone, but no extrapolation past half a slab.
         (Some(a), None) if part <= 0.5 => Some(a),
         (None, Some(b)) if part >= 0.5 => Some(b),
         _ => None,

@@ -15,6 +15,7 @@ pub(super) fn area_and_centroid(polygon: &[Point2]) -> Option<(f64, Point2)> {
     let first = *polygon.first()?;
     let (mut twice, mut moment) = (0.0, Vector2::zeros());
     for [a, b] in sides(polygon) {
+        // From a vertex: far from the origin the products would cancel.
         let (a, b) = (a - first, b - first);
         let cross = a.perp(&b);
         twice += cross;
@@ -32,6 +33,7 @@ pub(super) fn crossings(
 ) -> impl Iterator<Item = f64> + '_ {
     sides(polygon).filter_map(move |[a, b]| {
         let [ha, hb] = [a, b].map(|p| direction.perp(&(p - from)));
+        // A vertex on the line counts for one of its two sides, so that no crossing is counted twice.
         if (ha <= 0.0) == (hb <= 0.0) {
             return None;
         }
@@ -51,6 +53,7 @@ pub(super) fn resampled(polygon: &[Point2], count: usize) -> Vec<Point2> {
     (0..count)
         .map(|step| {
             let wanted = whole * step as f64 / count as f64;
+            // Lengths ascend, so the search never goes back.
             while side + 1 < polygon.len() && lengths[side + 1] <= wanted {
                 side += 1;
             }

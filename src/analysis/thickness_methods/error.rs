@@ -76,6 +76,6 @@ pub enum ThicknessError {
         frames: usize,
     },
     /// Asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
 }

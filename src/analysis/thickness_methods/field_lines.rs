@@ -40,6 +40,7 @@ pub(super) fn line_lengths(
         .map(|node| tangent(graph, potential, node))
         .collect();
     progress.check()?;
+    // Along the potential, so that one sweep carries a length across the whole wall.
     let mut order: Vec<u32> = (0..potential.len() as u32).collect();
     order.sort_by(|&a, &b| potential[a as usize].total_cmp(&potential[b as usize]));
     let (inner, outer) = rayon::join(
@@ -64,6 +65,7 @@ fn tangent(graph: &WallGraph, potential: &[f64], node: usize) -> [f64; 3] {
             Link::Wall(next) => (potential[next as usize], h),
             Link::Inner(border) => (0.0, border.share * h),
             Link::Outer(border) => (1.0, border.share * h),
+            // Nothing flows through the end of the wall: the difference there is zero.
             Link::End => (here, 0.0),
         };
         let [low, high] = [0, 1].map(|k| side(graph.links[node][2 * axis + k]));
@@ -76,6 +78,7 @@ fn tangent(graph: &WallGraph, potential: &[f64], node: usize) -> [f64; 3] {
     });
     let norm = gradient.iter().map(|g| g * g).sum::<f64>().sqrt();
     let spacing = graph.spacing.iter().copied().fold(f64::INFINITY, f64::min);
+    // Relative to the spacing: a direction of round-off would send the line anywhere.
     if norm * spacing < NO_GRADIENT {
         return [0.0; 3];
     }
@@ -94,6 +97,7 @@ fn lengths(
     for _ in 0..MAX_SWEEPS {
         let mut largest = 0.0_f64;
         for (visit, node) in order.clone().enumerate() {
+            // A check takes longer than a voxel.
             if visit % 65_536 == 0 {
                 progress.check()?;
             }
@@ -123,6 +127,7 @@ fn length(
 ) -> f64 {
     let (mut above, mut below) = (1.0, 0.0);
     for (axis, along) in tangent.into_iter().enumerate() {
+        // Upwind: a length is built from where its line comes from, or the sweep would not settle.
         let up = (along > 0.0) == (towards == Towards::Outer);
         let mut weight = along.abs() / graph.spacing[axis];
         let next = match graph.links[node][2 * axis + usize::from(up)] {

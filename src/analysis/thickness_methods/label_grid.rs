@@ -149,10 +149,12 @@ impl LabelGrid {
         self.graph(|_, next, direction| {
             let border = Border {
                 share: 1.0,
+                // A mask says no more than voxels: its side lies half a voxel before the centre outside.
                 beyond: -0.5 * self.spacing[direction / 2],
             };
             match next.map(|next| self.labels[next]) {
                 Some(VoxelLabel::Cavity) => Link::Inner(border),
+                // What is neither wall nor cavity is outside.
                 Some(_) => Link::Outer(border),
                 None => Link::End,
             }

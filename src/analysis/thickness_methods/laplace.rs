@@ -26,6 +26,7 @@ const PIECE: usize = 4_096;
 pub(super) fn potential(graph: &WallGraph, progress: &Progress) -> Result<Vec<f64>, Stopped> {
     let system = System::new(graph);
     let count = graph.links.len();
+    // Half-way between both sides is the best guess without knowing where a voxel lies.
     let mut u = vec![0.5; count];
     let mut ap = vec![0.0; count];
     system.apply(&u, &mut ap);
@@ -34,6 +35,7 @@ pub(super) fn potential(graph: &WallGraph, progress: &Progress) -> Result<Vec<f6
     system.precondition(&r, &mut z);
     let mut p = z.clone();
     let mut rz = dot(&r, &z);
+    // Squared, so that no root is taken in the loop.
     let goal = RESIDUAL * RESIDUAL * dot(&system.right, &system.right).max(f64::MIN_POSITIVE);
     for _ in 0..MAX_STEPS {
         progress.check()?;
@@ -42,6 +44,7 @@ pub(super) fn potential(graph: &WallGraph, progress: &Progress) -> Result<Vec<f6
         }
         system.apply(&p, &mut ap);
         let curvature = dot(&p, &ap);
+        // Round-off has taken over: the matrix itself is positive.
         if curvature <= 0.0 {
             break;
         }
@@ -87,6 +90,7 @@ impl System {
         };
         for (node, links) in graph.links.iter().enumerate() {
             let (mut diagonal, mut right, mut missing) = (0.0, 0.0, [0.0; 3]);
+            // A missing neighbour is the voxel itself, whose part `missing` takes out again: no branch in the loop.
             let mut neighbours = [node as u32; 6];
             for (direction, link) in links.iter().enumerate() {
                 let weight = weights[direction / 2];
@@ -146,6 +150,7 @@ impl System {
 
 /// Inner product, summed piece by piece in order.
 fn dot(a: &[f64], b: &[f64]) -> f64 {
+    // Pieces of fixed size, summed in order: the same bits for any number of threads.
     let pieces: Vec<f64> = (a.par_chunks(PIECE))
         .zip(b.par_chunks(PIECE))
         .map(|(a, b)| a.iter().zip(b).map(|(a, b)| a * b).sum())

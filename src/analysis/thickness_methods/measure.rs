@@ -34,6 +34,7 @@ pub fn thickness(
     };
     let mut thickness = wall.measured(method, axis.as_ref(), params, progress)?;
     for (value, &member) in thickness.iter_mut().zip(&wall.members) {
+        // Vertices of the surface that are no part of the inner side have no wall in front of them.
         *value = value.filter(|value| member && value.is_finite());
     }
     Ok(ThicknessMap {
@@ -131,6 +132,7 @@ impl WallPose {
         let mut away: Vec<f64> = (vertices.iter().zip(&nearest))
             .filter_map(|(vertex, near)| Some((near.as_ref()? - vertex).norm()))
             .collect();
+        // The median: where the wall is cut off at the base, nearest distances are no thickness.
         away.sort_unstable_by(f64::total_cmp);
         let median = away.get(away.len() / 2).copied().unwrap_or(0.0);
         Ok((outer, nearest, median / voxels_across))
@@ -149,6 +151,7 @@ impl WallPose {
         let graph = voxels.graph(&inner, &outer, progress)?;
         let field = field_of(graph, progress)?;
         let at = |(vertex, near): (&Point3, Option<Point3>)| {
+            // In the middle of the wall every corner of the cell is likely to be solved.
             voxels.sample(&field, nalgebra::center(vertex, &near?))
         };
         Ok(self.inner.vertices().iter().zip(nearest).map(at).collect())

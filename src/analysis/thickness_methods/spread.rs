@@ -43,6 +43,7 @@ impl ThicknessSpread {
         sorted.sort_unstable_by(f64::total_cmp);
         let last = sorted.len().checked_sub(1)?;
         let quantile = |p: f64| {
+            // Between order statistics, so that a quantile changes steadily with the values.
             let place = p * last as f64;
             let below = (place.floor() as usize).min(last);
             let above = (below + 1).min(last);
@@ -78,6 +79,7 @@ impl Agreement {
         Some(Self {
             pairs,
             bias,
+            // Over n − 1, since the mean is estimated from the same pairs.
             deviation: (squares / pairs.saturating_sub(1).max(1) as f64).sqrt(),
         })
     }

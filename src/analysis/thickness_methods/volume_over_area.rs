@@ -49,6 +49,7 @@ pub(super) fn volume_over_area(
         }
         if label == VoxelLabel::Wall {
             let centre = voxels.centre(voxel);
+            // A voxel on a border belongs to both pieces; spread points share it out without bias.
             for _ in 0..SAMPLES {
                 let within = SPREAD.map(|share| (counted * share).fract() - 0.5);
                 counted += 1.0;
@@ -63,9 +64,11 @@ pub(super) fn volume_over_area(
     for (side, mesh) in [inner, outer].into_iter().enumerate() {
         for triangle in mesh.triangles() {
             let corners = triangle.map(|v| mesh.vertices()[v as usize]);
+            // Large faces reach over several pieces; small parts of them lie in one.
             add_area(corners, CUTS, &mut |[a, b, c], area| {
                 let [mut u, mut v, _] = SPREAD.map(|share| (counted * share).fract());
                 counted += 1.0;
+                // Folded back into the triangle, which keeps the points evenly spread.
                 if u + v > 1.0 {
                     (u, v) = (1.0 - u, 1.0 - v);
                 }

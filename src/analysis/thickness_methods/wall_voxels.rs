@@ -46,6 +46,7 @@ impl WallVoxels {
         ];
         let corners = inner.iter().chain(&outer).flatten();
         let [low, high] = bounding_box(corners).unwrap_or_default();
+        // Room for a voxel outside on every side, and no centre on the box itself.
         let origin = low.map(|x| x - 1.5 * spacing);
         let sides = (high - origin) / spacing;
         let voxels = sides.iter().map(|side| side + 3.0).product::<f64>();
@@ -72,9 +73,11 @@ impl WallVoxels {
             .enumerate()
             .for_each(|(layer, labels)| {
                 let z = origin.z + spacing * layer as f64;
+                // An odd number of crossings below: inside.
                 let within = |line: &Vec<f64>| line.iter().filter(|&&c| c < z).count() % 2 == 1;
                 for (label, (inner, outer)) in labels.iter_mut().zip(inner.iter().zip(&outer)) {
                     if within(inner) {
+                        // The cavity first: it lies inside both surfaces.
                         *label = VoxelLabel::Cavity;
                     } else if within(outer) {
                         *label = VoxelLabel::Wall;
@@ -116,11 +119,13 @@ impl WallVoxels {
             };
             let cavity = self.grid.labels[next] == VoxelLabel::Cavity;
             let away = if cavity { &to_inner } else { &to_outer };
+            // That voxel touches its label elsewhere, such as across the base: no side crosses this link.
             if away[next] > self.spacing {
                 return Link::End;
             }
             let share = away[voxel] / (away[voxel] + away[next]);
             let border = Border {
+                // A crossing at the very centre would make its equation singular.
                 share: if share.is_finite() { share } else { 0.5 }.clamp(MIN_SHARE, 1.0),
                 beyond: 0.0,
             };
@@ -143,6 +148,7 @@ impl WallVoxels {
         const PIECE: usize = 1_024;
         let labels = &self.grid.labels;
         let ends = [VoxelLabel::Wall, label];
+        // Only where a link crosses a side: distances are the dear part.
         let wanted: Vec<usize> = (0..labels.len())
             .filter(|&voxel| {
                 let other = match ends.iter().position(|&end| end == labels[voxel]) {
@@ -192,6 +198,7 @@ impl WallVoxels {
             }
             let voxel = index[0] + nx * (index[1] + ny * index[2]);
             let solved = field.nodes[voxel].map(|node| field.thickness[node as usize]);
+            // Corners outside the wall have no thickness; the rest share their weight.
             if let Some(thickness) = solved.filter(|value| value.is_finite()) {
                 whole += weight;
                 sum += weight * thickness;

@@ -103,6 +103,7 @@ impl Rest {
 /// Poses that begin with frame `first` of a beat, put in the order of its frames.
 pub(super) fn in_order_of_frames(mut poses: Vec<Vec<Point3>>, first: usize) -> Vec<Vec<Point3>> {
     let count = poses.len().max(1);
+    // They were transported from end-diastole on; frames of a sequence count from its first.
     poses.rotate_right(first % count);
     poses
 }

@@ -114,6 +114,7 @@ pub fn transport_cohort(
 /// Mean of the poses after aligning them with each other; the first pose says how it lies.
 fn mean_shape(rests: &[Rest], progress: &Progress) -> Result<Vec<Point3>, Stopped> {
     let poses: Vec<&[Point3]> = rests.iter().map(|rest| rest.pose.as_slice()).collect();
+    // Without alignment the mean would shrink by whatever poses differ in position and rotation.
     let motions = align_poses(&poses, &progress.within())?;
     let mut mean = vec![Point3::origin(); poses.first().map_or(0, |pose| pose.len())];
     for (pose, motion) in poses.iter().zip(&motions) {

@@ -56,6 +56,7 @@ impl DeformationTransport {
         progress: &Progress,
     ) -> Result<Vec<Vec<Point3>>, TransportError> {
         let first = source.first().ok_or(TransportError::NoPoses)?;
+        // Checked once, so that no step can read past a pose.
         for pose in source.iter().map(Vec::as_slice).chain([onto]) {
             if pose.len() != self.vertex_count {
                 return Err(TransportError::FieldLength {
@@ -103,6 +104,7 @@ impl DeformationTransport {
         progress: &Progress,
     ) -> Result<Vec<Vec<Vector3>>, TransportError> {
         let path = self.path(start, end, progress)?;
+        // Only how the path bends is kept; where it begins and ends is another matter in every step.
         let straight = bent_line(start, end, &vec![Vec::new(); path.len().saturating_sub(2)]);
         let inner = 1..path.len().saturating_sub(1);
         Ok(inner.map(|k| difference(&straight[k], &path[k])).collect())

@@ -11,7 +11,7 @@ use super::TransportParamError;
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum TransportError {
     /// Not a failure: it was asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
     /// The settings cannot be used.
     #[error(transparent)]

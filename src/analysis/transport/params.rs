@@ -149,6 +149,7 @@ impl TransportParams {
         Ok(CheckedTransportParams {
             params: self,
             metric: self.metric.check()?,
+            // Without poses in between the straight line is the path, and nothing is searched.
             geodesic: (self.interpolated_poses > 0).then_some(geodesic),
         })
     }

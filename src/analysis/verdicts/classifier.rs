@@ -63,6 +63,7 @@ fn balanced(abnormal: &[bool]) -> [f64; 2] {
 impl Classifier {
     /// Of labelled subjects; Newton's method starts from `start` if there is one.
     pub fn new(rows: &[&[f64]], abnormal: &[bool], ridge: f64, start: Option<&Self>) -> Self {
+        // Of the training rows alone, or the case left out would have told its own scale.
         let standard = Standard::new(rows);
         let standardised: Vec<Vec<f64>> = rows.iter().map(|row| standard.of(row)).collect();
         // Otherwise the more frequent class would be the safer answer, whatever the features say.
@@ -111,6 +112,7 @@ fn calibrated(scores: &[f64], abnormal: &[bool], start: &[f64]) -> Vec<f64> {
     let cases: Vec<Case<'_>> = (scores.chunks_exact(1).zip(abnormal))
         .map(|(features, &up)| Case {
             features,
+            // Targets short of 0 and 1 (Platt 1999): certain ones would drive the slope to infinity.
             target: if up {
                 (ups + 1.0) / (ups + 2.0)
             } else {

@@ -72,6 +72,7 @@ impl Cohort {
             return Ok(None);
         }
         let mut training_set = [self.normal.as_slice(), &self.abnormal].concat();
+        // Ascending, for the binary searches and for an order that labels do not decide.
         training_set.sort_unstable();
         let rows: Vec<&[f64]> = training_set
             .iter()
@@ -96,6 +97,7 @@ impl Cohort {
 
 fn correct_count(probabilities: &[f64], labels: &[bool]) -> usize {
     (probabilities.iter().zip(labels))
+        // At one half the subject counts as normal, as in a verdict.
         .filter(|(p, label)| (**p > 0.5) == **label)
         .count()
 }

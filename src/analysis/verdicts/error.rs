@@ -6,7 +6,7 @@ use crate::progress::Stopped;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum VerdictError {
     /// It was asked to stop.
-    #[error(transparent)]
+    #[error("{0}")]
     Stopped(#[from] Stopped),
     /// Thickening and subjects are not of the same subjects.
     #[error("thickening of {examined} subjects does not belong to {subjects} subjects")]

@@ -172,6 +172,7 @@ pub(super) fn wall_volume_ratio(beat: &MedialBeat, thickening: &Thickening) -> f
             .map(|(area, atom)| 2.0 * area * atom.radius)
             .sum()
     };
+    // Relative to end-diastole: the size of the subject cancels.
     volume(thickening.end_systole) / volume(thickening.end_diastole)
 }
 
@@ -185,6 +186,7 @@ fn positions(beat: &MedialBeat, pose: usize) -> Vec<Point3> {
 fn regular_areas(beat: &MedialBeat, positions: &[Point3]) -> Vec<f64> {
     let mut areas = vec![0.0; positions.len()];
     for triangle in beat.faces.triangles() {
+        // A face with an end atom lies half outside the wall.
         if triangle.iter().all(|&atom| beat.regular[atom as usize]) {
             let third = area(positions, &[*triangle]) / 3.0;
             triangle
@@ -220,6 +222,7 @@ struct Weighted {
 impl Weighted {
     fn new(values: &[f64], areas: &[f64]) -> Self {
         let mut sorted: Vec<[f64; 2]> = (values.iter().zip(areas))
+            // Atoms without area are those that take no part.
             .filter(|(_, area)| **area > 0.0)
             .map(|(&value, &area)| [value, area])
             .collect();

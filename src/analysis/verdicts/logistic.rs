@@ -108,10 +108,12 @@ fn slopes(
     hessian.fill(0.0);
     for (case, &p) in cases.iter().zip(probabilities) {
         let slope = case.weight * (p - case.target);
+        // The second derivative, never negative: the loss is convex.
         let bend = case.weight * p * (1.0 - p);
         let entry = |i: usize| if i == 0 { 1.0 } else { case.features[i - 1] };
         for i in 0..size {
             gradient[i] += slope * entry(i);
+            // The lower triangle: the factorisation reads no more.
             for j in 0..=i {
                 hessian[i * size + j] += bend * entry(i) * entry(j);
             }

@@ -16,6 +16,7 @@ pub(super) fn auc(scores: &[f64], positive: &[bool]) -> f64 {
         let group = &order[at..at + equal.max(1)];
         let ups = group.iter().filter(|&&i| positive[i]).count();
         let downs = group.len() - ups;
+        // Equal scores count half: neither order is right or wrong.
         pairs += ups as f64 * (below as f64 + 0.5 * downs as f64);
         below += downs;
         at += group.len();

@@ -28,6 +28,7 @@ pub(super) fn nearest_distances(rows: &[Vec<f64>], training_set: &[usize]) -> Ve
         .iter()
         .filter_map(|&row| nearest(rows, row, training_set))
         .collect();
+    // Ascending, for the median.
     distances.sort_by(f64::total_cmp);
     distances
 }

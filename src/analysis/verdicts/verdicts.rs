@@ -150,6 +150,7 @@ impl<'a> Classification<'a> {
             || Standard::new(&assessed),
             |trained| trained.classifier.standard.clone(),
         );
+        // In standard deviations, or the feature of the largest numbers would decide who is similar.
         let standardised: Vec<Vec<f64>> = cohort.rows.iter().map(|row| standard.of(row)).collect();
         let nearest_distances = trained.map_or_else(Vec::new, |trained| {
             nearest_distances(&standardised, &trained.training_set)

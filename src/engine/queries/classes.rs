@@ -1,15 +1,9 @@
 //! How well classes are separated by deformations.
 
-use crate::analysis::classification::{
-    Classes, ClassesParamError, ClassesParams, ClassifyError, classify,
-};
+use crate::analysis::classification::{Classes, ClassesParams, classify};
 use crate::analysis::deformations::deformation_distances;
-use crate::engine::queries::deformation_map::{
-    DeformationMapSettings, DeformationsError, deformation_words,
-};
-use crate::engine::queries::pose_distances::DistancesError;
-use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
-use crate::study::Study;
+use crate::engine::queries::deformation_map::{DeformationMapSettings, deformation_words};
+use crate::engine::store::{Context, Interrupted, Memory, Query};
 
 /// Share of the time of the classification that the deformation map takes.
 const DEFORMATION_MAP_SHARE: f32 = 0.8;
@@ -23,26 +17,8 @@ pub struct ClassesSettings {
     pub classes: ClassesParams,
 }
 
-/// Why there is no classification.
-#[derive(Debug, thiserror::Error)]
-pub enum ClassesError {
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] ClassesParamError),
-    /// There is no deformation map.
-    #[error(transparent)]
-    Deformations(Failure<DeformationsError>),
-    /// There are no distances of poses.
-    #[error(transparent)]
-    Distances(Failure<DistancesError>),
-    /// The classes cannot be classified.
-    #[error(transparent)]
-    Classes(ClassifyError),
-}
-
 impl Query for ClassesSettings {
     type Answer = Classes;
-    type Error = ClassesError;
     const TITLE: &'static str = "Classes";
     const FAILURE: Option<&'static str> = Some("The subjects could not be classified");
 
@@ -54,18 +30,12 @@ impl Query for ClassesSettings {
         format!("{map}, {permutations} permutations, seed {seed}")
     }
 
-    fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::study(study)
-    }
-
-    fn run(&self, cx: &Context<'_>) -> Result<Classes, Interrupted<ClassesError>> {
-        let params = (self.classes.check()).map_err(|error| Interrupted::Failed(error.into()))?;
-        let mapping = cx.part("embedding deformations", 0.0, DEFORMATION_MAP_SHARE);
-        let map =
-            (mapping.get(&self.deformations)).map_err(|why| why.map(ClassesError::Deformations))?;
-        let part = cx.part("classifying", DEFORMATION_MAP_SHARE, 1.0);
-        let poses = (part.get(&self.deformations.poses.distances))
-            .map_err(|why| why.map(ClassesError::Distances))?;
+    fn run(&self, cx: &Context<'_>) -> Result<Classes, Interrupted> {
+        let params = self.classes.check()?;
+        let mapping = "embedding deformations";
+        let (map, share) = cx.first(mapping, &self.deformations, DEFORMATION_MAP_SHARE)?;
+        let part = cx.part("classifying", share, 1.0);
+        let poses = part.get(&self.deformations.poses.distances)?;
         let (study, progress) = (cx.study(), part.progress());
         let deformations = deformation_distances(study, &poses, progress)?;
         let labels: Vec<Option<&str>> = (deformations.subjects.iter())
@@ -73,11 +43,13 @@ impl Query for ClassesSettings {
             .collect();
         progress.begin_phase("classifying", 0.0, 1.0);
         let distances = &deformations.distances;
-        match classify(distances, &map.embedding, &labels, &params, progress) {
-            Ok(classes) => Ok(classes),
-            Err(ClassifyError::Stopped(_)) => Err(Interrupted::Stopped),
-            Err(error) => Err(Interrupted::Failed(ClassesError::Classes(error))),
-        }
+        Ok(classify(
+            distances,
+            &map.embedding,
+            &labels,
+            &params,
+            progress,
+        )?)
     }
 
     fn memory(classes: &Classes, memory: &mut Memory) {

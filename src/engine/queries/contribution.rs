@@ -1,10 +1,8 @@
 //! Which faces make two poses differ.
 
-use crate::analysis::pose_distances::{
-    PairError, PoseDistanceParamError, PoseDistanceParams, PoseId, pair_contributions,
-};
+use crate::analysis::pose_distances::{PoseDistanceParams, PoseId, pair_contributions};
 use crate::engine::queries::pose_distances::metric_words;
-use crate::engine::queries::subject::{NoSubject, subject_of};
+use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::Study;
 
@@ -19,23 +17,8 @@ pub struct Contribution {
     pub distances: PoseDistanceParams,
 }
 
-/// Why there are no contributions.
-#[derive(Debug, thiserror::Error)]
-pub enum ContributionError {
-    /// There is no such subject.
-    #[error(transparent)]
-    NoSubject(#[from] NoSubject),
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] PoseDistanceParamError),
-    /// The two have no distance.
-    #[error(transparent)]
-    Pair(PairError),
-}
-
 impl Query for Contribution {
     type Answer = Vec<f64>;
-    type Error = ContributionError;
     const TITLE: &'static str = "Contributions to a distance";
     const FAILURE: Option<&'static str> =
         Some("Contributions to the distance could not be computed");
@@ -48,21 +31,14 @@ impl Query for Contribution {
         Dependencies::shapes(study, [self.a.subject, self.b.subject])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<Vec<f64>, Interrupted<ContributionError>> {
-        let failed = |error: ContributionError| Interrupted::Failed(error);
-        let params = (self.distances.check()).map_err(|error| failed(error.into()))?;
-        let pose = |pose: PoseId| match subject_of(cx.study(), pose.subject) {
-            Ok(subject) => Ok((subject, pose.frame)),
-            Err(error) => Err(failed(error.into())),
-        };
-        let (a, b) = (pose(self.a)?, pose(self.b)?);
+    fn run(&self, cx: &Context<'_>) -> Result<Vec<f64>, Interrupted> {
+        let params = self.distances.check()?;
+        let [a, b] = [self.a, self.b]
+            .map(|pose| subject_of(cx.study(), pose.subject).map(|subject| (subject, pose.frame)));
+        let (a, b) = (a?, b?);
         cx.progress()
             .begin_phase("computing contributions", 0.0, 1.0);
-        match pair_contributions(a, b, &params, cx.progress()) {
-            Ok(shares) => Ok(shares),
-            Err(PairError::Stopped(_)) => Err(Interrupted::Stopped),
-            Err(error) => Err(failed(ContributionError::Pair(error))),
-        }
+        Ok(pair_contributions(a, b, &params, cx.progress())?)
     }
 
     fn memory(shares: &Vec<f64>, memory: &mut Memory) {

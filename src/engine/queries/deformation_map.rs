@@ -1,12 +1,8 @@
 //! The map of whole deformations.
 
-use crate::analysis::deformations::{
-    DeformationMap, DeformationMapError, DeformationMapParams, DeformationParamError,
-    deformation_map,
-};
-use crate::engine::queries::pose_map::{PoseMapError, PoseMapParams, map_words};
-use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
-use crate::study::Study;
+use crate::analysis::deformations::{DeformationMap, DeformationMapParams, deformation_map};
+use crate::engine::queries::pose_map::{PoseMapParams, map_words};
+use crate::engine::store::{Context, Interrupted, Memory, Query};
 
 /// Share of the time of a deformation map that its pose map takes.
 const POSE_MAP_SHARE: f32 = 0.95;
@@ -20,23 +16,8 @@ pub struct DeformationMapSettings {
     pub map: DeformationMapParams,
 }
 
-/// Why there is no deformation map.
-#[derive(Debug, thiserror::Error)]
-pub enum DeformationsError {
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] DeformationParamError),
-    /// There is no pose map.
-    #[error(transparent)]
-    Poses(Failure<PoseMapError>),
-    /// The curves cannot be mapped.
-    #[error(transparent)]
-    Map(DeformationMapError),
-}
-
 impl Query for DeformationMapSettings {
     type Answer = DeformationMap;
-    type Error = DeformationsError;
     const TITLE: &'static str = "Deformation map";
     const FAILURE: Option<&'static str> = Some("The deformation map could not be computed");
 
@@ -44,22 +25,20 @@ impl Query for DeformationMapSettings {
         deformation_words(self)
     }
 
-    fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::study(study)
-    }
-
-    fn run(&self, cx: &Context<'_>) -> Result<DeformationMap, Interrupted<DeformationsError>> {
-        let params = (self.map.check()).map_err(|error| Interrupted::Failed(error.into()))?;
-        let mapping = cx.part("embedding poses", 0.0, POSE_MAP_SHARE);
-        let poses = (mapping.get(&self.poses)).map_err(|why| why.map(DeformationsError::Poses))?;
+    fn run(&self, cx: &Context<'_>) -> Result<DeformationMap, Interrupted> {
+        let params = self.map.check()?;
+        let (poses, share) = cx.first("embedding poses", &self.poses, POSE_MAP_SHARE)?;
         let progress = cx.progress();
-        progress.begin_phase("embedding deformations", POSE_MAP_SHARE, 1.0);
+        progress.begin_phase("embedding deformations", share, 1.0);
         let rows = &poses.distances.poses;
-        match deformation_map(cx.study(), rows, &poses.embedding, &params, progress) {
-            Ok(map) => Ok(map),
-            Err(DeformationMapError::Stopped(_)) => Err(Interrupted::Stopped),
-            Err(error) => Err(Interrupted::Failed(DeformationsError::Map(error))),
-        }
+        let embedding = &poses.embedding;
+        Ok(deformation_map(
+            cx.study(),
+            rows,
+            embedding,
+            &params,
+            progress,
+        )?)
     }
 
     fn memory(map: &DeformationMap, memory: &mut Memory) {

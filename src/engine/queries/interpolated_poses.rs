@@ -3,12 +3,10 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::analysis::geodesics::{
-    GeodesicError, GeodesicParamError, GeodesicParams, GeodesicPath, geodesic,
-};
+use crate::analysis::geodesics::{GeodesicParams, GeodesicPath, geodesic};
 use crate::engine::queries::pose_distances::metric_words;
-use crate::engine::queries::subject::{NoSubject, subject_of};
-use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
+use crate::engine::queries::subject::subject_of;
+use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::{MeshSequence, Study};
 
 /// The interval of the beat that somebody looks at. It changes the order in which intervals are computed and no
@@ -55,31 +53,16 @@ pub struct Interval {
     pub params: GeodesicParams,
 }
 
-/// Why there are no interpolated poses.
-#[derive(Debug, thiserror::Error)]
-pub enum InterpolatedPosesError {
-    /// There is no such subject.
-    #[error(transparent)]
-    NoSubject(#[from] NoSubject),
-    /// There is no such interval.
-    #[error("there is no interval {interval} in a sequence of {frames} frames")]
-    NoInterval {
-        /// The interval that was asked for.
-        interval: usize,
-        /// How many frames the beat has.
-        frames: usize,
-    },
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] GeodesicParamError),
-    /// There is no path.
-    #[error(transparent)]
-    Path(#[from] GeodesicError),
+/// A question names an interval that the motion does not have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("there is no interval {interval} in a sequence of {frames} frames")]
+struct NoInterval {
+    interval: usize,
+    frames: usize,
 }
 
 impl Query for InterpolatedPoses {
     type Answer = Vec<Arc<GeodesicPath>>;
-    type Error = Failure<InterpolatedPosesError>;
     const TITLE: &'static str = "Interpolated poses";
     const FAILURE: Option<&'static str> = Some("The interpolated poses could not be computed");
 
@@ -91,13 +74,8 @@ impl Query for InterpolatedPoses {
         Dependencies::shapes(study, [self.subject])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted<Self::Error>> {
-        let sequence = subject_of(cx.study(), self.subject).map(|subject| &subject.sequence);
-        let sequence = sequence.map_err(|error| {
-            let error = InterpolatedPosesError::from(error);
-            Interrupted::Failed(Failure::Analysis(Arc::new(error)))
-        })?;
-        let count = interval_count(sequence);
+    fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted> {
+        let count = interval_count(&subject_of(cx.study(), self.subject)?.sequence);
         let mut paths: Vec<Option<Arc<GeodesicPath>>> = vec![None; count];
         for done in 0..count {
             let looked_at = self.looked_at.get();
@@ -129,7 +107,6 @@ impl Query for InterpolatedPoses {
 
 impl Query for Interval {
     type Answer = GeodesicPath;
-    type Error = InterpolatedPosesError;
     const TITLE: &'static str = "Interpolated poses of an interval";
 
     fn parameters(&self) -> String {
@@ -140,7 +117,7 @@ impl Query for Interval {
         Dependencies::shapes(study, [self.subject])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted<InterpolatedPosesError>> {
+    fn run(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted> {
         let progress = cx.progress();
         progress.begin_phase("interpolating poses", 0.0, 1.0);
         let path = self.path(cx)?;
@@ -161,22 +138,18 @@ impl Query for Interval {
 }
 
 impl Interval {
-    fn path(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted<InterpolatedPosesError>> {
-        let failed = |error: InterpolatedPosesError| Interrupted::Failed(error);
-        let params = (self.params.check()).map_err(|error| failed(error.into()))?;
-        let subject = subject_of(cx.study(), self.subject).map_err(|error| failed(error.into()))?;
-        let sequence = &subject.sequence;
+    fn path(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted> {
+        let params = self.params.check()?;
+        let sequence = &subject_of(cx.study(), self.subject)?.sequence;
         let frames = sequence.frame_count();
         let next = (self.interval + 1) % frames;
         let ends = (sequence.pose(self.interval)).zip(sequence.pose(next));
         let Some((start, end)) = ends.filter(|_| self.interval < interval_count(sequence)) else {
-            return Err(failed(InterpolatedPosesError::NoInterval {
-                interval: self.interval,
-                frames,
-            }));
+            let interval = self.interval;
+            return Err(NoInterval { interval, frames }.into());
         };
         let faces = sequence.joined_faces();
-        geodesic(&faces, &start, &end, &params, cx.progress()).map_err(|error| failed(error.into()))
+        Ok(geodesic(&faces, &start, &end, &params, cx.progress())?)
     }
 }
 

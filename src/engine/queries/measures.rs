@@ -1,10 +1,7 @@
 //! Volumes and ejection fraction of every subject.
 
-use std::convert::Infallible;
-
 use crate::analysis::measures::{SubjectMeasures, measure_study};
-use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
-use crate::study::Study;
+use crate::engine::store::{Context, Interrupted, Memory, Query};
 
 /// Clinical measures of every subject of the study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,15 +9,10 @@ pub struct Measures;
 
 impl Query for Measures {
     type Answer = Vec<SubjectMeasures>;
-    type Error = Infallible;
     const TITLE: &'static str = "Volumes and ejection fraction";
     const FAILURE: Option<&'static str> = Some("Volumes could not be computed");
 
-    fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::study(study)
-    }
-
-    fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted<Infallible>> {
+    fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted> {
         cx.progress().begin_phase("measuring volumes", 0.0, 1.0);
         Ok(measure_study(cx.study(), cx.progress())?)
     }

@@ -1,9 +1,7 @@
 //! The medial surface of one wall over the beat: atoms and their radii.
 
-use crate::analysis::medial::{
-    MedialBeat, MedialError, MedialParamError, MedialParams, medial_beat,
-};
-use crate::engine::queries::subject::{NoSubject, subject_of};
+use crate::analysis::medial::{MedialBeat, MedialParams, medial_beat};
+use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::Study;
 
@@ -16,23 +14,8 @@ pub struct MedialSurfaces {
     pub params: MedialParams,
 }
 
-/// Why a wall has no medial surface.
-#[derive(Debug, thiserror::Error)]
-pub enum MedialBeatError {
-    /// There is no such subject.
-    #[error(transparent)]
-    NoSubject(#[from] NoSubject),
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] MedialParamError),
-    /// The wall has none.
-    #[error(transparent)]
-    Medial(MedialError),
-}
-
 impl Query for MedialSurfaces {
     type Answer = MedialBeat;
-    type Error = MedialBeatError;
     const TITLE: &'static str = "Medial surface";
 
     fn parameters(&self) -> String {
@@ -43,17 +26,12 @@ impl Query for MedialSurfaces {
         Dependencies::surfaces(study, [self.subject])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<MedialBeat, Interrupted<MedialBeatError>> {
-        let failed = |error: MedialBeatError| Interrupted::Failed(error);
-        let params = (self.params.check()).map_err(|error| failed(error.into()))?;
-        let subject = subject_of(cx.study(), self.subject).map_err(|error| failed(error.into()))?;
+    fn run(&self, cx: &Context<'_>) -> Result<MedialBeat, Interrupted> {
+        let params = self.params.check()?;
+        let subject = subject_of(cx.study(), self.subject)?;
         cx.progress()
             .begin_phase("fitting medial spheres", 0.0, 1.0);
-        match medial_beat(subject, &params, cx.progress()) {
-            Ok(beat) => Ok(beat),
-            Err(MedialError::Stopped(_)) => Err(Interrupted::Stopped),
-            Err(error) => Err(failed(MedialBeatError::Medial(error))),
-        }
+        Ok(medial_beat(subject, &params, cx.progress())?)
     }
 
     fn memory(beat: &MedialBeat, memory: &mut Memory) {

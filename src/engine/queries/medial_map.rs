@@ -1,14 +1,11 @@
 //! The pose map of the medial shape space: paths of one subject after the other, then their map.
 
 use crate::analysis::embedding::MapMethod;
-use crate::analysis::medial_map::{
-    MedialMap, MedialMapError, SubjectPaths, medial_map, subject_paths,
-};
+use crate::analysis::medial_map::{MedialMap, SubjectPaths, medial_map, subject_paths};
 use crate::engine::queries::pose_map::method_words;
 use crate::engine::queries::thickening::{ThickeningSettings, WallThickening, thickening_words};
-use crate::engine::store::{Answered, Context, Dependencies, Failure, Interrupted, Memory, Query};
-use crate::progress::{Progress, Stopped};
-use crate::study::Study;
+use crate::engine::store::{Answered, Context, Interrupted, Memory, Query};
+use crate::progress::Stopped;
 
 /// Share of the map's time that the walls take; the rest is scaling.
 const WALLS_SHARE: f32 = 0.97;
@@ -34,19 +31,14 @@ pub struct MedialPaths {
 
 impl Query for MedialPaths {
     type Answer = StudyPaths;
-    type Error = std::convert::Infallible;
     const TITLE: &'static str = "Paths of akinetic regions";
 
     fn parameters(&self) -> String {
         thickening_words(&self.thickening)
     }
 
-    fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::study(study)
-    }
-
     /// A subject whose wall cannot be assessed is no error.
-    fn run(&self, cx: &Context<'_>) -> Result<StudyPaths, Interrupted<Self::Error>> {
+    fn run(&self, cx: &Context<'_>) -> Result<StudyPaths, Interrupted> {
         let count = cx.study().subjects.len();
         let paths = (0..count)
             .map(|subject| {
@@ -88,20 +80,8 @@ pub fn paths_of(
     }
 }
 
-/// Why there is no map of the medial shape space.
-#[derive(Debug, thiserror::Error)]
-pub enum MedialMapQueryError {
-    /// There are no paths.
-    #[error(transparent)]
-    Paths(Failure<std::convert::Infallible>),
-    /// They cannot be mapped.
-    #[error(transparent)]
-    Map(MedialMapError),
-}
-
 impl Query for MedialMapParams {
     type Answer = MedialMap;
-    type Error = MedialMapQueryError;
     const TITLE: &'static str = "Medial map";
 
     fn parameters(&self) -> String {
@@ -109,26 +89,14 @@ impl Query for MedialMapParams {
         format!("{walls}; {}", method_words(self.method))
     }
 
-    fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::study(study)
-    }
-
-    fn run(&self, cx: &Context<'_>) -> Result<MedialMap, Interrupted<MedialMapQueryError>> {
+    fn run(&self, cx: &Context<'_>) -> Result<MedialMap, Interrupted> {
         let paths = MedialPaths {
             thickening: self.thickening,
         };
         // Another method of mapping finds the paths known.
-        let share = if cx.known(&paths).is_some() {
-            0.0
-        } else {
-            WALLS_SHARE
-        };
-        let part = cx.part("assessing walls", 0.0, share);
-        let paths = part
-            .get(&paths)
-            .map_err(|why| why.map(MedialMapQueryError::Paths))?;
+        let (paths, share) = cx.first("assessing walls", &paths, WALLS_SHARE)?;
         let part = cx.part("embedding poses", share, 1.0);
-        map_of(&paths, self.method, part.progress())
+        Ok(medial_map(&paths, self.method, part.progress())?)
     }
 
     fn memory(map: &MedialMap, memory: &mut Memory) {
@@ -137,22 +105,6 @@ impl Query for MedialMapParams {
 
     fn replaces(&self, _: &Self) -> bool {
         true
-    }
-}
-
-/// The map of paths that are known.
-///
-/// # Errors
-/// If stopped, or they cannot be mapped.
-pub fn map_of(
-    paths: &StudyPaths,
-    method: MapMethod,
-    progress: &Progress,
-) -> Result<MedialMap, Interrupted<MedialMapQueryError>> {
-    match medial_map(paths, method, progress) {
-        Ok(map) => Ok(map),
-        Err(MedialMapError::Stopped(_)) => Err(Interrupted::Stopped),
-        Err(error) => Err(Interrupted::Failed(MedialMapQueryError::Map(error))),
     }
 }
 

@@ -1,4 +1,4 @@
-//! One file per analysis: its settings, which are its question, its answer, its error, and what it asks of others.
+//! One file per analysis: its settings, which are its question, its answer, and what it asks of others.
 
 mod classes;
 mod contribution;
@@ -17,24 +17,17 @@ mod thickening;
 mod thickness;
 mod verdicts;
 
-pub use classes::{ClassesError, ClassesSettings};
-pub use contribution::{Contribution, ContributionError};
-pub use deformation_map::{DeformationMapSettings, DeformationsError};
-pub use interpolated_poses::{InterpolatedPoses, InterpolatedPosesError, Interval, LookedAt};
-pub use measures::Measures;
-pub use medial_beat::{MedialBeatError, MedialSurfaces, medial_words};
-pub use medial_map::{
-    MedialMapParams, MedialMapQueryError, MedialPaths, StudyPaths, map_of, paths_of,
-};
-pub use motion_transport::{MotionTransport, MotionTransportError};
-pub use pose_distances::{DistancesError, distance_words, metric_words};
-pub use pose_map::{PoseMap, PoseMapError, PoseMapParams};
-pub use subject::NoSubject;
-pub use thickening::{
-    SubjectThickening, ThickeningQueryError, ThickeningSettings, WallThickening, thickening_words,
-};
-pub use thickness::{
-    ComparedMethod, FrameThickness, FrameThicknessError, MethodResult, PoseThickness,
-    ThicknessSettings,
-};
-pub use verdicts::{VerdictSettings, VerdictsError, examined, verdicts_of};
+pub use classes::*;
+pub use contribution::*;
+pub use deformation_map::*;
+pub use interpolated_poses::*;
+pub use measures::*;
+pub use medial_beat::*;
+pub use medial_map::*;
+pub use motion_transport::*;
+pub use pose_distances::*;
+pub use pose_map::*;
+pub use subject::*;
+pub use thickening::*;
+pub use thickness::*;
+pub use verdicts::*;

@@ -1,10 +1,8 @@
 //! The motion of one subject on another, by parallel transport.
 
-use crate::analysis::transport::{
-    TransportError, TransportParamError, TransportParams, transported_motion,
-};
+use crate::analysis::transport::{TransportParams, transported_motion};
 use crate::engine::queries::pose_distances::metric_words;
-use crate::engine::queries::subject::{NoSubject, subject_of};
+use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::mesh::Point3;
 use crate::study::{MeshSequence, Study};
@@ -20,23 +18,8 @@ pub struct MotionTransport {
     pub params: TransportParams,
 }
 
-/// Why a motion cannot be transported.
-#[derive(Debug, thiserror::Error)]
-pub enum MotionTransportError {
-    /// There is no such subject.
-    #[error(transparent)]
-    NoSubject(#[from] NoSubject),
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] TransportParamError),
-    /// The transport has no answer.
-    #[error(transparent)]
-    Transport(TransportError),
-}
-
 impl Query for MotionTransport {
     type Answer = MeshSequence;
-    type Error = MotionTransportError;
     const TITLE: &'static str = "Motion transport";
     const FAILURE: Option<&'static str> = Some("The motion could not be transported");
 
@@ -50,18 +33,13 @@ impl Query for MotionTransport {
         Dependencies::shapes(study, [self.from, self.onto])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<MeshSequence, Interrupted<MotionTransportError>> {
-        let failed = |error: MotionTransportError| Interrupted::Failed(error);
-        let params = (self.params.check()).map_err(|error| failed(error.into()))?;
-        let subject = |index| subject_of(cx.study(), index).map_err(|error| failed(error.into()));
+    fn run(&self, cx: &Context<'_>) -> Result<MeshSequence, Interrupted> {
+        let params = self.params.check()?;
+        let subject = |index| subject_of(cx.study(), index);
         let (from, onto) = (subject(self.from)?, subject(self.onto)?);
         cx.progress()
             .begin_phase("transporting the motion", 0.0, 1.0);
-        match transported_motion(from, onto, &params, cx.progress()) {
-            Ok(sequence) => Ok(sequence),
-            Err(TransportError::Stopped(_)) => Err(Interrupted::Stopped),
-            Err(error) => Err(failed(MotionTransportError::Transport(error))),
-        }
+        Ok(transported_motion(from, onto, &params, cx.progress())?)
     }
 
     fn memory(sequence: &MeshSequence, memory: &mut Memory) {

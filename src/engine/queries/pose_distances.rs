@@ -2,27 +2,14 @@
 
 use crate::analysis::metrics::{Corners, CurvatureRole, Form, MetricParams};
 use crate::analysis::pose_distances::{
-    KnownDistances, PoseDistanceError, PoseDistanceParamError, PoseDistanceParams, PoseDistances,
-    pose_distances_knowing,
+    KnownDistances, PoseDistanceParams, PoseDistances, pose_distances_knowing,
 };
 use crate::analysis::transport::Reference;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::Study;
 
-/// Why poses cannot be compared.
-#[derive(Debug, thiserror::Error)]
-pub enum DistancesError {
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] PoseDistanceParamError),
-    /// The poses have no distances.
-    #[error(transparent)]
-    Distances(PoseDistanceError),
-}
-
 impl Query for PoseDistanceParams {
     type Answer = PoseDistances;
-    type Error = DistancesError;
     const TITLE: &'static str = "Pose distances";
 
     fn parameters(&self) -> String {
@@ -33,21 +20,17 @@ impl Query for PoseDistanceParams {
         Dependencies::all_shapes(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<PoseDistances, Interrupted<DistancesError>> {
+    fn run(&self, cx: &Context<'_>) -> Result<PoseDistances, Interrupted> {
         cx.progress().begin_phase("comparing poses", 0.0, 1.0);
-        let checked = (self.check()).map_err(|error| Interrupted::Failed(error.into()))?;
+        let checked = self.check()?;
         // After an edit only the distances to poses of the edited subjects are computed.
         let similar = cx.similar(self);
         let similar = similar.and_then(|(state, distances)| Some((state.shape_keys()?, distances)));
         let known = similar
             .as_ref()
             .map(|(shapes, distances)| KnownDistances { shapes, distances });
-        let computed = pose_distances_knowing(cx.study(), &checked, known.as_ref(), cx.progress());
-        match computed {
-            Ok(computed) => Ok(computed.distances),
-            Err(PoseDistanceError::Stopped(_)) => Err(Interrupted::Stopped),
-            Err(error) => Err(Interrupted::Failed(DistancesError::Distances(error))),
-        }
+        let known = known.as_ref();
+        Ok(pose_distances_knowing(cx.study(), &checked, known, cx.progress())?.distances)
     }
 
     fn memory(distances: &PoseDistances, memory: &mut Memory) {

@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
-use crate::analysis::embedding::{Embedding, EmbeddingError, MapMethod, embed};
+use crate::analysis::embedding::{Embedding, MapMethod, embed};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
-use crate::engine::queries::pose_distances::{DistancesError, distance_words, distances_bytes};
-use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query};
+use crate::engine::queries::pose_distances::{distance_words, distances_bytes};
+use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::Study;
 
 /// Share of a map's time that its distances take: some 95 % on 184 poses of 2,500 vertices.
@@ -32,20 +32,8 @@ pub struct PoseMap {
     pub embedding: Embedding,
 }
 
-/// Why there is no pose map.
-#[derive(Debug, thiserror::Error)]
-pub enum PoseMapError {
-    /// There are no distances.
-    #[error(transparent)]
-    Distances(Failure<DistancesError>),
-    /// The distances cannot be mapped.
-    #[error(transparent)]
-    Embedding(EmbeddingError),
-}
-
 impl Query for PoseMapParams {
     type Answer = PoseMap;
-    type Error = PoseMapError;
     const TITLE: &'static str = "Pose map";
     const FAILURE: Option<&'static str> = Some("The pose map could not be computed");
 
@@ -57,23 +45,15 @@ impl Query for PoseMapParams {
         Dependencies::all_shapes(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<PoseMap, Interrupted<PoseMapError>> {
+    fn run(&self, cx: &Context<'_>) -> Result<PoseMap, Interrupted> {
         // Another method of mapping finds the distances known.
-        let known = cx.known(&self.distances).is_some();
-        let share = if known { 0.0 } else { DISTANCE_SHARE };
-        let comparing = cx.part("comparing poses", 0.0, share);
-        let distances =
-            (comparing.get(&self.distances)).map_err(|why| why.map(PoseMapError::Distances))?;
+        let (distances, share) = cx.first("comparing poses", &self.distances, DISTANCE_SHARE)?;
         let progress = cx.progress();
         progress.begin_phase("embedding poses", share, 1.0);
-        match embed(&distances.distances, self.method, MAP_DIMENSIONS, progress) {
-            Ok(embedding) => Ok(PoseMap {
-                distances,
-                embedding,
-            }),
-            Err(EmbeddingError::Stopped(_)) => Err(Interrupted::Stopped),
-            Err(error) => Err(Interrupted::Failed(PoseMapError::Embedding(error))),
-        }
+        Ok(PoseMap {
+            embedding: embed(&distances.distances, self.method, MAP_DIMENSIONS, progress)?,
+            distances,
+        })
     }
 
     fn memory(map: &PoseMap, memory: &mut Memory) {

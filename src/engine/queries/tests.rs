@@ -14,7 +14,10 @@ use crate::engine::store::{Interrupted, Query, Store, StoreOptions};
 use crate::progress::Progress;
 use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Revision, Study, Subject};
+use crate::units::Seconds;
+
 mod settings;
+mod stops;
 
 pub(super) fn store() -> Store {
     Store::start(StoreOptions::default()).unwrap()
@@ -259,35 +262,6 @@ fn the_interval_looked_at_is_found_first() {
 }
 
 #[test]
-fn a_stopped_path_is_no_answer() {
-    let (study, store) = (study(), store());
-    let endless = Interval {
-        subject: 1,
-        interval: 0,
-        params: GeodesicParams {
-            interpolated_poses: 127,
-            tolerance: 0.0,
-            max_iterations: u32::MAX,
-            ..GeodesicParams::default()
-        },
-    };
-    let progress = Progress::default();
-    std::thread::scope(|scope| {
-        let work = scope.spawn(|| store.answer(&study, &endless, &progress));
-        while progress.phase().is_empty() {
-            std::thread::yield_now();
-        }
-        std::thread::sleep(std::time::Duration::from_millis(50));
-        progress.stop();
-        assert!(matches!(work.join().unwrap(), Err(Interrupted::Stopped)));
-    });
-    while store.busy() {
-        std::thread::yield_now();
-    }
-    assert_eq!(store.answers::<Interval>(), 0);
-}
-
-#[test]
 fn what_depends_on_shapes_alone_survives_an_edited_label() {
     let (study, store) = (study(), store());
     let (path, beat) = (
@@ -358,21 +332,23 @@ fn distances_after_a_transfer_are_another_answer() {
 }
 
 #[test]
-fn no_question_is_answered_once_stopped_and_nothing_is_kept() {
+fn times_of_frames_are_read_by_deformations_and_not_by_walls() {
     let (study, store) = (study(), store());
-    assert!(is_stopped(&store, &study, &Measures));
-    assert!(is_stopped(&store, &study, &map(MapMethod::Smacof)));
-    assert!(is_stopped(
-        &store,
-        &study,
-        &DeformationMapSettings::default()
-    ));
-    assert!(is_stopped(&store, &study, &classes()));
-    assert!(is_stopped(&store, &study, &interpolated_poses()));
-    assert!(is_stopped(&store, &study, &interval(0)));
-    assert!(is_stopped(&store, &study, &transfer()));
-    assert!(is_stopped(&store, &study, &contribution()));
-    assert_eq!(store.answers::<PoseDistanceParams>(), 0);
+    let (wall, map) = (
+        WallThickening {
+            subject: 1,
+            settings: ThickeningSettings::default(),
+        },
+        DeformationMapSettings::default(),
+    );
+    let before = (ask(&store, &study, &wall), ask(&store, &study, &map));
+    let later = edited(&study, 1, |subject| {
+        subject.timing.frame_times_s = Some(vec![0.0, 0.1, 0.2, 0.3, 0.5, 0.6, 0.7, 0.8]);
+        subject.timing.rr = Some(Seconds(1.0));
+    });
+    let after = (ask(&store, &later, &wall), ask(&store, &later, &map));
+    assert!(Arc::ptr_eq(&before.0, &after.0));
+    assert_ne!(before.1.curves[1], after.1.curves[1]);
 }
 
 #[test]

@@ -8,18 +8,12 @@ use crate::analysis::measures::{SubjectMeasures, measure_subject};
 use crate::analysis::medial::{MedialBeat, MedialParams};
 use crate::analysis::medial_space::RatioForm;
 use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segment};
-use crate::analysis::thickening::{
-    Thickening, ThickeningError, ThickeningParamError, ThickeningParams, phases, thickening,
-};
-use crate::analysis::verdicts::{
-    NotAssessed, VerdictInput, VerdictParamError, VerdictParams, examine,
-};
+use crate::analysis::thickening::{Thickening, ThickeningParams, phases, thickening};
+use crate::analysis::verdicts::{NotAssessed, VerdictInput, VerdictParams, examine};
 use crate::engine::queries::measures::Measures;
-use crate::engine::queries::medial_beat::{
-    MedialBeatError, MedialSurfaces, beat_bytes, medial_words,
-};
+use crate::engine::queries::medial_beat::{MedialSurfaces, beat_bytes, medial_words};
 use crate::engine::queries::subject::{NoSubject, subject_of};
-use crate::engine::store::{Context, Dependencies, Failure, Interrupted, Memory, Query, Urgency};
+use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query, Urgency};
 use crate::mesh::Point3;
 use crate::study::Study;
 
@@ -81,29 +75,8 @@ impl SubjectThickening {
     }
 }
 
-/// Why nothing is known of how a wall thickens.
-#[derive(Debug, thiserror::Error)]
-pub enum ThickeningQueryError {
-    /// There is no such subject.
-    #[error(transparent)]
-    NoSubject(#[from] NoSubject),
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] ThickeningParamError),
-    /// A setting of the verdict on the wall's resolution is out of range.
-    #[error(transparent)]
-    Resolution(#[from] VerdictParamError),
-    /// The wall has no medial surface.
-    #[error(transparent)]
-    Medial(Failure<MedialBeatError>),
-    /// Its thickness cannot be compared.
-    #[error(transparent)]
-    Thickening(ThickeningError),
-}
-
 impl Query for WallThickening {
     type Answer = SubjectThickening;
-    type Error = ThickeningQueryError;
     const TITLE: &'static str = "Thickening";
     // Thresholds are dragged while the patches are looked at.
     const URGENCY: Urgency = Urgency::Interactive;
@@ -116,24 +89,15 @@ impl Query for WallThickening {
         Dependencies::geometry(study, [self.subject])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<SubjectThickening, Interrupted<Self::Error>> {
-        let failed = |error: ThickeningQueryError| Interrupted::Failed(error);
-        let params = (self.settings.thickening.check()).map_err(|error| failed(error.into()))?;
-        let subject = subject_of(cx.study(), self.subject).map_err(|error| failed(error.into()))?;
+    fn run(&self, cx: &Context<'_>) -> Result<SubjectThickening, Interrupted> {
+        let params = self.settings.thickening.check()?;
+        let subject = subject_of(cx.study(), self.subject)?;
         let atoms = MedialSurfaces {
             subject: self.subject,
             params: self.settings.medial,
         };
         // Other thresholds find the atoms known.
-        let share = if cx.known(&atoms).is_some() {
-            0.0
-        } else {
-            ATOMS_SHARE
-        };
-        let part = cx.part("fitting medial spheres", 0.0, share);
-        let beat = part
-            .get(&atoms)
-            .map_err(|why| why.map(ThickeningQueryError::Medial))?;
+        let (beat, share) = cx.first("fitting medial spheres", &atoms, ATOMS_SHARE)?;
         let part = cx.part("computing thickening", share, 1.0);
         let measures = self.measures(cx)?;
         let end_diastole = phases(&beat, &measures)[0];
@@ -141,15 +105,11 @@ impl Query for WallThickening {
             Ok(axis) => (Some(axis), None),
             Err(error) => (None, Some(error.to_string())),
         };
-        let assessed = match thickening(&beat, &measures, axis.as_ref(), &params, part.progress()) {
-            Ok(assessed) => assessed,
-            Err(ThickeningError::Stopped(_)) => return Err(Interrupted::Stopped),
-            Err(error) => return Err(failed(ThickeningQueryError::Thickening(error))),
-        };
+        let assessed = thickening(&beat, &measures, axis.as_ref(), &params, part.progress())?;
         let centres: Vec<Point3> = (beat.frames[end_diastole].atoms.iter())
             .map(|atom| atom.position)
             .collect();
-        let verdicts = (VerdictParams::default().check()).map_err(|error| failed(error.into()))?;
+        let verdicts = VerdictParams::default().check()?;
         let input = VerdictInput {
             beat: &beat,
             thickening: &assessed,
@@ -186,16 +146,11 @@ impl Query for WallThickening {
 
 impl WallThickening {
     /// The measures of the subject: of the whole study where they are known, otherwise of it alone; both are equal.
-    fn measures(
-        &self,
-        cx: &Context<'_>,
-    ) -> Result<SubjectMeasures, Interrupted<ThickeningQueryError>> {
+    fn measures(&self, cx: &Context<'_>) -> Result<SubjectMeasures, NoSubject> {
         let known = cx.known(&Measures);
         match known.and_then(|all| all.get(self.subject).cloned()) {
             Some(measures) => Ok(measures),
-            None => subject_of(cx.study(), self.subject)
-                .map(measure_subject)
-                .map_err(|error| Interrupted::Failed(error.into())),
+            None => Ok(measure_subject(subject_of(cx.study(), self.subject)?)),
         }
     }
 }

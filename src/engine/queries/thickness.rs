@@ -3,16 +3,16 @@
 use std::sync::Arc;
 use std::time::Instant;
 
-use crate::analysis::medial::{MedialBeat, MedialParamError, MedialParams, medial_beat};
+use crate::analysis::medial::{MedialBeat, MedialParams, medial_beat};
 use crate::analysis::thickness_methods::{
     Agreement, CheckedThicknessParams, ThicknessError, ThicknessMethod, ThicknessParams,
     ThicknessSpread, thickness,
 };
 use crate::engine::queries::medial_beat::{MedialSurfaces, medial_words};
-use crate::engine::queries::subject::{NoSubject, subject_of};
+use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::progress::{Progress, Stopped};
-use crate::study::{MeshSequence, SequenceError, Study, Subject, SurfaceSequence};
+use crate::study::{MeshSequence, Study, Subject, SurfaceSequence};
 
 /// Share of the work that medial spheres take; field lines take most of the rest.
 const MEDIAL_SHARE: f32 = 0.2;
@@ -79,26 +79,8 @@ pub struct PoseThickness {
     pub settings: ThicknessSettings,
 }
 
-/// Why thickness cannot be measured at a frame.
-#[derive(Debug, thiserror::Error)]
-pub enum FrameThicknessError {
-    /// There is no such subject.
-    #[error(transparent)]
-    NoSubject(#[from] NoSubject),
-    /// A setting is out of range, or there is no such frame.
-    #[error(transparent)]
-    Thickness(#[from] ThicknessError),
-    /// A setting of the medial spheres is out of range.
-    #[error(transparent)]
-    Medial(#[from] MedialParamError),
-    /// The frame alone makes no sequence.
-    #[error(transparent)]
-    Sequence(#[from] SequenceError),
-}
-
 impl Query for PoseThickness {
     type Answer = FrameThickness;
-    type Error = FrameThicknessError;
     const TITLE: &'static str = "Thickness methods";
 
     fn parameters(&self) -> String {
@@ -118,13 +100,12 @@ impl Query for PoseThickness {
         Dependencies::geometry(study, [self.subject])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<FrameThickness, Interrupted<FrameThicknessError>> {
-        let failed = |error: FrameThicknessError| Interrupted::Failed(error);
-        let params = (self.settings.methods.check()).map_err(|error| failed(error.into()))?;
-        let subject = subject_of(cx.study(), self.subject).map_err(|error| failed(error.into()))?;
+    fn run(&self, cx: &Context<'_>) -> Result<FrameThickness, Interrupted> {
+        let params = self.settings.methods.check()?;
+        let subject = subject_of(cx.study(), self.subject)?;
         let (frame, frames) = (self.frame, subject.sequence.frame_count());
         if frame >= frames {
-            return Err(failed(ThicknessError::NoFrame { frame, frames }.into()));
+            return Err(ThicknessError::NoFrame { frame, frames }.into());
         }
         let part = cx.part("fitting medial spheres", 0.0, MEDIAL_SHARE);
         let medial = self.medial(subject, &part)?;
@@ -174,11 +155,7 @@ struct Medial {
 }
 
 impl PoseThickness {
-    fn medial(
-        &self,
-        subject: &Subject,
-        cx: &Context<'_>,
-    ) -> Result<Medial, Interrupted<FrameThicknessError>> {
+    fn medial(&self, subject: &Subject, cx: &Context<'_>) -> Result<Medial, Interrupted> {
         let params = self.settings.medial;
         let surfaces = MedialSurfaces {
             subject: self.subject,
@@ -225,9 +202,8 @@ fn seconds_of_one(
     frame: usize,
     params: &MedialParams,
     progress: &Progress,
-) -> Result<f64, Interrupted<FrameThicknessError>> {
-    let failed = |error: FrameThicknessError| Interrupted::Failed(error);
-    let params = params.check().map_err(|error| failed(error.into()))?;
+) -> Result<f64, Interrupted> {
+    let params = params.check()?;
     let surfaces = subject.sequence.surfaces().iter();
     let at_frame = surfaces.map(|surface| {
         SurfaceSequence::new(surface.kind(), surface.frames()[frame..=frame].to_vec())
@@ -236,7 +212,7 @@ fn seconds_of_one(
         .collect::<Result<_, _>>()
         .and_then(MeshSequence::new);
     let mut alone = subject.clone();
-    alone.sequence = at_frame.map_err(|error| failed(error.into()))?;
+    alone.sequence = at_frame?;
     let begin = Instant::now();
     // What it says is known; only the time is new.
     medial_beat(&alone, &params, &progress.within()).ok();

@@ -1,13 +1,12 @@
 //! Verdicts on all subjects of a study: walls one after the other, then a classifier trained on the labels.
 
 use crate::analysis::verdicts::{
-    CheckedVerdictParams, Examined, NotAssessed, VerdictError, VerdictInput, VerdictParamError,
-    VerdictParams, Verdicts, examine, verdicts,
+    CheckedVerdictParams, Examined, NotAssessed, VerdictInput, VerdictParams, Verdicts, examine,
+    verdicts,
 };
 use crate::engine::queries::thickening::{ThickeningSettings, WallThickening, thickening_words};
-use crate::engine::store::{Answered, Context, Dependencies, Interrupted, Memory, Query, Urgency};
-use crate::progress::{Progress, Stopped};
-use crate::study::Study;
+use crate::engine::store::{Answered, Context, Interrupted, Memory, Query, Urgency};
+use crate::progress::Stopped;
 
 /// Share of the time of verdicts that the walls take.
 const WALLS_SHARE: f32 = 0.95;
@@ -21,20 +20,8 @@ pub struct VerdictSettings {
     pub verdicts: VerdictParams,
 }
 
-/// Why there are no verdicts.
-#[derive(Debug, thiserror::Error)]
-pub enum VerdictsError {
-    /// A setting is out of range.
-    #[error(transparent)]
-    Settings(#[from] VerdictParamError),
-    /// No classifier can be trained.
-    #[error(transparent)]
-    Verdicts(VerdictError),
-}
-
 impl Query for VerdictSettings {
     type Answer = Verdicts;
-    type Error = VerdictsError;
     const TITLE: &'static str = "Verdicts";
     const FAILURE: Option<&'static str> = Some("Verdicts could not be computed");
     const URGENCY: Urgency = Urgency::Background;
@@ -50,13 +37,9 @@ impl Query for VerdictSettings {
         format!("{walls}; ridge {ridge}, {permutations} permutations, seed {seed}")
     }
 
-    fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::study(study)
-    }
-
     /// A subject whose wall cannot be assessed is no error.
-    fn run(&self, cx: &Context<'_>) -> Result<Verdicts, Interrupted<VerdictsError>> {
-        let params = (self.verdicts.check()).map_err(|error| Interrupted::Failed(error.into()))?;
+    fn run(&self, cx: &Context<'_>) -> Result<Verdicts, Interrupted> {
+        let params = self.verdicts.check()?;
         let count = cx.study().subjects.len();
         let examined = (0..count)
             .map(|subject| {
@@ -70,7 +53,7 @@ impl Query for VerdictSettings {
             })
             .collect::<Result<Vec<_>, Stopped>>()?;
         let part = cx.part("training the classifier", WALLS_SHARE, 1.0);
-        verdicts_of(cx.study(), &examined, &params, part.progress())
+        Ok(verdicts(cx.study(), &examined, &params, part.progress())?)
     }
 
     fn memory(verdicts: &Verdicts, memory: &mut Memory) {
@@ -102,23 +85,6 @@ pub fn examined(
         Err(Interrupted::Failed(failure)) => {
             Ok(Err(NotAssessed::NoThickening(failure.to_string())))
         }
-    }
-}
-
-/// The verdicts on subjects whose walls were examined.
-///
-/// # Errors
-/// If stopped, or no classifier can be trained.
-pub fn verdicts_of(
-    study: &Study,
-    examined: &[Result<Examined, NotAssessed>],
-    params: &CheckedVerdictParams,
-    progress: &Progress,
-) -> Result<Verdicts, Interrupted<VerdictsError>> {
-    match verdicts(study, examined, params, progress) {
-        Ok(verdicts) => Ok(verdicts),
-        Err(VerdictError::Stopped(_)) => Err(Interrupted::Stopped),
-        Err(error) => Err(Interrupted::Failed(VerdictsError::Verdicts(error))),
     }
 }
 

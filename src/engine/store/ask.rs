@@ -6,9 +6,9 @@ use std::sync::Arc;
 
 use crate::engine::activity::Topic;
 use crate::engine::job::{Ending, panic_message};
-use crate::engine::store::cell::{Claim, Peek};
+use crate::engine::store::cell::State;
 use crate::engine::store::dependencies::Dependencies;
-use crate::engine::store::interrupted::{Failure, Interrupted};
+use crate::engine::store::interrupted::{Bug, Interrupted, SharedError};
 use crate::engine::store::query::{Context, Query};
 use crate::engine::store::queue::Urgency;
 use crate::engine::store::shelf::{CellOf, Shelf};
@@ -17,7 +17,7 @@ use crate::engine::store::work::{Waiting, Work, lock};
 use crate::study::Study;
 
 /// What a question brings.
-pub type Answered<Q> = Result<Arc<<Q as Query>::Answer>, Interrupted<Failure<<Q as Query>::Error>>>;
+pub type Answered<Q> = Result<Arc<<Q as Query>::Answer>, Interrupted>;
 
 impl Context<'_> {
     /// The answer to another question. Its progress is shown as that of this part, whichever thread computes it. If this
@@ -32,19 +32,19 @@ impl Context<'_> {
                 return Err(Interrupted::Stopped);
             }
             match cell.claim() {
-                Claim::Done(answer) => {
+                Err(State::Done(answer)) => {
                     self.progress.followed();
                     return Ok(answer);
                 }
-                Claim::Failed(failure, hold, reported) => {
+                Err(State::Failed(failure, hold, reported)) => {
                     self.work.set_below(&hold, reported);
                     return Err(Interrupted::Failed(failure));
                 }
-                Claim::Cancelled(hold) => {
+                Err(State::Cancelled(hold)) => {
                     self.work.set_below(&hold, true);
                     return Err(Interrupted::Stopped);
                 }
-                Claim::Mine(work) => {
+                Ok(work) => {
                     // Work that nobody else knows waits for nothing, so this closes no circle.
                     let _waiting = Waiting::begin(self.work, &work);
                     self.progress.follow(work.watch.progress());
@@ -57,20 +57,41 @@ impl Context<'_> {
                         return Err(Interrupted::Stopped);
                     }
                 }
-                Claim::Elsewhere(work) => {
+                Err(State::UnderWay(work)) => {
                     let Some(_waiting) = Waiting::begin(self.work, &work) else {
-                        return Err(Interrupted::Failed(Failure::AsksItself { title: Q::TITLE }));
+                        return Err(Bug::AsksItself { title: Q::TITLE }.into());
                     };
                     self.progress.follow(work.watch.progress());
                     let _aside = self.shelves.queue.wait_aside(self.place);
                     while !self.work.stopped()
-                        && matches!(cell.peek(), Peek::UnderWay(now) if Arc::ptr_eq(&now, &work))
+                        && matches!(cell.peek(), State::UnderWay(now) if Arc::ptr_eq(&now, &work))
                     {
                         cell.wait_for(&work);
                     }
                 }
+                // What is idle is taken.
+                Err(State::Idle) => {}
             }
         }
+    }
+
+    /// The answer to another question as the first part of the work, with where the rest of it begins: at `share`, or at
+    /// once if the answer is known.
+    ///
+    /// # Errors
+    /// What interrupted it.
+    pub fn first<Q: Query>(
+        &self,
+        name: &'static str,
+        query: &Q,
+        share: f32,
+    ) -> Result<(Arc<Q::Answer>, f32), Interrupted> {
+        let share = if self.known(query).is_some() {
+            0.0
+        } else {
+            share
+        };
+        Ok((self.part(name, 0.0, share).get(query)?, share))
     }
 
     /// The answer to another question if it is known. Computes nothing.
@@ -104,7 +125,7 @@ pub(super) fn known<Q: Query>(
     let mut entries = shelf.entries();
     let entry = entries.find(query, &depends_on)?;
     match entry.cell.peek() {
-        Peek::Done(answer) => {
+        State::Done(answer) => {
             entry.used(shelves.tick());
             Some(answer)
         }
@@ -134,12 +155,10 @@ pub(super) fn compute<Q: Query>(
         shelves,
     };
     // A panic leaves nothing half done that another question could see: answers are set in one step, below.
-    let result = match catch_unwind(AssertUnwindSafe(|| query.run(&cx))) {
-        Ok(result) => result.map_err(|why| why.map(|error| Failure::Analysis(Arc::new(error)))),
-        Err(payload) => Err(Interrupted::Failed(Failure::Panicked {
-            message: panic_message(&*payload),
-        })),
-    };
+    let result = catch_unwind(AssertUnwindSafe(|| query.run(&cx))).unwrap_or_else(|payload| {
+        let message = panic_message(&*payload);
+        Err(Bug::Panicked { message }.into())
+    });
     let reports = Q::FAILURE.is_some() && work.is_asked();
     let (ending, failure) = cell.finish(work, result, reports);
     report::<Q>(failure, shelves);
@@ -154,12 +173,12 @@ pub(super) fn compute<Q: Query>(
 }
 
 /// Has a card say what went wrong, if anything did.
-pub(super) fn report<Q: Query>(failure: Option<Failure<Q::Error>>, shelves: &Shelves) {
-    if let (Some(title), Some(failure)) = (Q::FAILURE, failure) {
+pub(super) fn report<Q: Query>(failure: Option<SharedError>, shelves: &Shelves) {
+    if let (Some(title), Some(error)) = (Q::FAILURE, failure) {
         lock(&shelves.failures).push(FailedWork {
             topic: Topic::of::<Q>(),
             title,
-            error: failure.erased(),
+            error,
         });
     }
 }

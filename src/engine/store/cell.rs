@@ -1,57 +1,36 @@
 //! The state of one question: not asked, under way, answered, failed or cancelled.
 
-use std::error::Error;
 use std::sync::{Arc, Condvar, Mutex};
 use std::time::Duration;
 
 use crate::engine::job::Ending;
-use crate::engine::store::interrupted::{Failure, Interrupted};
+use crate::engine::store::interrupted::{Interrupted, SharedError};
 use crate::engine::store::work::{Hold, Work, lock};
 
 /// Longest time in which a waiter hears that it is stopped itself.
 const LOOK_AROUND: Duration = Duration::from_millis(20);
 
-/// Answer `A` or error `E` of one question, from not asked to known.
+/// Answer `A` of one question, or its error, from not asked to known.
 #[derive(Debug)]
-pub(super) struct Cell<A, E: Error + 'static> {
-    state: Mutex<State<A, E>>,
+pub(super) struct Cell<A> {
+    state: Mutex<State<A>>,
     changed: Condvar,
 }
 
+/// Where a question stands. Stopped work, and what was released, is as if nobody had begun it.
 #[derive(Debug)]
-enum State<A, E: Error + 'static> {
-    Idle,
-    Queued(Arc<Work>),
-    Running(Arc<Work>),
-    Done(Arc<A>),
-    Failed(Failure<E>, Hold, bool),
-    Cancelled(Hold),
-}
-
-/// What can be seen of a cell.
-pub(super) enum Peek<A, E: Error + 'static> {
+pub(super) enum State<A> {
     /// Nobody works on it.
     Idle,
     /// Queued or running.
     UnderWay(Arc<Work>),
     Done(Arc<A>),
     /// With whether it has a card.
-    Failed(Failure<E>, Hold, bool),
+    Failed(SharedError, Hold, bool),
     Cancelled(Hold),
 }
 
-/// The outcome of asking to do the work.
-pub(super) enum Claim<A, E: Error + 'static> {
-    /// Whoever asked is to do it.
-    Mine(Arc<Work>),
-    /// It is done elsewhere.
-    Elsewhere(Arc<Work>),
-    Done(Arc<A>),
-    Failed(Failure<E>, Hold, bool),
-    Cancelled(Hold),
-}
-
-impl<A, E: Error + 'static> Default for Cell<A, E> {
+impl<A> Default for Cell<A> {
     fn default() -> Self {
         Self {
             state: Mutex::new(State::Idle),
@@ -60,31 +39,27 @@ impl<A, E: Error + 'static> Default for Cell<A, E> {
     }
 }
 
-impl<A, E: Error + 'static> State<A, E> {
-    /// Stopped work, and what was released, is as if nobody had begun it.
-    fn peek(&self) -> Peek<A, E> {
+impl<A> State<A> {
+    fn seen(&self) -> Self {
         match self {
-            Self::Queued(work) | Self::Running(work) if !work.stopped() => {
-                Peek::UnderWay(Arc::clone(work))
-            }
-            Self::Idle | Self::Queued(_) | Self::Running(_) => Peek::Idle,
-            Self::Done(answer) => Peek::Done(Arc::clone(answer)),
+            Self::UnderWay(work) if !work.stopped() => Self::UnderWay(Arc::clone(work)),
+            Self::Done(answer) => Self::Done(Arc::clone(answer)),
             Self::Failed(failure, hold, reported) if hold.holds() => {
-                Peek::Failed(failure.clone(), hold.clone(), *reported)
+                Self::Failed(Arc::clone(failure), hold.clone(), *reported)
             }
-            Self::Cancelled(hold) if hold.holds() => Peek::Cancelled(hold.clone()),
-            Self::Failed(..) | Self::Cancelled(_) => Peek::Idle,
+            Self::Cancelled(hold) if hold.holds() => Self::Cancelled(hold.clone()),
+            Self::Idle | Self::UnderWay(_) | Self::Failed(..) | Self::Cancelled(_) => Self::Idle,
         }
     }
 
     fn is_run_of(&self, work: &Arc<Work>) -> bool {
-        matches!(self, Self::Running(running) if Arc::ptr_eq(running, work))
+        matches!(self, Self::UnderWay(now) if Arc::ptr_eq(now, work) && work.runs())
     }
 }
 
-impl<A, E: Error + 'static> Cell<A, E> {
-    pub fn peek(&self) -> Peek<A, E> {
-        lock(&self.state).peek()
+impl<A> Cell<A> {
+    pub fn peek(&self) -> State<A> {
+        lock(&self.state).seen()
     }
 
     /// Takes in an answer that is known from elsewhere.
@@ -96,37 +71,38 @@ impl<A, E: Error + 'static> Cell<A, E> {
     /// Says that `work` is queued for it, unless somebody was faster.
     pub fn queue(&self, work: &Arc<Work>) -> bool {
         let mut state = lock(&self.state);
-        let free = matches!(state.peek(), Peek::Idle);
+        let free = matches!(state.seen(), State::Idle);
         if free {
-            *state = State::Queued(Arc::clone(work));
+            *state = State::UnderWay(Arc::clone(work));
         }
         free
     }
 
     /// Takes the work if nobody does it yet; queued work may be taken by whoever needs it first.
-    pub fn claim(&self) -> Claim<A, E> {
+    ///
+    /// # Errors
+    /// Where the question stands otherwise; under way is elsewhere then.
+    pub fn claim(&self) -> Result<Arc<Work>, State<A>> {
         let mut state = lock(&self.state);
-        let work = match state.peek() {
-            Peek::Done(answer) => return Claim::Done(answer),
-            Peek::Failed(failure, hold, reported) => return Claim::Failed(failure, hold, reported),
-            Peek::Cancelled(hold) => return Claim::Cancelled(hold),
-            Peek::UnderWay(work) if state.is_run_of(&work) => return Claim::Elsewhere(work),
-            Peek::UnderWay(queued) => queued,
-            Peek::Idle => Arc::default(),
+        let work = match state.seen() {
+            State::UnderWay(queued) if !queued.runs() => queued,
+            State::Idle => Arc::default(),
+            other => return Err(other),
         };
-        *state = State::Running(Arc::clone(&work));
-        Claim::Mine(work)
+        work.set_running();
+        *state = State::UnderWay(Arc::clone(&work));
+        Ok(work)
     }
 
     /// Takes queued work whose turn has come; `false` if somebody else took it meanwhile, or it was stopped.
     pub fn begin(&self, work: &Arc<Work>) -> bool {
-        let mut state = lock(&self.state);
-        let queued = matches!(&*state, State::Queued(queued) if Arc::ptr_eq(queued, work));
-        if !queued || work.stopped() {
-            return false;
+        let state = lock(&self.state);
+        let queued = matches!(state.seen(), State::UnderWay(queued) if Arc::ptr_eq(&queued, work))
+            && !work.runs();
+        if queued {
+            work.set_running();
         }
-        *state = State::Running(Arc::clone(work));
-        true
+        queued
     }
 
     /// Keeps the result of `work`, and returns how it ended. `reports` is whether a failure gets a card; it gets none
@@ -134,9 +110,9 @@ impl<A, E: Error + 'static> Cell<A, E> {
     pub fn finish(
         &self,
         work: &Arc<Work>,
-        result: Result<A, Interrupted<Failure<E>>>,
+        result: Result<A, Interrupted>,
         reports: bool,
-    ) -> (Ending, Option<Failure<E>>) {
+    ) -> (Ending, Option<SharedError>) {
         let mut state = lock(&self.state);
         let below = work.below();
         let mut to_report = None;
@@ -153,7 +129,7 @@ impl<A, E: Error + 'static> Cell<A, E> {
                 let ending = Ending::Failed(failure.to_string());
                 if state.is_run_of(work) {
                     let (hold, reported) = below.unwrap_or_else(|| (Hold::new(), false));
-                    to_report = (reports && !reported).then(|| failure.clone());
+                    to_report = (reports && !reported).then(|| Arc::clone(&failure));
                     *state = State::Failed(failure, hold, reported || reports);
                 }
                 ending
@@ -177,7 +153,7 @@ impl<A, E: Error + 'static> Cell<A, E> {
     /// The user pressed Cancel: what is under way ends, and is not begun again until it is retried.
     pub fn cancel(&self) {
         let mut state = lock(&self.state);
-        if let Peek::UnderWay(work) = state.peek() {
+        if let State::UnderWay(work) = state.seen() {
             *state = State::Cancelled(Hold::new());
             drop(state);
             work.stop();
@@ -188,17 +164,17 @@ impl<A, E: Error + 'static> Cell<A, E> {
     /// Lets what was cancelled or has failed begin again.
     pub fn retry(&self) {
         match self.peek() {
-            Peek::Failed(_, hold, _) | Peek::Cancelled(hold) => hold.release(),
-            Peek::Idle | Peek::UnderWay(_) | Peek::Done(_) => {}
+            State::Failed(_, hold, _) | State::Cancelled(hold) => hold.release(),
+            State::Idle | State::UnderWay(_) | State::Done(_) => {}
         }
     }
 
     /// The failure, if it has no card yet; from now on it has one.
-    pub fn report(&self) -> Option<Failure<E>> {
+    pub fn report(&self) -> Option<SharedError> {
         match &mut *lock(&self.state) {
             State::Failed(failure, _, reported) if !*reported => {
                 *reported = true;
-                Some(failure.clone())
+                Some(Arc::clone(failure))
             }
             _ => None,
         }
@@ -207,7 +183,7 @@ impl<A, E: Error + 'static> Cell<A, E> {
     /// Waits until `work` may have ended, or a moment has passed.
     pub fn wait_for(&self, work: &Arc<Work>) {
         let state = lock(&self.state);
-        if matches!(state.peek(), Peek::UnderWay(now) if Arc::ptr_eq(&now, work)) {
+        if matches!(state.seen(), State::UnderWay(now) if Arc::ptr_eq(&now, work)) {
             drop(self.changed.wait_timeout(state, LOOK_AROUND));
         }
     }

@@ -55,7 +55,8 @@ impl Dependencies {
         Self::shapes(study, 0..study.subjects.len())
     }
 
-    /// On surfaces, both phases, unit and landmarks of these subjects: all but labels and what is known of the patient.
+    /// On surfaces, both phases, unit and landmarks of these subjects: all that is read of a wall. Times of frames, labels
+    /// and what is known of the patient are not.
     pub fn geometry(study: &Study, subjects: impl IntoIterator<Item = usize>) -> Self {
         Self::of(study, subjects, Reads::Geometry)
     }

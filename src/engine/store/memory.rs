@@ -60,3 +60,19 @@ fn machine_memory() -> Option<usize> {
     let kib: usize = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
     kib.checked_mul(1024)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::engine::store::StoreOptions;
+
+    #[test]
+    fn what_was_asked_for_is_the_budget_of_every_store_and_the_first_word_stands() {
+        configure_memory(None);
+        // Far more than other tests of this process hold.
+        configure_memory(Some(3_000));
+        configure_memory(Some(1));
+        assert_eq!(default_budget(), 3_000 << 20);
+        assert_eq!(StoreOptions::default().budget, 3_000 << 20);
+    }
+}

@@ -24,7 +24,7 @@ mod work;
 
 pub use ask::Answered;
 pub use dependencies::Dependencies;
-pub use interrupted::{Failure, Interrupted, SharedError};
+pub use interrupted::{Interrupted, SharedError};
 pub use memory::{Memory, configure_memory, default_budget};
 pub use query::{Context, Query};
 pub use queue::Urgency;

@@ -1,6 +1,5 @@
 //! What a question to a study is: one `impl Query` is one analysis, and nothing else lists it.
 
-use std::error::Error;
 use std::fmt::Debug;
 use std::sync::Arc;
 
@@ -18,8 +17,6 @@ use crate::study::Study;
 pub trait Query: Clone + PartialEq + Debug + Send + Sync + 'static {
     /// Plain data; panes, tables and figures read it.
     type Answer: Send + Sync + 'static;
-    /// Why there may be none.
-    type Error: Error + Send + Sync + 'static;
 
     /// What the activity list calls it.
     const TITLE: &'static str;
@@ -35,15 +32,17 @@ pub trait Query: Clone + PartialEq + Debug + Send + Sync + 'static {
         String::new()
     }
 
-    /// What of the study the answer depends on.
-    fn depends_on(&self, study: &Study) -> Dependencies;
+    /// What of the study the answer depends on: on everything, labels included, unless it says less.
+    fn depends_on(&self, study: &Study) -> Dependencies {
+        Dependencies::study(study)
+    }
 
     /// Computes the answer. Other questions are asked through `cx`, so that nothing is computed twice. Same study, same
     /// question: the same bits with any number of threads.
     ///
     /// # Errors
-    /// What interrupted it.
-    fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted<Self::Error>>;
+    /// What interrupted it. `?` passes on errors of analyses and of other questions alike.
+    fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted>;
 
     /// Counts the memory of an answer.
     fn memory(answer: &Self::Answer, memory: &mut Memory);

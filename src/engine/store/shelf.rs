@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 
 use crate::engine::activity::Topic;
 use crate::engine::job::JobWatch;
-use crate::engine::store::cell::{Cell, Peek};
+use crate::engine::store::cell::{Cell, State};
 use crate::engine::store::dependencies::Dependencies;
 use crate::engine::store::memory::Memory;
 use crate::engine::store::query::Query;
@@ -14,7 +14,7 @@ use crate::engine::store::shelves::{AnyShelf, Held};
 use crate::engine::store::work::lock;
 
 /// The cell of a question.
-pub(super) type CellOf<Q> = Arc<Cell<<Q as Query>::Answer, <Q as Query>::Error>>;
+pub(super) type CellOf<Q> = Arc<Cell<<Q as Query>::Answer>>;
 
 /// The questions of one type that were asked.
 pub(super) struct Shelf<Q: Query>(Mutex<Entries<Q>>);
@@ -53,7 +53,7 @@ impl<Q: Query> Entry<Q> {
     pub fn touch(&mut self, frame: u64, now: u64) {
         self.frame = frame;
         self.used = now;
-        if let Peek::UnderWay(work) = self.cell.peek() {
+        if let State::UnderWay(work) = self.cell.peek() {
             work.set_asked(true);
         }
     }
@@ -70,7 +70,7 @@ impl<Q: Query> Entry<Q> {
 
     fn answer(&self) -> Option<Arc<Q::Answer>> {
         match self.cell.peek() {
-            Peek::Done(answer) => Some(answer),
+            State::Done(answer) => Some(answer),
             _ => None,
         }
     }
@@ -126,7 +126,7 @@ impl<Q: Query> Entries<Q> {
     /// Work that a pane asked for and that this question lets finish first. It counts as asked for.
     pub fn finished_first(&mut self, query: &Q, frame: u64, now: u64) -> Option<Arc<JobWatch>> {
         self.0.iter_mut().find_map(|entry| {
-            let Peek::UnderWay(work) = entry.cell.peek() else {
+            let State::UnderWay(work) = entry.cell.peek() else {
                 return None;
             };
             if !work.is_asked() || !query.lets_finish(&entry.query) {
@@ -167,7 +167,7 @@ impl<Q: Query> AnyShelf for Shelf<Q> {
     fn end_frame(&self, frame: u64) {
         let mut entries = self.entries();
         for entry in entries.0.iter().filter(|entry| entry.frame < frame) {
-            if let Peek::UnderWay(work) = entry.cell.peek() {
+            if let State::UnderWay(work) = entry.cell.peek() {
                 work.set_asked(false);
                 work.stop_if_unwanted();
             }
@@ -176,13 +176,13 @@ impl<Q: Query> AnyShelf for Shelf<Q> {
         entries.0.retain(|entry| {
             entry.frame >= frame
                 || Arc::strong_count(&entry.cell) > 1
-                || !matches!(entry.cell.peek(), Peek::Idle)
+                || !matches!(entry.cell.peek(), State::Idle)
         });
     }
 
     fn stop_all(&self) {
         for entry in &self.entries().0 {
-            if let Peek::UnderWay(work) = entry.cell.peek() {
+            if let State::UnderWay(work) = entry.cell.peek() {
                 work.stop();
             }
         }
@@ -190,7 +190,7 @@ impl<Q: Query> AnyShelf for Shelf<Q> {
 
     fn cancel(&self) {
         for entry in &self.entries().0 {
-            if matches!(entry.cell.peek(), Peek::UnderWay(work) if work.is_asked()) {
+            if matches!(entry.cell.peek(), State::UnderWay(work) if work.is_asked()) {
                 entry.cell.cancel();
             }
         }
@@ -205,7 +205,7 @@ impl<Q: Query> AnyShelf for Shelf<Q> {
     fn works(&self) -> bool {
         let entries = self.entries();
         let mut cells = entries.0.iter().map(|entry| entry.cell.peek());
-        cells.any(|seen| matches!(seen, Peek::UnderWay(work) if work.is_asked()))
+        cells.any(|seen| matches!(seen, State::UnderWay(work) if work.is_asked()))
     }
 
     fn held(&self, into: &mut Vec<Held>) {

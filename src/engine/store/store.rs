@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 use crate::engine::activity::{Activity, Topic};
 use crate::engine::job::{JobWatch, Wake};
 use crate::engine::store::ask::{Answered, compute, known, report, shelf};
-use crate::engine::store::cell::Peek;
+use crate::engine::store::cell::State;
 use crate::engine::store::interrupted::{Interrupted, SharedError};
 use crate::engine::store::memory::default_budget;
 use crate::engine::store::query::Query;
@@ -20,7 +20,7 @@ use crate::study::Study;
 const MAX_RELEASES: usize = 16;
 
 /// What a pane may draw for a question.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub enum Showing<A> {
     /// The answer.
     Ready(Arc<A>),
@@ -34,7 +34,7 @@ pub enum Showing<A> {
     /// Cancelled by the user, or failed; a retry begins it again.
     Interrupted {
         /// Which of the two.
-        why: Interrupted<SharedError>,
+        why: Interrupted,
         /// The last good answer, which stays on screen.
         previous: Option<Arc<A>>,
     },
@@ -84,23 +84,6 @@ impl<A> Showing<A> {
                 ..
             }
         )
-    }
-}
-
-// Written by hand, because `derive` would ask for `A: Clone`.
-impl<A> Clone for Showing<A> {
-    fn clone(&self) -> Self {
-        match self {
-            Self::Ready(answer) => Self::Ready(Arc::clone(answer)),
-            Self::Computing { previous, watch } => Self::Computing {
-                previous: previous.clone(),
-                watch: Arc::clone(watch),
-            },
-            Self::Interrupted { why, previous } => Self::Interrupted {
-                why: why.clone(),
-                previous: previous.clone(),
-            },
-        }
     }
 }
 
@@ -184,19 +167,19 @@ impl Store {
         let mut releases = MAX_RELEASES;
         loop {
             let under_way = match cell.peek() {
-                Peek::Done(answer) => {
+                State::Done(answer) => {
                     progress.followed();
                     return Ok(answer);
                 }
-                Peek::Failed(failure, ..) => return Err(Interrupted::Failed(failure)),
-                Peek::Cancelled(hold) if releases > 0 => {
+                State::Failed(failure, ..) => return Err(Interrupted::Failed(failure)),
+                State::Cancelled(hold) if releases > 0 => {
                     releases -= 1;
                     hold.release();
                     None
                 }
-                Peek::Cancelled(_) => return Err(Interrupted::Stopped),
-                Peek::UnderWay(work) => Some(Pin::on(&work)),
-                Peek::Idle => None,
+                State::Cancelled(_) => return Err(Interrupted::Stopped),
+                State::UnderWay(work) => Some(Pin::on(&work)),
+                State::Idle => None,
             };
             progress.check()?;
             let pin = under_way.unwrap_or_else(|| {
@@ -213,7 +196,7 @@ impl Store {
             });
             progress.follow(pin.work().watch.progress());
             while progress.check().is_ok()
-                && matches!(cell.peek(), Peek::UnderWay(now) if Arc::ptr_eq(&now, pin.work()))
+                && matches!(cell.peek(), State::UnderWay(now) if Arc::ptr_eq(&now, pin.work()))
             {
                 cell.wait_for(pin.work());
             }
@@ -298,31 +281,31 @@ impl Store {
         entry.touch(frame, now);
         let cell = Arc::clone(&entry.cell);
         let seen = cell.peek();
-        if let Peek::Done(answer) = seen {
+        if let State::Done(answer) = seen {
             entry.show(now);
             return Showing::Ready(answer);
         }
         let first = match seen {
-            Peek::Idle => entries.finished_first(query, frame, now),
+            State::Idle => entries.finished_first(query, frame, now),
             _ => None,
         };
         let previous = entries.previous(query, &depends_on, frame);
         drop(entries);
         let watch = match seen {
-            Peek::Failed(failure, ..) => {
+            State::Failed(failure, ..) => {
                 if Q::FAILURE.is_some() {
                     report::<Q>(cell.report(), &self.shelves);
                 }
-                let why = Interrupted::Failed(failure.erased());
+                let why = Interrupted::Failed(failure);
                 return Showing::Interrupted { why, previous };
             }
-            Peek::Cancelled(_) => {
+            State::Cancelled(_) => {
                 let why = Interrupted::Stopped;
                 return Showing::Interrupted { why, previous };
             }
-            Peek::UnderWay(work) => Some(Arc::clone(&work.watch)),
-            Peek::Idle if begin && first.is_none() => Some(self.begin(study, query, &cell)),
-            Peek::Idle | Peek::Done(_) => first,
+            State::UnderWay(work) => Some(Arc::clone(&work.watch)),
+            State::Idle if begin && first.is_none() => Some(self.begin(study, query, &cell)),
+            State::Idle | State::Done(_) => first,
         };
         let watch = watch.unwrap_or_else(|| Arc::clone(self.not_begun.get_or_init(Arc::default)));
         Showing::Computing { previous, watch }

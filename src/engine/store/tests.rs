@@ -81,7 +81,6 @@ struct Number {
 
 impl Query for Number {
     type Answer = u32;
-    type Error = TooLarge;
     const TITLE: &'static str = "Number";
     const FAILURE: Option<&'static str> = Some("There is no number");
 
@@ -93,7 +92,7 @@ impl Query for Number {
         Dependencies::shapes(study, [0])
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted<TooLarge>> {
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
         self.desk.0.runs.fetch_add(1, Ordering::SeqCst);
         self.desk.0.order.lock().unwrap().push(self.number);
         cx.progress().begin_phase("counting", 0.0, 1.0);
@@ -101,12 +100,8 @@ impl Query for Number {
             self.desk.pass(cx.progress())?;
         }
         assert_ne!(self.number, 13, "unlucky");
-        u8::try_from(self.number).map_err(|source| {
-            Interrupted::Failed(TooLarge {
-                number: self.number,
-                source,
-            })
-        })?;
+        let number = self.number;
+        u8::try_from(number).map_err(|source| TooLarge { number, source })?;
         Ok(self.number)
     }
 

@@ -33,6 +33,8 @@ impl Hold {
 #[derive(Debug, Default)]
 pub(super) struct Work {
     pub watch: Arc<JobWatch>,
+    /// A thread has taken it. Changed only under the lock of its cell.
+    running: AtomicBool,
     /// A pane asked for it in the latest frame.
     asked: AtomicBool,
     /// Readers outside the store that wait for it.
@@ -46,6 +48,14 @@ pub(super) struct Work {
 }
 
 impl Work {
+    pub fn set_running(&self) {
+        self.running.store(true, Ordering::SeqCst);
+    }
+
+    pub fn runs(&self) -> bool {
+        self.running.load(Ordering::SeqCst)
+    }
+
     pub fn set_asked(&self, asked: bool) {
         self.asked.store(asked, Ordering::SeqCst);
     }

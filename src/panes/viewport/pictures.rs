@@ -1,6 +1,5 @@
 //! Subjects and walls made ready for drawing: questions to the store, like every analysis.
 
-use std::convert::Infallible;
 use std::sync::Arc;
 
 use crate::analysis::medial::MedialBeat;
@@ -48,7 +47,6 @@ struct SubjectPicture {
 
 impl Query for SubjectPicture {
     type Answer = PlacedSubject;
-    type Error = Infallible;
     const TITLE: &'static str = "Surfaces for the 3D view";
     const FAILURE: Option<&'static str> = Some("The surfaces could not be prepared");
     const URGENCY: Urgency = Urgency::Interactive;
@@ -58,7 +56,7 @@ impl Query for SubjectPicture {
         Dependencies::nothing()
     }
 
-    fn run(&self, _: &Context<'_>) -> Result<PlacedSubject, Interrupted<Infallible>> {
+    fn run(&self, _: &Context<'_>) -> Result<PlacedSubject, Interrupted> {
         let subject = &self.subject.0;
         let motion = self.interpolated_poses.as_ref().map(|motion| &motion.0);
         let between = motion.map_or_else(Vec::new, |motion| motion.inner_poses());
@@ -93,7 +91,6 @@ struct MedialPicture {
 
 impl Query for MedialPicture {
     type Answer = PreparedMedial;
-    type Error = Infallible;
     const TITLE: &'static str = "Medial surface for the 3D view";
     const FAILURE: Option<&'static str> = Some("The medial surface could not be prepared");
     const URGENCY: Urgency = Urgency::Interactive;
@@ -103,7 +100,7 @@ impl Query for MedialPicture {
         Dependencies::nothing()
     }
 
-    fn run(&self, _: &Context<'_>) -> Result<PreparedMedial, Interrupted<Infallible>> {
+    fn run(&self, _: &Context<'_>) -> Result<PreparedMedial, Interrupted> {
         let (subject, beat) = (&self.subject.0, &self.beat.0);
         Ok(PreparedMedial::new(subject, beat, self.end_diastole))
     }
@@ -126,7 +123,6 @@ struct ColourRanges {
 
 impl Query for ColourRanges {
     type Answer = CohortLimits;
-    type Error = Infallible;
     const TITLE: &'static str = "Colour ranges";
     const FAILURE: Option<&'static str> = Some("The colour ranges could not be computed");
     const LISTED: bool = false;
@@ -135,7 +131,7 @@ impl Query for ColourRanges {
         Dependencies::study(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<CohortLimits, Interrupted<Infallible>> {
+    fn run(&self, cx: &Context<'_>) -> Result<CohortLimits, Interrupted> {
         Ok(CohortLimits::of(cx.study(), &self.reference_frames))
     }
 

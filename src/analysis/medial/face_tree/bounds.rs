@@ -102,6 +102,7 @@ impl Bounds {
                 let height = along.dot(&away);
                 begin = begin.min(height);
                 end = end.max(height);
+                // Squared distance from the axis by Pythagoras; the root is taken once at the end.
                 beside = beside.max(away.norm_squared() - height * height);
             }
             let normal = faces.normals[face as usize];
@@ -109,6 +110,7 @@ impl Bounds {
                 cos = cos.min(along.dot(&normal));
             }
         }
+        // Kept beside the cosine: comparing angles of cones needs both, and no arc cosine.
         let sin = (1.0 - cos * cos).max(0.0).sqrt();
         Self {
             centre,

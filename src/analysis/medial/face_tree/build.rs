@@ -13,6 +13,7 @@ use crate::mesh::Point3;
 impl TreePlan {
     /// Puts cylinders and cones around the faces of a pose.
     pub fn around<'a>(&'a self, faces: FacesOfPose<'a>) -> FaceTree<'a> {
+        // In units of the surface, so that 32 bits are enough.
         let unit = Unit::new(faces.points);
         let points: Vec<Point3> = faces.points.iter().map(|&point| unit.of(point)).collect();
         let scaled = FacesOfPose {

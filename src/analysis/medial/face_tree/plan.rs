@@ -81,11 +81,13 @@ impl Halving {
         let (low, high) = (part.iter()).fold((first, first), |(low, high), (_, centre)| {
             (low.inf(centre), high.sup(centre))
         });
+        // The longest side: parts stay compact, and so do the cylinders around them.
         let axis = (high - low).imax();
         let half = start(self.faces, level + 1, 2 * place + 1) - start(self.faces, level, place);
         // A half that takes all needs no order; the parts of a tree may be empty.
         if half < part.len() {
             part.select_nth_unstable_by(half, |a, b| {
+                // Ties by number, so that the order is the same on every run.
                 a.1[axis].total_cmp(&b.1[axis]).then(a.0.cmp(&b.0))
             });
         }

@@ -57,10 +57,12 @@ impl FaceTree<'_> {
                 }
             }
         };
+        // A good guess first: most of the tree is then out of reach.
         if let Some(hint) = hint {
             try_face(hint, &mut least);
         }
         let search = Search::new(self.unit.of(point), facing);
+        // Rounded up, so that no face is missed that is nearer by less than 32 bits tell.
         let in_units = |squared: f64| above(squared * self.unit.scale * self.unit.scale);
         let mut min_in_units = in_units(least);
         let mut open = [(0, 0.0); 3 * MAX_LEVELS + 1];

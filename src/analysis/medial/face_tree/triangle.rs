@@ -9,6 +9,7 @@ pub(super) fn nearest_on_triangle(point: Point3, [a, b, c]: [Point3; 3]) -> ([f6
     let (ab, ac) = (b - a, c - a);
     let ap = point - a;
     let (d1, d2) = (ab.dot(&ap), ac.dot(&ap));
+    // Corners, then sides, then the face: signs say in whose region the point lies, without a root.
     if d1 <= 0.0 && d2 <= 0.0 {
         return ([1.0, 0.0, 0.0], a);
     }

@@ -19,6 +19,7 @@ impl Unit {
         let extent = (high - low).amax();
         Self {
             middle: low + 0.5 * (high - low),
+            // A single point has no extent, and needs no scale.
             scale: if extent > 0.0 { extent.recip() } else { 1.0 },
         }
     }

@@ -4,13 +4,13 @@ use nalgebra::Matrix3;
 
 use crate::analysis::metrics::metric::{Metric, PairScratch};
 use crate::analysis::metrics::pair_sums::{Both, angles, stretches};
-use crate::analysis::metrics::params::{Corners, CurvatureRole, Form, MetricParams};
+use crate::analysis::metrics::params::{Corners, Form, MetricParams};
 use crate::analysis::metrics::path_energy::state::{Gradients, PathState, Plan};
 use crate::analysis::metrics::pose::PreparedPose;
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::Vector3;
 
 use super::corner_passes::{add_corner_energies, add_corner_shares, corner_stiffness};
-use super::metric_terms::{MetricTerms, MetricWords, Motion};
+use super::metric_terms::{MetricTerms, MetricWords, Motion, each_product};
 
 pub(super) struct AnglePreserving;
 
@@ -22,33 +22,27 @@ impl MetricTerms for AnglePreserving {
             summary: "Change of angles",
             ignores: "position, rotation and uniform scaling",
             penalises: "changes of angles",
+            forms: &[
+                ("angle-preserving", Form::Additive),
+                ("angle-preserving, printed", Form::Printed),
+            ],
         }
-    }
-
-    fn has_forms(&self) -> bool {
-        true
     }
 
     fn ignores_scale(&self) -> bool {
         true
     }
 
-    fn penalises_displacement(&self) -> bool {
-        false
-    }
-
-    fn curvature_role(&self, _: Form) -> CurvatureRole {
-        CurvatureRole::Unused
-    }
-
     fn is_inner_product(&self, form: Form) -> bool {
         match form {
+            // Absolute values: the product of X with −X is positive.
             Form::Printed => false,
             Form::Bilinear | Form::Frozen | Form::Additive => true,
         }
     }
 
     fn path_energy_can_vanish(&self, params: &MetricParams) -> bool {
+        // A subject may shrink, change while it is small, and grow again for nothing.
         params.corners == Corners::Raw || !self.is_inner_product(params.form)
     }
 
@@ -78,7 +72,7 @@ impl MetricTerms for AnglePreserving {
         if self.is_inner_product(metric.params.form) {
             metric.corner_products(at, x, y)
         } else {
-            [(x, x), (x, y), (y, y)].map(|(x, y)| self.product(metric, at, x, y))
+            each_product(self, metric, at, x, y)
         }
     }
 
@@ -94,22 +88,9 @@ impl MetricTerms for AnglePreserving {
         add_corner_shares(metric, poses, &scratch.stretch, None, shares);
     }
 
-    fn vertex_terms(
-        &self,
-        _: &Metric,
-        _: [&PreparedPose; 2],
-        _: &PreparedPose,
-        _: &[Point3],
-        _: &[Vector3],
-    ) -> Option<Vec<f64>> {
-        None
-    }
-
     fn add_face_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
         add_corner_energies(plan, state, gradients);
     }
-
-    fn add_vertex_energies(&self, _: &Plan, _: &mut PathState, _: &mut Gradients) {}
 
     fn side_stiffness(
         &self,

@@ -10,7 +10,7 @@ use crate::analysis::metrics::params::{Corners, CurvatureRole, Form, MetricParam
 use crate::analysis::metrics::path_energy::faces::add_faces;
 use crate::analysis::metrics::path_energy::state::{Gradients, PathState, Plan};
 use crate::analysis::metrics::pose::PreparedPose;
-use crate::mesh::{Point3, Vector3};
+use crate::mesh::Vector3;
 use crate::numeric::{Arithmetic, Lanes, three};
 
 use super::metric_terms::{MetricTerms, MetricWords, Motion};
@@ -25,23 +25,12 @@ impl MetricTerms for Isometric {
             summary: "Change of edge lengths",
             ignores: "position, rotation and bending without stretch",
             penalises: "changes of lengths on the surface",
+            forms: &[("isometric", Form::Additive)],
         }
-    }
-
-    fn has_forms(&self) -> bool {
-        false
     }
 
     fn ignores_scale(&self) -> bool {
         false
-    }
-
-    fn penalises_displacement(&self) -> bool {
-        false
-    }
-
-    fn curvature_role(&self, _: Form) -> CurvatureRole {
-        CurvatureRole::Unused
     }
 
     fn is_inner_product(&self, _: Form) -> bool {
@@ -66,6 +55,7 @@ impl MetricTerms for Isometric {
         for (e, both) in scratch.stretch.iter().enumerate() {
             for (side, pose) in [a, b].into_iter().enumerate() {
                 let unit = if raw { pose.length2[e] } else { 1.0 };
+                // Raw, s l² is the printed product; the square of its length is divided out otherwise.
                 sums[side] += weights[side][e] * (both[side] * unit).powi(2);
             }
         }
@@ -85,16 +75,6 @@ impl MetricTerms for Isometric {
             .sum()
     }
 
-    fn products(
-        &self,
-        metric: &Metric,
-        at: &PreparedPose,
-        x: &[Vector3],
-        y: &[Vector3],
-    ) -> [f64; 3] {
-        [(x, x), (x, y), (y, y)].map(|(x, y)| self.product(metric, at, x, y))
-    }
-
     fn add_face_shares(
         &self,
         metric: &Metric,
@@ -110,25 +90,12 @@ impl MetricTerms for Isometric {
         });
     }
 
-    fn vertex_terms(
-        &self,
-        _: &Metric,
-        _: [&PreparedPose; 2],
-        _: &PreparedPose,
-        _: &[Point3],
-        _: &[Vector3],
-    ) -> Option<Vec<f64>> {
-        None
-    }
-
     fn add_face_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
         let (raw, role) = (plan.raw(), CurvatureRole::Unused);
         add_faces(plan, state, gradients, raw, role, |f, s, l, _| {
             of_sides(s, l, three(|e| Lanes::splat(plan.side_parts[f][e])))
         });
     }
-
-    fn add_vertex_energies(&self, _: &Plan, _: &mut PathState, _: &mut Gradients) {}
 
     fn side_stiffness(
         &self,

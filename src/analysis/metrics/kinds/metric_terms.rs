@@ -25,6 +25,8 @@ pub struct MetricWords {
     pub ignores: &'static str,
     /// Changes that cost something.
     pub penalises: &'static str,
+    /// The forms that differ, the default first, by the names that they have in a comparison of metrics.
+    pub forms: &'static [(&'static str, Form)],
 }
 
 /// A rigid motion that is applied to pose B of a pair.
@@ -34,16 +36,17 @@ pub(in crate::analysis::metrics) type Motion<'a> = (&'a Matrix3<f64>, &'a Vector
 pub(in crate::analysis::metrics) trait MetricTerms: Sync {
     fn words(&self) -> MetricWords;
 
-    /// Whether a [`Form`] makes a difference.
-    fn has_forms(&self) -> bool;
-
     /// Whether uniform scaling costs nothing where corners are scale-free.
     fn ignores_scale(&self) -> bool;
 
     /// Whether displacement of vertices itself is penalised.
-    fn penalises_displacement(&self) -> bool;
+    fn penalises_displacement(&self) -> bool {
+        false
+    }
 
-    fn curvature_role(&self, form: Form) -> CurvatureRole;
+    fn curvature_role(&self, _: Form) -> CurvatureRole {
+        CurvatureRole::Unused
+    }
 
     /// Whether products of two fields are linear in each of them.
     fn is_inner_product(&self, form: Form) -> bool;
@@ -70,7 +73,9 @@ pub(in crate::analysis::metrics) trait MetricTerms: Sync {
         at: &PreparedPose,
         x: &[Vector3],
         y: &[Vector3],
-    ) -> [f64; 3];
+    ) -> [f64; 3] {
+        each_product(self, metric, at, x, y)
+    }
 
     /// Adds to each face half its own terms at both poses.
     fn add_face_shares(
@@ -82,22 +87,25 @@ pub(in crate::analysis::metrics) trait MetricTerms: Sync {
         shares: &mut [f64],
     );
 
-    /// Terms of vertices before their weights, for the displacements `field` of `points` at the pose `at`.
+    /// Terms of vertices before their weights, for the displacements of points at the pose `_at`; `None` where
+    /// vertices have no terms.
     fn vertex_terms(
         &self,
-        metric: &Metric,
-        poses: [&PreparedPose; 2],
-        at: &PreparedPose,
-        points: &[Point3],
-        field: &[Vector3],
-    ) -> Option<Vec<f64>>;
+        _metric: &Metric,
+        _poses: [&PreparedPose; 2],
+        _at: &PreparedPose,
+        _points: &[Point3],
+        _field: &[Vector3],
+    ) -> Option<Vec<f64>> {
+        None
+    }
 
     /// Energies of the faces at all steps of a path, with their gradients.
     fn add_face_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients);
 
     /// Energies of the vertices that are neither curvature change nor regulariser, with their gradients. Called
     /// after the faces and the other vertices.
-    fn add_vertex_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients);
+    fn add_vertex_energies(&self, _: &Plan, _: &mut PathState, _: &mut Gradients) {}
 
     /// The quadratic form of a face on the relative rates of length of its sides ab, bc, ca; `None` where faces have
     /// no terms. Squared terms of corners are multiplied by `corner_weights`.
@@ -107,4 +115,15 @@ pub(in crate::analysis::metrics) trait MetricTerms: Sync {
         length2: [f64; 3],
         corner_weights: Option<[f64; 3]>,
     ) -> Option<[[f64; 3]; 3]>;
+}
+
+/// ⟨⟨X, X⟩⟩, ⟨⟨X, Y⟩⟩ and ⟨⟨Y, Y⟩⟩, one after the other.
+pub(super) fn each_product<T: MetricTerms + ?Sized>(
+    terms: &T,
+    metric: &Metric,
+    at: &PreparedPose,
+    x: &[Vector3],
+    y: &[Vector3],
+) -> [f64; 3] {
+    [(x, x), (x, y), (y, y)].map(|(x, y)| terms.product(metric, at, x, y))
 }

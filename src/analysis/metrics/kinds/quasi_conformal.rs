@@ -10,7 +10,7 @@ use crate::analysis::metrics::pose::PreparedPose;
 use crate::mesh::{Point3, Vector3};
 
 use super::corner_passes::{add_corner_energies, add_corner_shares, corner_stiffness};
-use super::metric_terms::{MetricTerms, MetricWords, Motion};
+use super::metric_terms::{MetricTerms, MetricWords, Motion, each_product};
 
 pub(super) struct QuasiConformal;
 
@@ -22,24 +22,23 @@ impl MetricTerms for QuasiConformal {
             summary: "Change of angles and of Gaussian curvature",
             ignores: "position, rotation and uniform scaling",
             penalises: "changes of angles and of curvature",
+            forms: &[
+                ("default: quasi-conformal, additive", Form::Additive),
+                ("quasi-conformal, frozen", Form::Frozen),
+                ("quasi-conformal, bilinear", Form::Bilinear),
+                ("quasi-conformal, printed", Form::Printed),
+            ],
         }
-    }
-
-    fn has_forms(&self) -> bool {
-        true
     }
 
     fn ignores_scale(&self) -> bool {
         true
     }
 
-    fn penalises_displacement(&self) -> bool {
-        false
-    }
-
     fn curvature_role(&self, form: Form) -> CurvatureRole {
         match form {
             Form::Printed | Form::Bilinear => CurvatureRole::StepFactor,
+            // Frozen at the change between the ends, a factor is no function of the field any more.
             Form::Frozen => CurvatureRole::FrozenFactor,
             Form::Additive => CurvatureRole::Term,
         }
@@ -54,6 +53,7 @@ impl MetricTerms for QuasiConformal {
     }
 
     fn path_energy_can_vanish(&self, params: &MetricParams) -> bool {
+        // A subject may shrink, change while it is small, and grow again for nothing.
         params.corners == Corners::Raw
             || match params.form {
                 // Steps that change angles alone and steps that change curvature alone cost nothing.
@@ -110,7 +110,8 @@ impl MetricTerms for QuasiConformal {
         y: &[Vector3],
     ) -> [f64; 3] {
         if !self.is_inner_product(metric.params.form) {
-            return [(x, x), (x, y), (y, y)].map(|(x, y)| self.product(metric, at, x, y));
+            // The factors of X and of Y differ, so that no pass can be shared.
+            return each_product(self, metric, at, x, y);
         }
         let mut sums = metric.corner_products(at, x, y);
         let rates = (metric.curvature_rates(at, x).into_iter()).zip(metric.curvature_rates(at, y));
@@ -153,8 +154,6 @@ impl MetricTerms for QuasiConformal {
     fn add_face_energies(&self, plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
         add_corner_energies(plan, state, gradients);
     }
-
-    fn add_vertex_energies(&self, _: &Plan, _: &mut PathState, _: &mut Gradients) {}
 
     fn side_stiffness(
         &self,

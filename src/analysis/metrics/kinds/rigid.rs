@@ -4,7 +4,7 @@ use nalgebra::Matrix3;
 
 use crate::analysis::metrics::metric::{Metric, PairScratch};
 use crate::analysis::metrics::pair_sums::Both;
-use crate::analysis::metrics::params::{CurvatureRole, Form, MetricParams};
+use crate::analysis::metrics::params::{Form, MetricParams};
 use crate::analysis::metrics::path_energy::rigid_steps;
 use crate::analysis::metrics::path_energy::state::{Gradients, PathState, Plan};
 use crate::analysis::metrics::pose::PreparedPose;
@@ -24,11 +24,8 @@ impl MetricTerms for Rigid {
             summary: "Displacement that no rigid motion explains",
             ignores: "position and rotation",
             penalises: "every other displacement",
+            forms: &[("rigid", Form::Additive)],
         }
-    }
-
-    fn has_forms(&self) -> bool {
-        false
     }
 
     fn ignores_scale(&self) -> bool {
@@ -37,10 +34,6 @@ impl MetricTerms for Rigid {
 
     fn penalises_displacement(&self) -> bool {
         true
-    }
-
-    fn curvature_role(&self, _: Form) -> CurvatureRole {
-        CurvatureRole::Unused
     }
 
     fn is_inner_product(&self, _: Form) -> bool {
@@ -63,6 +56,7 @@ impl MetricTerms for Rigid {
             .map(|p| Point3::from(rotation * p.coords + translation))
             .collect();
         let field: Vec<Vector3> = after.iter().zip(&before).map(|(q, p)| q - p).collect();
+        // At both poses: the rigid part that is taken out depends on where the vertices are.
         [(a, &before), (b, &after)].map(|(pose, points)| {
             rigid_product(points, &metric.vertex_weights(pose), &field, &field)
         })
@@ -72,16 +66,6 @@ impl MetricTerms for Rigid {
     fn product(&self, metric: &Metric, at: &PreparedPose, x: &[Vector3], y: &[Vector3]) -> f64 {
         let weights = metric.vertex_weights(at);
         rigid_product(&at.points(), &weights, x, y)
-    }
-
-    fn products(
-        &self,
-        metric: &Metric,
-        at: &PreparedPose,
-        x: &[Vector3],
-        y: &[Vector3],
-    ) -> [f64; 3] {
-        [(x, x), (x, y), (y, y)].map(|(x, y)| self.product(metric, at, x, y))
     }
 
     fn add_face_shares(

@@ -24,7 +24,7 @@ impl MetricKind {
 
     /// Whether a [form](crate::analysis::metrics::Form) makes a difference.
     pub fn has_forms(self) -> bool {
-        terms(self).has_forms()
+        self.words().forms.len() > 1
     }
 
     /// Whether uniform scaling costs nothing, without a regulariser and with scale-free corners.

@@ -41,6 +41,7 @@ fn curvature(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
             let slope = onto_poses([-change, change], &mut carry);
             gradients.around[at] = if density {
                 let (k, total) = (state.curvature.ends(v, b), state.total_area.ends(0, b));
+                // The quotient rule of turn / area · whole area.
                 let over_area = slope.over(state.around[at][1]);
                 gradients.total_area[b] += (k * slope).over(total);
                 [over_area * total * unit, -(k * over_area)]
@@ -51,6 +52,7 @@ fn curvature(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
     }
     if density {
         let rings = plan.params.curvature_rings;
+        // Gathering is symmetric, so that its adjoint is itself.
         mesh.gather(&mut gradients.around, &mut gradients.spare, blocks, rings);
     }
     for v in 0..mesh.vertex_count {
@@ -89,6 +91,7 @@ fn faces<const ANGLES: bool>(plan: &Plan, state: &PathState, gradients: &mut Gra
             };
             for e in 0..3 {
                 let edge = edges[e] as usize;
+                // ∂A / ∂ℓ² is a fourth of the cotangent of the opposite corner.
                 let mut slope = quarter * area * cotangents[(e + 2) % 3];
                 if ANGLES {
                     // The rate of relative length is half that of length² over length².
@@ -120,6 +123,7 @@ fn edges(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
             let g = both(|side| slope[side] * inverse[side]);
             let along_own = [-(two * g[0] * (one + s[0])), two * g[1] * (one - s[1])];
             let own = two * gradients.length2[at] + onto_poses(along_own, &mut carry);
+            // A stretch depends on both poses of its step, each through the other’s side.
             let across = g[0] - g[1];
             for axis in 0..3 {
                 let beside = [across * after[axis], across * before[axis]];

@@ -52,6 +52,7 @@ pub(in crate::analysis::metrics) fn add_faces(
     let (mesh, blocks) = (&plan.mesh, plan.blocks);
     for (f, (triangle, edges)) in mesh.triangles.iter().zip(&mesh.face_edges).enumerate() {
         let mut carry = 0.0;
+        // From the last block back: the first step of a block adds to the last pose of the block before.
         for b in (0..blocks).rev() {
             // Weights are shares of the area, which differs from pose to pose.
             let weights = Weights::new(state, plan.params.area_weights, b);
@@ -124,6 +125,7 @@ fn length_gradients(
             let slope = found[side].length2.map_or(Lanes::default(), |l| l[c]);
             weight[side] * slope
         });
+        // What crosses the border of a block is added to the block before, below.
         gradients.length2[at] += ends + begins.earlier(0.0);
         if block > 0 {
             gradients.length2[at - 1].0[3] += begins.0[0];

@@ -43,6 +43,7 @@ fn sides(plan: &Plan, state: &mut PathState) {
             if raw {
                 state.length2.set(e, b, length2);
             }
+            // `over` gives 0 for a side without length, which takes it out of every sum.
             let inverse = Lanes::splat(1.0).over(length2);
             let inverse = state.inverse_length2.set(e, b, inverse);
             state.stretch[e * plan.blocks + b] = stretch(before, after, inverse);
@@ -61,6 +62,7 @@ fn faces<const ANGLES: bool>(plan: &Plan, state: &mut PathState) {
             let area = Lanes::splat(0.5) * shape.0;
             total += area;
             state.face_area.set(f, b, area);
+            // Kept: the slopes of area and of angles need the same numbers on the way back.
             state.cotangents[f * plan.blocks + b] = cotangents(shape);
             let angles = if ANGLES {
                 angles_rad(shape)
@@ -91,6 +93,7 @@ fn curvature(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
                 area * Lanes::splat(1.0 / 3.0),
             );
             state.vertex_area.set(v, b, area);
+            // At the rim the turn depends on where the surface was cut, so it gives nothing to the mean.
             state.around[v * blocks + b] = if plan.params.area_weights && !mesh.inside[v] {
                 [Lanes::default(); 2]
             } else {

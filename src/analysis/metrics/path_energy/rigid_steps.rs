@@ -41,6 +41,7 @@ fn add_side(
     };
     let by_area = plan.params.area_weights;
     let total = state.total_area.at(0, pose);
+    // Without area weights the area has no slope either.
     let scale = if by_area && total > 0.0 {
         1.0 / total
     } else {
@@ -69,6 +70,7 @@ fn add_side(
         let left = field[v] - rigid.at(&points[v]);
         let length2 = left.norm_squared();
         energy += weights[v] * length2;
+        // The rigid part is the best one, so that its own change adds nothing to first order.
         let along_field = left * (2.0 * weights[v]);
         let along_point = -along_field.cross(&rigid.k2);
         let mut add = |pose: usize, slope: Vector3| {
@@ -91,6 +93,7 @@ fn add_side(
 
 /// Block and lane of a pose; pose 0 is in none.
 fn place(pose: usize) -> Option<(usize, usize)> {
+    // Pose 0 is the fixed start and has no gradient.
     let inner = pose.checked_sub(1)?;
     Some((inner / LANES, inner % LANES))
 }

@@ -12,6 +12,7 @@ pub(in crate::analysis::metrics) struct Rows {
 
 impl Rows {
     pub fn new(items: usize, blocks: usize) -> Self {
+        // One more than lanes: a step begins at the pose that the step before it ends with.
         let stride = LANES * blocks + 1;
         Self {
             values: vec![0.0; items * stride],
@@ -68,6 +69,7 @@ impl Rows {
 #[inline(always)]
 pub(super) fn onto_poses(both: [Lanes; 2], carry: &mut f64) -> Lanes {
     let [begins, ends] = both;
+    // A pose has the slopes of the step that ends there and of the one that begins there.
     let onto = ends + begins.earlier(*carry);
     *carry = begins.0[0];
     onto

@@ -58,6 +58,7 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
             }
             gradients.vertex_area[at] = onto_poses(along_area, &mut area_before);
             gradients.curvature_change[at] += two * mu * change * (w[0] + w[1]);
+            // The displacement of a step is shared by both of its poses.
             let pull = two * (lambda[0] * r[0] + lambda[1] * r[1]);
             for axis in 0..3 {
                 let slope = pull * x[axis];
@@ -70,6 +71,7 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
 /// Factor of the regulariser where steps begin and where they end.
 #[inline(always)]
 fn lambda(plan: &Plan, state: &PathState, block: usize) -> [Lanes; 2] {
+    // Fixed at the size of the ends, or a path would be cheaper where the subject is large.
     if let Some(factor) = plan.rest_factor {
         return [Lanes::splat(factor); 2];
     }
@@ -85,6 +87,7 @@ fn total_area_gradients(plan: &Plan, state: &PathState, gradients: &mut Gradient
     let own = once(plan.params.area_weights);
     let by_area = plan.regulariser_by_area();
     let own_unit = plan.rest_factor.is_none();
+    // The factor itself is per area then, and has a slope of its own.
     let relative = by_area && own_unit && plan.params.corners == Corners::ScaleFree;
     let rest = once(by_area) + once(relative);
     let mut points_before = 0.0;

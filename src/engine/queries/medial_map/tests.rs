@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::*;
 use crate::engine::queries::tests::{ask, edited, is_stopped, refusal, store};
 use crate::study::built_in::{BuiltInParams, cohort};
-use crate::study::{MeshSequence, Revision};
+use crate::study::{MeshSequence, Revision, Study};
 
 fn study() -> Arc<Study> {
     let params = BuiltInParams {

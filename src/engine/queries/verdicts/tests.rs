@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::*;
 use crate::analysis::verdicts::Finding;
 use crate::engine::queries::tests::{ask, edited, store};
+use crate::study::Study;
 use crate::study::built_in::{BuiltInParams, cohort};
 
 fn settings() -> VerdictSettings {

@@ -6,15 +6,8 @@ use super::*;
 #[derive(Clone, Debug, PartialEq)]
 struct Tenfold(Number);
 
-#[derive(Debug, thiserror::Error)]
-enum TenfoldError {
-    #[error(transparent)]
-    Number(Failure<TooLarge>),
-}
-
 impl Query for Tenfold {
     type Answer = u32;
-    type Error = TenfoldError;
     const TITLE: &'static str = "Tenfold";
     const FAILURE: Option<&'static str> = Some("There is no tenfold");
 
@@ -22,12 +15,9 @@ impl Query for Tenfold {
         self.0.depends_on(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted<TenfoldError>> {
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
         let part = cx.part("asking", 0.0, 0.8);
-        let number = part
-            .get(&self.0)
-            .map_err(|why| why.map(TenfoldError::Number))?;
-        Ok(10 * *number)
+        Ok(10 * *part.get(&self.0)?)
     }
 
     fn memory(_: &u32, _: &mut Memory) {}
@@ -43,14 +33,13 @@ struct Sum(Vec<Tenfold>);
 
 impl Query for Sum {
     type Answer = u32;
-    type Error = Failure<TenfoldError>;
     const TITLE: &'static str = "Sum";
 
     fn depends_on(&self, study: &Study) -> Dependencies {
         Dependencies::study(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted<Self::Error>> {
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
         self.0.iter().map(|tenfold| Ok(*cx.get(tenfold)?)).sum()
     }
 
@@ -191,7 +180,7 @@ fn a_failure_below_is_reported_by_one_card_and_retried_from_above() {
     let showing = ask().1;
     let error = showing.failure().unwrap();
     assert_eq!(error.to_string(), "999 is too large");
-    assert!(error.source().is_some() && error.is::<TenfoldError>());
+    assert!(error.source().is_some() && error.is::<TooLarge>());
     let cards = store.take_failures();
     assert_eq!(cards.len(), 1, "{cards:?}");
     store.retry(Topic::of::<Tenfold>());
@@ -203,23 +192,16 @@ fn a_failure_below_is_reported_by_one_card_and_retried_from_above() {
 #[derive(Clone, Debug, PartialEq)]
 struct Circle(u32);
 
-#[derive(Debug, thiserror::Error)]
-#[error("{0}")]
-struct Said(String);
-
 impl Query for Circle {
     type Answer = u32;
-    type Error = Said;
     const TITLE: &'static str = "Circle";
 
     fn depends_on(&self, _: &Study) -> Dependencies {
         Dependencies::nothing()
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted<Said>> {
-        let next = cx.get(&Self((self.0 + 1) % 3));
-        let answer = next.map_err(|why| why.map(|failure| Said(failure.to_string())))?;
-        Ok(*answer)
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
+        Ok(*cx.get(&Self((self.0 + 1) % 3))?)
     }
 
     fn memory(_: &u32, _: &mut Memory) {}

@@ -71,7 +71,6 @@ struct Dragged(Number);
 
 impl Query for Dragged {
     type Answer = u32;
-    type Error = TooLarge;
     const TITLE: &'static str = "Dragged";
     const URGENCY: Urgency = Urgency::Interactive;
 
@@ -79,7 +78,7 @@ impl Query for Dragged {
         self.0.depends_on(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted<TooLarge>> {
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
         self.0.run(cx)
     }
 
@@ -121,7 +120,6 @@ struct Statistics(Number);
 
 impl Query for Statistics {
     type Answer = u32;
-    type Error = TooLarge;
     const TITLE: &'static str = "Statistics";
     const URGENCY: Urgency = Urgency::Background;
 
@@ -129,7 +127,7 @@ impl Query for Statistics {
         Dependencies::study(study)
     }
 
-    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted<TooLarge>> {
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
         self.0.run(cx)
     }
 
@@ -173,6 +171,44 @@ fn sliders_come_first_and_statistics_of_the_cohort_last() {
     let order = desk.order();
     let place = |number: u32| order.iter().rposition(|&n| n == number).unwrap();
     assert!(place(90) < place(3) && place(3) < place(50), "{order:?}");
+}
+
+/// Asked for with the pointer down; unlike a slider's, none waits for another.
+#[derive(Clone, Debug, PartialEq)]
+struct Urgent(Number);
+
+impl Query for Urgent {
+    type Answer = u32;
+    const TITLE: &'static str = "Urgent";
+    const URGENCY: Urgency = Urgency::Interactive;
+
+    fn run(&self, cx: &Context<'_>) -> Result<u32, Interrupted> {
+        self.0.run(cx)
+    }
+
+    fn memory(_: &u32, _: &mut Memory) {}
+
+    fn replaces(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+#[test]
+fn of_what_waits_for_a_thread_the_most_urgent_begins_first() {
+    let (store, study) = (store(), study());
+    let [held, freed, waiting] = [Desk::default(), Desk::default(), Desk::default()];
+    // All four threads are taken, and one of them is given back.
+    for i in 0..3 {
+        store.ask(&study, &Urgent(gated(&held, i)));
+    }
+    store.ask(&study, &Urgent(gated(&freed, 3)));
+    until(|| held.runs() + freed.runs() == 4);
+    store.ask(&study, &number(&waiting, 60));
+    store.ask(&study, &Urgent(number(&waiting, 95)));
+    freed.open();
+    until(|| waiting.runs() == 2);
+    assert_eq!(waiting.order(), [95, 60]);
+    held.open();
 }
 
 #[test]
