@@ -127,8 +127,8 @@ fn beat<'a>(meshes: &[PlacedMesh], tracks: &'a [WeightTrack]) -> Result<Beat<'a>
     Ok(Beat::Targets(first.targets))
 }
 
-/// Displacements that are added to make all frames of a file: a second's work.
-const MAX_DISPLACEMENTS: usize = 500_000_000;
+/// Displacements that are added to make all frames of a file: a fraction of a second of work.
+const MAX_DISPLACEMENTS: usize = 100_000_000;
 
 /// The points of a frame; `added` counts the displacements of all frames so far.
 fn frame_points(
