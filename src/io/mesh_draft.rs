@@ -85,8 +85,8 @@ impl MeshDraft {
         check_count("faces", total, self.limits.faces)
     }
 
-    /// Refuses a polygon of more corners than the limit. What is computed of a mesh takes a time
-    /// that grows with the square of the faces at one vertex, and a polygon is split from one corner.
+    /// Refuses a polygon of more corners than the limit: it would be split from one corner into
+    /// slivers that say nothing of a wall, and that what is computed around a vertex takes long over.
     pub(super) fn check_corners(&self, count: u64, place: Place) -> Result<(), ReadMeshError> {
         let most = self.limits.polygon_corners;
         if count > most as u64 {
