@@ -44,7 +44,8 @@ pub(super) fn without_mark(bytes: &[u8]) -> Result<Unmarked<'_>, ReadMeshError> 
     let ascii = |at: usize| bytes.get(at).is_some_and(|b| (b' '..0x7f).contains(b));
     let zero = |at: usize| bytes.get(at) == Some(&0);
     let alternate = |first: usize| {
-        (0..4).all(|k| ascii(2 * k + first) && zero(2 * k + 1 - first)) && bytes.len() % 2 == 0
+        (0..4).all(|k| ascii(2 * k + first) && zero(2 * k + 1 - first))
+            && bytes.len().is_multiple_of(2)
     };
     let (skipped, word): (usize, fn([u8; 2]) -> u16) = match bytes {
         [0xff, 0xfe, ..] => (2, u16::from_le_bytes),
