@@ -2,8 +2,8 @@
 //!
 //! A row is `v,x,y,z` for a vertex or `f,a,b,c` for a face (or more corners), with vertices
 //! counted from 0 in the order of their rows. Faces may stand before their vertices. A first row of
-//! words is a header; empty rows and rows that begin with `#` are passed over. Tabs or semicolons
-//! may stand for the commas, quotes around any cell.
+//! words is a header; empty rows and rows that begin with `#` are passed over. Quotes may
+//! stand around any cell.
 
 use super::mesh_draft::{MeshDraft, Place};
 use super::text_lines::{TextLines, count, number, shown, three_numbers};
@@ -36,7 +36,7 @@ pub(super) fn read_csv_mesh(bytes: &[u8], limits: &Limits) -> Result<MeshFile, R
                 }
                 draft.polygon(&corners, place)?;
             }
-            _ if header_may_come && !row.clone().any(|cell| number(cell, place).is_ok()) => {}
+            _ if header_may_come && is_header(&row, text, place) => {}
             word => {
                 return Err(place.error(format!(
                     "a row begins with {}, but \"v\" (vertex) or \"f\" (face) is needed",
@@ -49,32 +49,22 @@ pub(super) fn read_csv_mesh(bytes: &[u8], limits: &Limits) -> Result<MeshFile, R
     draft.finish()
 }
 
-/// Whether a text begins as points and faces do: with a row of either, perhaps after a header. What is wrong further
-/// down is for the reader to tell.
-pub(super) fn begins_as_mesh(head: &[u8]) -> bool {
-    let rows = TextLines::new(head).filter_map(|(_, text)| cells(text));
-    rows.take(2).any(|mut row| {
-        let is_kind = matches!(row.next(), Some(b"v" | b"V" | b"f" | b"F"));
-        is_kind && row.count() >= 2
-    })
+/// A row of words. One with semicolons is points or faces parted by these, which are not read.
+fn is_header<'a>(
+    row: &(impl Iterator<Item = &'a [u8]> + Clone),
+    text: &[u8],
+    place: Place,
+) -> bool {
+    let holds_number = row.clone().any(|cell| number(cell, place).is_ok());
+    !holds_number && !text.contains(&b';')
 }
 
 /// The cells of a row up to the last that is not empty; none for a row that says nothing.
 fn cells(text: &[u8]) -> Option<impl Iterator<Item = &[u8]> + Clone> {
-    let text = text.trim_ascii();
-    let empty = text.iter().all(|b| b",;\t\" ".contains(b));
-    if empty || text.starts_with(b"#") {
-        return None;
-    }
-    let kind_and_rest = unquoted(text.split(|b| b",;\t".contains(b)).next().unwrap_or(text));
-    let between = text.iter().find(|b| b",;\t".contains(b)).copied();
-    // a header may hold any of them
-    let between = between.filter(|_| kind_and_rest.len() == 1).unwrap_or(b',');
-    let mut end = text.len();
-    while end > 0 && (text[end - 1] == between || text[end - 1].is_ascii_whitespace()) {
-        end -= 1;
-    }
-    Some(text[..end].split(move |&b| b == between).map(unquoted))
+    let blank = |b: &u8| b.is_ascii_whitespace() || *b == b',';
+    let end = text.iter().rposition(|b| !blank(b))? + 1;
+    let row = &text[..end];
+    (!row.trim_ascii_start().starts_with(b"#")).then(|| row.split(|&b| b == b',').map(unquoted))
 }
 
 fn unquoted(cell: &[u8]) -> &[u8] {
@@ -96,13 +86,11 @@ mod tests {
     }
 
     #[test]
-    fn cells_are_between_commas_semicolons_or_tabs_quoted_or_not() {
+    fn rows_are_read_in_either_case_quoted_or_not() {
         let text = format!("kind,x,y,z\n# points\n\n{POINTS}f,0,1,2\n");
         let expected = read(&text).unwrap();
         assert_eq!(expected.frames[0].triangles(), [[0, 1, 2]]);
         for other in [
-            text.replace(',', ";"),
-            text.replace(',', "\t"),
             text.replace(',', " , "),
             text.replace('\n', "\r"),
             text.replace('\n', ",,\r\n"),
@@ -125,7 +113,7 @@ mod tests {
                 "v,1,5,2,5,3,5",
                 "line 4: vertex has more than 3 coordinates",
             ),
-            ("v;1,5;2,5;3,5", "line 4: \"1,5\" is not a number"),
+            ("v;1,5;2,5;3,5", "line 4: a row begins with \"v;1\""),
             ("v,1,-1.#IND,0", "line 4: \"-1.#IND\" is not a number"),
             ("v,nan,0,0", "line 4: coordinate NaN is not a finite number"),
             (
@@ -139,26 +127,17 @@ mod tests {
             let error = read(&format!("{POINTS}{row}\nf,0,1,2\n")).unwrap_err();
             assert!(error.to_string().starts_with(expected), "{row}: {error}");
         }
+        let error = read("v;0;0;0\nv,0,0,0\n").unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .starts_with("line 1: a row begins with \"v;0;0;0\"")
+        );
         let error = read(&format!("w,0,0,0\n{POINTS}f,0,1,2\n")).unwrap_err();
         assert!(
             error
                 .to_string()
                 .starts_with("line 1: a row begins with \"w\"")
         );
-    }
-
-    #[test]
-    fn a_table_is_told_from_points_and_faces_by_its_first_rows() {
-        for mesh in [
-            "v,nan,0,0\n",
-            "kind,x,y,z\nV;1;2;",
-            "# a\n\n\"f\",0,1,2",
-            "\r\rv\t0\t0\t0",
-        ] {
-            assert!(begins_as_mesh(mesh.as_bytes()), "{mesh}");
-        }
-        for table in ["", "time,volume\n0,1\nv,1,2,3", "v,volume\nv,1", "\0\u{1}v"] {
-            assert!(!begins_as_mesh(table.as_bytes()), "{table}");
-        }
     }
 }

@@ -14,7 +14,7 @@ use super::mesh_draft::{Place, check_count};
 /// # Errors
 /// With the line and the reason, or the limit that the text breaks.
 pub(super) fn parse_xml(text: &str) -> Result<Document<'_>, ReadMeshError> {
-    check_size(text)?;
+    check_xml_size(text)?;
     let options = ParsingOptions {
         nodes_limit: MAX_XML_NODES,
         allow_dtd: !text.contains("<!ENTITY"),
@@ -24,9 +24,9 @@ pub(super) fn parse_xml(text: &str) -> Result<Document<'_>, ReadMeshError> {
         .map_err(|error| Place::Line(error.pos().row as usize).error(error.to_string()))
 }
 
-/// Counts what the parser takes time and memory for. Between one `<` and the next stand the attributes of at most
+/// Refuses what the parser takes long or much memory for. Between one `<` and the next stand the attributes of at most
 /// one element, each with a `=`.
-fn check_size(text: &str) -> Result<(), ReadMeshError> {
+pub(super) fn check_xml_size(text: &str) -> Result<(), ReadMeshError> {
     let (mut nodes, mut attributes) = (0_u64, 0);
     for part in text.as_bytes().split(|&b| b == b'<').skip(1) {
         nodes += 1;

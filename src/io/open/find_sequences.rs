@@ -5,10 +5,9 @@ use std::path::{Path, PathBuf};
 
 use super::file_name::{mesh_name, surface_of_word};
 use super::group_files::{LooseFile, group_files, stem};
-use super::mesh_tables::mesh_tables;
 use super::natural_order::natural_order;
 use super::plan::{SeriesTimes, StudyPlan};
-use super::read_file::{name_of, read_text};
+use super::read_file::{name_of, read_bytes, read_mesh_at, read_text};
 use super::series_files::{is_series, read_series};
 use crate::io::formats::{MANIFEST_EXTENSION, format_of_extension};
 use crate::io::{Limits, OpenError, openable_extensions};
@@ -166,16 +165,14 @@ impl<'a> Search<'a> {
             }
         }
         let mut usable = Vec::new();
-        let all = files.iter().chain(from_sheets.iter().map(|(file, _)| file));
-        let tables = mesh_tables(all.filter(|file| role(file) == FileRole::Table));
         for file in files {
             match role(&file) {
                 FileRole::Mesh | FileRole::Series => usable.push(file),
-                FileRole::Table if tables.contains(&file) => usable.push(file),
+                FileRole::Table if self.is_mesh_table(&file) => usable.push(file),
                 _ => self.images += usize::from(is_image(&file)),
             }
         }
-        from_sheets.retain(|(file, _)| role(file) == FileRole::Mesh || tables.contains(file));
+        from_sheets.retain(|(file, _)| role(file) == FileRole::Mesh);
         self.group(folder, usable, from_sheets, &folder_name(folder))?;
         for folder in folders {
             self.folder(&folder, depth + 1)?;
@@ -206,6 +203,13 @@ impl<'a> Search<'a> {
         files.sort_by(by_name);
         folders.sort_by(by_name);
         Ok(Ok(Entries { files, folders }))
+    }
+
+    /// Whether a CSV that merely lies there holds points and faces.
+    fn is_mesh_table(&self, path: &Path) -> bool {
+        read_bytes(path, self.limits)
+            .and_then(|bytes| read_mesh_at(path, &bytes, self.limits))
+            .is_ok()
     }
 
     /// Loose files of one folder, with those of its folders that are named after a sheet.

@@ -9,7 +9,6 @@ mod find_sequences;
 mod group_files;
 mod length_unit;
 mod manifest_subjects;
-mod mesh_tables;
 mod natural_order;
 mod patterns;
 mod plan;

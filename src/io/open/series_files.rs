@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use serde::Deserialize;
 
 use crate::io::formats::SERIES_EXTENSIONS;
-use crate::io::xml::parse_xml;
 
 /// Files in the order of time.
 #[derive(Clone, Debug, PartialEq)]
@@ -73,7 +72,8 @@ struct Entry {
 }
 
 fn pvd(text: &str) -> Result<Vec<Entry>, String> {
-    let document = parse_xml(text).map_err(|error| error.to_string())?;
+    let document = roxmltree::Document::parse(text)
+        .map_err(|error| format!("line {}: {error}", error.pos().row))?;
     let line_of = |node: &roxmltree::Node| document.text_pos_at(node.range().start).row as usize;
     document
         .descendants()
