@@ -1,67 +1,143 @@
 //! Points and faces in one CSV file.
 //!
 //! A row is `v,x,y,z` for a vertex or `f,a,b,c` for a face (or more corners), with vertices
-//! counted from 0 in the order of their rows. Faces may stand before their vertices. A first row that
-//! begins with another word is a header; empty rows and rows that begin with `#` are passed over.
-
-use csv::{ByteRecord, ReaderBuilder, Trim};
+//! counted from 0 in the order of their rows. Faces may stand before their vertices. A first row of
+//! words is a header; empty rows and rows that begin with `#` are passed over. Quotes may
+//! stand around any cell.
 
 use super::mesh_draft::{MeshDraft, Place};
-use super::text_lines::{count, shown, three_numbers};
+use super::text_lines::{TextLines, count, number, shown, three_numbers};
 use super::{Limits, MeshFile, ReadMeshError};
 
 /// Reads rows of vertices and faces.
 pub(super) fn read_csv_mesh(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
-    let mut rows = ReaderBuilder::new()
-        .has_headers(false)
-        .flexible(true)
-        .comment(Some(b'#'))
-        .quoting(false)
-        .trim(Trim::All)
-        .from_reader(bytes);
     let mut draft = MeshDraft::new(limits, 0);
-    let mut row = ByteRecord::new();
     let mut corners = Vec::new();
-    let mut first = true;
-    while rows
-        .read_byte_record(&mut row)
-        .map_err(|error| Place::Line(rows_line(&row)).error(error.to_string()))?
-    {
-        let place = Place::Line(rows_line(&row));
-        let mut cells = row.iter().filter(|cell| !cell.is_empty());
+    let mut header_may_come = true;
+    for (line, text) in TextLines::new(bytes) {
+        let place = Place::Line(line);
+        let Some(row) = cells(text) else { continue };
+        let mut cells = row.clone();
         match cells.next() {
-            None => {}
-            Some(b"v") => {
+            Some(b"v" | b"V") => {
                 draft.point(three_numbers(&mut cells, place)?, place)?;
                 if cells.next().is_some() {
                     return Err(place.error("vertex has more than 3 coordinates"));
                 }
             }
-            Some(b"f") => {
+            Some(b"f" | b"F") => {
                 corners.clear();
                 for cell in cells {
                     let index = count(cell, place)?;
                     corners.push(u32::try_from(index).map_err(|_| {
                         place.error(format!("{index} is not the index of a vertex"))
                     })?);
+                    draft.check_corners(corners.len() as u64, place)?;
                 }
                 draft.polygon(&corners, place)?;
             }
-            Some(_) if first => {}
-            Some(word) => {
+            _ if header_may_come && is_header(&row, text, place) => {}
+            word => {
                 return Err(place.error(format!(
                     "a row begins with {}, but \"v\" (vertex) or \"f\" (face) is needed",
-                    shown(word)
+                    shown(word.unwrap_or_default())
                 )));
             }
         }
-        first = false;
+        header_may_come = false;
     }
     draft.finish()
 }
 
-fn rows_line(row: &ByteRecord) -> usize {
-    row.position()
-        .map_or(1, |position| position.line() as usize)
+/// A row of words. One with semicolons is points or faces parted by these, which are not read.
+fn is_header<'a>(
+    row: &(impl Iterator<Item = &'a [u8]> + Clone),
+    text: &[u8],
+    place: Place,
+) -> bool {
+    let holds_number = row.clone().any(|cell| number(cell, place).is_ok());
+    !holds_number && !text.contains(&b';')
+}
+
+/// The cells of a row up to the last that is not empty; none for a row that says nothing.
+fn cells(text: &[u8]) -> Option<impl Iterator<Item = &[u8]> + Clone> {
+    let blank = |b: &u8| b.is_ascii_whitespace() || *b == b',';
+    let end = text.iter().rposition(|b| !blank(b))? + 1;
+    let row = &text[..end];
+    (!row.trim_ascii_start().starts_with(b"#")).then(|| row.split(|&b| b == b',').map(unquoted))
+}
+
+fn unquoted(cell: &[u8]) -> &[u8] {
+    let cell = cell.trim_ascii();
+    let inner = cell
+        .strip_prefix(b"\"")
+        .and_then(|cell| cell.strip_suffix(b"\""));
+    inner.unwrap_or(cell).trim_ascii()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const POINTS: &str = "v,0,0,0\nv,1,0,0\nv,0,1,0\n";
+
+    fn read(text: &str) -> Result<MeshFile, ReadMeshError> {
+        read_csv_mesh(text.as_bytes(), &Limits::default())
+    }
+
+    #[test]
+    fn rows_are_read_in_either_case_quoted_or_not() {
+        let text = format!("kind,x,y,z\n# points\n\n{POINTS}f,0,1,2\n");
+        let expected = read(&text).unwrap();
+        assert_eq!(expected.frames[0].triangles(), [[0, 1, 2]]);
+        for other in [
+            text.replace(',', " , "),
+            text.replace('\n', "\r"),
+            text.replace('\n', ",,\r\n"),
+            text.replace('v', "V").replace("f,", "F,"),
+            text.replace("v,", "\"v\",").replace("f,0", "\"f\",\"0\""),
+            text.replace("kind,x,y,z", "\"\",\"V1\",\"V2\",\"V3\""),
+            text.replace("kind,x,y,z\n", ""),
+        ] {
+            assert_eq!(read(&other).unwrap(), expected, "{other}");
+        }
+    }
+
+    #[test]
+    fn a_missing_cell_or_another_row_is_an_error_with_its_line() {
+        for (row, expected) in [
+            ("v,1,,0", "line 4: \"\" is not a number"),
+            ("v,1,,2,3", "line 4: \"\" is not a number"),
+            ("v,1,2,", "line 4: 2 coordinates, but 3 are needed"),
+            (
+                "v,1,5,2,5,3,5",
+                "line 4: vertex has more than 3 coordinates",
+            ),
+            ("v;1,5;2,5;3,5", "line 4: a row begins with \"v;1\""),
+            ("v,1,-1.#IND,0", "line 4: \"-1.#IND\" is not a number"),
+            ("v,nan,0,0", "line 4: coordinate NaN is not a finite number"),
+            (
+                "v,1e999,0,0",
+                "line 4: coordinate inf is not a finite number",
+            ),
+            ("f,0,1,,2", "line 4: \"\" is not a count"),
+            ("f,0,1,1.5", "line 4: \"1.5\" is not a count"),
+            (",0,1,2", "line 4: a row begins with \"\", but"),
+        ] {
+            let error = read(&format!("{POINTS}{row}\nf,0,1,2\n")).unwrap_err();
+            assert!(error.to_string().starts_with(expected), "{row}: {error}");
+        }
+        let error = read("v;0;0;0\nv,0,0,0\n").unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .starts_with("line 1: a row begins with \"v;0;0;0\"")
+        );
+        let error = read(&format!("w,0,0,0\n{POINTS}f,0,1,2\n")).unwrap_err();
+        assert!(
+            error
+                .to_string()
+                .starts_with("line 1: a row begins with \"w\"")
+        );
+    }
 }

@@ -1,6 +1,8 @@
 //! Which format a file has, by its content and its extension.
 
 use super::formats::{FORMATS, Format, Head, Source, format_of_extension, mesh_format_names};
+use super::stl::is_whole_binary_stl;
+use super::text_encoding::without_mark;
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
@@ -45,18 +47,29 @@ pub fn read_mesh_with_siblings(
     let named = file_name
         .rsplit_once('.')
         .and_then(|(_, extension)| format_of_extension(extension));
+    let unmarked = if is_whole_binary_stl(bytes) {
+        None // its first bytes may be anything
+    } else {
+        Some(without_mark(bytes)?)
+    };
+    let content = unmarked.as_ref().map_or(bytes, |text| &text.bytes);
     let format =
-        format_of_content(bytes)
+        format_of_content(content)
             .or(named)
             .ok_or_else(|| ReadMeshError::UnknownFormat {
                 known: mesh_format_names().join(", "),
             })?;
     let source = Source {
-        bytes,
+        bytes: content,
         limits,
         sibling,
     };
-    let mut file = (format.read)(&source).map_err(on_one_line)?;
+    let mut file = (format.read)(&source).map_err(|error| {
+        on_one_line(match &unmarked {
+            Some(text) => text.error_in_file(error, bytes.len()),
+            None => error,
+        })
+    })?;
     if named.is_some_and(|named| named.name != format.name) {
         file.notices.push(Notice::info(format!(
             "read as {} by its content, despite its file name extension",
@@ -93,7 +106,6 @@ fn on_one_line(mut error: ReadMeshError) -> ReadMeshError {
 fn format_of_content(bytes: &[u8]) -> Option<&'static Format> {
     /// Longest start of a text that formats are recognised by.
     const HEAD: usize = 1024;
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let head = Head {
         bytes,
         text: bytes[..bytes.len().min(HEAD)].trim_ascii_start(),

@@ -8,7 +8,7 @@ use super::gltf_file::read_gltf;
 use super::obj::{read_obj, write_obj};
 use super::ply::{read_ply, write_ply};
 use super::stl::read_stl;
-use super::vtk_legacy::read_vtk_legacy;
+use super::vtk_legacy::{is_legacy_header, read_vtk_legacy};
 use super::vtp::{read_vtp, write_pvd, write_vtp};
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::mesh::TriMesh;
@@ -33,7 +33,7 @@ pub(super) struct Format {
 
 /// The first bytes of a file.
 pub(super) struct Head<'a> {
-    /// Without a byte order mark.
+    /// Without a byte order mark, in UTF-8 if they are text.
     pub bytes: &'a [u8],
     /// The same without white space in front, shortened.
     pub text: &'a [u8],
@@ -84,7 +84,12 @@ pub(super) static FORMATS: [Format; 7] = [
         extensions: &["ply"],
         description: "Polygon file format, binary",
         often_other: false,
-        recognises: |head| head.bytes.starts_with(b"ply\n") || head.bytes.starts_with(b"ply\r"),
+        recognises: |head| {
+            let after = head.text.strip_prefix(b"ply");
+            after
+                .and_then(<[u8]>::first)
+                .is_some_and(u8::is_ascii_whitespace)
+        },
         read: |source| read_ply(source.bytes, source.limits),
         writer: Some(Writer {
             mesh: |mut out, mesh| write_ply(&mut out, mesh),
@@ -105,7 +110,7 @@ pub(super) static FORMATS: [Format; 7] = [
         extensions: &["vtk"],
         description: "VTK legacy",
         often_other: false,
-        recognises: |head| head.text.starts_with(b"# vtk DataFile"),
+        recognises: |head| is_legacy_header(head.text),
         read: |source| read_vtk_legacy(source.bytes, source.limits),
         writer: None,
     },

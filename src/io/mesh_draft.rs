@@ -85,6 +85,16 @@ impl MeshDraft {
         check_count("faces", total, self.limits.faces)
     }
 
+    /// Refuses a polygon of more corners than the limit: it would be split from one corner into
+    /// slivers that say nothing of a wall, and that what is computed around a vertex takes long over.
+    pub(super) fn check_corners(&self, count: u64, place: Place) -> Result<(), ReadMeshError> {
+        let most = self.limits.polygon_corners;
+        if count > most as u64 {
+            return Err(place.error(format!("a polygon of {count} corners; the limit is {most}")));
+        }
+        Ok(())
+    }
+
     /// Adds a point.
     pub(super) fn point(&mut self, xyz: [f64; 3], place: Place) -> Result<(), ReadMeshError> {
         if let Some(x) = xyz.iter().find(|x| !x.is_finite()) {
@@ -103,6 +113,7 @@ impl MeshDraft {
     /// The fan depends on the order of the corners alone, never on their positions, so that
     /// every frame of a sequence is split alike. Corners may refer to points still to come.
     pub(super) fn polygon(&mut self, corners: &[u32], place: Place) -> Result<(), ReadMeshError> {
+        self.check_corners(corners.len() as u64, place)?;
         self.note_references(corners, place);
         let [first, rest @ ..] = corners else {
             self.too_few_corners += 1;

@@ -15,14 +15,18 @@ mod ply;
 mod stl;
 #[cfg(test)]
 mod tests;
+mod text_encoding;
 mod text_lines;
 mod vtk_legacy;
 mod vtp;
 mod write_study;
+mod xml;
 
 pub use detect::{read_mesh, read_mesh_with_siblings};
 pub use formats::{MeshFormat, mesh_file_endings, mesh_format_names, openable_extensions};
-pub use limits::Limits;
+pub use limits::{
+    Limits, MAX_XML_ATTRIBUTES, MAX_XML_ATTRIBUTES_IN_ALL, MAX_XML_NAMESPACES, MAX_XML_NODES,
+};
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
 pub use open::{looks_openable, open_paths, read_head};

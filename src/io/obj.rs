@@ -13,6 +13,9 @@ use super::{Limits, MeshFile, ReadMeshError};
 use crate::mesh::TriMesh;
 use crate::study::Notice;
 
+/// Keywords of what is read or counted.
+const SHAPE: &[&[u8]] = &[b"v", b"f", b"fo", b"p", b"l", b"o"];
+
 /// Keywords of the format that say nothing about where the surface is.
 const WITHOUT_SHAPE: &[&[u8]] = &[
     b"vt",
@@ -69,6 +72,7 @@ pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
                 corners.clear();
                 for word in words {
                     corners.push(vertex_index(word, draft.point_count(), place)?);
+                    draft.check_corners(corners.len() as u64, place)?;
                 }
                 draft.polygon(&corners, place)?;
             }
@@ -93,24 +97,33 @@ pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
 }
 
 /// The line up to its comment, with the lines that a backslash at its end joins to it. A backslash in a comment joins
-/// nothing: the line below it may be a face.
+/// nothing, nor does one before a line that says by its keyword what it is: `mtllib D:\hearts\` above a vertex is a path.
 fn whole_line<'a>(text: &'a [u8], lines: &mut TextLines<'a>) -> Cow<'a, [u8]> {
     let continued = |text: &[u8]| {
         without_comment(text).len() == text.len() && text.trim_ascii_end().ends_with(b"\\")
     };
-    if !continued(text) {
-        return without_comment(text).into();
-    }
-    let mut joined = Vec::new();
+    let mut joined = Cow::Borrowed(text);
     let mut part = text;
     while continued(part) {
-        let end = part.trim_ascii_end();
-        joined.extend_from_slice(&end[..end.len() - 1]);
-        joined.push(b' ');
-        part = lines.next().map_or(&[][..], |(_, next)| next);
+        let whole = joined.to_mut();
+        whole.truncate(whole.trim_ascii_end().len() - 1);
+        let Some((_, next)) = lines.clone().next().filter(|(_, next)| !has_keyword(next)) else {
+            break;
+        };
+        lines.next();
+        whole.push(b' ');
+        whole.extend_from_slice(next);
+        part = next;
     }
-    joined.extend_from_slice(part);
-    without_comment(&joined).to_vec().into()
+    match joined {
+        Cow::Borrowed(text) => without_comment(text).into(),
+        Cow::Owned(text) => without_comment(&text).to_vec().into(),
+    }
+}
+
+fn has_keyword(line: &[u8]) -> bool {
+    let first = words(line).next().unwrap_or_default();
+    SHAPE.contains(&first) || WITHOUT_SHAPE.contains(&first) || CURVED.contains(&first)
 }
 
 /// A comment begins a word: the `#` of `-1.#IND`, which is how some C libraries print what is no number, begins none, and
@@ -134,8 +147,12 @@ fn check_rest_of_vertex<'a>(
 
 /// `7`, `7/1`, `7//3`, `7/1/3` or `-1`: the vertex, counted from 0.
 fn vertex_index(word: &[u8], defined: usize, place: Place) -> Result<u32, ReadMeshError> {
-    let number = word.split(|&b| b == b'/').next().unwrap_or_default();
-    let number = whole_number(number, place)?;
+    let mut parts = word.split(|&b| b == b'/');
+    let number = whole_number(parts.next().unwrap_or_default(), place)?;
+    let whole_or_none = |part: &[u8]| part.iter().all(|b| b.is_ascii_digit() || *b == b'-');
+    if parts.clone().count() > 2 || !parts.all(whole_or_none) {
+        return Err(place.error(format!("{} is not the corner of a face", shown(word))));
+    }
     let index = match number {
         0 => return Err(place.error("face refers to vertex 0, but vertices count from 1")),
         1.. => number - 1,

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
 use super::mesh_draft::{MeshDraft, Place};
-use super::text_lines::{TextLines, shown, three_numbers, words};
+use super::text_lines::{TextLines, TextWords, number, shown, three_numbers};
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
@@ -26,11 +26,15 @@ pub(super) fn read_stl(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
 /// Text begins with "solid", but so do some binary headers: those have a size that fits their
 /// count, or bytes that no text has.
 fn is_text(bytes: &[u8]) -> bool {
-    let starts_as_text = bytes.trim_ascii_start().starts_with(b"solid");
-    let size_fits_count = triangle_count(bytes).is_some_and(|count| {
+    let head = &bytes[..bytes.len().min(512)];
+    !is_whole_binary_stl(bytes) && !head.iter().any(|&b| b < b'\t')
+}
+
+/// Whether the size of a file is that of as many triangles as its header would announce.
+pub(super) fn is_whole_binary_stl(bytes: &[u8]) -> bool {
+    triangle_count(bytes).is_some_and(|count| {
         bytes.len() as u64 == HEADER_BYTES as u64 + count * TRIANGLE_BYTES as u64
-    });
-    starts_as_text && !size_fits_count && !bytes[..bytes.len().min(512)].contains(&0)
+    })
 }
 
 fn triangle_count(bytes: &[u8]) -> Option<u64> {
@@ -66,34 +70,84 @@ fn read_binary(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
     Ok(())
 }
 
+/// Keywords may be in any case, `end loop` in one word or two, numbers on any line. Lines that begin with `#`, `;` or
+/// `//` are remarks.
 fn read_text(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
     let mut solid_open = false;
-    let mut lines = TextLines::new(bytes);
-    for (line, text) in lines.by_ref() {
-        let place = Place::Line(line);
-        let mut words = words(text);
-        let Some(first) = words.next() else { continue };
-        match first.to_ascii_lowercase().as_slice() {
-            b"solid" if !solid_open => solid_open = true,
-            b"endsolid" if solid_open => solid_open = false,
+    let mut words = TextWords::new(TextLines::new(bytes));
+    let mut line_before = 0;
+    while let Some(first) = words.next() {
+        let place = words.place();
+        let begins_line = words.line() > line_before;
+        line_before = words.line();
+        if begins_line
+            && [&b"#"[..], b";", b"//"]
+                .iter()
+                .any(|sign| first.starts_with(sign))
+        {
+            words.skip_line();
+            continue;
+        }
+        let mut keyword = first.to_ascii_lowercase();
+        if keyword == b"end" {
+            keyword.extend(words.next().unwrap_or_default().to_ascii_lowercase());
+        }
+        match keyword.as_slice() {
+            b"solid" if !solid_open => {
+                solid_open = true;
+                skip_name(&mut words);
+            }
+            b"endsolid" if solid_open => {
+                solid_open = false;
+                if skip_name(&mut words) {
+                    return Err(place.error("a facet on the line of \"endsolid\""));
+                }
+            }
             _ if !solid_open => {
                 return Err(place.error(format!("{} outside a solid", shown(first))));
             }
-            b"vertex" => {
-                weld.corner(three_numbers(&mut words, place)?, place)?;
-                if words.next().is_some() {
-                    return Err(place.error("vertex has more than 3 coordinates"));
-                }
-            }
-            b"facet" | b"outer" | b"endloop" => {}
+            b"facet" => skip_normal(&mut words),
+            b"vertex" => weld.corner(three_numbers(&mut words, place)?, place)?,
+            b"outer" | b"loop" | b"endloop" => {}
             b"endfacet" => weld.triangle(place)?,
+            _ if number(first, place).is_ok() => {
+                return Err(place.error("vertex has more than 3 coordinates"));
+            }
             _ => return Err(place.error(format!("unknown keyword {}", shown(first)))),
         }
+        line_before = words.line();
     }
     if solid_open || !weld.corners.is_empty() {
-        return Err(Place::Line(lines.line()).error("the file ends within a solid"));
+        return Err(words.place().error("the file ends within a solid"));
     }
     Ok(())
+}
+
+/// Goes past the name of a solid, which ends with its line, or before the first facet if all stands on one line;
+/// whether it did.
+fn skip_name(words: &mut TextWords<'_>) -> bool {
+    loop {
+        let mut ahead = words.clone();
+        let Some(word) = ahead.next_on_line() else {
+            return false;
+        };
+        let next = ahead.next_on_line().unwrap_or_default();
+        if word.eq_ignore_ascii_case(b"facet") && next.eq_ignore_ascii_case(b"normal") {
+            return true;
+        }
+        words.next_on_line();
+    }
+}
+
+/// Goes past `normal` and its numbers, which may be no numbers where a triangle has no area.
+fn skip_normal(words: &mut TextWords<'_>) {
+    for _ in 0..4 {
+        let next = words.clone().next();
+        if next.is_none_or(|word| word.eq_ignore_ascii_case(b"outer")) {
+            return;
+        }
+        words.next();
+    }
 }
 
 /// Joins equal corners while triangles come in.

@@ -11,10 +11,10 @@ pub(super) struct TextLines<'a> {
 }
 
 impl<'a> TextLines<'a> {
-    /// From the first line on; a byte order mark is skipped.
+    /// From the first line on.
     pub(super) fn new(bytes: &'a [u8]) -> Self {
         Self {
-            rest: bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes),
+            rest: bytes,
             line: 0,
         }
     }
@@ -55,13 +55,90 @@ impl<'a> Iterator for TextLines<'a> {
     }
 }
 
+/// The words of a text one after the other, on whichever lines they stand.
+#[derive(Clone, Debug)]
+pub(super) struct TextWords<'a> {
+    lines: TextLines<'a>,
+    rest_of_line: &'a [u8],
+}
+
+impl<'a> TextWords<'a> {
+    /// From the line on that comes next.
+    pub(super) fn new(lines: TextLines<'a>) -> Self {
+        Self {
+            lines,
+            rest_of_line: &[],
+        }
+    }
+
+    /// Number of the line that the last word stands on.
+    pub(super) fn line(&self) -> usize {
+        self.lines.line().max(1)
+    }
+
+    /// The line that the last word stands on.
+    pub(super) fn place(&self) -> Place {
+        Place::Line(self.line())
+    }
+
+    /// Whether another word stands on the line of the last one.
+    pub(super) fn more_on_line(&self) -> bool {
+        !self.rest_of_line.trim_ascii_start().is_empty()
+    }
+
+    /// The next word of the line of the last one.
+    pub(super) fn next_on_line(&mut self) -> Option<&'a [u8]> {
+        let rest = self.rest_of_line.trim_ascii_start();
+        let end = rest.iter().position(u8::is_ascii_whitespace);
+        let (word, rest) = rest.split_at(end.unwrap_or(rest.len()));
+        self.rest_of_line = rest;
+        (!word.is_empty()).then_some(word)
+    }
+
+    /// Goes past all words on the line of the last one.
+    pub(super) fn skip_line(&mut self) {
+        self.rest_of_line = &[];
+    }
+
+    /// Goes to the line of the next word; false if there is none.
+    pub(super) fn go_to_next(&mut self) -> bool {
+        while !self.more_on_line() {
+            match self.lines.next() {
+                Some((_, text)) => self.rest_of_line = text,
+                None => return false,
+            }
+        }
+        true
+    }
+
+    /// Bytes from the next word on.
+    pub(super) fn bytes_left(&self) -> usize {
+        let rest = self.rest_of_line.trim_ascii();
+        rest.len() + self.lines.rest().trim_ascii().len()
+    }
+}
+
+impl<'a> Iterator for TextWords<'a> {
+    type Item = &'a [u8];
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.go_to_next() {
+            self.next_on_line()
+        } else {
+            None
+        }
+    }
+}
+
 /// The words of a line.
 pub(super) fn words(text: &[u8]) -> impl Iterator<Item = &[u8]> {
     text.split(u8::is_ascii_whitespace)
         .filter(|word| !word.is_empty())
 }
 
-/// A word as a number, finite or not.
+/// A word as a number, finite or not: decimal digits with a point, an exponent of `e`, `nan`, `inf` and `infinity` in
+/// any case, with a sign. What C libraries print beside these (`-1.#IND`, `nan(ind)`, `1.#QNAN`), exponents of Fortran
+/// (`1.0D+00`), stars of a field too narrow, decimal commas and units are errors, never the number that they begin with.
 pub(super) fn number(word: &[u8], place: Place) -> Result<f64, ReadMeshError> {
     std::str::from_utf8(word)
         .ok()
@@ -121,9 +198,71 @@ mod tests {
 
     #[test]
     fn all_three_ends_of_lines_count_as_one_line_each() {
-        let lines: Vec<_> = TextLines::new(b"\xef\xbb\xbfa\nb\r\nc\rd").collect();
+        let lines: Vec<_> = TextLines::new(b"a\nb\r\nc\rd").collect();
         let expected: [(usize, &[u8]); 4] = [(1, b"a"), (2, b"b"), (3, b"c"), (4, b"d")];
         assert_eq!(lines, expected);
+    }
+
+    #[test]
+    fn words_come_from_all_lines_and_know_theirs() {
+        let mut words = TextWords::new(TextLines::new(b" a b\r\n\n\tc\rd"));
+        assert_eq!(words.next(), Some(&b"a"[..]));
+        assert!(words.more_on_line());
+        assert_eq!(words.bytes_left(), 4);
+        words.skip_line();
+        assert_eq!(words.next_on_line(), None);
+        assert_eq!((words.next(), words.line()), (Some(&b"c"[..]), 3));
+        assert_eq!((words.next(), words.line()), (Some(&b"d"[..]), 4));
+        assert_eq!((words.next(), words.bytes_left()), (None, 0));
+    }
+
+    #[test]
+    fn a_number_is_never_the_start_of_a_longer_word() {
+        let place = Place::Line(1);
+        for word in [
+            "1.#INF",
+            "-1.#IND",
+            "-1.#IND00",
+            "1.#QNAN",
+            "1.#SNAN",
+            "nan(ind)",
+            "-nan(ind)",
+            "nan0x8",
+            "1.0D+00",
+            "1.0d0",
+            "****",
+            "1,5",
+            "1.234,5",
+            "0x1p3",
+            "0x10",
+            "1_000",
+            "1.0f",
+            "1.0mm",
+            "1e",
+            "1e+",
+            "+",
+            ".",
+            "-",
+            "",
+            "1.2.3",
+            "--1",
+            "\u{2212}1",
+            "1\0",
+            "NaNs",
+            "none",
+            "#DIV/0!",
+        ] {
+            assert!(number(word.as_bytes(), place).is_err(), "{word}");
+        }
+        for word in ["nan", "-NaN", "inf", "-Infinity", "+INF", "1e999", "-1e999"] {
+            assert!(
+                !number(word.as_bytes(), place).unwrap().is_finite(),
+                "{word}"
+            );
+        }
+        for (word, expected) in [("-1", -1.0), ("+.5", 0.5), ("2.", 2.0), ("1E-3", 1e-3)] {
+            assert_eq!(number(word.as_bytes(), place), Ok(expected));
+        }
     }
 
     #[test]

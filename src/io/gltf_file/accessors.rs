@@ -21,11 +21,16 @@ struct Strided<'a> {
     stride: usize,
 }
 
+/// Whether all numbers are zero because nothing backs them.
+pub(super) fn all_zero(accessor: &Accessor<'_>) -> bool {
+    accessor.view().is_none() && accessor.sparse().is_none()
+}
+
 impl Accessors<'_> {
-    /// Points or displacements: `VEC3` of floats.
+    /// Points or displacements: `VEC3`, of floats or, as KHR_mesh_quantization allows, of whole numbers.
     pub(super) fn vectors(&self, accessor: &Accessor<'_>) -> Result<Vec<[f64; 3]>, ReadMeshError> {
-        if accessor.dimensions() != Dimensions::Vec3 || accessor.data_type() != DataType::F32 {
-            return Err(self.error(accessor, "positions must be VEC3 of floats"));
+        if accessor.dimensions() != Dimensions::Vec3 {
+            return Err(self.error(accessor, "positions must be VEC3"));
         }
         let values = self.values(accessor, 3)?;
         Ok(values.chunks_exact(3).map(|v| [v[0], v[1], v[2]]).collect())
@@ -36,19 +41,7 @@ impl Accessors<'_> {
         if accessor.dimensions() != Dimensions::Scalar {
             return Err(self.error(accessor, "must be SCALAR"));
         }
-        let mut values = self.values(accessor, 1)?;
-        let greatest = match accessor.data_type() {
-            DataType::I8 => 127.0,
-            DataType::U8 => 255.0,
-            DataType::I16 => 32_767.0,
-            DataType::U16 => 65_535.0,
-            DataType::U32 | DataType::F32 => 1.0,
-        };
-        if accessor.normalized() {
-            for value in &mut values {
-                *value = (*value / greatest).max(-1.0);
-            }
-        }
+        let values = self.values(accessor, 1)?;
         if let Some(at) = values.iter().position(|value| !value.is_finite()) {
             return Err(self.error(accessor, &format!("value {at} is not a finite number")));
         }
@@ -73,8 +66,8 @@ impl Accessors<'_> {
         let scalar = scalar(accessor.data_type());
         let size = width * scalar.size();
         let count = accessor.count();
-        let mut values = match (accessor.view(), accessor.sparse()) {
-            (Some(view), _) => {
+        let mut values = match accessor.view() {
+            Some(view) => {
                 let strided = self
                     .strided(&view, accessor.offset(), count, size)
                     .map_err(|reason| self.error(accessor, &reason))?;
@@ -88,17 +81,23 @@ impl Accessors<'_> {
                 }
                 values
             }
-            // zeros with a few values replaced: no byte backs the count, so the changes must
-            (None, Some(_)) if count <= self.max_zeros() => vec![0.0; count * width],
-            (None, _) => return Err(self.error(accessor, "has no bytes to read from")),
+            // zeros by the specification, perhaps with a few values replaced; whoever asks has checked the count
+            None => vec![0.0; count.saturating_mul(width)],
         };
         self.replace_sparse(accessor, &mut values, width)?;
+        if accessor.normalized() {
+            let greatest = match accessor.data_type() {
+                DataType::I8 => 127.0,
+                DataType::U8 => 255.0,
+                DataType::I16 => 32_767.0,
+                DataType::U16 => 65_535.0,
+                DataType::U32 | DataType::F32 => 1.0,
+            };
+            for value in &mut values {
+                *value = (*value / greatest).max(-1.0);
+            }
+        }
         Ok(values)
-    }
-
-    /// Sparse accessors may have as many zeros as all buffers have bytes; more is damage.
-    fn max_zeros(&self) -> usize {
-        self.buffers.iter().map(|buffer| buffer.bytes.len()).sum()
     }
 
     fn replace_sparse(

@@ -35,6 +35,7 @@ pub(super) fn read_animations(
     targets_of: &dyn Fn(usize) -> usize,
 ) -> Result<Animations, ReadMeshError> {
     let mut found = Animations::default();
+    let mut weights_in_all = 0_u64;
     for animation in document.animations() {
         let first = found.tracks.is_empty();
         for channel in animation.channels() {
@@ -52,17 +53,23 @@ pub(super) fn read_animations(
             if times_s.windows(2).any(|pair| pair[0] >= pair[1]) {
                 return Err(in_item(item, "times do not increase from key to key"));
             }
-            let weights = accessors.scalars(&sampler.output())?;
             let interpolation = sampler.interpolation();
             let per_key = targets * values_per_weight(interpolation);
-            if weights.len() != times_s.len() * per_key || times_s.is_empty() {
+            let weights = sampler.output().count();
+            if weights != times_s.len() * per_key || times_s.is_empty() {
                 let reason = format!(
-                    "{} weights for {} keys of {targets} morph targets",
-                    weights.len(),
+                    "{weights} weights for {} keys of {targets} morph targets",
                     times_s.len()
                 );
                 return Err(in_item(item, reason));
             }
+            weights_in_all += weights as u64;
+            check_count(
+                "weights of all keys",
+                weights_in_all,
+                limits.vertices_of_all_frames,
+            )?;
+            let weights = accessors.scalars(&sampler.output())?;
             found.tracks.push(WeightTrack {
                 node,
                 targets,

@@ -11,18 +11,27 @@ pub(super) struct Container<'a> {
     pub(super) document: Document,
     /// The chunk and the byte of the file at which it begins.
     pub(super) binary_chunk: Option<(&'a [u8], usize)>,
+    /// Bytes behind the length that the header gives.
+    pub(super) bytes_behind: usize,
 }
 
 /// Required extensions that change nothing of where the surface is.
-const HARMLESS: &[&str] = &["KHR_materials_", "KHR_texture_", "KHR_lights_", "KHR_xmp"];
+const HARMLESS: &[&str] = &[
+    "KHR_materials_",
+    "KHR_texture_",
+    "KHR_lights_",
+    "KHR_xmp",
+    // only allows positions that are whole numbers, which are read
+    "KHR_mesh_quantization",
+];
 
 /// Splits and parses either form.
 pub(super) fn open(bytes: &[u8]) -> Result<Container<'_>, ReadMeshError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     if !bytes.starts_with(b"glTF") {
         return Ok(Container {
             document: parse(bytes, None)?,
             binary_chunk: None,
+            bytes_behind: 0,
         });
     }
     let mut cursor = BinaryCursor::new(bytes, 4);
@@ -31,25 +40,33 @@ pub(super) fn open(bytes: &[u8]) -> Result<Container<'_>, ReadMeshError> {
         return Err(Place::Byte(4).error(format!("glTF version {version}; only 2 is read")));
     }
     let length = word(&mut cursor, "the length")?;
-    if length != bytes.len() as u64 {
+    const HEADER_BYTES: u64 = 12;
+    if length > bytes.len() as u64 || length < HEADER_BYTES {
         return Err(Place::Byte(8).error(format!(
             "the header says {length} bytes, but the file has {}",
             bytes.len()
         )));
     }
+    let whole = &bytes[..length as usize];
+    let mut cursor = BinaryCursor::new(whole, HEADER_BYTES as usize);
     let (json, start) = chunk(&mut cursor, b"JSON")?
         .ok_or_else(|| Place::Byte(12).error("the first chunk is not JSON"))?;
-    let document = parse(json, Some(start))?;
-    let binary_chunk = if cursor.rest().is_empty() {
-        None
-    } else {
-        chunk(&mut cursor, b"BIN\0")?
-    };
+    // filled up with spaces, or by some programs with zeros
+    let padding = json.iter().rev().take_while(|&&b| b == 0).count();
+    let document = parse(&json[..json.len() - padding], Some(start))?;
+    let mut binary_chunk = None;
+    while binary_chunk.is_none() && cursor.rest().len() >= CHUNK_HEADER_BYTES {
+        binary_chunk = chunk(&mut cursor, b"BIN\0")?; // past chunks of other kinds
+    }
     Ok(Container {
         document,
         binary_chunk,
+        bytes_behind: bytes.len() - whole.len(),
     })
 }
+
+/// A length and a kind.
+const CHUNK_HEADER_BYTES: usize = 8;
 
 fn word(cursor: &mut BinaryCursor<'_>, what: &str) -> Result<u64, ReadMeshError> {
     Ok(cursor.number(Scalar::U32, ByteOrder::Little, what)? as u64)
@@ -88,21 +105,46 @@ fn parse(text: &[u8], start: Option<usize>) -> Result<Document, ReadMeshError> {
             reason: format!("the extension {name} is not read; save the file without it"),
         });
     }
+    check_compression(&root)?;
     check_positions(&root)?;
     check_channels(&root)?;
-    Document::from_json(root).map_err(|error| match error {
-        gltf::Error::Validation(errors) => match errors.into_iter().next() {
-            Some((path, error)) => ReadMeshError::InItem {
-                item: path.0,
+    check_all(&root)?;
+    Ok(Document::from_json_without_validation(root))
+}
+
+/// What the crate checks, less what it asks for beyond the specification or what is of no use here: bytes behind every
+/// accessor, the extents of positions, extensions (which were looked at).
+fn check_all(root: &json::Root) -> Result<(), ReadMeshError> {
+    use json::validation::{Error, Validate};
+
+    let mut first = None;
+    root.validate(root, json::Path::new, &mut |path, error| {
+        if first.is_none() {
+            let item = path().0;
+            let endings = [".bufferView", ".min", ".max"];
+            let needless = item.starts_with("extensionsRequired")
+                || error == Error::Missing && endings.iter().any(|ending| item.ends_with(ending));
+            first = (!needless).then(|| ReadMeshError::InItem {
+                item,
                 reason: error.to_string().to_lowercase(),
-            },
-            None => ReadMeshError::Empty,
-        },
-        other => ReadMeshError::InItem {
-            item: "glTF".to_owned(),
-            reason: other.to_string(),
-        },
-    })
+            });
+        }
+    });
+    first.map_or(Ok(()), Err)
+}
+
+/// An accessor without a view is all zeros, except where a compression that is not read fills it.
+fn check_compression(root: &json::Root) -> Result<(), ReadMeshError> {
+    let fills = |name: &&String| name.contains("_compression");
+    let empty =
+        |accessor: &json::Accessor| accessor.buffer_view.is_none() && accessor.sparse.is_none();
+    match root.extensions_used.iter().find(fills) {
+        Some(name) if root.accessors.iter().any(empty) => Err(ReadMeshError::InItem {
+            item: "extensionsUsed".to_owned(),
+            reason: format!("the extension {name} is not read; save the file without it"),
+        }),
+        _ => Ok(()),
+    }
 }
 
 /// Checks what the crate's own validation indexes by without a check (gltf-json 1.4.1,

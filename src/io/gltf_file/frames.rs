@@ -1,5 +1,7 @@
 //! The frames of a glTF file: one, one per morph target, or one per key of its animation.
 
+use std::collections::HashMap;
+
 use super::animation::{WeightTrack, key_times_s};
 use super::buffers::in_item;
 use super::scene::{Corners, PlacedMesh, PlacedPart};
@@ -12,8 +14,8 @@ use crate::study::Notice;
 enum Beat<'a> {
     /// Frame 0 without any, then each target alone at full weight.
     Targets(usize),
-    /// As the tracks say at these times.
-    Keys(&'a [WeightTrack], Vec<f64>),
+    /// As the tracks of these nodes say at these times.
+    Keys(HashMap<usize, &'a WeightTrack>, Vec<f64>),
 }
 
 impl Beat<'_> {
@@ -35,8 +37,7 @@ impl Beat<'_> {
                 weights
             }
             Self::Keys(tracks, times_s) => tracks
-                .iter()
-                .find(|track| track.node == mesh.node)
+                .get(&mesh.node)
                 .map(|track| track.weights_at(times_s[frame]))
                 .unwrap_or_default(),
         }
@@ -66,7 +67,8 @@ pub(super) fn make_frames(
         )));
     }
     let mut first_point = 0;
-    let mut points = frame_points(meshes, &beat, 0).into_iter();
+    let mut added = 0;
+    let mut points = frame_points(meshes, &beat, 0, &mut added)?.into_iter();
     for part in parts() {
         for (at, point) in points.by_ref().take(part.points.len()).enumerate() {
             let xyz = [point.x, point.y, point.z];
@@ -80,7 +82,7 @@ pub(super) fn make_frames(
     let (first, notices) = draft.finish_mesh()?;
     let mut meshes_over_time = vec![first.clone()];
     for frame in 1..frames {
-        let points = frame_points(meshes, &beat, frame);
+        let points = frame_points(meshes, &beat, frame, &mut added)?;
         meshes_over_time.push(
             TriMesh::new(points, first.faces().clone())
                 .map_err(|error| in_item(format!("frame {frame}"), error.to_string()))?,
@@ -108,7 +110,8 @@ fn in_part(error: ReadMeshError, part: &PlacedPart, vertex: usize) -> ReadMeshEr
 
 fn beat<'a>(meshes: &[PlacedMesh], tracks: &'a [WeightTrack]) -> Result<Beat<'a>, ReadMeshError> {
     if !tracks.is_empty() {
-        return Ok(Beat::Keys(tracks, key_times_s(tracks)));
+        let of_nodes = tracks.iter().rev().map(|track| (track.node, track));
+        return Ok(Beat::Keys(of_nodes.collect(), key_times_s(tracks)));
     }
     let mut moving = meshes.iter().filter(|mesh| mesh.targets > 0);
     let Some(first) = moving.next() else {
@@ -124,7 +127,16 @@ fn beat<'a>(meshes: &[PlacedMesh], tracks: &'a [WeightTrack]) -> Result<Beat<'a>
     Ok(Beat::Targets(first.targets))
 }
 
-fn frame_points(meshes: &[PlacedMesh], beat: &Beat<'_>, frame: usize) -> Vec<Point3> {
+/// Displacements that are added to make all frames of a file: a fraction of a second of work.
+const MAX_DISPLACEMENTS: usize = 100_000_000;
+
+/// The points of a frame; `added` counts the displacements of all frames so far.
+fn frame_points(
+    meshes: &[PlacedMesh],
+    beat: &Beat<'_>,
+    frame: usize,
+    added: &mut u64,
+) -> Result<Vec<Point3>, ReadMeshError> {
     let mut points = Vec::new();
     for mesh in meshes {
         let weights = beat.weights(mesh, frame);
@@ -133,6 +145,8 @@ fn frame_points(meshes: &[PlacedMesh], beat: &Beat<'_>, frame: usize) -> Vec<Poi
             points.extend_from_slice(&part.points);
             for (displacements, &weight) in part.displacements.iter().zip(&weights) {
                 if weight != 0.0 {
+                    *added += displacements.len() as u64;
+                    check_count("displacements of all frames", *added, MAX_DISPLACEMENTS)?;
                     for (point, displacement) in points[start..].iter_mut().zip(displacements) {
                         *point += displacement * weight;
                     }
@@ -140,7 +154,7 @@ fn frame_points(meshes: &[PlacedMesh], beat: &Beat<'_>, frame: usize) -> Vec<Poi
             }
         }
     }
-    points
+    Ok(points)
 }
 
 /// Adds the triangles of a part. A mirroring node turns them over (glTF 2.0, section 3.7.4), so
@@ -155,26 +169,28 @@ fn add_faces(
         let corners = if part.mirrored { [a, c, b] } else { [a, b, c] };
         draft.polygon(&corners, Place::Byte(0))
     };
-    match &part.corners {
-        Corners::Triangles(corners) => {
-            if corners.len() % 3 != 0 {
-                let reason = format!("{} corners are not a multiple of three", corners.len());
-                return Err(in_item(&part.item, reason));
+    for corners in &part.corners {
+        match corners {
+            Corners::Triangles(corners) => {
+                if corners.len() % 3 != 0 {
+                    let reason = format!("{} corners are not a multiple of three", corners.len());
+                    return Err(in_item(&part.item, reason));
+                }
+                for three in corners.chunks_exact(3) {
+                    add(three[0], three[1], three[2])?;
+                }
             }
-            for three in corners.chunks_exact(3) {
-                add(three[0], three[1], three[2])?;
+            Corners::Strip(corners) => {
+                for (at, three) in corners.windows(3).enumerate() {
+                    let (b, c) = if at % 2 == 0 { (1, 2) } else { (2, 1) };
+                    add(three[0], three[b], three[c])?;
+                }
             }
-        }
-        Corners::Strip(corners) => {
-            for (at, three) in corners.windows(3).enumerate() {
-                let (b, c) = if at % 2 == 0 { (1, 2) } else { (2, 1) };
-                add(three[0], three[b], three[c])?;
-            }
-        }
-        Corners::Fan(corners) => {
-            if let [first, rest @ ..] = corners.as_slice() {
-                for pair in rest.windows(2) {
-                    add(*first, pair[0], pair[1])?;
+            Corners::Fan(corners) => {
+                if let [first, rest @ ..] = corners.as_slice() {
+                    for pair in rest.windows(2) {
+                        add(*first, pair[0], pair[1])?;
+                    }
                 }
             }
         }

@@ -27,6 +27,12 @@ pub(crate) fn read_gltf(
     }
     let animations = read_animations(document, &accessors, limits, &|node| targets[node])?;
     let mut draft = MeshDraft::new(limits, 0);
+    if container.bytes_behind > 0 {
+        draft.notice(Notice::warning(format!(
+            "{} bytes behind the length that the header gives ignored",
+            container.bytes_behind
+        )));
+    }
     draft.skip_points_and_lines(scene.points_and_lines);
     if scene.meshes.len() > 1 {
         let text = format!("{} meshes joined into one surface", scene.meshes.len());

@@ -4,7 +4,7 @@ use gltf::mesh::Mode;
 use gltf::{Document, Node, Primitive};
 use nalgebra::{Matrix3, Matrix4};
 
-use super::accessors::Accessors;
+use super::accessors::{Accessors, all_zero};
 use super::buffers::in_item;
 use crate::io::mesh_draft::{check_count, missing_vertex};
 use crate::io::{Limits, ReadMeshError};
@@ -20,14 +20,17 @@ pub(super) struct PlacedMesh {
     pub(super) targets: usize,
 }
 
-/// One primitive of a mesh.
+/// The primitives of a mesh that have the same points.
 pub(super) struct PlacedPart {
+    /// Accessors of the positions and of those of each morph target.
+    accessors: Vec<Option<usize>>,
     pub(super) points: Vec<Point3>,
     /// One list of displacements per morph target; empty if the target moves nothing.
     pub(super) displacements: Vec<Vec<Vector3>>,
-    pub(super) corners: Corners,
+    /// Of each primitive.
+    pub(super) corners: Vec<Corners>,
     pub(super) mirrored: bool,
-    /// Path of the primitive, for errors.
+    /// Path of the first primitive, for errors.
     pub(super) item: String,
 }
 
@@ -47,7 +50,9 @@ pub(super) struct SceneMeshes {
     pub(super) meshes: Vec<PlacedMesh>,
     pub(super) points_and_lines: usize,
     pub(super) skinned: usize,
+    parts: u64,
     vertices: u64,
+    faces: u64,
     moved_vertices: u64,
 }
 
@@ -122,11 +127,29 @@ impl SceneMeshes {
         };
         for primitive in mesh.primitives() {
             let item = format!("meshes[{}].primitives[{}]", mesh.index(), primitive.index());
-            let Some(part) = self.part(&primitive, scene_from_node, accessors, limits, item)?
-            else {
-                self.points_and_lines += 1;
-                continue;
+            let sort = match primitive.mode() {
+                Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => {
+                    self.points_and_lines += 1;
+                    continue;
+                }
+                Mode::Triangles => Corners::Triangles,
+                Mode::TriangleStrip => Corners::Strip,
+                Mode::TriangleFan => Corners::Fan,
             };
+            self.parts += 1;
+            check_count("parts of the scene", self.parts, limits.placed_parts)?;
+            let same = accessors_of(&primitive, &item)?;
+            let before = placed.parts.iter_mut().find(|part| part.accessors == same);
+            if let Some(part) = before {
+                let corners =
+                    self.corners(&primitive, part.points.len(), accessors, limits, &item)?;
+                part.corners.push(sort(corners));
+                continue;
+            }
+            let mut part = self.part(&primitive, scene_from_node, accessors, limits, &item)?;
+            let corners = self.corners(&primitive, part.points.len(), accessors, limits, &item)?;
+            part.corners.push(sort(corners));
+            part.accessors = same;
             let targets = part.displacements.len();
             if !placed.parts.is_empty() && targets != placed.targets {
                 let reason = format!("{targets} morph targets, but {} before", placed.targets);
@@ -141,32 +164,25 @@ impl SceneMeshes {
         Ok(())
     }
 
+    /// Points and displacements; corners are still to come.
     fn part(
         &mut self,
         primitive: &Primitive<'_>,
         scene_from_node: &Matrix4<f64>,
         accessors: &Accessors<'_>,
         limits: &Limits,
-        item: String,
-    ) -> Result<Option<PlacedPart>, ReadMeshError> {
-        let sort = match primitive.mode() {
-            Mode::Points | Mode::Lines | Mode::LineLoop | Mode::LineStrip => return Ok(None),
-            Mode::Triangles => Corners::Triangles,
-            Mode::TriangleStrip => Corners::Strip,
-            Mode::TriangleFan => Corners::Fan,
-        };
+        item: &str,
+    ) -> Result<PlacedPart, ReadMeshError> {
         let positions = primitive.get(&gltf::Semantic::Positions);
-        let positions = positions.ok_or_else(|| in_item(&item, "has no POSITION"))?;
-        self.vertices += positions.count() as u64;
+        let positions = positions.ok_or_else(|| in_item(item, "has no POSITION"))?;
+        self.vertices = self.vertices.saturating_add(positions.count() as u64);
         check_count("vertices", self.vertices, limits.vertices)?;
         let points = accessors.vectors(&positions)?;
-        let corners = match primitive.indices() {
-            Some(indices) => vertex_indices(&accessors.scalars(&indices)?, points.len(), &item)?,
-            None => (0..points.len() as u32).collect(),
-        };
         let linear: Matrix3<f64> = scene_from_node.fixed_view::<3, 3>(0, 0).into_owned();
+        let targets = primitive.morph_targets();
+        check_count("morph targets", targets.len() as u64, limits.frames)?;
         let mut displacements = Vec::new();
-        for target in primitive.morph_targets() {
+        for target in targets {
             let Some(accessor) = target.positions() else {
                 displacements.push(Vec::new());
                 continue;
@@ -178,6 +194,10 @@ impl SceneMeshes {
                     points.len()
                 );
                 return Err(accessors.error(&accessor, &reason));
+            }
+            if all_zero(&accessor) {
+                displacements.push(Vec::new());
+                continue;
             }
             self.moved_vertices += points.len() as u64;
             let most = limits.vertices_of_all_frames;
@@ -195,17 +215,55 @@ impl SceneMeshes {
             scene_from_node[(1, 3)],
             scene_from_node[(2, 3)],
         );
-        Ok(Some(PlacedPart {
+        Ok(PlacedPart {
+            accessors: Vec::new(),
             points: points
                 .into_iter()
                 .map(|xyz| Point3::from(linear * Vector3::from(xyz) + move_by))
                 .collect(),
             displacements,
-            corners: sort(corners),
+            corners: Vec::new(),
             mirrored: linear.determinant() < 0.0,
-            item,
-        }))
+            item: item.to_owned(),
+        })
     }
+
+    fn corners(
+        &mut self,
+        primitive: &Primitive<'_>,
+        points: usize,
+        accessors: &Accessors<'_>,
+        limits: &Limits,
+        item: &str,
+    ) -> Result<Vec<u32>, ReadMeshError> {
+        let indices = primitive.indices();
+        let corners = indices.as_ref().map_or(points, gltf::Accessor::count);
+        let faces = match primitive.mode() {
+            Mode::Triangles => corners / 3,
+            _ => corners,
+        };
+        self.faces = self.faces.saturating_add(faces as u64);
+        check_count("faces", self.faces, limits.faces)?;
+        match indices {
+            Some(indices) => vertex_indices(&accessors.scalars(&indices)?, points, item),
+            None => Ok((0..points as u32).collect()),
+        }
+    }
+}
+
+/// What makes the points of a primitive: primitives of one mesh that share it share their vertices.
+fn accessors_of(
+    primitive: &Primitive<'_>,
+    item: &str,
+) -> Result<Vec<Option<usize>>, ReadMeshError> {
+    let positions = primitive.get(&gltf::Semantic::Positions);
+    let positions = positions.ok_or_else(|| in_item(item, "has no POSITION"))?;
+    let targets = primitive.morph_targets();
+    let of_targets = targets.map(|target| target.positions().map(|accessor| accessor.index()));
+    Ok([Some(positions.index())]
+        .into_iter()
+        .chain(of_targets)
+        .collect())
 }
 
 fn vertex_indices(values: &[f64], points: usize, item: &str) -> Result<Vec<u32>, ReadMeshError> {

@@ -5,6 +5,8 @@ use std::io::{self, Read};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
+use crate::io::text_encoding::{without_mark, xml_text};
+use crate::io::xml::check_xml_size;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError, read_mesh_with_siblings};
 
 /// The last part of a path as text.
@@ -63,17 +65,22 @@ pub fn read_head(path: &Path, most: u64) -> Result<Vec<u8>, OpenError> {
     }
 }
 
-/// A text file, in UTF-8, without the mark that some editors put in front.
+/// A text file as UTF-8, without the mark that some editors put in front; XML in the encoding that it declares, if
+/// it takes no long time to parse.
 ///
 /// # Errors
 /// A sentence without the file's name.
 pub(super) fn read_text(path: &Path, limits: &Limits) -> Result<String, String> {
-    let text = String::from_utf8(read_bytes(path, limits)?)
-        .map_err(|error| format!("byte {}: not UTF-8 text", error.utf8_error().valid_up_to()))?;
-    Ok(text
-        .strip_prefix('\u{feff}')
-        .map(str::to_owned)
-        .unwrap_or(text))
+    let bytes = read_bytes(path, limits)?;
+    let decoded = without_mark(&bytes).and_then(|text| {
+        let decoded =
+            xml_text(&text.bytes).map_err(|error| text.error_in_file(error, bytes.len()))?;
+        if decoded.trim_start().starts_with('<') {
+            check_xml_size(&decoded)?;
+        }
+        Ok(decoded.into_owned())
+    });
+    decoded.map_err(|error| error.to_string())
 }
 
 /// The meshes of a file whose bytes were read, with the files beside it that it may name.
@@ -157,5 +164,14 @@ mod tests {
         );
         std::fs::write(&path, "\u{feff}name").unwrap();
         assert_eq!(read_text(&path, &Limits::default()).unwrap(), "name");
+        let list = b"<?xml version='1.0' encoding='ISO-8859-1'?><a b='\xe9'/>";
+        std::fs::write(&path, list).unwrap();
+        assert!(read_text(&path, &Limits::default()).unwrap().contains('é'));
+        let attributes: String = (0..60_000).map(|k| format!(" a{k}=''")).collect();
+        std::fs::write(&path, format!("<a{attributes}/>")).unwrap();
+        assert_eq!(
+            read_text(&path, &Limits::default()).unwrap_err(),
+            "60000 XML attributes of one element; the limit is 256"
+        );
     }
 }

@@ -3,81 +3,119 @@
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
 use crate::io::mesh_draft::Place;
-use crate::io::text_lines::{TextLines, number};
+use crate::io::text_lines::{TextLines, TextWords, number};
 
 /// Elements one after the other, each a run of numbers.
 pub(super) trait Body {
-    /// Begins the next element, one of those called `name`.
-    fn begin(&mut self, name: &str) -> Result<(), ReadMeshError>;
+    /// Begins the next element, one of those called `name`, the first of them if `first`.
+    fn begin(&mut self, name: &str, first: bool) -> Result<(), ReadMeshError>;
     /// The next number of this element.
     fn number(&mut self, scalar: Scalar) -> Result<f64, ReadMeshError>;
+    /// Goes past the next number, which need not be one in a text.
+    fn skip(&mut self, scalar: Scalar) -> Result<(), ReadMeshError>;
     /// Ends the element.
     fn end(&mut self) -> Result<(), ReadMeshError>;
+    /// Ends the body; how many bytes are left that may be passed over.
+    fn finish(&self) -> Result<usize, ReadMeshError>;
     /// Where it is.
     fn place(&self) -> Place;
     /// Bytes that are left.
     fn bytes_left(&self) -> usize;
 }
 
-/// One line for each element.
+/// Numbers in text. An element usually has a line for itself, which is what tells a number too few
+/// or too many; but it may go on over several lines, and several may share one.
 pub(super) struct TextBody<'a> {
-    lines: TextLines<'a>,
-    rest_of_line: &'a [u8],
+    words: TextWords<'a>,
+    begun_on: usize,
+    first: bool,
+    /// Whether elements of this kind share lines: the first of them does.
+    shared: bool,
+    /// Whether some element has not its own line, so that a number too many is only seen at the end.
+    wrapped: bool,
 }
 
 impl<'a> TextBody<'a> {
     pub(super) fn new(lines: TextLines<'a>) -> Self {
         Self {
-            lines,
-            rest_of_line: &[],
+            words: TextWords::new(lines),
+            begun_on: 0,
+            first: true,
+            shared: false,
+            wrapped: false,
         }
     }
 
-    fn next_word(&mut self) -> Option<&'a [u8]> {
-        let rest = self.rest_of_line.trim_ascii_start();
-        if rest.is_empty() {
-            return None;
-        }
-        let end = rest.iter().position(u8::is_ascii_whitespace);
-        let (word, rest) = rest.split_at(end.unwrap_or(rest.len()));
-        self.rest_of_line = rest;
-        Some(word)
+    fn word(&mut self) -> Result<&'a [u8], ReadMeshError> {
+        let word = self.words.next();
+        word.ok_or_else(|| {
+            self.place()
+                .error("fewer numbers than the header announces")
+        })
     }
 }
 
 impl Body for TextBody<'_> {
-    fn begin(&mut self, name: &str) -> Result<(), ReadMeshError> {
-        for (_, text) in self.lines.by_ref() {
-            if !text.trim_ascii().is_empty() {
-                self.rest_of_line = text;
-                return Ok(());
-            }
+    fn begin(&mut self, name: &str, first: bool) -> Result<(), ReadMeshError> {
+        if first {
+            self.shared = self.words.more_on_line();
         }
-        let reason = format!("the file ends where an element \"{name}\" is expected");
-        Err(self.place().error(reason))
+        self.first = first;
+        if !self.words.go_to_next() {
+            let reason = format!("the file ends where an element \"{name}\" is expected");
+            return Err(self.place().error(reason));
+        }
+        self.begun_on = self.words.line();
+        Ok(())
     }
 
     fn number(&mut self, _: Scalar) -> Result<f64, ReadMeshError> {
-        let place = self.place();
-        let word = self
-            .next_word()
-            .ok_or_else(|| place.error("fewer numbers than the header announces"))?;
-        number(word, place)
+        let word = self.word()?;
+        number(word, self.place())
+    }
+
+    fn skip(&mut self, _: Scalar) -> Result<(), ReadMeshError> {
+        self.word().map(|_| ())
     }
 
     fn end(&mut self) -> Result<(), ReadMeshError> {
-        if self.rest_of_line.trim_ascii().is_empty() {
-            return Ok(());
+        let ends_on = self.words.line();
+        self.wrapped |= ends_on != self.begun_on;
+        if self.words.more_on_line() {
+            self.shared |= self.first;
+            self.wrapped = true;
+            if !self.shared {
+                let begun_on = Place::Line(self.begun_on);
+                return Err(begun_on.error(if ends_on == self.begun_on {
+                    "more numbers than the header announces".to_owned()
+                } else {
+                    format!(
+                        "numbers of an element end amid line {ends_on}: one is missing, or too many"
+                    )
+                }));
+            }
         }
-        Err(self.place().error("more numbers than the header announces"))
+        Ok(())
+    }
+
+    fn finish(&self) -> Result<usize, ReadMeshError> {
+        let left = self.bytes_left();
+        if self.wrapped && left > 0 {
+            let mut words = self.words.clone();
+            words.go_to_next();
+            return Err(words
+                .place()
+                .error("more numbers than the header announces"));
+        }
+        Ok(left)
     }
 
     fn place(&self) -> Place {
-        Place::Line(self.lines.line())
+        self.words.place()
     }
 
     fn bytes_left(&self) -> usize {
-        self.lines.rest().trim_ascii().len()
+        self.words.bytes_left()
     }
 }
 
@@ -98,7 +136,7 @@ impl<'a> BinaryBody<'a> {
 }
 
 impl Body for BinaryBody<'_> {
-    fn begin(&mut self, name: &str) -> Result<(), ReadMeshError> {
+    fn begin(&mut self, name: &str, _: bool) -> Result<(), ReadMeshError> {
         if self.cursor.rest().is_empty() {
             let reason = format!("the file ends where an element \"{name}\" is expected");
             return Err(self.place().error(reason));
@@ -110,8 +148,17 @@ impl Body for BinaryBody<'_> {
         self.cursor.number(scalar, self.order, "a number")
     }
 
+    fn skip(&mut self, scalar: Scalar) -> Result<(), ReadMeshError> {
+        let taken = self.cursor.take(scalar.size() as u64, "a number");
+        taken.map(|_| ())
+    }
+
     fn end(&mut self) -> Result<(), ReadMeshError> {
         Ok(())
+    }
+
+    fn finish(&self) -> Result<usize, ReadMeshError> {
+        Ok(self.bytes_left())
     }
 
     fn place(&self) -> Place {

@@ -72,10 +72,8 @@ pub(super) struct Header<'a> {
 /// Reads up to `end_header`.
 pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadMeshError> {
     let mut lines = TextLines::new(bytes);
-    if lines
-        .next()
-        .is_none_or(|(_, text)| text.trim_ascii() != b"ply")
-    {
+    let mut not_empty = lines.by_ref().map(|(_, text)| text.trim_ascii());
+    if not_empty.find(|text| !text.is_empty()) != Some(b"ply") {
         return Err(Place::Line(1).error("the first line is not \"ply\""));
     }
     let mut encoding = None;

@@ -21,6 +21,10 @@ pub(crate) fn read_ply(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
         Encoding::Text => read_elements(TextBody::new(header.body.clone()), &header, draft),
         Encoding::Binary(order) => {
             let start = bytes.len() - header.body.rest().len();
+            // where lines end in CR alone, a LF behind the header is a byte of the first number
+            let lf_is_number =
+                bytes[..start].ends_with(b"\n") && !bytes[..start - 1].contains(&b'\n');
+            let start = start - usize::from(lf_is_number);
             read_elements(BinaryBody::new(bytes, start, order), &header, draft)
         }
     }
@@ -45,8 +49,9 @@ fn read_elements(
             _ => pass_over(&mut body, element)?,
         }
     }
-    if body.bytes_left() > 0 {
-        let text = format!("{} bytes after the last element ignored", body.bytes_left());
+    let left = body.finish()?;
+    if left > 0 {
+        let text = format!("{left} bytes after the last element ignored");
         draft.notice(Notice::warning(text));
     }
     draft.finish()
@@ -68,19 +73,19 @@ fn read_vertices(
                     .error(format!("vertices have no number \"{name}\""))
             })?;
     }
-    for _ in 0..element.count {
-        body.begin(&element.name)?;
+    for index in 0..element.count {
+        body.begin(&element.name, index == 0)?;
         let place = body.place();
         let mut xyz = [0.0; 3];
         for (at, property) in element.properties.iter().enumerate() {
             match property.storage {
-                Storage::One(scalar) => {
+                Storage::One(scalar) if axes.contains(&at) => {
                     let number = body.number(scalar)?;
-                    if let Some(axis) = axes.iter().position(|&axis| axis == at) {
+                    for axis in (0..3).filter(|&axis| axes[axis] == at) {
                         xyz[axis] = number;
                     }
                 }
-                list @ Storage::List { .. } => pass_over_property(body, list)?,
+                other => pass_over_property(body, other)?,
             }
         }
         body.end()?;
@@ -99,14 +104,16 @@ fn read_faces(
         .filter(|&at| matches!(element.properties[at].storage, Storage::List { .. }))
         .ok_or_else(|| element.place.error("faces have no list \"vertex_indices\""))?;
     let mut corners = Vec::new();
-    for _ in 0..element.count {
-        body.begin(&element.name)?;
+    for index in 0..element.count {
+        body.begin(&element.name, index == 0)?;
         let place = body.place();
         for (at, property) in element.properties.iter().enumerate() {
             match property.storage {
                 Storage::List { length, item } if at == corners_at => {
                     corners.clear();
-                    for _ in 0..count(body.number(length)?, place)? {
+                    let count = count(body.number(length)?, place)?;
+                    draft.check_corners(count, place)?;
+                    for _ in 0..count {
                         let place = body.place();
                         corners.push(vertex_index(body.number(item)?, place)?);
                     }
@@ -125,8 +132,8 @@ fn pass_over(body: &mut impl Body, element: &Element) -> Result<(), ReadMeshErro
     if element.properties.is_empty() {
         return Ok(());
     }
-    for _ in 0..element.count {
-        body.begin(&element.name)?;
+    for index in 0..element.count {
+        body.begin(&element.name, index == 0)?;
         for property in &element.properties {
             pass_over_property(body, property.storage)?;
         }
@@ -137,13 +144,11 @@ fn pass_over(body: &mut impl Body, element: &Element) -> Result<(), ReadMeshErro
 
 fn pass_over_property(body: &mut impl Body, storage: Storage) -> Result<(), ReadMeshError> {
     match storage {
-        Storage::One(scalar) => {
-            body.number(scalar)?;
-        }
+        Storage::One(scalar) => body.skip(scalar)?,
         Storage::List { length, item } => {
             let place = body.place();
             for _ in 0..count(body.number(length)?, place)? {
-                body.number(item)?;
+                body.skip(item)?;
             }
         }
     }

@@ -1,12 +1,9 @@
 //! Files written by hand, for what other programs seldom write.
 
-use crate::io::{Limits, MeshFile, read_mesh};
+use super::read;
+use crate::io::Limits;
 use crate::mesh::Point3;
 use crate::study::Notice;
-
-fn read(name: &str, bytes: impl AsRef<[u8]>) -> MeshFile {
-    read_mesh(name, bytes.as_ref(), &Limits::default()).unwrap_or_else(|e| panic!("{name}: {e}"))
-}
 
 #[test]
 fn obj_indices_count_from_either_end_and_lines_continue() {

@@ -3,14 +3,11 @@
 use std::fs;
 use std::path::Path;
 
+use super::error;
 use crate::io::{Limits, ReadMeshError, read_mesh};
 
 fn error_with(name: &str, bytes: &[u8], limits: &Limits) -> String {
     read_mesh(name, bytes, limits).unwrap_err().to_string()
-}
-
-fn error(name: &str, bytes: impl AsRef<[u8]>) -> String {
-    error_with(name, bytes.as_ref(), &Limits::default())
 }
 
 fn fixture(name: &str) -> Vec<u8> {
@@ -373,17 +370,4 @@ fn limits_are_errors_that_say_the_limit() {
             known: "OBJ, PLY, STL, VTK, VTP, glTF, CSV".to_owned()
         })
     );
-}
-
-#[test]
-fn what_c_libraries_print_for_no_number_is_refused_and_no_comment() {
-    let message = error("a.obj", "v 0 0 -1.#IND00\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    assert!(message.starts_with("line 1: "), "{message}");
-}
-
-#[test]
-fn a_backslash_at_the_end_of_a_comment_swallows_no_line() {
-    let text = "# made in C:\\hearts\\\nv 0 0 0\nv 1 0 0\nv 0 1 0 # last \\\nf 1 2 3\n";
-    let draft = read_mesh("a.obj", text.as_bytes(), &Limits::default()).unwrap();
-    assert_eq!(format!("{draft:?}").matches("[0, 1, 2]").count(), 1);
 }

@@ -2,39 +2,40 @@
 //! offsets apart from corners (from version 5).
 
 use super::cursor::{LegacyCursor, scalar};
-use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{Scalar, count, vertex_index};
-use crate::io::mesh_draft::Place;
+use crate::io::mesh_draft::{Place, check_count};
+use crate::io::{Limits, ReadMeshError};
 
 /// Called with the corners of each cell and where it stands.
 pub(super) type EachCell<'f> = &'f mut dyn FnMut(&[u32], Place) -> Result<(), ReadMeshError>;
 
-/// How many cells the first number after a keyword announces: files of version 5 count offsets,
+/// Reads cells from behind their keyword, `what` they are, on. Files of version 5 count offsets,
 /// one more than cells.
-pub(super) fn cell_count(cursor: &LegacyCursor<'_>, first: u64) -> u64 {
-    if has_offsets(cursor) {
-        first.saturating_sub(1)
-    } else {
-        first
-    }
-}
-
-fn has_offsets(cursor: &LegacyCursor<'_>) -> bool {
-    cursor.rest().trim_ascii_start().starts_with(b"OFFSETS")
-}
-
-/// Reads cells after a keyword with the two numbers `first` and `second`.
 pub(super) fn read_cells(
     cursor: &mut LegacyCursor<'_>,
-    first: u64,
-    second: u64,
+    what: &'static str,
+    limits: &Limits,
     each: EachCell<'_>,
 ) -> Result<(), ReadMeshError> {
-    if has_offsets(cursor) {
-        read_with_offsets(cursor, first, second, each)
+    let (first, second) = (cursor.count()?, cursor.count()?);
+    cursor.begin_numbers();
+    let has_offsets = cursor.comes(b"OFFSETS");
+    let cells = first.saturating_sub(u64::from(has_offsets));
+    check_count(what, cells, limits.faces)?;
+    // no cell has more corners than a strip of all faces
+    let max_corners = limits.faces as u64 + 2;
+    if has_offsets {
+        read_with_offsets(cursor, first, second, max_corners, each)
     } else {
-        read_with_counts(cursor, first, second, each)
+        read_with_counts(cursor, first, second, max_corners, each)
     }
+}
+
+fn check_corners(corners: u64, most: u64, place: Place) -> Result<(), ReadMeshError> {
+    if corners > most {
+        return Err(place.error(format!("a cell of {corners} corners; the limit is {most}")));
+    }
+    Ok(())
 }
 
 /// `first` cells of `second` numbers in all: each a count and as many corners.
@@ -42,6 +43,7 @@ fn read_with_counts(
     cursor: &mut LegacyCursor<'_>,
     cells: u64,
     numbers: u64,
+    max_corners: u64,
     each: EachCell<'_>,
 ) -> Result<(), ReadMeshError> {
     let mut corners = Vec::new();
@@ -52,6 +54,7 @@ fn read_with_counts(
         numbers_left = numbers_left
             .checked_sub(size.saturating_add(1))
             .ok_or_else(|| place.error(format!("cells hold more than {numbers} numbers")))?;
+        check_corners(size, max_corners, place)?;
         corners.clear();
         for _ in 0..size {
             let (corner, place) = cursor.number(Scalar::I32, "a corner")?;
@@ -73,9 +76,10 @@ fn read_with_offsets(
     cursor: &mut LegacyCursor<'_>,
     offset_count: u64,
     corner_count: u64,
+    max_corners: u64,
     each: EachCell<'_>,
 ) -> Result<(), ReadMeshError> {
-    let kind = array_type(cursor, b"OFFSETS")?;
+    let kind = array_type(cursor, "OFFSETS")?;
     let mut ends = Vec::new();
     for at in 0..offset_count {
         let (offset, place) = cursor.number(kind, "an offset")?;
@@ -86,13 +90,14 @@ fn read_with_offsets(
                 "offset {offset} is not between {least} and {corner_count}"
             )));
         }
+        check_corners(offset - least, max_corners, place)?;
         ends.push(offset);
     }
     if ends.last().copied().unwrap_or_default() != corner_count {
         let reason = format!("the last offset is not the number of corners, {corner_count}");
         return Err(cursor.place().error(reason));
     }
-    let kind = array_type(cursor, b"CONNECTIVITY")?;
+    let kind = array_type(cursor, "CONNECTIVITY")?;
     let mut corners = Vec::new();
     for pair in ends.windows(2) {
         corners.clear();
@@ -109,13 +114,14 @@ fn read_with_offsets(
     Ok(())
 }
 
-fn array_type(cursor: &mut LegacyCursor<'_>, keyword: &[u8]) -> Result<Scalar, ReadMeshError> {
-    let end = cursor.place();
-    match cursor.keyword_line() {
-        Some((place, words)) if words.len() == 2 && words[0] == keyword => scalar(words[1], place),
-        other => Err(other.map_or(end, |(place, _)| place).error(format!(
-            "{} and a type are expected here",
-            String::from_utf8_lossy(keyword)
-        ))),
+fn array_type(cursor: &mut LegacyCursor<'_>, keyword: &str) -> Result<Scalar, ReadMeshError> {
+    if !cursor.comes(keyword.as_bytes()) {
+        cursor.skip_white();
+        let reason = format!("{keyword} and a type are expected here");
+        return Err(cursor.place().error(reason));
     }
+    cursor.word(keyword)?;
+    let (kind, place) = cursor.word("a type")?;
+    cursor.begin_numbers();
+    scalar(kind, place)
 }

@@ -3,7 +3,7 @@
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
 use crate::io::mesh_draft::Place;
-use crate::io::text_lines::{number, shown, words};
+use crate::io::text_lines::{count, number, shown};
 
 /// Where reading is; numbers are big-endian where they are binary.
 pub(super) struct LegacyCursor<'a> {
@@ -45,10 +45,16 @@ impl<'a> LegacyCursor<'a> {
         &self.bytes[self.at..]
     }
 
+    /// Lines end as Unix, Windows and old Macs write them.
     fn advance(&mut self, count: usize) {
-        let passed = &self.bytes[self.at..self.at + count];
         if !self.binary {
-            self.line += passed.iter().filter(|&&b| b == b'\n').count();
+            let (from, to) = (self.at, self.at + count);
+            let ends = |&at: &usize| match self.bytes[at] {
+                b'\n' => true,
+                b'\r' => self.bytes.get(at + 1) != Some(&b'\n'),
+                _ => false,
+            };
+            self.line += (from..to).filter(ends).count();
         }
         self.at += count;
     }
@@ -62,19 +68,44 @@ impl<'a> LegacyCursor<'a> {
     /// The rest of this line; afterwards reading is at the start of the next.
     pub(super) fn line(&mut self) -> &'a [u8] {
         let rest = self.rest();
-        let end = rest.iter().position(|&b| b == b'\n');
-        self.advance(end.map_or(rest.len(), |end| end + 1));
-        rest[..end.unwrap_or(rest.len())].trim_ascii()
+        let end = rest.iter().position(|&b| b == b'\n' || b == b'\r');
+        let end = end.unwrap_or(rest.len());
+        let ending = match rest[end..] {
+            [b'\r', b'\n', ..] => 2,
+            [] => 0,
+            _ => 1,
+        };
+        self.advance(end + ending);
+        rest[..end].trim_ascii()
     }
 
-    /// The words of the next line that has any, and where it stands; none at the end.
-    pub(super) fn keyword_line(&mut self) -> Option<(Place, Vec<&'a [u8]>)> {
-        self.skip_white();
-        let place = self.place();
-        let line = self.line();
-        // no keyword has more than a few words; a longer line is binary numbers gone astray
-        let words: Vec<_> = words(line).take(8).collect();
-        (!words.is_empty()).then_some((place, words))
+    /// Whether a keyword comes next, in any case, on whichever line.
+    pub(super) fn comes(&self, keyword: &[u8]) -> bool {
+        Self::is_next(self.rest().trim_ascii_start(), keyword)
+    }
+
+    /// Whether a keyword comes next, in any case, without an empty line before it.
+    pub(super) fn comes_on_line(&self, keyword: &[u8]) -> bool {
+        Self::is_next(self.rest(), keyword)
+    }
+
+    fn is_next(rest: &[u8], keyword: &[u8]) -> bool {
+        let next = rest.get(..keyword.len()).unwrap_or_default();
+        let ends = rest.get(keyword.len()).is_none_or(u8::is_ascii_whitespace);
+        ends && next.eq_ignore_ascii_case(keyword)
+    }
+
+    /// The next word as a count.
+    pub(super) fn count(&mut self) -> Result<u64, ReadMeshError> {
+        let (word, place) = self.word("a count")?;
+        count(word, place)
+    }
+
+    /// Goes from the last word of a keyword to the numbers behind it: those of a text may stand on the same line.
+    pub(super) fn begin_numbers(&mut self) {
+        if self.binary {
+            self.line();
+        }
     }
 
     /// The next word of a text file and where it stands.

@@ -8,4 +8,4 @@ mod cursor;
 mod read;
 mod skip;
 
-pub(super) use read::read_vtk_legacy;
+pub(super) use read::{is_legacy_header, read_vtk_legacy};

@@ -1,11 +1,11 @@
 //! Reading a legacy VTK file from its first line to the end of its geometry.
 
-use super::cells::{cell_count, read_cells};
+use super::cells::read_cells;
 use super::cursor::{LegacyCursor, scalar};
 use super::skip::{skip_field, skip_metadata};
-use crate::io::binary_cursor::{Scalar, count as whole};
-use crate::io::mesh_draft::{MeshDraft, Place};
-use crate::io::text_lines::{count, shown};
+use crate::io::binary_cursor::{Scalar, count};
+use crate::io::mesh_draft::{MeshDraft, Place, check_count};
+use crate::io::text_lines::{shown, words};
 use crate::io::{Limits, MeshFile, ReadMeshError};
 
 /// A cell whose type comes later in the file.
@@ -17,27 +17,41 @@ struct PendingCell {
 /// What has been read of a file.
 struct Reader<'a> {
     cursor: LegacyCursor<'a>,
+    limits: &'a Limits,
     draft: MeshDraft,
     grid: bool,
     cells: Vec<PendingCell>,
     cell_corners: Vec<u32>,
 }
 
-/// Reads points and surface cells; arrays on points and cells are passed over.
+/// Whether a text begins with the first line of the format, `# vtk DataFile Version …`.
+pub(crate) fn is_legacy_header(text: &[u8]) -> bool {
+    let begins = [&b"#"[..], b"vtk", b"datafile", b"version"];
+    let first_line = text.split(|&b| b == b'\n' || b == b'\r').next();
+    let mut found = words(first_line.unwrap_or_default());
+    begins.iter().all(|word| {
+        found
+            .next()
+            .is_some_and(|found| found.eq_ignore_ascii_case(word))
+    })
+}
+
+/// Reads points and surface cells; arrays on points and cells are passed over. Keywords may be in
+/// any case, numbers on any line.
 pub(crate) fn read_vtk_legacy(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
     let mut cursor = LegacyCursor::new(bytes);
     let grid = read_header(&mut cursor)?;
     let mut reader = Reader {
         cursor,
+        limits,
         draft: MeshDraft::new(limits, 0),
         grid,
         cells: Vec::new(),
         cell_corners: Vec::new(),
     };
-    while let Some((place, words)) = reader.cursor.keyword_line() {
-        if !reader.read_section(&words, place)? {
-            break;
-        }
+    reader.cursor.skip_white();
+    while !reader.cursor.rest().is_empty() && reader.read_section()? {
+        reader.cursor.skip_white();
     }
     if let Some(cell) = reader.cells.first() {
         return Err(cell.place.error("cells without CELL_TYPES"));
@@ -45,91 +59,76 @@ pub(crate) fn read_vtk_legacy(bytes: &[u8], limits: &Limits) -> Result<MeshFile,
     reader.draft.finish()
 }
 
-/// The first four lines; whether the file is an UnstructuredGrid.
+/// The first lines; whether the file is an UnstructuredGrid.
 fn read_header(cursor: &mut LegacyCursor<'_>) -> Result<bool, ReadMeshError> {
-    if !cursor.line().starts_with(b"# vtk DataFile Version") {
-        return Err(Place::Line(1).error("the first line is not \"# vtk DataFile Version …\""));
-    }
-    cursor.line(); // the title
-    let place = cursor.place();
-    let binary = match cursor.line().to_ascii_uppercase().as_slice() {
-        b"ASCII" => false,
-        b"BINARY" => true,
-        other => return Err(place.error(format!("{} is not ASCII or BINARY", shown(other)))),
-    };
     cursor.skip_white();
     let place = cursor.place();
-    let kind = cursor.line();
-    let grid = match kind.to_ascii_uppercase().as_slice() {
+    if !is_legacy_header(cursor.line()) {
+        return Err(place.error("the first line is not \"# vtk DataFile Version …\""));
+    }
+    cursor.line(); // the title
+    let (word, place) = cursor.word("ASCII or BINARY")?;
+    let binary = match word.to_ascii_uppercase().as_slice() {
+        b"ASCII" => false,
+        b"BINARY" => true,
+        _ => return Err(place.error(format!("{} is not ASCII or BINARY", shown(word)))),
+    };
+    let (keyword, place) = cursor.word("DATASET")?;
+    let (kind, _) = cursor.word("a kind of DATASET")?;
+    let both = [keyword, kind].join(&b' ').to_ascii_uppercase();
+    let grid = match both.as_slice() {
         b"DATASET POLYDATA" => false,
         b"DATASET UNSTRUCTURED_GRID" => true,
         _ => {
             return Err(place.error(format!(
                 "{} is not DATASET POLYDATA or DATASET UNSTRUCTURED_GRID",
-                shown(kind)
+                shown(&both)
             )));
         }
     };
     if binary {
+        cursor.line();
         cursor.set_binary();
     }
     Ok(grid)
 }
 
 impl Reader<'_> {
-    /// Reads what a keyword announces; false where the geometry has ended.
-    fn read_section(&mut self, words: &[&[u8]], place: Place) -> Result<bool, ReadMeshError> {
-        let keyword = words[0].to_ascii_uppercase();
-        let number = |at: usize| {
-            let word = words.get(at).copied();
-            count(
-                word.ok_or_else(|| place.error("a count is missing"))?,
-                place,
-            )
-        };
-        match (keyword.as_slice(), self.grid) {
+    /// Reads what the next keyword announces; false where the geometry has ended.
+    fn read_section(&mut self) -> Result<bool, ReadMeshError> {
+        let (word, place) = self.cursor.word("a keyword")?;
+        let (cursor, draft, limits) = (&mut self.cursor, &mut self.draft, self.limits);
+        match (word.to_ascii_uppercase().as_slice(), self.grid) {
             (b"POINT_DATA" | b"CELL_DATA", _) => return Ok(false),
-            (b"METADATA", _) => skip_metadata(&mut self.cursor),
-            (b"FIELD", _) => skip_field(&mut self.cursor, number(2)?)?,
-            (b"POINTS", _) => {
-                let kind = scalar(words.get(2).copied().unwrap_or_default(), place)?;
-                self.read_points(number(1)?, kind)?;
-            }
-            (b"POLYGONS", false) => {
-                self.draft
-                    .expect_faces(cell_count(&self.cursor, number(1)?))?;
-                let draft = &mut self.draft;
-                read_cells(
-                    &mut self.cursor,
-                    number(1)?,
-                    number(2)?,
-                    &mut |corners, place| draft.polygon(corners, place),
-                )?;
-            }
+            (b"METADATA", _) => skip_metadata(cursor),
+            (b"FIELD", _) => skip_field(cursor)?,
+            (b"POINTS", _) => self.read_points()?,
+            (b"POLYGONS", false) => read_cells(cursor, "faces", limits, &mut |corners, place| {
+                draft.polygon(corners, place)
+            })?,
             (b"TRIANGLE_STRIPS", false) => {
-                let draft = &mut self.draft;
-                read_cells(
-                    &mut self.cursor,
-                    number(1)?,
-                    number(2)?,
-                    &mut |corners, place| draft.strip(corners, place),
-                )?;
+                read_cells(cursor, "strips", limits, &mut |corners, place| {
+                    draft.strip(corners, place)
+                })?;
             }
             (b"VERTICES" | b"LINES", false) => {
-                let draft = &mut self.draft;
-                read_cells(&mut self.cursor, number(1)?, number(2)?, &mut |_, _| {
+                read_cells(cursor, "points and lines", limits, &mut |_, _| {
                     draft.skip_points_and_lines(1);
                     Ok(())
                 })?;
             }
-            (b"CELLS", true) => self.read_grid_cells(number(1)?, number(2)?)?,
-            (b"CELL_TYPES", true) => self.read_cell_types(number(1)?, place)?,
-            _ => return Err(place.error(format!("unknown keyword {}", shown(words[0])))),
+            (b"CELLS", true) => self.read_grid_cells()?,
+            (b"CELL_TYPES", true) => self.read_cell_types(place)?,
+            _ => return Err(place.error(format!("unknown keyword {}", shown(word)))),
         }
         Ok(true)
     }
 
-    fn read_points(&mut self, points: u64, kind: Scalar) -> Result<(), ReadMeshError> {
+    fn read_points(&mut self) -> Result<(), ReadMeshError> {
+        let points = self.cursor.count()?;
+        let (kind, place) = self.cursor.word("a type")?;
+        let kind = scalar(kind, place)?;
+        self.cursor.begin_numbers();
         let binary = self.cursor.is_binary();
         let bytes_each = if binary { 3 * kind.size() } else { 6 };
         let bytes_present = self.cursor.rest().len();
@@ -144,20 +143,29 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn read_grid_cells(&mut self, first: u64, second: u64) -> Result<(), ReadMeshError> {
-        self.draft.expect_faces(cell_count(&self.cursor, first))?;
+    fn read_grid_cells(&mut self) -> Result<(), ReadMeshError> {
         let (cells, all_corners) = (&mut self.cells, &mut self.cell_corners);
-        read_cells(&mut self.cursor, first, second, &mut |corners, place| {
-            all_corners.extend_from_slice(corners);
-            cells.push(PendingCell {
-                end: all_corners.len(),
-                place,
-            });
-            Ok(())
-        })
+        // as many as quads have, so that they fit into memory before their types are known
+        let most = 4 * self.limits.faces;
+        read_cells(
+            &mut self.cursor,
+            "faces",
+            self.limits,
+            &mut |corners, place| {
+                all_corners.extend_from_slice(corners);
+                check_count("corners of cells", all_corners.len() as u64, most)?;
+                cells.push(PendingCell {
+                    end: all_corners.len(),
+                    place,
+                });
+                Ok(())
+            },
+        )
     }
 
-    fn read_cell_types(&mut self, types: u64, place: Place) -> Result<(), ReadMeshError> {
+    fn read_cell_types(&mut self, place: Place) -> Result<(), ReadMeshError> {
+        let types = self.cursor.count()?;
+        self.cursor.begin_numbers();
         if types != self.cells.len() as u64 {
             let reason = format!("{types} cell types for {} cells", self.cells.len());
             return Err(place.error(reason));
@@ -168,7 +176,7 @@ impl Reader<'_> {
             let corners = &self.cell_corners[start..cell.end];
             add_cell(
                 &mut self.draft,
-                whole(kind, place)?,
+                count(kind, place)?,
                 corners,
                 cell.place,
                 place,
@@ -188,6 +196,7 @@ fn add_cell(
     type_place: Place,
 ) -> Result<(), ReadMeshError> {
     let (name, needed) = match kind {
+        0 if corners.is_empty() => return Ok(()),
         1..=4 => {
             draft.skip_points_and_lines(1);
             return Ok(());

@@ -3,24 +3,21 @@
 use super::cursor::{LegacyCursor, scalar};
 use crate::io::ReadMeshError;
 use crate::io::mesh_draft::Place;
-use crate::io::text_lines::count;
 
-/// Passes over `arrays` named arrays of a FIELD.
-pub(super) fn skip_field(cursor: &mut LegacyCursor<'_>, arrays: u64) -> Result<(), ReadMeshError> {
+/// Passes over a FIELD from behind its keyword on: its name, and so many named arrays, each perhaps with metadata.
+pub(super) fn skip_field(cursor: &mut LegacyCursor<'_>) -> Result<(), ReadMeshError> {
+    cursor.word("the name of a field")?;
+    let arrays = cursor.count()?;
+    cursor.begin_numbers();
     for _ in 0..arrays {
-        let end = cursor.place();
-        let Some((place, words)) = cursor.keyword_line() else {
-            return Err(end.error("the file ends within a field"));
-        };
-        if words.first() == Some(&&b"METADATA"[..]) {
+        while cursor.comes(b"METADATA") {
+            cursor.word("metadata")?;
             skip_metadata(cursor);
-            continue;
         }
-        let [_, components, tuples, kind] = words[..] else {
-            return Err(place.error("an array of a field needs a name, two counts and a type"));
-        };
-        let values = count(components, place)?.saturating_mul(count(tuples, place)?);
-        skip_array(cursor, values, kind, place)?;
+        cursor.word("an array of a field")?;
+        let values = cursor.count()?.saturating_mul(cursor.count()?);
+        let (kind, place) = cursor.word("a type")?;
+        skip_array(cursor, values, &kind.to_ascii_lowercase(), place)?;
     }
     Ok(())
 }
@@ -31,6 +28,9 @@ fn skip_array(
     kind: &[u8],
     place: Place,
 ) -> Result<(), ReadMeshError> {
+    if kind == b"string" || cursor.is_binary() {
+        cursor.line();
+    }
     match (kind, cursor.is_binary()) {
         (b"string", true) => {
             for _ in 0..values {
@@ -82,7 +82,24 @@ fn skip_binary_string(cursor: &mut LegacyCursor<'_>) -> Result<(), ReadMeshError
     Ok(())
 }
 
-/// Metadata end with an empty line.
+/// Passes over metadata from behind their keyword on. They end with an empty line; or where a section begins, if somebody took the empty lines out.
 pub(super) fn skip_metadata(cursor: &mut LegacyCursor<'_>) {
-    while !cursor.rest().is_empty() && !cursor.line().is_empty() {}
+    const SECTIONS: [&[u8]; 11] = [
+        b"POINTS",
+        b"VERTICES",
+        b"LINES",
+        b"POLYGONS",
+        b"TRIANGLE_STRIPS",
+        b"CELLS",
+        b"CELL_TYPES",
+        b"POINT_DATA",
+        b"CELL_DATA",
+        b"CONNECTIVITY",
+        b"FIELD",
+    ];
+    cursor.line();
+    while !cursor.rest().is_empty()
+        && !SECTIONS.iter().any(|section| cursor.comes_on_line(section))
+        && !cursor.line().is_empty()
+    {}
 }

@@ -1,8 +1,8 @@
 //! One DataArray of a VTP file as numbers, each with its place in the file.
 
-use std::borrow::Cow;
+use std::cell::Cell;
 
-use roxmltree::{Document, Node};
+use roxmltree::Node;
 
 use super::appended::Appended;
 use super::base64_stream::Base64Stream;
@@ -10,13 +10,16 @@ use super::encoded::{Encoding, Stream, decode};
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
 use crate::io::mesh_draft::Place;
-use crate::io::text_lines::{TextLines, number, shown, words};
+use crate::io::text_lines::{number, shown};
+use crate::io::xml::LineIndex;
 
 /// A parsed file and what its arrays need to be decoded.
 pub(super) struct VtpFile<'a> {
-    pub(super) document: &'a Document<'a>,
+    pub(super) lines: LineIndex,
     pub(super) appended: Option<Appended<'a>>,
-    pub(super) encoding: Encoding,
+    pub(super) encoding: Encoding<'a>,
+    /// Bytes that arrays may still unpack to, all together.
+    pub(super) budget: Cell<u64>,
 }
 
 /// The numbers of an array.
@@ -43,30 +46,26 @@ impl Numbers {
 impl VtpFile<'_> {
     /// The line on which an element begins.
     pub(super) fn place(&self, node: Node<'_, '_>) -> Place {
-        let position = self.document.text_pos_at(node.range().start);
-        Place::Line(position.row as usize)
+        Place::Line(self.lines.line(node.range().start))
     }
 
     /// Reads the array of an element, which has at most `most` numbers.
     pub(super) fn numbers(&self, node: Node<'_, '_>, most: u64) -> Result<Numbers, ReadMeshError> {
         let place = self.place(node);
         let scalar = scalar(node.attribute("type").unwrap_or_default(), place)?;
-        let text = || {
-            let text = node.children().find(Node::is_text);
-            let line = text.map_or(0, |text| {
-                self.document.text_pos_at(text.range().start).row as usize
-            });
-            (text.and_then(|text| text.text()).unwrap_or_default(), line)
-        };
-        match node.attribute("format").unwrap_or("ascii") {
-            "ascii" => {
-                let (text, line) = text();
-                text_numbers(text, line, most, place)
+        // comments and instructions of processing may stand between the texts of an element
+        let texts = node.children().filter(Node::is_text);
+        match node.attribute("format").unwrap_or("ascii").trim() {
+            format if format.eq_ignore_ascii_case("ascii") => {
+                let texts = texts.map(|text| {
+                    let line = self.lines.line(text.range().start);
+                    (text.text().unwrap_or_default(), line)
+                });
+                text_numbers(texts, most, place)
             }
             "binary" => {
-                let text: Vec<u8> = text()
-                    .0
-                    .bytes()
+                let text: Vec<u8> = texts
+                    .flat_map(|text| text.text().unwrap_or_default().bytes())
                     .filter(|byte| !byte.is_ascii_whitespace())
                     .collect();
                 let stream = Stream::Base64(Base64Stream::new(&text, place));
@@ -124,6 +123,7 @@ impl VtpFile<'_> {
             stream,
             self.encoding,
             most.saturating_mul(size as u64),
+            &self.budget,
             place,
         )?;
         if bytes.len() % size != 0 {
@@ -141,23 +141,41 @@ impl VtpFile<'_> {
     }
 }
 
-fn text_numbers(
-    text: &str,
-    first_line: usize,
+/// The numbers of texts, each text with its first line. Texts follow each other without white space: a comment may
+/// stand within a number.
+fn text_numbers<'t>(
+    texts: impl Iterator<Item = (&'t str, usize)>,
     most: u64,
     place: Place,
 ) -> Result<Numbers, ReadMeshError> {
-    let (mut values, mut lines) = (Vec::new(), Vec::new());
-    for (line, text) in TextLines::new(text.as_bytes()) {
-        let line = first_line + line - 1;
-        lines.push((values.len(), line));
-        for word in words(text) {
-            if values.len() as u64 >= most {
-                let reason = format!("an array of more than {most} numbers");
-                return Err(Place::Line(line).error(reason));
-            }
-            values.push(number(word, Place::Line(line))?);
+    let mut joined = Vec::new();
+    let mut line_starts = Vec::new();
+    for (text, mut line) in texts {
+        line_starts.push((joined.len(), line));
+        for (at, _) in text.match_indices('\n') {
+            line += 1;
+            line_starts.push((joined.len() + at + 1, line));
         }
+        joined.extend_from_slice(text.as_bytes());
+    }
+    let (mut values, mut lines) = (Vec::new(), Vec::new());
+    let mut line_starts = line_starts.into_iter().peekable();
+    let (mut end, mut line) = (0, 0);
+    while let Some(white) = joined[end..].iter().position(|b| !b.is_ascii_whitespace()) {
+        let start = end + white;
+        let length = joined[start..].iter().position(u8::is_ascii_whitespace);
+        end = length.map_or(joined.len(), |length| start + length);
+        while let Some((_, of_word)) = line_starts.next_if(|&(first, _)| first <= start) {
+            line = of_word;
+        }
+        if lines.last().is_none_or(|&(_, last)| last != line) {
+            lines.push((values.len(), line));
+        }
+        let place = Place::Line(line);
+        if values.len() as u64 >= most {
+            return Err(place.error(format!("an array of more than {most} numbers")));
+        }
+        values.push(number(&joined[start..end], place)?);
     }
     Ok(Numbers {
         values,
@@ -190,11 +208,4 @@ pub(super) fn byte_order(name: &str, place: Place) -> Result<ByteOrder, ReadMesh
         "BigEndian" => Ok(ByteOrder::Big),
         _ => Err(place.error(format!("unknown byte order {}", shown(name.as_bytes())))),
     }
-}
-
-/// Text of a file as UTF-8, or the byte where it is not.
-pub(super) fn utf8(xml: &[u8]) -> Result<Cow<'_, str>, ReadMeshError> {
-    std::str::from_utf8(xml)
-        .map(Cow::Borrowed)
-        .map_err(|error| Place::Byte(error.valid_up_to()).error("not UTF-8 text"))
 }

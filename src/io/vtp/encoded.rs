@@ -1,5 +1,6 @@
 //! Binary arrays of VTP files: a header with sizes, then the bytes, plain or in zlib blocks.
 
+use std::cell::Cell;
 use std::io::Read;
 
 use flate2::read::ZlibDecoder;
@@ -8,14 +9,24 @@ use super::base64_stream::Base64Stream;
 use crate::io::ReadMeshError;
 use crate::io::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
 use crate::io::mesh_draft::Place;
+use crate::io::text_lines::shown;
 
 /// What the file says about all its binary arrays.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Encoding {
+pub(super) struct Encoding<'a> {
     pub(super) order: ByteOrder,
     /// Type of the sizes before an array: `UInt32` or `UInt64`.
     pub(super) header: Scalar,
-    pub(super) zlib: bool,
+    pub(super) compressor: Compressor<'a>,
+}
+
+/// How binary arrays are packed.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Compressor<'a> {
+    None,
+    Zlib,
+    /// One that is not read, and where the file names it. Arrays in text are not packed by any.
+    Other(&'a str, Place),
 }
 
 /// Bytes as they stand, or through base64.
@@ -32,7 +43,7 @@ impl Stream<'_> {
         }
     }
 
-    fn size(&mut self, encoding: Encoding, place: Place) -> Result<u64, ReadMeshError> {
+    fn size(&mut self, encoding: Encoding<'_>, place: Place) -> Result<u64, ReadMeshError> {
         let bytes = self.take(encoding.header.size() as u64)?;
         let size = encoding.header.number(&bytes, encoding.order);
         // sizes of 2⁵³ bytes and more are damage, and not exact in f64
@@ -43,24 +54,42 @@ impl Stream<'_> {
     }
 }
 
-/// The bytes of an array that begins at `place`; at most `max_bytes`.
+/// The bytes of an array that begins at `place`; at most `max_bytes`, and no more than the budget that all arrays
+/// share. Their number is known, and refused, before anything is unpacked.
 pub(super) fn decode(
     mut stream: Stream<'_>,
-    encoding: Encoding,
+    encoding: Encoding<'_>,
     max_bytes: u64,
+    budget: &Cell<u64>,
     place: Place,
 ) -> Result<Vec<u8>, ReadMeshError> {
-    let too_long = |bytes: u64| {
-        place.error(format!(
-            "an array of {bytes} bytes, but {max_bytes} are expected at most"
-        ))
-    };
-    if !encoding.zlib {
-        let bytes = stream.size(encoding, place)?;
+    let check = |bytes: u64| {
         if bytes > max_bytes {
-            return Err(too_long(bytes));
+            return Err(place.error(format!(
+                "an array of {bytes} bytes, but {max_bytes} are expected at most"
+            )));
         }
-        return stream.take(bytes);
+        let left = budget.get().checked_sub(bytes).ok_or_else(|| {
+            place.error(format!(
+                "an array of {bytes} bytes: too many for so small a file, however well it is packed"
+            ))
+        })?;
+        budget.set(left);
+        Ok(())
+    };
+    match encoding.compressor {
+        Compressor::Zlib => {}
+        Compressor::None => {
+            let bytes = stream.size(encoding, place)?;
+            check(bytes)?;
+            return stream.take(bytes);
+        }
+        Compressor::Other(name, place) => {
+            return Err(place.error(format!(
+                "compressed by {}; only vtkZLibDataCompressor or none is read",
+                shown(name.as_bytes())
+            )));
+        }
     }
     let blocks = stream.size(encoding, place)?;
     let block_bytes = stream.size(encoding, place)?;
@@ -73,9 +102,7 @@ pub(super) fn decode(
     let bytes = whole_blocks
         .saturating_mul(block_bytes)
         .saturating_add(last_bytes);
-    if bytes > max_bytes {
-        return Err(too_long(bytes));
-    }
+    check(bytes)?;
     if blocks > bytes {
         return Err(place.error(format!("{blocks} blocks for {bytes} bytes")));
     }

@@ -1,37 +1,34 @@
 //! Reading VTP: points, polygons and strips of all pieces.
 
-use roxmltree::{Document, Node, ParsingOptions};
+use std::cell::Cell;
+
+use roxmltree::Node;
 
 use super::appended::cut_appended;
-use super::array::{VtpFile, byte_order, scalar, utf8};
-use super::encoded::Encoding;
+use super::array::{VtpFile, byte_order, scalar};
+use super::encoded::{Compressor, Encoding};
 use crate::io::binary_cursor::{Scalar, vertex_index};
-use crate::io::mesh_draft::{MeshDraft, Place};
+use crate::io::mesh_draft::{MeshDraft, Place, check_count, missing_vertex};
+use crate::io::text_encoding::xml_text;
 use crate::io::text_lines::{count, shown};
+use crate::io::xml::{LineIndex, parse_xml};
 use crate::io::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
-/// More elements than any VTP file has; keeps a file of nothing but tags from taking memory.
-const MAX_XML_NODES: u32 = 100_000;
-
 /// Reads all pieces as one surface; arrays on points and cells are passed over.
 pub(crate) fn read_vtp(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
-    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let (xml, appended) = cut_appended(bytes)?;
-    let xml = utf8(&xml)?;
-    let options = ParsingOptions {
-        nodes_limit: MAX_XML_NODES,
-        ..ParsingOptions::default()
-    };
-    let document = Document::parse_with_options(&xml, options)
-        .map_err(|error| Place::Line(error.pos().row as usize).error(error.to_string()))?;
+    let xml = xml_text(&xml)?;
+    let document = parse_xml(&xml)?;
     let root = document.root_element();
-    let place = Place::Line(document.text_pos_at(root.range().start).row as usize);
+    let lines = LineIndex::new(&xml);
+    let place = Place::Line(lines.line(root.range().start));
     check_root(root, place)?;
     let file = VtpFile {
-        document: &document,
+        lines,
         appended,
         encoding: read_encoding(root, place)?,
+        budget: Cell::new(limits.unpacked_times.saturating_mul(bytes.len() as u64)),
     };
     let poly_data = child(root, "PolyData").ok_or_else(|| place.error("PolyData is missing"))?;
     let mut draft = MeshDraft::new(limits, 0);
@@ -40,8 +37,9 @@ pub(crate) fn read_vtp(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
         .children()
         .filter(|node| node.has_tag_name("Piece"))
     {
-        read_piece(&file, piece, limits, &mut draft)?;
         pieces += 1;
+        check_count("pieces", pieces, limits.pieces)?;
+        read_piece(&file, piece, limits, &mut draft)?;
     }
     if pieces > 1 {
         draft.notice(Notice::info(format!(
@@ -62,20 +60,15 @@ fn check_root(root: Node<'_, '_>, place: Place) -> Result<(), ReadMeshError> {
     }
 }
 
-fn read_encoding(root: Node<'_, '_>, place: Place) -> Result<Encoding, ReadMeshError> {
+fn read_encoding<'a>(root: Node<'a, '_>, place: Place) -> Result<Encoding<'a>, ReadMeshError> {
     let header = scalar(root.attribute("header_type").unwrap_or("UInt32"), place)?;
     if !matches!(header, Scalar::U32 | Scalar::U64) {
         return Err(place.error("the header type is neither UInt32 nor UInt64"));
     }
-    let zlib = match root.attribute("compressor") {
-        None | Some("") => false,
-        Some("vtkZLibDataCompressor") => true,
-        Some(other) => {
-            return Err(place.error(format!(
-                "compressed by {}; only vtkZLibDataCompressor or none is read",
-                shown(other.as_bytes())
-            )));
-        }
+    let compressor = match root.attribute("compressor") {
+        None | Some("") => Compressor::None,
+        Some("vtkZLibDataCompressor") => Compressor::Zlib,
+        Some(other) => Compressor::Other(other, place),
     };
     Ok(Encoding {
         order: byte_order(
@@ -83,7 +76,7 @@ fn read_encoding(root: Node<'_, '_>, place: Place) -> Result<Encoding, ReadMeshE
             place,
         )?,
         header,
-        zlib,
+        compressor,
     })
 }
 
@@ -94,17 +87,19 @@ fn read_piece(
     draft: &mut MeshDraft,
 ) -> Result<(), ReadMeshError> {
     let place = file.place(piece);
-    let number = |name: &str| {
-        count(
-            piece.attribute(name).unwrap_or("0").trim().as_bytes(),
-            place,
-        )
+    let number = |name: &str| match piece.attribute(name) {
+        Some(word) => count(word.trim().as_bytes(), place).map(Some),
+        None => Ok(None),
     };
     let first_vertex = draft.point_count();
     let points = number("NumberOfPoints")?;
+    let points = points.ok_or_else(|| place.error("NumberOfPoints is missing"))?;
     draft.expect_points(points, 0, 1)?;
-    draft.expect_faces(number("NumberOfPolys")?)?;
-    let lone = number("NumberOfVerts")?.saturating_add(number("NumberOfLines")?);
+    draft.expect_faces(number("NumberOfPolys")?.unwrap_or_default())?;
+    let (verts, lines) = (number("NumberOfVerts")?, number("NumberOfLines")?);
+    let lone = verts
+        .unwrap_or_default()
+        .saturating_add(lines.unwrap_or_default());
     draft.skip_points_and_lines(usize::try_from(lone).unwrap_or(usize::MAX));
     if points > 0 {
         let array = child(piece, "Points").and_then(|node| child(node, "DataArray"));
@@ -116,29 +111,31 @@ fn read_piece(
         ("NumberOfStrips", "Strips", true),
     ] {
         let cells = number(name)?;
-        if cells > 0 {
-            let node = child(piece, tag).ok_or_else(|| place.error(format!("{tag} is missing")))?;
-            let max_corners = 3 * limits.faces as u64;
-            for_each_cell(file, node, cells, max_corners, &mut |corners, place| {
-                let mut shifted = Vec::with_capacity(corners.len());
-                for &corner in corners {
-                    if u64::from(corner) >= points {
-                        let reason = crate::io::mesh_draft::missing_vertex(
-                            u64::from(corner),
-                            points as usize,
-                            0,
-                        );
-                        return Err(place.error(reason));
-                    }
-                    shifted.push(corner + first_vertex as u32);
-                }
-                if strips {
-                    draft.strip(&shifted, place)
-                } else {
-                    draft.polygon(&shifted, place)
-                }
-            })?;
+        if cells == Some(0) {
+            continue;
         }
+        let Some(node) = child(piece, tag).filter(|node| child(*node, "DataArray").is_some())
+        else {
+            if cells.is_some() {
+                return Err(place.error(format!("{tag} is missing")));
+            }
+            continue; // nobody said that there are any
+        };
+        for_each_cell(file, node, cells, limits, &mut |corners, place| {
+            let mut shifted = Vec::with_capacity(corners.len());
+            for &corner in corners {
+                if u64::from(corner) >= points {
+                    let reason = missing_vertex(u64::from(corner), points as usize, 0);
+                    return Err(place.error(reason));
+                }
+                shifted.push(corner + first_vertex as u32);
+            }
+            if strips {
+                draft.strip(&shifted, place)
+            } else {
+                draft.polygon(&shifted, place)
+            }
+        })?;
     }
     Ok(())
 }
@@ -165,12 +162,13 @@ fn read_points(
 /// Called with the corners of each cell and where they stand.
 type EachCell<'f> = &'f mut dyn FnMut(&[u32], Place) -> Result<(), ReadMeshError>;
 
-/// Calls `each` with the corners of every cell and where they stand.
+/// Calls `each` with the corners of every cell and where they stand; of as many cells as there are offsets, if the
+/// piece does not say how many.
 fn for_each_cell(
     file: &VtpFile<'_>,
     node: Node<'_, '_>,
-    cells: u64,
-    max_corners: u64,
+    cells: Option<u64>,
+    limits: &Limits,
     each: EachCell<'_>,
 ) -> Result<(), ReadMeshError> {
     let place = file.place(node);
@@ -179,8 +177,10 @@ fn for_each_cell(
             .find(|child| child.attribute("Name") == Some(name))
             .ok_or_else(|| place.error(format!("the array \"{name}\" is missing")))
     };
+    let max_corners = 3 * limits.faces as u64;
     let corners = file.numbers(array("connectivity")?, max_corners)?;
-    let ends = file.numbers(array("offsets")?, cells)?;
+    let ends = file.numbers(array("offsets")?, cells.unwrap_or(limits.faces as u64))?;
+    let cells = cells.unwrap_or(ends.values.len() as u64);
     if ends.values.len() as u64 != cells {
         let reason = format!("{} offsets for {cells} cells", ends.values.len());
         return Err(ends.place.error(reason));
