@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::series_times::SeriesTimes;
 use crate::io::OpenError;
 use crate::study::{Anatomy, LabelRoles, Notice, SurfaceKind};
 
@@ -36,7 +37,7 @@ pub(super) struct SubjectPlan {
 pub(super) struct SurfacePlan {
     pub(super) kind: KindPlan,
     pub(super) files: Vec<PathBuf>,
-    /// Times that a series file gives.
+    /// Times that a list of files or their names give.
     pub(super) times: Option<SeriesTimes>,
 }
 
@@ -50,10 +51,6 @@ pub(super) enum KindPlan {
     /// Nothing says that it is part of a heart.
     Unnamed,
 }
-
-/// Times of a series file, whose unit the formats do not fix.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct SeriesTimes(pub(super) Vec<f64>);
 
 /// What a manifest or the names of files say about a subject beside its meshes.
 #[derive(Clone, Debug, Default, PartialEq)]

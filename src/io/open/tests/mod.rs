@@ -1,6 +1,7 @@
 //! Paths of every kind, small and made on the spot.
 
 mod faults;
+mod habits;
 
 use std::fs;
 
