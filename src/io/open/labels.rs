@@ -30,9 +30,13 @@ pub(super) fn unite_labels(plans: &mut [SubjectPlan], roles: Option<&LabelRoles>
             continue;
         };
         let plain = plain_label(label);
+        // Nobody types control characters into a label: another program wrote it so, and means it.
+        if plain.is_empty() || label.contains(char::is_control) {
+            continue;
+        }
         let meant = spelling
             .entry(plain.clone())
-            .or_insert_with(|| label.trim().to_owned());
+            .or_insert_with(|| label.clone());
         borne.insert(plain);
         if meant != label {
             let pair = (label.clone(), meant.clone());

@@ -34,6 +34,14 @@ pub(super) fn can_be_one_cycle(times_s: &[f64]) -> bool {
     cycle >= COVERED_S.start() - ROUNDING_S && span <= COVERED_S.end() + ROUNDING_S
 }
 
+/// Whether ascending times, in seconds, can be those of frames of a part of a cycle.
+fn can_be_part_of_cycle(times_s: &[f64]) -> bool {
+    let (Some(first), Some(last)) = (times_s.first(), times_s.last()) else {
+        return false;
+    };
+    (MIN_PAIR_S..=*COVERED_S.end() + ROUNDING_S).contains(&(last - first))
+}
+
 /// Takes out what is stated and no heart has, a warning for each.
 pub(super) fn without_implausible(stated: &mut Stated) -> Vec<Notice> {
     let mut notices = Vec::new();
@@ -59,10 +67,10 @@ pub(super) fn without_implausible(stated: &mut Stated) -> Vec<Notice> {
     }
     let times = stated.frame_times_s.as_deref().unwrap_or_default();
     let ascending = times.windows(2).all(|pair| pair[0] < pair[1]);
-    if times.len() > 1 && ascending && !can_be_one_cycle(times) {
+    if times.len() > 1 && ascending && !can_be_part_of_cycle(times) {
         let span = (times[times.len() - 1] - times[0]) * 1000.0;
         let seconds: Vec<f64> = times.iter().map(|time| time * 1000.0).collect();
-        let meant = if can_be_one_cycle(&seconds) {
+        let meant = if can_be_part_of_cycle(&seconds) {
             "; are they seconds?"
         } else {
             ""

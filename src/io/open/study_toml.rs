@@ -167,7 +167,7 @@ fn unknown_keys(fields: &Fields) -> Vec<Notice> {
 
 fn subject(mut fields: Fields, index: usize, line: usize) -> Result<ManifestSubject, SubjectError> {
     let id = match fields.string("id") {
-        Ok(Some(id)) if !id.trim().is_empty() => composed(id.trim()),
+        Ok(Some(id)) if !id.trim().is_empty() => composed(&id),
         Ok(_) => {
             return Err(SubjectError {
                 id: None,
