@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::folders::{Folders, MAX_ENTRIES, What};
 use super::group_files::stem;
 use super::loose_files::Loose;
+use super::natural_order::natural_order;
 use super::plan::StudyPlan;
 use super::read_file::{name_of, read_text};
 use super::series_files::{Series, SeriesFault, is_series, read_series};
@@ -319,14 +320,15 @@ impl<'a> Search<'a> {
             if entry.name.starts_with('.') || entry.name == "__MACOSX" {
                 continue;
             }
-            match &entry.what {
+            match self.folders.followed(entry) {
                 What::Folder | What::LinkedFolder => folders.push(entry.path.clone()),
                 What::File => files.push(Loose::new(entry.path.clone(), None)),
-                What::Unusable(why) => {
-                    files.push(Loose::new(entry.path.clone(), Some(why.clone())));
-                }
+                What::Unusable(why) => files.push(Loose::new(entry.path.clone(), Some(why))),
+                What::Link => {}
             }
         }
+        files.sort_by(|a, b| natural_order(&name_of(&a.path), &name_of(&b.path)));
+        folders.sort_by(|a, b| natural_order(&name_of(a), &name_of(b)));
         Ok(Ok(Entries { files, folders }))
     }
 }

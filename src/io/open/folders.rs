@@ -8,13 +8,14 @@ use std::sync::Arc;
 
 use unicode_normalization::UnicodeNormalization;
 
-use super::natural_order::natural_order;
 use super::read_file::reason;
 use crate::progress::{Progress, Stopped};
 
 /// Files and folders that opening a study may look at, for all its folders and patterns together: a hundred times the
 /// largest published cohort, and about a second's work.
-pub(super) const MAX_ENTRIES: usize = 400_000;
+pub(super) const MAX_ENTRIES: usize = 250_000;
+/// Names that the patterns of a study may be compared with, all together: about a second's work.
+const MAX_COMPARED: usize = 5_000_000;
 
 /// One name in a folder.
 #[derive(Clone, Debug)]
@@ -30,18 +31,18 @@ pub(super) struct Entry {
 pub(super) enum What {
     File,
     Folder,
+    /// A link that was not looked at yet ([`Folders::followed`]).
+    Link,
     /// A link to a folder of the study.
     LinkedFolder,
     /// Nothing that can be read; why.
     Unusable(String),
 }
 
-/// All names of one folder in natural order, and by name.
+/// All names of one folder, in the order of their bytes.
 #[derive(Debug, Default)]
 pub(super) struct Listing {
     pub(super) entries: Vec<Entry>,
-    /// Places in `entries`, in the order of the bytes of their names.
-    by_name: Vec<usize>,
     /// Whether the folder holds more than could be looked at.
     pub(super) cut_short: bool,
 }
@@ -49,22 +50,21 @@ pub(super) struct Listing {
 impl Listing {
     /// Entries whose names begin so.
     pub(super) fn beginning_with<'l>(&'l self, start: &'l str) -> impl Iterator<Item = &'l Entry> {
-        let name = |place: &usize| self.entries[*place].name.as_str();
-        let first = self.by_name.partition_point(|place| name(place) < start);
-        let from = self.by_name[first..]
-            .iter()
-            .map(|&place| &self.entries[place]);
+        let first = self
+            .entries
+            .partition_point(|entry| entry.name.as_str() < start);
+        let from = self.entries[first..].iter();
         from.take_while(move |entry| entry.name.starts_with(start))
     }
 
     /// The entry of this name, however its letters are composed.
     pub(super) fn named(&self, name: &str) -> Option<&Entry> {
         let name = composed(name);
-        let first = self
-            .by_name
-            .partition_point(|&place| self.entries[place].name < name);
-        let entry = self.entries.get(*self.by_name.get(first)?)?;
-        (entry.name == name).then_some(entry)
+        let place = self
+            .entries
+            .binary_search_by(|entry| entry.name.cmp(&name))
+            .ok()?;
+        self.entries.get(place)
     }
 }
 
@@ -74,6 +74,7 @@ pub(super) struct Folders {
     roots: Vec<PathBuf>,
     known: HashMap<PathBuf, Arc<Listing>>,
     left: usize,
+    left_to_compare: usize,
 }
 
 impl Folders {
@@ -90,6 +91,7 @@ impl Folders {
             roots: paths.iter().filter_map(root).collect(),
             known: HashMap::new(),
             left: MAX_ENTRIES,
+            left_to_compare: MAX_COMPARED,
         }
     }
 
@@ -98,17 +100,17 @@ impl Folders {
         self.left == 0
     }
 
-    /// Counts entries that a pattern looks at; `None` once there were too many.
-    pub(super) fn spend(&mut self, entries: usize) -> Option<()> {
-        match self.left.checked_sub(entries) {
-            Some(left) => {
-                self.left = left;
-                Some(())
-            }
-            None => {
-                self.left = 0;
-                None
-            }
+    /// Counts a name that a pattern is compared with; `None` once there were too many.
+    pub(super) fn compared(&mut self) -> Option<()> {
+        self.left_to_compare = self.left_to_compare.checked_sub(1)?;
+        Some(())
+    }
+
+    /// What a name stands for, with a link followed within what was asked for.
+    pub(super) fn followed(&self, entry: &Entry) -> What {
+        match &entry.what {
+            What::Link => self.what_of_link(&entry.path),
+            what => what.clone(),
         }
     }
 
@@ -135,36 +137,23 @@ impl Folders {
         let mut listing = Listing::default();
         for entry in found.flatten() {
             progress.check()?;
-            if self.spend(1).is_none() {
+            let Some(left) = self.left.checked_sub(1) else {
                 listing.cut_short = true;
                 break;
-            }
+            };
+            self.left = left;
             let path = folder.join(entry.file_name());
             listing.entries.push(Entry {
                 name: composed(&entry.file_name().to_string_lossy()),
-                what: self.what(&entry, &path),
+                what: what(&entry),
                 path,
             });
         }
-        listing
-            .entries
-            .sort_by(|a, b| natural_order(&a.name, &b.name).then_with(|| a.path.cmp(&b.path)));
-        let mut by_name: Vec<usize> = (0..listing.entries.len()).collect();
-        by_name.sort_by(|&a, &b| listing.entries[a].name.cmp(&listing.entries[b].name));
-        listing.by_name = by_name;
+        let order = |a: &Entry, b: &Entry| (&a.name, &a.path).cmp(&(&b.name, &b.path));
+        listing.entries.sort_by(order);
         let listing = Arc::new(listing);
         self.known.insert(folder.to_owned(), Arc::clone(&listing));
         Ok(Ok(listing))
-    }
-
-    fn what(&self, entry: &DirEntry, path: &Path) -> What {
-        match entry.file_type() {
-            Ok(kind) if kind.is_symlink() => self.what_of_link(path),
-            Ok(kind) if kind.is_dir() => What::Folder,
-            Ok(kind) if kind.is_file() => What::File,
-            Ok(_) => What::Unusable(SPECIAL.to_owned()),
-            Err(error) => What::Unusable(reason(&error)),
-        }
     }
 
     /// Links are followed within what was asked for.
@@ -195,6 +184,16 @@ impl Folders {
             Ok(_) => What::Unusable(SPECIAL.to_owned()),
             Err(error) => What::Unusable(reason(&error)),
         }
+    }
+}
+
+fn what(entry: &DirEntry) -> What {
+    match entry.file_type() {
+        Ok(kind) if kind.is_symlink() => What::Link,
+        Ok(kind) if kind.is_dir() => What::Folder,
+        Ok(kind) if kind.is_file() => What::File,
+        Ok(_) => What::Unusable(SPECIAL.to_owned()),
+        Err(error) => What::Unusable(reason(&error)),
     }
 }
 
@@ -255,7 +254,7 @@ mod tests {
         let listing = folders.list(root, &Progress::default()).unwrap().unwrap();
         let pairs = listing.entries.iter();
         pairs
-            .map(|entry| (entry.name.clone(), entry.what.clone()))
+            .map(|entry| (entry.name.clone(), folders.followed(entry)))
             .collect()
     }
 
@@ -289,7 +288,7 @@ mod tests {
             .list(root.path(), &Progress::default())
             .unwrap()
             .unwrap();
-        assert_eq!(listing.named("outside").unwrap().what, What::File);
+        assert_eq!(both.followed(listing.named("outside").unwrap()), What::File);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use super::find_sequences::{FileRole, role};
 use super::folders::{Folders, MAX_ENTRIES, What, composed, existing};
 use super::natural_order::natural_order;
 use super::readings::read_names;
@@ -121,7 +122,7 @@ impl Walk<'_> {
             .collect();
         for entry in listing.beginning_with(&start) {
             self.progress.check()?;
-            self.folders.spend(1).ok_or_else(too_many)?;
+            self.folders.compared().ok_or_else(too_many)?;
             // As in a shell, a star is no hidden file: systems leave `._endo_0.obj` beside `endo_0.obj`.
             if entry.name.starts_with('.') && !part.starts_with('.') {
                 continue;
@@ -132,12 +133,14 @@ impl Walk<'_> {
                     self.collect(&entry.path, parts)?;
                 }
             } else if matches(part, &entry.name) {
-                match &entry.what {
+                match self.folders.followed(entry) {
                     What::File if rest.is_empty() => self.found.push(entry.path.clone()),
                     What::Folder | What::LinkedFolder if !rest.is_empty() => {
                         self.collect(&entry.path, rest)?;
                     }
-                    What::Unusable(why) => {
+                    What::Unusable(why)
+                        if !rest.is_empty() || role(&entry.path) != FileRole::Other =>
+                    {
                         return Err(Interrupted::Failed(format!("{}: {why}", entry.name)));
                     }
                     _ => {}
@@ -164,7 +167,7 @@ impl Walk<'_> {
 
 fn too_many() -> Interrupted {
     Interrupted::Failed(format!(
-        "the patterns of the study lead through more than {MAX_ENTRIES} files and folders"
+        "the patterns of the study lead through too many files and folders (the limit is {MAX_ENTRIES})"
     ))
 }
 
@@ -319,7 +322,7 @@ mod tests {
         };
         assert_eq!(files("*.obj").unwrap().len(), 1);
         let outcomes: Vec<_> = (0..3).map(|_| files("/**/nothing")).collect();
-        let told = |outcome: &Result<_, String>| matches!(outcome, Err(reason) if reason.contains("more than"));
+        let told = |outcome: &Result<_, String>| matches!(outcome, Err(reason) if reason.contains("too many"));
         // small machines have fewer files than the budget
         assert!(outcomes.iter().all(|o| told(o) || o.is_ok()));
     }
