@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::time::Instant;
 
 use cardiomorph::analysis::measures::{SubjectMeasures, measure_study};
 use cardiomorph::io::{Limits, Opened, open_paths, write_obj};
@@ -10,7 +11,7 @@ use cardiomorph::progress::Progress;
 
 /// Frames of a cavity that empties and fills again, under these names.
 fn put(folder: &Path, names: &[&str]) {
-    let radii = [30.0, 27.0, 24.0, 28.0];
+    let radii = [35.0, 32.0, 29.0, 33.0];
     for (name, radius) in names.iter().zip(radii.iter().cycle()) {
         let path = folder.join(name);
         fs::create_dir_all(path.parent().unwrap()).unwrap();
@@ -43,7 +44,7 @@ fn ml(radius: f64) -> f64 {
 
 #[test]
 fn frames_are_the_same_however_their_names_count_them() {
-    let (largest, smallest) = (ml(30.0), ml(24.0));
+    let (largest, smallest) = (ml(35.0), ml(29.0));
     for names in [
         ["endo_0.obj", "endo_1.obj", "endo_2.obj", "endo_3.obj"],
         [
@@ -222,4 +223,41 @@ fn a_right_ventricle_is_never_measured_as_a_left_one() {
             .collect();
         assert_eq!(volumes.len(), 1, "{names:?}");
     }
+}
+
+#[test]
+fn twenty_thousand_subjects_of_one_file_are_read_in_seconds_and_more_are_refused() {
+    let root = tempfile::tempdir().unwrap();
+    put(root.path(), &["a.obj"]);
+    let toml = |count: usize| -> String {
+        let subjects =
+            (0..count).map(|id| format!("[[subject]]\nid = \"p{id}\"\ncavity = \"a.ob?\"\n"));
+        subjects.collect()
+    };
+    fs::write(root.path().join("study.toml"), toml(100_000)).unwrap();
+    let start = Instant::now();
+    let found = opened(root.path());
+    assert!(found.study.subjects.is_empty());
+    assert_eq!(
+        found.errors[0].reason,
+        "100000 subjects; the limit is 20000"
+    );
+    println!("100,000 subjects refused in {:?}", start.elapsed());
+    fs::write(root.path().join("study.toml"), toml(2_000)).unwrap();
+    let found = opened(root.path());
+    assert_eq!(found.study.subjects.len(), 2_000);
+    println!("2,000 subjects read in {:?}", start.elapsed());
+}
+
+#[test]
+fn fifty_patterns_through_everything_share_one_budget() {
+    let root = tempfile::tempdir().unwrap();
+    let subjects =
+        (0..50).map(|id| format!("[[subject]]\nid = \"p{id}\"\ncavity = \"/**/none{id}\"\n"));
+    fs::write(root.path().join("study.toml"), subjects.collect::<String>()).unwrap();
+    let start = Instant::now();
+    let found = opened(root.path());
+    assert_eq!((found.study.subjects.len(), found.errors.len()), (0, 50));
+    println!("50 patterns refused in {:?}", start.elapsed());
+    assert!(start.elapsed().as_secs() < 20, "{:?}", start.elapsed());
 }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::file_name::mesh_name;
 use super::folders::composed;
 use super::group_files::stem;
+use super::read_file::name_of;
 use crate::study::Notice;
 
 /// Words for a copy behind a name, in the languages of common desktops.
@@ -126,7 +127,7 @@ pub(super) fn without_copies(
         };
         let by_number = numbered_copy(&name).is_some();
         let has_frame = mesh_name(&original).frame.is_some();
-        let shown = super::read_file::name_of(&path);
+        let shown = name_of(&path);
         match by_name.get(&key(&path, &original)) {
             Some(first) => {
                 let same = same_content(first, &path);
@@ -141,7 +142,7 @@ pub(super) fn without_copies(
                 };
                 let text = format!(
                     "{shown} is not read: by its name it is a copy of {}, with {content}",
-                    super::read_file::name_of(first)
+                    name_of(first)
                 );
                 notices.push((first.clone(), Notice::warning(text)));
             }

@@ -3,15 +3,14 @@
 use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
+use super::folder_contents::{Entries, FileRole, Loose, Sheets, folder_name, role};
 use super::folders::{Folders, MAX_ENTRIES, What};
 use super::group_files::stem;
-use super::loose_files::Loose;
 use super::natural_order::natural_order;
 use super::plan::StudyPlan;
 use super::read_file::{name_of, read_text};
 use super::series_files::{Series, SeriesFault, is_series, read_series};
-use super::sheet_folders::Sheets;
-use crate::io::formats::{MANIFEST_EXTENSION, format_of_extension};
+use crate::io::formats::MANIFEST_EXTENSION;
 use crate::io::{Limits, OpenError, openable_extensions};
 use crate::progress::{Progress, Stopped};
 use crate::study::Notice;
@@ -33,41 +32,6 @@ pub(super) struct Search<'a> {
     /// Image files that were passed over.
     images: usize,
     pub(super) plan: StudyPlan,
-}
-
-/// What lies in a folder, without hidden files.
-pub(super) struct Entries {
-    /// Files with the reason why one cannot be read, if that is known.
-    pub(super) files: Vec<Loose>,
-    pub(super) folders: Vec<PathBuf>,
-}
-
-/// What a file is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum FileRole {
-    Manifest,
-    Series,
-    Mesh,
-    /// A mesh only if its content says so.
-    Table,
-    Other,
-}
-
-pub(super) fn role(path: &Path) -> FileRole {
-    let Some(ending) = path.extension().and_then(|ending| ending.to_str()) else {
-        return FileRole::Other;
-    };
-    if name_of(path).eq_ignore_ascii_case("study.toml") {
-        FileRole::Manifest
-    } else if is_series(path) {
-        FileRole::Series
-    } else {
-        match format_of_extension(ending) {
-            Some(format) if format.often_other => FileRole::Table,
-            Some(_) => FileRole::Mesh,
-            None => FileRole::Other,
-        }
-    }
 }
 
 /// Whether opening this path can bring anything: a folder, or a file with an ending that is read.
@@ -336,23 +300,6 @@ impl<'a> Search<'a> {
 /// One path for all ways to a file or folder.
 pub(super) fn identity(path: &Path) -> PathBuf {
     path.canonicalize().unwrap_or_else(|_| path.to_owned())
-}
-
-/// The last part of a folder's path, also of `.` and `..`.
-pub(super) fn folder_name(folder: &Path) -> String {
-    let name = name_of(folder);
-    if !name.is_empty() {
-        return name;
-    }
-    let whole = if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    };
-    whole
-        .canonicalize()
-        .map(|path| name_of(&path))
-        .unwrap_or_default()
 }
 
 fn is_image(path: &Path) -> bool {

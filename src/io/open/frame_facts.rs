@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use super::frame_name::{FrameName, FrameNumber, NumberUnit};
 use super::plan::Stated;
-use super::series_times::{SeriesTimes, TimesSource};
+use super::plan::{SeriesTimes, TimesSource};
 use crate::study::Notice;
 use crate::study::checks::counted;
 
@@ -125,7 +125,7 @@ mod tests {
     fn facts(names: &[&str]) -> (Option<SeriesTimes>, Stated, Vec<String>) {
         let frames: Vec<FrameName> = names
             .iter()
-            .filter_map(|name| super::super::file_name::mesh_name(name).frame)
+            .filter_map(|name| crate::io::open::file_name::mesh_name(name).frame)
             .collect();
         let (mut stated, mut notices) = (Stated::default(), Vec::new());
         let times = take_facts(&frames, &mut stated, &mut notices);

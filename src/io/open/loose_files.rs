@@ -4,10 +4,12 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use super::copies::without_copies;
-use super::file_name::{MeshName, mesh_name};
-use super::find_sequences::{FileRole, Search, role};
+use super::file_name::mesh_name;
+use super::find_sequences::Search;
+use super::folder_contents::{FileRole, Loose, role};
 use super::folders::composed;
 use super::group_files::{LooseFile, group_files, stem};
+use super::natural_order::natural_order;
 use super::read_file::{name_of, read_bytes, read_head};
 use crate::progress::Stopped;
 use crate::study::{Notice, SurfaceKind};
@@ -29,65 +31,6 @@ const PACKED: [&str; 12] = [
     "download",
     "tmp",
 ];
-
-/// One file of a folder.
-#[derive(Clone, Debug)]
-pub(super) struct Loose {
-    pub(super) path: PathBuf,
-    /// Why it cannot be read, if that is known already.
-    pub(super) unreadable: Option<String>,
-    origin: Origin,
-    /// Whether it was named itself, not found in a folder.
-    asked_for: bool,
-}
-
-/// What the name of its folder says of a file.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(super) struct Origin {
-    pub(super) surface: Option<SurfaceKind>,
-    pub(super) structure: Option<&'static str>,
-}
-
-impl Origin {
-    /// What a folder's name says, if it says nothing but a surface, a ventricle or another part of the heart.
-    pub(super) fn of_folder(name: &str) -> Option<Self> {
-        let MeshName {
-            case,
-            surface,
-            frame,
-            structure,
-            left,
-            ..
-        } = mesh_name(&composed(name));
-        let says = surface.is_some() || structure.is_some() || left;
-        (case.is_empty() && frame.is_none() && says).then_some(Self { surface, structure })
-    }
-}
-
-impl Loose {
-    pub(super) fn new(path: PathBuf, unreadable: Option<String>) -> Self {
-        Self {
-            path,
-            unreadable,
-            origin: Origin::default(),
-            asked_for: false,
-        }
-    }
-
-    /// A file that was named itself, whatever its ending.
-    pub(super) fn asked_for(path: PathBuf) -> Self {
-        Self {
-            asked_for: true,
-            ..Self::new(path, None)
-        }
-    }
-
-    /// The same file, of a folder that says so much.
-    pub(super) fn from(mut self, origin: Origin) -> Self {
-        self.origin = origin;
-        self
-    }
-}
 
 impl Search<'_> {
     /// Sorts files that lie together into subjects. Files that another file lists are its frames, not their own.
@@ -118,9 +61,7 @@ impl Search<'_> {
             .map(|file| (file.path.clone(), file))
             .collect();
         let mut paths: Vec<PathBuf> = origins.keys().cloned().collect();
-        paths.sort_by(|a, b| {
-            super::natural_order::natural_order(&a.to_string_lossy(), &b.to_string_lossy())
-        });
+        paths.sort_by(|a, b| natural_order(&a.to_string_lossy(), &b.to_string_lossy()));
         let (named, copied) = without_copies(paths, &|a, b| self.same_content(a, b));
         loose.extend(named.into_iter().map(|file| {
             let found = origins.get(&file.path);

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 
 use super::copies::{NamedFile, without_copies};
 use super::file_name::MeshName;
-use super::find_sequences::{Entries, Search, folder_name};
+use super::find_sequences::Search;
+use super::folder_contents::{Entries, folder_name};
 use super::folders::{composed, existing};
 use super::frame_facts::take_facts;
 use super::frame_name::FrameName;
-use super::group_files::same_frames;
+use super::group_files::{same_frames, stem};
 use super::patterns::{files_of_pattern, has_wildcard, telling_names};
 use super::plan::{KindPlan, Stated, SubjectPlan, SurfacePlan};
 use super::read_file::{name_of, read_text};
@@ -291,7 +292,7 @@ impl Search<'_> {
 
 fn named(path: PathBuf) -> NamedFile {
     NamedFile {
-        stem: composed(&super::group_files::stem(&path)),
+        stem: composed(&stem(&path)),
         path,
     }
 }

@@ -7,6 +7,7 @@
 mod copies;
 mod file_name;
 mod find_sequences;
+mod folder_contents;
 mod folders;
 mod frame_facts;
 mod frame_name;
@@ -45,7 +46,8 @@ use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{AlignedCohort, RepeatedSubjects, all_of, counted};
 use crate::study::{Notice, Study, Subject};
-use find_sequences::{Search, folder_name};
+use find_sequences::Search;
+use folder_contents::folder_name;
 use group_files::stem;
 use labels::unite_labels;
 pub use read_file::read_head;

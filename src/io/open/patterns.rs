@@ -2,9 +2,11 @@
 
 use std::path::{Path, PathBuf};
 
-use super::find_sequences::{FileRole, role};
+use super::folder_contents::{FileRole, role};
 use super::folders::{Folders, MAX_ENTRIES, What, composed, existing};
+use super::group_files::stem;
 use super::natural_order::natural_order;
+use super::read_file::name_of;
 use super::readings::read_names;
 use crate::progress::{Progress, Stopped};
 
@@ -66,15 +68,12 @@ pub(super) fn in_order_of_frames(mut files: Vec<PathBuf>) -> Vec<PathBuf> {
 
 /// The part of each path that tells the files apart: their names, or those of their folders where all have one name.
 pub(super) fn telling_names(files: &[PathBuf]) -> Vec<String> {
-    let stems: Vec<String> = files
-        .iter()
-        .map(|path| super::group_files::stem(path))
-        .collect();
+    let stems: Vec<String> = files.iter().map(|path| stem(path)).collect();
     let all_equal = stems.windows(2).all(|pair| pair[0] == pair[1]);
     if files.len() < 2 || !all_equal {
         return stems.iter().map(|stem| composed(stem)).collect();
     }
-    let folder = |path: &PathBuf| path.parent().map(super::read_file::name_of);
+    let folder = |path: &PathBuf| path.parent().map(name_of);
     files
         .iter()
         .map(|path| composed(&folder(path).unwrap_or_default()))
@@ -158,7 +157,7 @@ impl Walk<'_> {
         if path.is_file() {
             self.found.push(path);
         } else if path.is_symlink() {
-            let name = super::read_file::name_of(&path);
+            let name = name_of(&path);
             return Err(Interrupted::Failed(format!("{name}: a link to nowhere")));
         }
         Ok(())
@@ -265,7 +264,7 @@ mod tests {
                 .unwrap()
                 .unwrap()
                 .iter()
-                .map(|path| crate::io::open::group_files::stem(path))
+                .map(|path| stem(path))
                 .collect()
         };
         assert_eq!(names("n01/g*.ply"), ["g2", "g10"]);

@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use super::series_times::SeriesTimes;
 use crate::io::OpenError;
 use crate::study::{Anatomy, LabelRoles, Notice, SurfaceKind};
 
@@ -50,6 +49,27 @@ pub(super) enum KindPlan {
     Ventricle,
     /// Nothing says that it is part of a heart.
     Unnamed,
+}
+
+/// Times of frames, in a unit that is to be found out.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SeriesTimes {
+    /// One for each frame.
+    pub(super) values: Vec<f64>,
+    pub(super) source: TimesSource,
+}
+
+/// Where times come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TimesSource {
+    /// A `.pvd` or `.series` file, whose formats fix no unit.
+    List,
+    /// Decimals in the names of files.
+    Names,
+    /// Names of files with a unit: seconds.
+    NamesInSeconds,
+    /// Names of files: per cent of the cycle.
+    NamesInPercent,
 }
 
 /// What a manifest or the names of files say about a subject beside its meshes.

@@ -7,10 +7,11 @@ use std::sync::Arc;
 use rayon::prelude::*;
 
 use super::length_unit::length_unit;
+use super::plan::SeriesTimes;
 use super::plan::{KindPlan, StatedUnit, SubjectPlan, SurfacePlan};
 use super::read_file::{read_bytes, read_mesh_at};
 use super::series_parts::SAME_TIME;
-use super::series_times::{SeriesTimes, seconds};
+use super::series_times::seconds;
 use super::sheet_by_shape::sheet_by_shape;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
 use crate::mesh::{Point3, TriMesh};

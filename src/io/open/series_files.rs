@@ -6,7 +6,7 @@ use serde::Deserialize;
 
 use super::folders::Folders;
 use super::listed_files::listed_file;
-use super::series_parts::{Part, parts_of};
+use super::series_parts::{Entry, Part, parts_of};
 use crate::io::formats::SERIES_EXTENSIONS;
 use crate::progress::{Progress, Stopped};
 use crate::study::Notice;
@@ -35,15 +35,6 @@ pub(super) fn is_series(path: &Path) -> bool {
         let mut known = SERIES_EXTENSIONS.iter();
         known.any(|known| ending.eq_ignore_ascii_case(known))
     })
-}
-
-/// One file of a list.
-#[derive(Clone, Debug)]
-pub(super) struct Entry {
-    pub(super) file: PathBuf,
-    /// What the list calls its part; empty if it does not.
-    pub(super) part: String,
-    pub(super) time: Option<f64>,
 }
 
 /// Reads a list's text; `path` gives the format and the folder that names are relative to.

@@ -5,15 +5,23 @@ use std::path::{Path, PathBuf};
 
 use super::file_name::{MeshName, mesh_name};
 use super::group_files::stem;
+use super::plan::{SeriesTimes, TimesSource};
 use super::read_file::name_of;
-use super::series_files::Entry;
-use super::series_times::{SeriesTimes, TimesSource};
 use super::words::{structure_of_word, surface_of_word};
 use crate::study::checks::counted;
 use crate::study::{Notice, SurfaceKind};
 
 /// Times of two parts are the same within this share of the larger: decimals that were printed and read again.
 pub(super) const SAME_TIME: f64 = 1e-9;
+
+/// One file of a list.
+#[derive(Clone, Debug)]
+pub(super) struct Entry {
+    pub(super) file: PathBuf,
+    /// What the list calls its part; empty if it does not.
+    pub(super) part: String,
+    pub(super) time: Option<f64>,
+}
 
 /// Files of one surface in the order of frames.
 #[derive(Clone, Debug, PartialEq)]
@@ -134,7 +142,7 @@ fn apart_by_case(entries: Vec<Entry>) -> Result<Vec<Vec<Entry>>, String> {
         Ok(cases.into_values().collect())
     } else if at_time.len() > 1 {
         Err(format!(
-            "{each} files at each time, which neither a part nor their names tell apart ({}, {}…)",
+            "{each} files at each time, which neither a part nor their names distinguish ({}, {}…)",
             name_of(&entries[0].file),
             name_of(&entries[1].file)
         ))

@@ -1,28 +1,8 @@
 //! Times of frames whose unit nobody states: those of a list of files, and those in the names of files.
 
+use super::plan::{SeriesTimes, TimesSource};
 use super::plausible::can_be_one_cycle;
 use crate::study::Notice;
-
-/// Times of frames, in a unit that is to be found out.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct SeriesTimes {
-    /// One for each frame.
-    pub(super) values: Vec<f64>,
-    pub(super) source: TimesSource,
-}
-
-/// Where times come from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum TimesSource {
-    /// A `.pvd` or `.series` file, whose formats fix no unit.
-    List,
-    /// Decimals in the names of files.
-    Names,
-    /// Names of files with a unit: seconds.
-    NamesInSeconds,
-    /// Names of files: per cent of the cycle.
-    NamesInPercent,
-}
 
 /// The times in seconds, where they can be those of one cycle of length `rr_s`, with the sentence that says what was
 /// assumed or why they are not used.

@@ -3,20 +3,12 @@
 use std::path::PathBuf;
 
 use super::file_name::mesh_name;
-use super::find_sequences::{FileRole, Search, folder_name, role};
+use super::find_sequences::Search;
+use super::folder_contents::{FileRole, Origin, Sheets, folder_name, role};
 use super::group_files::stem;
-use super::loose_files::Origin;
 use super::natural_order::natural_order;
 use super::read_file::name_of;
 use crate::progress::Stopped;
-
-/// The folders of a folder.
-pub(super) struct Sheets {
-    /// Those that hold a surface or a part of the heart, with what their names say.
-    pub(super) sheets: Vec<(PathBuf, Origin)>,
-    /// The others.
-    pub(super) subjects: Vec<PathBuf>,
-}
 
 impl Search<'_> {
     /// Folders that are named after a surface or a part of the heart, and hold its frames; and the others.

