@@ -243,8 +243,10 @@ pub(super) fn existing(
     Ok(place)
 }
 
-#[cfg(all(test, unix))]
+#[cfg(test)]
 mod tests {
+    #![cfg(unix)]
+
     use super::*;
     use std::collections::BTreeMap;
     use std::os::unix::fs::symlink;
