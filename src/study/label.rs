@@ -31,12 +31,13 @@ impl Default for LabelRoles {
 }
 
 impl LabelRoles {
-    /// The role of a label; letter case does not matter.
+    /// The role of a label; letter case and blanks do not matter.
     pub fn role(&self, label: Option<&str>) -> LabelRole {
         let Some(label) = label else {
             return LabelRole::Unknown;
         };
-        let named = |list: &[String]| list.iter().any(|name| name.eq_ignore_ascii_case(label));
+        let label = plain_label(label);
+        let named = |list: &[String]| list.iter().any(|name| plain_label(name) == label);
         if named(&self.normal) {
             LabelRole::Normal
         } else if named(&self.abnormal) {
@@ -45,6 +46,11 @@ impl LabelRoles {
             LabelRole::Unknown
         }
     }
+}
+
+/// A label without what does not matter: letter case and blanks.
+pub fn plain_label(label: &str) -> String {
+    label.split_whitespace().collect::<String>().to_lowercase()
 }
 
 #[cfg(test)]
@@ -58,6 +64,7 @@ mod tests {
             abnormal: vec!["MINF".to_owned()],
         };
         assert_eq!(roles.role(Some("nor")), LabelRole::Normal);
+        assert_eq!(roles.role(Some(" No r ")), LabelRole::Normal);
         assert_eq!(roles.role(Some("MINF")), LabelRole::Abnormal);
         assert_eq!(roles.role(Some("RV")), LabelRole::Unknown);
         assert_eq!(roles.role(None), LabelRole::Unknown);

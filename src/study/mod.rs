@@ -16,7 +16,7 @@ mod subject;
 
 pub use anatomy::Anatomy;
 pub use cardiac_cycle::CycleTiming;
-pub use label::{LabelRole, LabelRoles};
+pub use label::{LabelRole, LabelRoles, plain_label};
 pub use mesh_sequence::{
     CorrespondenceKey, MeshSequence, SequenceError, SequenceId, SurfaceKind, SurfaceSequence,
 };

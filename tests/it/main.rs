@@ -15,6 +15,8 @@ mod medial_noise;
 #[cfg(test)]
 mod obj_by_tobj;
 #[cfg(test)]
+mod opening;
+#[cfg(test)]
 mod oracles;
 #[cfg(test)]
 mod panels;

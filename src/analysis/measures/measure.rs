@@ -63,7 +63,8 @@ fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, St
     let volume_at = |frame: Option<usize>| measured.frames.get(frame?)?.endo_volume;
     measured.edv = volume_at(measured.end_diastole);
     measured.esv = volume_at(measured.end_systole);
-    if let (Some(edv), Some(esv)) = (measured.edv, measured.esv) {
+    let two_phases = measured.end_diastole != measured.end_systole;
+    if let (Some(edv), Some(esv), true) = (measured.edv, measured.esv, two_phases) {
         measured.sv = Some(edv - esv);
         // A cavity without volume has no fraction.
         measured.ef = Some((edv - esv) / edv).filter(|ef| ef.is_finite());
@@ -147,7 +148,12 @@ fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
     if stated_ed.is_some() || stated_es.is_some() {
         measured.phase_source = PhaseSource::Stated;
     }
-    measured.end_diastole = stated_ed.or_else(|| extreme(1.0));
-    // One frame has no systole: it would have an ejection fraction of 0.
-    measured.end_systole = stated_es.or_else(|| extreme(-1.0).filter(|_| count > 1));
+    // One frame is never both: without a second one there is no other phase.
+    let other_than = |taken: Option<usize>| move |frame: &usize| Some(*frame) != taken;
+    measured.end_diastole = stated_ed.or_else(|| extreme(1.0).filter(other_than(stated_es)));
+    measured.end_systole = stated_es.or_else(|| {
+        extreme(-1.0)
+            .filter(|_| count > 1)
+            .filter(other_than(stated_ed))
+    });
 }

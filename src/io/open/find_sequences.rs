@@ -1,18 +1,19 @@
-//! From dropped paths to a plan: folders are walked, manifests and series are read, loose files grouped.
+//! From dropped paths to a plan: folders are walked, manifests and lists are read, loose files grouped.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use super::file_name::{mesh_name, surface_of_word};
-use super::group_files::{LooseFile, group_files, stem};
+use super::folder_contents::{Entries, FileRole, Loose, Sheets, folder_name, role};
+use super::folders::{Folders, MAX_ENTRIES, What};
+use super::group_files::stem;
 use super::natural_order::natural_order;
-use super::plan::{SeriesTimes, StudyPlan};
-use super::read_file::{name_of, read_bytes, read_mesh_at, read_text};
-use super::series_files::{is_series, read_series};
-use crate::io::formats::{MANIFEST_EXTENSION, format_of_extension};
+use super::plan::StudyPlan;
+use super::read_file::{name_of, read_text};
+use super::series_files::{Series, SeriesFault, is_series, read_series};
+use crate::io::formats::MANIFEST_EXTENSION;
 use crate::io::{Limits, OpenError, openable_extensions};
 use crate::progress::{Progress, Stopped};
-use crate::study::SurfaceKind;
+use crate::study::Notice;
 use crate::study::checks::counted;
 
 /// Folders within folders that are followed.
@@ -22,44 +23,15 @@ const DEEPEST: usize = 8;
 pub(super) struct Search<'a> {
     pub(super) limits: &'a Limits,
     pub(super) progress: &'a Progress,
+    pub(super) folders: Folders,
     seen: HashSet<PathBuf>,
+    /// Lists of files that were read, each once.
+    lists: HashMap<PathBuf, Result<Series, SeriesFault>>,
+    /// Files that lists name, with the first list that does.
+    listed: HashMap<PathBuf, PathBuf>,
     /// Image files that were passed over.
     images: usize,
     pub(super) plan: StudyPlan,
-}
-
-/// What lies in a folder.
-pub(super) struct Entries {
-    pub(super) files: Vec<PathBuf>,
-    pub(super) folders: Vec<PathBuf>,
-}
-
-/// What a file is for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum FileRole {
-    Manifest,
-    Series,
-    Mesh,
-    /// A mesh only if its content says so.
-    Table,
-    Other,
-}
-
-pub(super) fn role(path: &Path) -> FileRole {
-    let Some(ending) = path.extension().and_then(|ending| ending.to_str()) else {
-        return FileRole::Other;
-    };
-    if name_of(path).eq_ignore_ascii_case("study.toml") {
-        FileRole::Manifest
-    } else if is_series(path) {
-        FileRole::Series
-    } else {
-        match format_of_extension(ending) {
-            Some(format) if format.often_other => FileRole::Table,
-            Some(_) => FileRole::Mesh,
-            None => FileRole::Other,
-        }
-    }
 }
 
 /// Whether opening this path can bring anything: a folder, or a file with an ending that is read.
@@ -73,11 +45,14 @@ fn is_manifest(path: &Path) -> bool {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(limits: &'a Limits, progress: &'a Progress) -> Self {
+    pub(super) fn new(paths: &[PathBuf], limits: &'a Limits, progress: &'a Progress) -> Self {
         Self {
             limits,
             progress,
+            folders: Folders::new(paths),
             seen: HashSet::new(),
+            lists: HashMap::new(),
+            listed: HashMap::new(),
             images: 0,
             plan: StudyPlan::default(),
         }
@@ -85,7 +60,16 @@ impl<'a> Search<'a> {
 
     /// Takes every path; files of one folder that come together belong together.
     pub(super) fn paths(&mut self, paths: &[PathBuf]) -> Result<(), Stopped> {
-        let mut loose: BTreeMap<PathBuf, Vec<PathBuf>> = BTreeMap::new();
+        // Lists first: what they name is no frame by itself, in whichever folder it lies.
+        let mut visited = HashSet::new();
+        for path in paths {
+            if path.is_dir() {
+                self.note_lists(path, 0, &mut visited)?;
+            } else if is_series(path) {
+                self.note_list(path)?;
+            }
+        }
+        let mut loose: BTreeMap<PathBuf, Vec<Loose>> = BTreeMap::new();
         for path in paths {
             self.progress.step()?;
             if path.is_dir() {
@@ -101,15 +85,21 @@ impl<'a> Search<'a> {
                 self.manifest(path)?;
             } else {
                 let folder = path.parent().unwrap_or(Path::new("")).to_owned();
-                loose.entry(folder).or_default().push(path.clone());
+                let file = Loose::asked_for(path.clone());
+                loose.entry(folder).or_default().push(file);
             }
         }
         for (folder, files) in loose {
             let whole_name = match files.as_slice() {
-                [one] => stem(one),
+                [one] => stem(&one.path),
                 _ => folder_name(&folder),
             };
-            self.group(&folder, files, Vec::new(), &whole_name)?;
+            self.group(&folder, files, &whole_name)?;
+        }
+        if self.folders.exhausted() {
+            self.plan.notices.push(Notice::warning(format!(
+                "more than {MAX_ENTRIES} files and folders: not all of them were looked at; open a smaller folder"
+            )));
         }
         Ok(())
     }
@@ -131,169 +121,185 @@ impl<'a> Search<'a> {
         });
     }
 
+    /// Reads the lists in a folder and the folders in it, except where a manifest rules.
+    fn note_lists(
+        &mut self,
+        folder: &Path,
+        depth: usize,
+        visited: &mut HashSet<PathBuf>,
+    ) -> Result<(), Stopped> {
+        if depth > DEEPEST || !visited.insert(identity(folder)) {
+            return Ok(());
+        }
+        let Ok(Entries { files, folders }) = self.entries(folder)? else {
+            return Ok(());
+        };
+        if files
+            .iter()
+            .any(|file| role(&file.path) == FileRole::Manifest)
+        {
+            return Ok(());
+        }
+        for file in files {
+            if is_series(&file.path) && file.unreadable.is_none() {
+                self.note_list(&file.path)?;
+            }
+        }
+        for folder in folders {
+            self.note_lists(&folder, depth + 1, visited)?;
+        }
+        Ok(())
+    }
+
+    fn note_list(&mut self, list: &Path) -> Result<(), Stopped> {
+        self.progress.step()?;
+        let series = self.read_list(list)?;
+        let files: Vec<PathBuf> = match &series {
+            Ok(series) => series
+                .parts
+                .iter()
+                .flat_map(|part| part.files.clone())
+                .collect(),
+            Err(fault) => fault.listed.clone(),
+        };
+        for file in files {
+            self.listed
+                .entry(identity(&file))
+                .or_insert_with(|| list.to_owned());
+        }
+        Ok(())
+    }
+
+    /// What a list says; each is read once.
+    pub(super) fn read_list(
+        &mut self,
+        list: &Path,
+    ) -> Result<Result<Series, SeriesFault>, Stopped> {
+        if let Some(known) = self.lists.get(list) {
+            return Ok(known.clone());
+        }
+        let series = match read_text(list, self.limits) {
+            Ok(text) => read_series(list, &text, &mut self.folders, self.progress)?,
+            Err(reason) => Err(SeriesFault {
+                reason,
+                listed: Vec::new(),
+            }),
+        };
+        self.lists.insert(list.to_owned(), series.clone());
+        Ok(series)
+    }
+
+    /// The list that names a file, if one was read that does.
+    pub(super) fn list_of(&self, file: &Path) -> Option<&PathBuf> {
+        if self.listed.is_empty() {
+            return None;
+        }
+        self.listed.get(&identity(file))
+    }
+
     /// A folder: its manifest if it has one, else its files and then its folders.
     pub(super) fn folder(&mut self, folder: &Path, depth: usize) -> Result<(), Stopped> {
-        if depth > DEEPEST || self.was_seen(folder) {
+        if self.was_seen(folder) {
+            return Ok(());
+        }
+        if depth > DEEPEST {
+            let text = format!(
+                "folders more than {DEEPEST} deep are not read: {}",
+                folder.display()
+            );
+            self.plan.notices.push(Notice::warning(text));
             return Ok(());
         }
         self.seen.insert(identity(folder));
-        let Entries { files, folders } = match self.entries(folder)? {
-            Ok(entries) => entries,
-            Err(reason) => {
-                self.fail(None, folder, reason);
+        let Some(Entries { files, folders }) = self.entries_or_fault(folder)? else {
+            return Ok(());
+        };
+        if let Some(manifest) = files
+            .iter()
+            .find(|file| role(&file.path) == FileRole::Manifest)
+        {
+            if let Some(reason) = &manifest.unreadable {
+                self.fail(None, &manifest.path, reason.clone());
                 return Ok(());
             }
-        };
-        if let Some(manifest) = files.iter().find(|path| role(path) == FileRole::Manifest) {
             let name_so_far = self.plan.name.clone();
-            self.manifest(manifest)?;
+            self.manifest(&manifest.path)?;
             if depth > 0 {
                 // The name of one study among others does not name them all.
                 self.plan.name = name_so_far;
             }
             return Ok(());
         }
-        let (sheets, folders): (Vec<PathBuf>, Vec<PathBuf>) = folders
-            .into_iter()
-            .partition(|folder| surface_of_word(&folder_name(folder)).is_some());
-        let mut from_sheets = Vec::new();
-        for sheet in sheets {
-            if let (Some(kind), Ok(Entries { files, .. })) =
-                (surface_of_word(&folder_name(&sheet)), self.entries(&sheet)?)
-            {
-                from_sheets.extend(files.into_iter().map(|file| (file, kind)));
+        self.images += files.iter().filter(|file| is_image(&file.path)).count();
+        let mut files = files;
+        let Sheets { sheets, subjects } = self.sheets(folders)?;
+        let mut within: BTreeMap<String, Vec<Loose>> = BTreeMap::new();
+        for (sheet, origin) in sheets {
+            self.seen.insert(identity(&sheet));
+            let Some(entries) = self.entries_or_fault(&sheet)? else {
+                continue;
+            };
+            files.extend(entries.files.into_iter().map(|file| file.from(origin)));
+            // `endo/p1/0.obj` beside `epi/p1/0.obj`
+            for subject in entries.folders {
+                let Some(entries) = self.entries_or_fault(&subject)? else {
+                    continue;
+                };
+                let files = entries.files.into_iter().map(|file| file.from(origin));
+                within
+                    .entry(folder_name(&subject))
+                    .or_default()
+                    .extend(files);
             }
         }
-        let mut usable = Vec::new();
-        for file in files {
-            match role(&file) {
-                FileRole::Mesh | FileRole::Series => usable.push(file),
-                FileRole::Table if self.is_mesh_table(&file) => usable.push(file),
-                _ => self.images += usize::from(is_image(&file)),
-            }
+        self.group(folder, files, &folder_name(folder))?;
+        for (name, files) in within {
+            self.group(folder, files, &name)?;
         }
-        from_sheets.retain(|(file, _)| role(file) == FileRole::Mesh);
-        self.group(folder, usable, from_sheets, &folder_name(folder))?;
-        for folder in folders {
+        for folder in subjects {
             self.folder(&folder, depth + 1)?;
         }
         Ok(())
     }
 
+    /// What lies in a folder; one that cannot be listed is an error of the study.
+    fn entries_or_fault(&mut self, folder: &Path) -> Result<Option<Entries>, Stopped> {
+        match self.entries(folder)? {
+            Ok(entries) => Ok(Some(entries)),
+            Err(reason) => {
+                self.fail(None, folder, reason);
+                Ok(None)
+            }
+        }
+    }
+
     /// Files and folders of a folder in natural order, without hidden ones.
-    pub(super) fn entries(&self, folder: &Path) -> Result<Result<Entries, String>, Stopped> {
-        let entries = match std::fs::read_dir(folder) {
-            Ok(entries) => entries,
-            Err(error) => return Ok(Err(super::read_file::reason(&error))),
+    pub(super) fn entries(&mut self, folder: &Path) -> Result<Result<Entries, String>, Stopped> {
+        let listing = match self.folders.list(folder, self.progress)? {
+            Ok(listing) => listing,
+            Err(reason) => return Ok(Err(reason)),
         };
         let (mut files, mut folders) = (Vec::new(), Vec::new());
-        for entry in entries.flatten() {
-            self.progress.step()?;
-            let path = entry.path();
-            if name_of(&path).starts_with('.') || name_of(&path) == "__MACOSX" {
+        for entry in &listing.entries {
+            if entry.name.starts_with('.') || entry.name == "__MACOSX" {
                 continue;
             }
-            if path.is_dir() {
-                folders.push(path);
-            } else {
-                files.push(path);
+            match self.folders.followed(entry) {
+                What::Folder | What::LinkedFolder => folders.push(entry.path.clone()),
+                What::File => files.push(Loose::new(entry.path.clone(), None)),
+                What::Unusable(why) => files.push(Loose::new(entry.path.clone(), Some(why))),
+                What::Link => {}
             }
         }
-        let by_name = |a: &PathBuf, b: &PathBuf| natural_order(&name_of(a), &name_of(b));
-        files.sort_by(by_name);
-        folders.sort_by(by_name);
+        files.sort_by(|a, b| natural_order(&name_of(&a.path), &name_of(&b.path)));
+        folders.sort_by(|a, b| natural_order(&name_of(a), &name_of(b)));
         Ok(Ok(Entries { files, folders }))
     }
-
-    /// Whether a CSV that merely lies there holds points and faces.
-    fn is_mesh_table(&self, path: &Path) -> bool {
-        read_bytes(path, self.limits)
-            .and_then(|bytes| read_mesh_at(path, &bytes, self.limits))
-            .is_ok()
-    }
-
-    /// Loose files of one folder, with those of its folders that are named after a sheet.
-    pub(super) fn group(
-        &mut self,
-        folder: &Path,
-        files: Vec<PathBuf>,
-        from_sheets: Vec<(PathBuf, SurfaceKind)>,
-        whole_name: &str,
-    ) -> Result<(), Stopped> {
-        let (lists, meshes): (Vec<PathBuf>, Vec<PathBuf>) =
-            files.into_iter().partition(|path| is_series(path));
-        let mut loose = Vec::new();
-        let mut listed = HashSet::new();
-        for list in lists {
-            self.progress.step()?;
-            match read_text(&list, self.limits).and_then(|text| read_series(&list, &text)) {
-                Ok(series) => {
-                    listed.extend(series.parts.iter().flatten().cloned());
-                    let parts = series.parts.len();
-                    for files in series.parts {
-                        loose.push(LooseFile {
-                            path: part_name(&list, &files, parts),
-                            series: Some((files, SeriesTimes(series.times.clone()))),
-                            folder_surface: None,
-                        });
-                    }
-                }
-                Err(reason) => self.fail(Some(stem(&list)), &list, reason),
-            }
-        }
-        loose.extend(
-            meshes
-                .into_iter()
-                .filter(|path| !listed.contains(path))
-                .map(|path| (path, None))
-                .chain(
-                    from_sheets
-                        .into_iter()
-                        .map(|(path, kind)| (path, Some(kind))),
-                )
-                .map(|(path, folder_surface)| LooseFile {
-                    path,
-                    series: None,
-                    folder_surface,
-                }),
-        );
-        let (plans, errors) = group_files(loose, folder, whole_name);
-        self.plan.subjects.extend(plans);
-        self.plan.errors.extend(errors);
-        Ok(())
-    }
 }
 
-/// The name that tells what a part of a series is: the list's own, or that of its first file where
-/// several parts share the list or only the file says which sheet it is.
-fn part_name(list: &Path, files: &[PathBuf], parts: usize) -> PathBuf {
-    let says_sheet = |path: &Path| mesh_name(&stem(path)).surface.is_some();
-    match files.first() {
-        Some(first) if parts > 1 || (says_sheet(first) && !says_sheet(list)) => first.clone(),
-        _ => list.to_owned(),
-    }
-}
-
-/// One path for all ways to a folder.
-fn identity(folder: &Path) -> PathBuf {
-    folder.canonicalize().unwrap_or_else(|_| folder.to_owned())
-}
-
-/// The last part of a folder's path, also of `.` and `..`.
-pub(super) fn folder_name(folder: &Path) -> String {
-    let name = name_of(folder);
-    if !name.is_empty() {
-        return name;
-    }
-    let whole = if folder.as_os_str().is_empty() {
-        Path::new(".")
-    } else {
-        folder
-    };
-    whole
-        .canonicalize()
-        .map(|path| name_of(&path))
-        .unwrap_or_default()
+/// One path for all ways to a file or folder.
+pub(super) fn identity(path: &Path) -> PathBuf {
+    path.canonicalize().unwrap_or_else(|_| path.to_owned())
 }
 
 fn is_image(path: &Path) -> bool {

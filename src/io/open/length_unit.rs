@@ -10,6 +10,9 @@ use crate::units::LengthUnit;
 /// images of 64 voxels and fewer hold hearts of at most 45 voxels.
 const PLAUSIBLE_MM: std::ops::RangeInclusive<f64> = 50.0..=150.0;
 
+/// Longest side that a ventricle can have, in millimetres: of small children to greatly enlarged ones.
+const POSSIBLE_MM: std::ops::RangeInclusive<f64> = 20.0..=250.0;
+
 /// The unit of a subject's coordinates, with the sentence that says why.
 ///
 /// What is stated holds. Otherwise a ventricle of plausible size is taken as millimetres; anything
@@ -25,11 +28,10 @@ pub(super) fn length_unit(
                 .surfaces()
                 .iter()
                 .any(|s| s.kind() != SurfaceKind::Other);
-            // Mice have ventricles of 5 mm, whales of half a metre.
-            let absurd = is_heart && !(4.0..=500.0).contains(&side);
+            let absurd = is_heart && !POSSIBLE_MM.contains(&side);
             let notice = absurd.then(|| {
                 Notice::warning(format!(
-                    "unit mm, but the longest side is {}: volumes in ml are implausible",
+                    "unit mm, but the longest side is {}: volumes in ml are implausible; is the unit in study.toml right?",
                     millimetres(side)
                 ))
             });

@@ -1,15 +1,35 @@
 //! The subjects of a manifest: its patterns are looked up, and what it leaves out is found.
 
+use std::collections::{HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use super::find_sequences::{Entries, FileRole, Search, folder_name, role};
-use super::patterns::files_of_pattern;
-use super::plan::{KindPlan, SeriesTimes, Stated, SubjectPlan, SurfacePlan};
-use super::read_file::read_text;
-use super::series_files::{is_series, read_series};
+use super::copies::{NamedFile, without_copies};
+use super::file_name::MeshName;
+use super::find_sequences::Search;
+use super::folder_contents::{Entries, folder_name};
+use super::folders::{composed, existing};
+use super::frame_facts::take_facts;
+use super::frame_name::FrameName;
+use super::group_files::{same_frames, stem};
+use super::patterns::{files_of_pattern, has_wildcard, telling_names};
+use super::plan::{KindPlan, Stated, SubjectPlan, SurfacePlan};
+use super::read_file::{name_of, read_text};
+use super::readings::read_names;
+use super::series_files::is_series;
 use super::study_toml::{Manifest, ManifestSubject, parse_manifest};
 use crate::progress::Stopped;
-use crate::study::{LabelRoles, SurfaceKind};
+use crate::study::{LabelRoles, Notice, SurfaceKind};
+
+/// A surface of a manifest's subject, or the file that is wrong and why.
+type SurfaceOrFault = Result<NamedSurface, (PathBuf, String)>;
+
+/// A surface with the frames that the names of its files say.
+struct NamedSurface {
+    plan: SurfacePlan,
+    /// One for each file, where all have one.
+    frames: Option<Vec<FrameName>>,
+    notices: Vec<Notice>,
+}
 
 impl Search<'_> {
     /// A manifest with all its subjects.
@@ -28,7 +48,7 @@ impl Search<'_> {
         let folder = path.parent().unwrap_or(Path::new(""));
         let before = self.plan.subjects.len();
         if manifest.subjects.is_empty() {
-            // A manifest may state units and labels' roles and leave the hearts to be found.
+            // A manifest may state units and labels' roles and leave the subjects to be found.
             self.folders_beside(folder)?;
         }
         for subject in manifest.subjects {
@@ -48,11 +68,7 @@ impl Search<'_> {
         let Ok(Entries { files, folders }) = self.entries(folder)? else {
             return Ok(());
         };
-        let meshes = files
-            .into_iter()
-            .filter(|path| matches!(role(path), FileRole::Mesh | FileRole::Series))
-            .collect();
-        self.group(folder, meshes, Vec::new(), &folder_name(folder))?;
+        self.group(folder, files, &folder_name(folder))?;
         for folder in folders {
             self.folder(&folder, 1)?;
         }
@@ -72,33 +88,41 @@ impl Search<'_> {
         let ManifestSubject {
             id,
             line,
-            stated,
+            mut stated,
             surfaces: patterns,
-            notices,
+            mut notices,
         } = subject;
         let mut surfaces = Vec::new();
+        let mut frames_of = Vec::new();
         for (kind, patterns) in patterns {
-            let mut files = Vec::new();
-            for pattern in &patterns {
-                match files_of_pattern(folder, pattern) {
-                    Ok(found) if found.is_empty() => {
-                        let reason = format!("line {line}: no file matches {pattern:?}");
-                        self.fail(Some(id), manifest, reason);
-                        return Ok(());
+            match self.surface(folder, kind, &patterns)? {
+                Ok(mut surface) => {
+                    notices.append(&mut surface.notices);
+                    if let Some(frames) = surface.frames {
+                        frames_of.push((KindPlan::Known(kind), frames));
                     }
-                    Ok(found) => files.extend(found),
-                    Err(reason) => {
-                        self.fail(Some(id), manifest, format!("line {line}: {reason}"));
-                        return Ok(());
-                    }
+                    surfaces.push(surface.plan);
                 }
-            }
-            match self.with_series_read(kind, files) {
-                Ok(surface) => surfaces.push(surface),
                 Err((path, reason)) => {
+                    let (path, reason) = if path.as_os_str().is_empty() {
+                        (manifest.to_owned(), format!("line {line}: {reason}"))
+                    } else {
+                        (path, reason)
+                    };
                     self.fail(Some(id), &path, reason);
                     return Ok(());
                 }
+            }
+        }
+        // Files are paired by the frames in their names, never by their places in the lists.
+        if let Err(reason) = same_frames(&frames_of).and_then(|()| same_order(&frames_of)) {
+            self.fail(Some(id), manifest, format!("line {line}: {reason}"));
+            return Ok(());
+        }
+        if let Some((_, frames)) = frames_of.first() {
+            let times = take_facts(frames, &mut stated, &mut notices);
+            if let Some(surface) = surfaces.first_mut() {
+                surface.times = surface.times.take().or(times);
             }
         }
         self.plan.subjects.push(SubjectPlan {
@@ -111,29 +135,95 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// A pattern may name a series file in the place of meshes.
-    fn with_series_read(
-        &self,
+    /// The files of one surface. An error without a path is the manifest's.
+    fn surface(
+        &mut self,
+        folder: &Path,
         kind: SurfaceKind,
-        files: Vec<PathBuf>,
-    ) -> Result<SurfacePlan, (PathBuf, String)> {
-        let mut plan = SurfacePlan {
-            kind: KindPlan::Known(kind),
-            files: Vec::new(),
-            times: None,
-        };
-        for file in files {
-            if is_series(&file) {
-                let series = read_text(&file, self.limits)
-                    .and_then(|text| read_series(&file, &text))
-                    .map_err(|reason| (file.clone(), reason))?;
-                plan.files.extend(series.parts.into_iter().flatten());
-                plan.times = Some(SeriesTimes(series.times));
-            } else {
-                plan.files.push(file);
+        patterns: &[String],
+    ) -> Result<SurfaceOrFault, Stopped> {
+        let mut notices = Vec::new();
+        let mut files: Vec<NamedFile> = Vec::new();
+        let mut known: HashSet<PathBuf> = HashSet::new();
+        for pattern in patterns {
+            let found = match files_of_pattern(&mut self.folders, folder, pattern, self.progress)? {
+                Ok(found) => found,
+                Err(reason) => return Ok(Err((PathBuf::new(), reason))),
+            };
+            if found.is_empty() {
+                return Ok(Err((
+                    PathBuf::new(),
+                    format!("no file matches {pattern:?}"),
+                )));
             }
+            if !has_wildcard(pattern) {
+                // A file that is named is meant, a second time as well.
+                files.extend(found.into_iter().map(|path| {
+                    known.insert(path.clone());
+                    named(path)
+                }));
+                continue;
+            }
+            let (new, again): (Vec<_>, Vec<_>) = found
+                .into_iter()
+                .partition(|path| known.insert(path.clone()));
+            if let Some(first) = again.first() {
+                notices.push(Notice::info(format!(
+                    "{}: {pattern:?} matches {} once more: read once",
+                    kind.name(),
+                    name_of(first)
+                )));
+            }
+            let (kept, copied) = without_copies(new, &|a, b| self.same_content(a, b));
+            notices.extend(copied.into_iter().map(|(_, notice)| notice));
+            files.extend(kept);
         }
-        Ok(plan)
+        if let [one] = files.as_slice()
+            && is_series(&one.path)
+        {
+            let list = one.path.clone();
+            return Ok(self
+                .listed_surface(&list, kind)?
+                .map(|surface| NamedSurface {
+                    notices: notices.into_iter().chain(surface.notices).collect(),
+                    ..surface
+                }));
+        }
+        Ok(named_surface(kind, files, notices))
+    }
+
+    /// A pattern may name a list of files in the place of meshes.
+    fn listed_surface(
+        &mut self,
+        list: &Path,
+        kind: SurfaceKind,
+    ) -> Result<SurfaceOrFault, Stopped> {
+        let mut series = match self.read_list(list)? {
+            Ok(series) => series,
+            Err(fault) => return Ok(Err((list.to_owned(), fault.reason))),
+        };
+        // Of a list of several surfaces, the one of this kind.
+        if series.parts.len() > 1 {
+            series
+                .parts
+                .retain(|part| part.structure.is_none() && part.surface == Some(kind));
+        }
+        let Some(part) = series.parts.pop().filter(|_| series.parts.is_empty()) else {
+            let reason = format!(
+                "lists several surfaces, and not one of them is the {}",
+                kind.name()
+            );
+            return Ok(Err((list.to_owned(), reason)));
+        };
+        Ok(Ok(NamedSurface {
+            plan: SurfacePlan {
+                kind: KindPlan::Known(kind),
+                files: part.files,
+                times: part.times,
+            },
+            frames: None,
+            notices: series.notices,
+        }))
     }
 
     /// A subject without patterns lies in the folder that bears its id.
@@ -144,7 +234,7 @@ impl Search<'_> {
         subject: ManifestSubject,
     ) -> Result<(), Stopped> {
         let (id, line) = (subject.id, subject.line);
-        let place = folder.join(&id);
+        let place = existing(&mut self.folders, folder, &id, self.progress)?;
         if !place.is_dir() {
             let reason = format!("line {line}: no files are named, and there is no folder {id:?}");
             self.fail(Some(id), manifest, reason);
@@ -155,17 +245,18 @@ impl Search<'_> {
         let found = std::mem::replace(&mut self.plan, so_far);
         let failed = !found.errors.is_empty();
         self.plan.errors.extend(found.errors);
-        let mut hearts = found.subjects;
-        match (hearts.pop(), hearts.len()) {
-            (Some(mut heart), 0) => {
-                heart.id = id;
-                heart.stated = Stated {
-                    end_diastole: subject.stated.end_diastole.or(heart.stated.end_diastole),
-                    end_systole: subject.stated.end_systole.or(heart.stated.end_systole),
+        self.plan.notices.extend(found.notices);
+        let mut subjects = found.subjects;
+        match (subjects.pop(), subjects.len()) {
+            (Some(mut found), 0) => {
+                found.id = id;
+                found.stated = Stated {
+                    end_diastole: subject.stated.end_diastole.or(found.stated.end_diastole),
+                    end_systole: subject.stated.end_systole.or(found.stated.end_systole),
                     ..subject.stated
                 };
-                heart.notices.extend(subject.notices);
-                self.plan.subjects.push(heart);
+                found.notices.extend(subject.notices);
+                self.plan.subjects.push(found);
             }
             (None, _) if failed => {}
             (_, others) => {
@@ -197,4 +288,110 @@ impl Search<'_> {
             }
         }
     }
+}
+
+fn named(path: PathBuf) -> NamedFile {
+    NamedFile {
+        stem: composed(&stem(&path)),
+        path,
+    }
+}
+
+/// A surface of files in order, with what their names say: other parts of the heart among them are left out, and no two
+/// may be one frame.
+fn named_surface(
+    kind: SurfaceKind,
+    files: Vec<NamedFile>,
+    mut notices: Vec<Notice>,
+) -> SurfaceOrFault {
+    let paths: Vec<PathBuf> = files.iter().map(|file| file.path.clone()).collect();
+    let telling = telling_names(&paths);
+    let all_alike = files.windows(2).all(|pair| pair[0].stem == pair[1].stem);
+    let stems: Vec<&str> = (files.iter().zip(&telling))
+        .map(|(file, telling)| {
+            if all_alike {
+                telling.as_str()
+            } else {
+                file.stem.as_str()
+            }
+        })
+        .collect();
+    let (names, assumed) = read_names(&stems);
+    notices.extend(assumed);
+    let others = names.iter().filter(|name| name.structure.is_some()).count();
+    if others == names.len() {
+        notices.extend(names.first().and_then(|name| name.structure).map(|part| {
+            Notice::warning(format!(
+                "{}: by their names, the files are of the {part}; study.toml says otherwise",
+                kind.name()
+            ))
+        }));
+    }
+    let (mut kept, mut kept_names, mut left): (Vec<PathBuf>, Vec<MeshName>, Vec<String>) =
+        Default::default();
+    for (path, name) in paths.into_iter().zip(names) {
+        if others > 0
+            && kind != SurfaceKind::Other
+            && name.structure.is_some()
+            && others < files.len()
+        {
+            left.push(name_of(&path));
+        } else {
+            kept.push(path);
+            kept_names.push(name);
+        }
+    }
+    if let Some(first) = left.first() {
+        notices.push(Notice::warning(format!(
+            "{}: {} files of other parts of the heart not read, by their names ({first})",
+            kind.name(),
+            left.len()
+        )));
+    }
+    let frames: Option<Vec<FrameName>> = kept_names.iter().map(|name| name.frame).collect();
+    let frames = frames.filter(|frames| frames.len() > 1 || frames.iter().any(is_phase));
+    let mut file_of: HashMap<FrameName, &PathBuf> = HashMap::new();
+    for (frame, path) in frames.iter().flatten().zip(&kept) {
+        let first = *file_of.entry(*frame).or_insert(path);
+        if first != path {
+            let reason = format!(
+                "{} has the same surface and frame in its name",
+                name_of(first)
+            );
+            return Err((path.clone(), reason));
+        }
+    }
+    let cases: HashSet<&str> = kept_names.iter().map(|name| name.case.as_str()).collect();
+    if frames.is_some() && cases.len() > 1 {
+        let mut cases: Vec<&str> = cases.into_iter().collect();
+        cases.sort_unstable();
+        notices.push(Notice::warning(format!(
+            "{}: the names of its files are of several subjects ({}, {}…)",
+            kind.name(),
+            cases[0],
+            cases[1]
+        )));
+    }
+    Ok(NamedSurface {
+        plan: SurfacePlan {
+            kind: KindPlan::Known(kind),
+            files: kept,
+            times: None,
+        },
+        frames,
+        notices,
+    })
+}
+
+fn is_phase(frame: &FrameName) -> bool {
+    !matches!(frame, FrameName::Number(_))
+}
+
+/// Surfaces with the same frames must list them in the same order.
+fn same_order(frames_of: &[(KindPlan, Vec<FrameName>)]) -> Result<(), String> {
+    let differs = frames_of.windows(2).any(|pair| pair[0].1 != pair[1].1);
+    if differs {
+        return Err("the surfaces list their frames in different orders".to_owned());
+    }
+    Ok(())
 }

@@ -4,20 +4,37 @@
 //! [`study_toml`], [`group_files`]); the plan's files are read in parallel and joined
 //! ([`read_subjects`]); what was assumed and found stands with each subject.
 
+mod copies;
 mod file_name;
 mod find_sequences;
+mod folder_contents;
+mod folders;
+mod frame_facts;
+mod frame_name;
 mod group_files;
+mod labels;
 mod length_unit;
+mod listed_files;
+mod loose_files;
 mod manifest_subjects;
+mod name_words;
 mod natural_order;
+mod one_ending;
 mod patterns;
 mod plan;
+mod plausible;
 mod read_file;
 mod read_subjects;
+mod readings;
 mod series_files;
+mod series_parts;
+mod series_times;
 mod sheet_by_shape;
+mod sheet_folders;
 mod study_toml;
+mod subject_ids;
 mod toml_fields;
+mod words;
 
 use std::collections::{BTreeMap, BTreeSet, HashSet};
 use std::path::{Path, PathBuf};
@@ -27,13 +44,14 @@ pub use find_sequences::looks_openable;
 
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
-use crate::study::checks::{AlignedCohort, all_of, counted};
+use crate::study::checks::{AlignedCohort, RepeatedSubjects, all_of, counted};
 use crate::study::{Notice, Study, Subject};
-use find_sequences::{Search, folder_name};
+use find_sequences::Search;
+use folder_contents::folder_name;
 use group_files::stem;
-use plan::SubjectPlan;
-use read_file::name_of;
+use labels::unite_labels;
 pub use read_file::read_head;
+use subject_ids::make_ids_unique;
 
 /// Opens studies, folders, series and mesh files, together as one study.
 ///
@@ -48,10 +66,12 @@ pub fn open_paths(
     limits: &Limits,
     progress: &Progress,
 ) -> Result<Opened, Stopped> {
-    let mut search = Search::new(limits, progress);
+    let mut search = Search::new(paths, limits, progress);
     search.paths(paths)?;
     let mut plan = search.plan;
     make_ids_unique(&mut plan.subjects);
+    let notices = unite_labels(&mut plan.subjects, plan.label_roles.as_ref());
+    plan.notices.extend(notices);
     let own_name = plan.name.filter(|_| paths.len() == 1);
     let mut opened = Opened {
         study: Study {
@@ -104,41 +124,6 @@ fn name_of_paths(paths: &[PathBuf]) -> String {
     }
 }
 
-/// Gives subjects of one name the name of the folder around it too, and a number where that does not help.
-fn make_ids_unique(plans: &mut [SubjectPlan]) {
-    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-    for plan in plans.iter() {
-        *counts.entry(plan.id.clone()).or_default() += 1;
-    }
-    for plan in plans.iter_mut() {
-        let own_folder = plan
-            .place
-            .ancestors()
-            .find(|place| name_of(place) == plan.id);
-        if counts.get(&plan.id).is_some_and(|&count| count > 1)
-            && let Some(around) = own_folder.and_then(Path::parent).map(folder_name)
-            && !around.is_empty()
-        {
-            plan.id = format!("{around}/{}", plan.id);
-        }
-    }
-    let mut taken: HashSet<String> = HashSet::new();
-    for plan in plans.iter_mut() {
-        let id = plan.id.clone();
-        let mut number = 2;
-        while !taken.insert(plan.id.clone()) {
-            plan.id = format!("{id} ({number})");
-            number += 1;
-        }
-        if plan.id != id {
-            plan.notices.push(Notice::warning(format!(
-                "another subject has the id {id:?} too: this one is shown as {:?}",
-                plan.id
-            )));
-        }
-    }
-}
-
 /// What holds for the cohort: whether its vertices correspond, and whether its units agree.
 fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
     let mut notices = Vec::new();
@@ -170,6 +155,7 @@ fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
         }));
     }
     notices.extend(AlignedCohort::of(subjects).notice());
+    notices.extend(RepeatedSubjects::of(subjects).notices(subjects));
     let units: HashSet<_> = subjects.iter().map(|subject| subject.unit).collect();
     if units.len() > 1 {
         notices.push(Notice::warning(

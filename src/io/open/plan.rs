@@ -36,7 +36,7 @@ pub(super) struct SubjectPlan {
 pub(super) struct SurfacePlan {
     pub(super) kind: KindPlan,
     pub(super) files: Vec<PathBuf>,
-    /// Times that a series file gives.
+    /// Times that a list of files or their names give.
     pub(super) times: Option<SeriesTimes>,
 }
 
@@ -51,9 +51,26 @@ pub(super) enum KindPlan {
     Unnamed,
 }
 
-/// Times of a series file, whose unit the formats do not fix.
+/// Times of frames, in a unit that is to be found out.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct SeriesTimes(pub(super) Vec<f64>);
+pub(super) struct SeriesTimes {
+    /// One for each frame.
+    pub(super) values: Vec<f64>,
+    pub(super) source: TimesSource,
+}
+
+/// Where times come from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum TimesSource {
+    /// A `.pvd` or `.series` file, whose formats fix no unit.
+    List,
+    /// Decimals in the names of files.
+    Names,
+    /// Names of files with a unit: seconds.
+    NamesInSeconds,
+    /// Names of files: per cent of the cycle.
+    NamesInPercent,
+}
 
 /// What a manifest or the names of files say about a subject beside its meshes.
 #[derive(Clone, Debug, Default, PartialEq)]

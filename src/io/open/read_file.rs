@@ -53,15 +53,20 @@ pub(super) fn read_bytes(path: &Path, limits: &Limits) -> Result<Vec<u8>, String
 /// # Errors
 /// If it cannot be read.
 pub fn read_head(path: &Path, most: u64) -> Result<Vec<u8>, OpenError> {
+    let wrong = |reason: String| OpenError {
+        subject: None,
+        path: path.to_owned(),
+        reason,
+    };
+    // A pipe would be waited for.
+    if std::fs::metadata(path).is_ok_and(|facts| !facts.is_file()) {
+        return Err(wrong("not a file".to_owned()));
+    }
     let mut bytes = Vec::new();
     let read = File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes));
     match read {
         Ok(_) => Ok(bytes),
-        Err(error) => Err(OpenError {
-            subject: None,
-            path: path.to_owned(),
-            reason: reason(&error),
-        }),
+        Err(error) => Err(wrong(reason(&error))),
     }
 }
 

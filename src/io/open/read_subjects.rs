@@ -1,14 +1,17 @@
 //! From a plan to subjects: files are read in parallel, joined to sequences, and checked.
 
+use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::length_unit::length_unit;
+use super::plan::SeriesTimes;
 use super::plan::{KindPlan, StatedUnit, SubjectPlan, SurfacePlan};
 use super::read_file::{read_bytes, read_mesh_at};
-use super::series_files::times_in_seconds;
+use super::series_parts::SAME_TIME;
+use super::series_times::seconds;
 use super::sheet_by_shape::sheet_by_shape;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
 use crate::mesh::{Point3, TriMesh};
@@ -31,34 +34,82 @@ pub(super) fn read_subjects(
     limits: &Limits,
     progress: &Progress,
 ) -> Result<Vec<SubjectOrErrors>, Stopped> {
-    let files: Vec<&PathBuf> = plans
+    // A file of several subjects or frames is read once.
+    let mut places: HashMap<&PathBuf, usize> = HashMap::new();
+    let mut files: Vec<&PathBuf> = Vec::new();
+    let mut uses: Vec<usize> = Vec::new();
+    for path in plans
         .iter()
-        .flat_map(|plan| plan.surfaces.iter().flat_map(|surface| &surface.files))
-        .collect();
+        .filter(|plan| excess(plan, limits).is_none())
+        .flat_map(files_of)
+    {
+        let place = *places.entry(path).or_insert(files.len());
+        if place == files.len() {
+            files.push(path);
+            uses.push(0);
+        }
+        uses[place] += 1;
+    }
     let checks: usize = plans.iter().map(|p| check_count(p.surfaces.len())).sum();
     progress.expect_steps(files.len() + checks);
-    let contents: Vec<Result<MeshFile, String>> = files
+    let mut contents: Vec<Option<Result<MeshFile, String>>> = files
         .par_iter()
         .map(|path| {
             progress.step()?;
-            Ok(read_bytes(path, limits).and_then(|bytes| read_mesh_at(path, &bytes, limits)))
+            let content =
+                read_bytes(path, limits).and_then(|bytes| read_mesh_at(path, &bytes, limits));
+            Ok(Some(content))
         })
         .collect::<Result<_, Stopped>>()?;
-    let mut contents = contents.into_iter();
-    let work: Vec<(SubjectPlan, Contents)> = plans
-        .into_iter()
-        .map(|plan| {
-            let of_plan = plan
-                .surfaces
-                .iter()
-                .map(|surface| contents.by_ref().take(surface.files.len()).collect())
-                .collect();
-            (plan, of_plan)
+    let mut take = |path: &PathBuf| -> Result<MeshFile, String> {
+        let not_read = || Err("not read".to_owned());
+        let Some(&place) = places.get(path) else {
+            return not_read();
+        };
+        uses[place] -= 1;
+        let content = if uses[place] == 0 {
+            contents[place].take()
+        } else {
+            contents[place].clone()
+        };
+        content.unwrap_or_else(not_read)
+    };
+    let of_plans: Vec<Contents> = plans
+        .iter()
+        .map(|plan| match excess(plan, limits) {
+            Some(_) => Vec::new(),
+            None => {
+                let surfaces = plan.surfaces.iter();
+                surfaces
+                    .map(|surface| surface.files.iter().map(&mut take).collect())
+                    .collect()
+            }
         })
         .collect();
+    let work: Vec<(SubjectPlan, Contents)> = plans.into_iter().zip(of_plans).collect();
     work.into_par_iter()
         .map(|(plan, contents)| join_subject(plan, contents, limits, progress))
         .collect()
+}
+
+fn files_of(plan: &SubjectPlan) -> impl Iterator<Item = &PathBuf> {
+    plan.surfaces.iter().flat_map(|surface| &surface.files)
+}
+
+/// The number of files of a surface that has more than it may have frames; none of them is read.
+fn excess(plan: &SubjectPlan, limits: &Limits) -> Option<String> {
+    let counts = plan.surfaces.iter().map(|surface| surface.files.len());
+    let count = counts.max().filter(|&count| count > limits.frames)?;
+    Some(too_many_frames(count, limits))
+}
+
+fn too_many_frames(count: usize, limits: &Limits) -> String {
+    let reason = ReadMeshError::TooMany {
+        what: "frames",
+        count: count as u64,
+        most: limits.frames as u64,
+    };
+    reason.to_string()
 }
 
 fn join_subject(
@@ -72,6 +123,9 @@ fn join_subject(
         path: path.clone(),
         reason,
     };
+    if let Some(reason) = excess(&plan, limits) {
+        return Ok(Err(vec![wrong(&plan.place, reason)]));
+    }
     let mut errors = Vec::new();
     let mut read = Vec::new();
     for (surface, contents) in plan.surfaces.iter().zip(contents) {
@@ -97,6 +151,9 @@ fn join_subject(
             }
         }
     }
+    if let Err(reason) = one_time_axis(&plan.surfaces) {
+        return Ok(Err(vec![wrong(&plan.place, reason)]));
+    }
     let mut notices = Vec::new();
     let mut times = None;
     let mut surfaces = Vec::new();
@@ -105,12 +162,42 @@ fn join_subject(
         times = times.or(surface.times_s);
         surfaces.push(surface.sequence);
     }
+    if let Some(given) = plan
+        .surfaces
+        .iter()
+        .find_map(|surface| surface.times.as_ref())
+    {
+        let (seconds, notice) = seconds(given, plan.stated.rr_s);
+        times = seconds.or(times);
+        notices.extend(notice.filter(|_| plan.stated.frame_times_s.is_none()));
+    }
     match MeshSequence::new(surfaces) {
         Ok(sequence) => {
             let subject = with_facts(plan, sequence, times, notices);
             checked(subject, progress).map(Ok)
         }
         Err(error) => Ok(Err(vec![wrong(&plan.place, error.to_string())])),
+    }
+}
+
+/// Surfaces whose lists give times must give the same: frames of other times are no pair.
+fn one_time_axis(surfaces: &[SurfacePlan]) -> Result<(), String> {
+    let mut given = surfaces.iter().filter_map(|surface| surface.times.as_ref());
+    let Some(first) = given.next() else {
+        return Ok(());
+    };
+    let same = |times: &SeriesTimes| {
+        times.values.len() == first.values.len()
+            && times
+                .values
+                .iter()
+                .zip(&first.values)
+                .all(|(a, b)| (a - b).abs() <= SAME_TIME * a.abs().max(b.abs()))
+    };
+    if given.all(same) {
+        Ok(())
+    } else {
+        Err("the lists of its surfaces give different times".to_owned())
     }
 }
 
@@ -145,12 +232,7 @@ fn join_surface(
         }
     }
     if frames.len() > limits.frames {
-        let reason = ReadMeshError::TooMany {
-            what: "frames",
-            count: frames.len() as u64,
-            most: limits.frames as u64,
-        };
-        return Err((None, reason.to_string()));
+        return Err((None, too_many_frames(frames.len(), limits)));
     }
     let (kind, assumed) = kind_of(plan.kind, &frames);
     let mut notices: Vec<Notice> = assumed.into_iter().collect();
@@ -161,15 +243,6 @@ fn join_surface(
             notice.text
         );
         notices.push(Notice { text, ..notice });
-    }
-    if let Some(times) = &plan.times
-        && let Some((seconds, unit)) = times_in_seconds(&times.0)
-    {
-        notices.push(Notice::info(format!(
-            "times of the series file assumed to be in {unit}, because they end at {}",
-            times.0.last().copied().unwrap_or_default()
-        )));
-        times_s = Some(seconds);
     }
     let sequence = SurfaceSequence::new(kind, frames).map_err(|error| {
         let path = match &error {

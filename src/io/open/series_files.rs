@@ -1,19 +1,32 @@
-//! Series files: `.pvd` (ParaView collections) and `.vtk.series` (JSON), which list files and times.
+//! Lists of files: `.pvd` (ParaView collections) and `.vtk.series` (JSON), with times.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::folders::Folders;
+use super::listed_files::listed_file;
+use super::series_parts::{Entry, Part, parts_of};
 use crate::io::formats::SERIES_EXTENSIONS;
+use crate::progress::{Progress, Stopped};
+use crate::study::Notice;
+use crate::study::checks::counted;
 
-/// Files in the order of time.
+/// What a list says.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Series {
-    /// Name of each part with its files; one part, except in collections of several.
-    pub(super) parts: Vec<Vec<PathBuf>>,
-    /// Time of each frame, in a unit that the format does not say.
-    pub(super) times: Vec<f64>,
+    /// One part, except in lists of several surfaces.
+    pub(super) parts: Vec<Part>,
+    /// What was assumed.
+    pub(super) notices: Vec<Notice>,
+}
+
+/// Why a list cannot be used.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct SeriesFault {
+    pub(super) reason: String,
+    /// The files that it lists and that are there: they are no frames by themselves.
+    pub(super) listed: Vec<PathBuf>,
 }
 
 /// Whether a file lists other files.
@@ -24,77 +37,113 @@ pub(super) fn is_series(path: &Path) -> bool {
     })
 }
 
-/// Reads a series file's text; `path` gives the format and the folder that names are relative to.
+/// Reads a list's text; `path` gives the format and the folder that names are relative to.
 ///
 /// # Errors
-/// A sentence with the line and the reason.
-pub(super) fn read_series(path: &Path, text: &str) -> Result<Series, String> {
+/// Inside: a sentence with the line and the reason. Outside: [`Stopped`].
+pub(super) fn read_series(
+    path: &Path,
+    text: &str,
+    folders: &mut Folders,
+    progress: &Progress,
+) -> Result<Result<Series, SeriesFault>, Stopped> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let is_pvd = path
         .extension()
         .is_some_and(|ending| ending.eq_ignore_ascii_case("pvd"));
-    let entries = if is_pvd { pvd(text)? } else { json(text)? };
-    if entries.is_empty() {
-        return Err("lists no files".to_owned());
+    let mut listed = Vec::new();
+    let fault = |reason: String, listed| Ok(Err(SeriesFault { reason, listed }));
+    let written = match if is_pvd { pvd(text) } else { json(text) } {
+        Ok(written) => written,
+        Err(reason) => return fault(reason, listed),
+    };
+    if written.is_empty() {
+        return fault("lists no files".to_owned(), listed);
     }
-    for entry in &entries {
-        if !folder.join(&entry.file).is_file() {
-            return Err(format!(
-                "line {}: there is no file {:?}",
-                entry.line, entry.file
-            ));
+    let (mut entries, mut notices) = (Vec::new(), Vec::new());
+    let (mut missing, mut moved) = (None, Vec::new());
+    for Written {
+        name,
+        part,
+        time,
+        line,
+    } in written
+    {
+        progress.check()?;
+        match listed_file(folders, folder, &name, progress)? {
+            Some((file, elsewhere)) => {
+                if elsewhere {
+                    moved.push(name);
+                }
+                listed.push(file.clone());
+                entries.push(Entry { file, part, time });
+            }
+            None if missing.is_none() => {
+                missing = Some(format!("line {line}: there is no file {name:?}"));
+            }
+            None => {}
         }
     }
-    let mut by_part: BTreeMap<&str, Vec<&Entry>> = BTreeMap::new();
-    for entry in &entries {
-        by_part.entry(&entry.part).or_default().push(entry);
+    if let Some(reason) = missing {
+        return fault(reason, listed);
     }
-    let mut times: Vec<f64> = Vec::new();
-    let mut parts = Vec::new();
-    for part in by_part.values_mut() {
-        part.sort_by(|a, b| a.time.total_cmp(&b.time));
-        let part_times: Vec<f64> = part.iter().map(|entry| entry.time).collect();
-        if parts.is_empty() {
-            times = part_times;
-        } else if part_times != times {
-            return Err("its parts have different times".to_owned());
-        }
-        parts.push(part.iter().map(|entry| folder.join(&entry.file)).collect());
+    if let Some(first) = moved.first() {
+        notices.push(Notice::info(format!(
+            "{} listed by a path of another machine ({first:?}) read from beside the list",
+            counted(moved.len(), "file", "files")
+        )));
     }
-    Ok(Series { parts, times })
+    Ok(match parts_of(entries, &mut notices) {
+        Ok(parts) => Ok(Series { parts, notices }),
+        Err(reason) => Err(SeriesFault { reason, listed }),
+    })
 }
 
-struct Entry {
-    file: String,
+/// One file as a list writes it.
+struct Written {
+    name: String,
     part: String,
-    time: f64,
+    time: Option<f64>,
     line: usize,
 }
 
-fn pvd(text: &str) -> Result<Vec<Entry>, String> {
+fn pvd(text: &str) -> Result<Vec<Written>, String> {
     let document = roxmltree::Document::parse(text)
         .map_err(|error| format!("line {}: {error}", error.pos().row))?;
-    let line_of = |node: &roxmltree::Node| document.text_pos_at(node.range().start).row as usize;
+    // the rows of nodes, counted once along the text
+    let mut row = (0, 1);
+    let mut line_of = |node: &roxmltree::Node| {
+        let start = node.range().start;
+        let between = text.as_bytes().get(row.0..start).unwrap_or_default();
+        row = (
+            start,
+            row.1 + between.iter().filter(|&&b| b == b'\n').count(),
+        );
+        row.1
+    };
     document
         .descendants()
         .filter(|node| node.has_tag_name("DataSet"))
-        .enumerate()
-        .map(|(index, node)| {
+        .map(|node| {
             let line = line_of(&node);
-            let file = node
+            let name = node
                 .attribute("file")
                 .ok_or_else(|| format!("line {line}: a DataSet without a file"))?;
-            let time = match node.attribute("timestep") {
-                Some(word) => finite(word)
-                    .ok_or_else(|| format!("line {line}: timestep {word:?} is not a number"))?,
-                None => index as f64,
+            let time = match node.attribute("timestep").map(str::trim) {
+                Some("") | None => None,
+                Some(word) => Some(
+                    finite(word)
+                        .ok_or_else(|| format!("line {line}: timestep {word:?} is not a number"))?,
+                ),
             };
-            let part = [node.attribute("group"), node.attribute("part")]
-                .map(|word| word.unwrap_or_default())
-                .join(" ");
-            Ok(Entry {
-                file: file.to_owned(),
-                part,
+            let part: Vec<&str> = ["group", "part", "name"]
+                .iter()
+                .filter_map(|key| node.attribute(*key))
+                .filter(|word| !word.trim().is_empty())
+                .collect();
+            Ok(Written {
+                name: name.to_owned(),
+                part: part.join(" "),
                 time,
                 line,
             })
@@ -113,117 +162,38 @@ struct SeriesEntry {
     time: Option<f64>,
 }
 
-fn json(text: &str) -> Result<Vec<Entry>, String> {
+fn json(text: &str) -> Result<Vec<Written>, String> {
     let series: SeriesJson = serde_json::from_str(text).map_err(|error| {
         let reason = error.to_string();
         let reason = reason.split(" at line").next().unwrap_or_default();
         format!("line {}: {reason}", error.line())
     })?;
+    let mut place = (0, 1);
     Ok(series
         .files
         .into_iter()
-        .enumerate()
-        .map(|(index, entry)| Entry {
-            line: line_naming(text, &entry.name),
-            file: entry.name,
+        .map(|entry| Written {
+            line: line_naming(text, &entry.name, &mut place),
+            name: entry.name,
             part: String::new(),
-            time: entry
-                .time
-                .filter(|time| time.is_finite())
-                .unwrap_or(index as f64),
+            time: entry.time.filter(|time| time.is_finite()),
         })
         .collect())
 }
 
-fn line_naming(text: &str, name: &str) -> usize {
-    text.lines()
-        .position(|line| line.contains(name))
-        .map_or(1, |line| line + 1)
+/// The line of the next place that names a file, from a place and its line on.
+fn line_naming(text: &str, name: &str, (from, line): &mut (usize, usize)) -> usize {
+    let rest = text.get(*from..).unwrap_or_default();
+    if let Some(found) = rest.find(name) {
+        *line += rest[..found].bytes().filter(|&b| b == b'\n').count();
+        *from += found;
+    }
+    *line
 }
 
 fn finite(word: &str) -> Option<f64> {
-    word.trim()
-        .parse()
-        .ok()
-        .filter(|time: &f64| time.is_finite())
-}
-
-/// Seconds that a series' times mean, with the words for what was assumed; `None` where they only
-/// count frames.
-///
-/// A beat lasts 0.3 to 2 s: times that end below 5 are seconds, others milliseconds.
-pub(super) fn times_in_seconds(times: &[f64]) -> Option<(Vec<f64>, &'static str)> {
-    let counts_frames = times
-        .windows(2)
-        .all(|pair| pair[0].fract() == 0.0 && pair[1] - pair[0] == 1.0);
-    let last = times.last().copied()?;
-    if counts_frames || !times.windows(2).all(|pair| pair[0] < pair[1]) || times[0] < 0.0 {
-        None
-    } else if last < 5.0 {
-        Some((times.to_vec(), "s"))
-    } else {
-        Some((times.iter().map(|time| time / 1000.0).collect(), "ms"))
-    }
+    word.parse().ok().filter(|time: &f64| time.is_finite())
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use std::fs;
-
-    #[test]
-    fn a_collection_lists_its_files_by_time() {
-        let folder = tempfile::tempdir().unwrap();
-        for name in ["a.vtp", "b.vtp"] {
-            fs::write(folder.path().join(name), "").unwrap();
-        }
-        let text = "<VTKFile type=\"Collection\"><Collection>\n\
-                    <DataSet timestep=\"0.4\" part=\"0\" file=\"a.vtp\"/>\n\
-                    <DataSet timestep=\"0.1\" part=\"0\" file=\"b.vtp\"/>\n\
-                    </Collection></VTKFile>";
-        let path = folder.path().join("x.pvd");
-        let series = read_series(&path, text).unwrap();
-        assert_eq!(series.times, [0.1, 0.4]);
-        assert_eq!(
-            series.parts,
-            [[folder.path().join("b.vtp"), folder.path().join("a.vtp")]]
-        );
-        let missing = text.replace("b.vtp", "c.vtp");
-        assert_eq!(
-            read_series(&path, &missing).unwrap_err(),
-            "line 3: there is no file \"c.vtp\""
-        );
-        let wrong = text.replace("0.4", "soon");
-        assert_eq!(
-            read_series(&path, &wrong).unwrap_err(),
-            "line 2: timestep \"soon\" is not a number"
-        );
-    }
-
-    #[test]
-    fn a_json_series_lists_its_files_by_time() {
-        let folder = tempfile::tempdir().unwrap();
-        fs::write(folder.path().join("a.vtk"), "").unwrap();
-        let path = folder.path().join("x.vtk.series");
-        let text =
-            "{\"file-series-version\":\"1.0\",\n\"files\":[{\"name\":\"a.vtk\",\"time\":3}]}";
-        assert_eq!(read_series(&path, text).unwrap().times, [3.0]);
-        let error = read_series(&path, "{\n\"files\": 3}").unwrap_err();
-        assert!(error.starts_with("line 2: invalid type"), "{error}");
-        assert_eq!(
-            read_series(&path, "{\"files\": []}").unwrap_err(),
-            "lists no files"
-        );
-    }
-
-    #[test]
-    fn times_are_seconds_milliseconds_or_mere_counts() {
-        assert_eq!(times_in_seconds(&[0.0, 1.0, 2.0]), None);
-        assert_eq!(times_in_seconds(&[0.0, 0.4]), Some((vec![0.0, 0.4], "s")));
-        assert_eq!(
-            times_in_seconds(&[0.0, 400.0]),
-            Some((vec![0.0, 0.4], "ms"))
-        );
-        assert_eq!(times_in_seconds(&[]), None);
-    }
-}
+mod tests;

@@ -24,10 +24,17 @@
 
 use toml::de::{DeTable, DeValue};
 
+use super::folders::composed;
 use super::plan::{Stated, StatedUnit};
-use super::toml_fields::{Fields, line_at};
+use super::plausible::without_implausible;
+use super::toml_fields::{Fields, Lines};
 use crate::mesh::Point3;
 use crate::study::{Anatomy, LabelRoles, Notice, SurfaceKind};
+
+/// Subjects of one manifest: the largest cohorts of hearts in research have about ten thousand.
+pub(super) const MAX_SUBJECTS: usize = 20_000;
+/// Unknown keys of one table that are told one by one.
+const MAX_UNKNOWN: usize = 20;
 
 /// A manifest as text says it.
 #[derive(Debug, Default)]
@@ -63,25 +70,32 @@ pub(super) struct SubjectError {
 /// A sentence with the line, where the text is not TOML or a field of the whole study is wrong. A
 /// wrong subject is an error among the subjects.
 pub(super) fn parse_manifest(text: &str) -> Result<Manifest, String> {
+    let lines = Lines::of(text);
     let document = DeTable::parse(text).map_err(|error| {
-        let line = error.span().map_or(1, |span| line_at(text, span.start));
+        let line = error.span().map_or(1, |span| lines.at(span.start));
         let message = error.message().lines().collect::<Vec<_>>().join(", ");
         format!("line {line}: {message}")
     })?;
-    let mut fields = Fields::new(text, document.get_ref());
+    let mut fields = Fields::new(&lines, document.get_ref());
     let name = fields.string("name")?;
     let unit = unit(&mut fields)?;
     let label_roles = label_roles(&mut fields)?;
     let subjects = match fields.value("subject") {
         None => Vec::new(),
         Some(DeValue::Array(items)) => {
+            if items.len() > MAX_SUBJECTS {
+                return Err(format!(
+                    "{} subjects; the limit is {MAX_SUBJECTS}",
+                    items.len()
+                ));
+            }
             let mut subjects = Vec::with_capacity(items.len());
             for (index, item) in items.iter().enumerate() {
-                let line = line_at(text, item.span().start);
+                let line = lines.at(item.span().start);
                 let table = item.get_ref().as_table().ok_or_else(|| {
                     format!("line {line}: subject must be written as [[subject]]")
                 })?;
-                subjects.push(subject(Fields::new(text, table), index, line));
+                subjects.push(subject(Fields::new(&lines, table), index, line));
             }
             subjects
         }
@@ -119,27 +133,41 @@ fn label_roles(fields: &mut Fields) -> Result<Option<LabelRoles>, String> {
         return Ok(None);
     }
     let usual = LabelRoles::default();
+    let composed = |labels: Vec<String>| labels.iter().map(|label| composed(label)).collect();
     Ok(Some(LabelRoles {
-        normal: normal.unwrap_or(usual.normal),
-        abnormal: abnormal.unwrap_or(usual.abnormal),
+        normal: normal.map_or(usual.normal, composed),
+        abnormal: abnormal.map_or(usual.abnormal, composed),
     }))
 }
 
 fn unknown_keys(fields: &Fields) -> Vec<Notice> {
-    fields
-        .unknown()
-        .into_iter()
-        .map(|(line, key)| {
+    let unknown = fields.unknown();
+    let mut notices: Vec<Notice> = unknown
+        .iter()
+        .take(MAX_UNKNOWN)
+        .map(|(line, key, meant)| {
+            let key: String = key.chars().take(80).collect();
+            let meant = meant.map_or_else(String::new, |meant| format!("; {meant} is meant?"));
             Notice::warning(format!(
-                "study.toml, line {line}: unknown key {key:?}, ignored"
+                "study.toml, line {line}: unknown key {key:?}, ignored{meant}"
             ))
         })
-        .collect()
+        .collect();
+    if let Some(more) = unknown
+        .len()
+        .checked_sub(MAX_UNKNOWN)
+        .filter(|&more| more > 0)
+    {
+        notices.push(Notice::warning(format!(
+            "study.toml: {more} more unknown keys, ignored"
+        )));
+    }
+    notices
 }
 
 fn subject(mut fields: Fields, index: usize, line: usize) -> Result<ManifestSubject, SubjectError> {
     let id = match fields.string("id") {
-        Ok(Some(id)) if !id.trim().is_empty() => id,
+        Ok(Some(id)) if !id.trim().is_empty() => composed(&id),
         Ok(_) => {
             return Err(SubjectError {
                 id: None,
@@ -153,7 +181,8 @@ fn subject(mut fields: Fields, index: usize, line: usize) -> Result<ManifestSubj
         Ok((stated(fields, notices)?, surfaces(fields, line)?))
     };
     match read(&mut fields, &mut notices) {
-        Ok((stated, surfaces)) => {
+        Ok((mut stated, surfaces)) => {
+            notices.extend(without_implausible(&mut stated));
             notices.extend(unknown_keys(&fields));
             Ok(ManifestSubject {
                 id,
@@ -172,7 +201,7 @@ fn subject(mut fields: Fields, index: usize, line: usize) -> Result<ManifestSubj
 
 fn stated(fields: &mut Fields, notices: &mut Vec<Notice>) -> Result<Stated, String> {
     Ok(Stated {
-        label: fields.string("label")?,
+        label: fields.string("label")?.map(|label| composed(&label)),
         unit: unit(fields)?,
         frame_times_s: fields
             .numbers("time_ms")?

@@ -4,17 +4,36 @@ use std::collections::BTreeSet;
 
 use toml::de::{DeTable, DeValue};
 
+/// Where the lines of a text begin, so that a manifest of many subjects is not counted through for each of them.
+pub(super) struct Lines {
+    ends: Vec<usize>,
+}
+
+impl Lines {
+    pub(super) fn of(text: &str) -> Self {
+        let ends = text.bytes().enumerate().filter(|(_, byte)| *byte == b'\n');
+        Self {
+            ends: ends.map(|(place, _)| place).collect(),
+        }
+    }
+
+    /// The line of a byte, counted from 1.
+    pub(super) fn at(&self, byte: usize) -> usize {
+        1 + self.ends.partition_point(|&end| end < byte)
+    }
+}
+
 /// A table of a TOML text, and which of its keys were asked for.
 pub(super) struct Fields<'t> {
-    text: &'t str,
+    lines: &'t Lines,
     table: &'t DeTable<'t>,
     known: BTreeSet<&'static str>,
 }
 
 impl<'t> Fields<'t> {
-    pub(super) fn new(text: &'t str, table: &'t DeTable<'t>) -> Self {
+    pub(super) fn new(lines: &'t Lines, table: &'t DeTable<'t>) -> Self {
         Self {
-            text,
+            lines,
             table,
             known: BTreeSet::new(),
         }
@@ -25,19 +44,22 @@ impl<'t> Fields<'t> {
         self.table
             .iter()
             .find(|(name, _)| name.get_ref().as_ref() == key)
-            .map(|(name, _)| line_at(self.text, name.span().start))
+            .map(|(name, _)| self.lines.at(name.span().start))
     }
 
-    /// Keys that nobody asked for, with their lines.
-    pub(super) fn unknown(&self) -> Vec<(usize, String)> {
+    /// Keys that nobody asked for, with their lines and the key that was perhaps meant.
+    pub(super) fn unknown(&self) -> Vec<(usize, String, Option<&'static str>)> {
         self.table
             .iter()
             .filter(|(name, _)| !self.known.contains(name.get_ref().as_ref()))
             .map(|(name, _)| {
-                (
-                    line_at(self.text, name.span().start),
-                    name.get_ref().to_string(),
-                )
+                let key = name.get_ref().to_string();
+                let meant = self
+                    .known
+                    .iter()
+                    .copied()
+                    .find(|known| nearly_equal(known, &key));
+                (self.lines.at(name.span().start), key, meant)
             })
             .collect()
     }
@@ -98,9 +120,9 @@ impl<'t> Fields<'t> {
     }
 
     pub(super) fn table(&mut self, key: &'static str) -> Result<Option<Fields<'t>>, String> {
-        let text = self.text;
+        let lines = self.lines;
         self.read(key, "a table", |value| {
-            value.as_table().map(|table| Fields::new(text, table))
+            value.as_table().map(|table| Fields::new(lines, table))
         })
     }
 
@@ -120,10 +142,11 @@ impl<'t> Fields<'t> {
     }
 }
 
-/// The line of a byte, counted from 1.
-pub(super) fn line_at(text: &str, byte: usize) -> usize {
-    let before = text.as_bytes().get(..byte).unwrap_or(text.as_bytes());
-    1 + before.iter().filter(|&&b| b == b'\n').count()
+/// Whether two keys differ only in case, in `_` and `-`, or in what one has behind the other (`rr` and `rr_ms`).
+fn nearly_equal(known: &str, key: &str) -> bool {
+    let plain = |text: &str| text.to_lowercase().replace(['_', '-', ' '], "");
+    let (known, key) = (plain(known), plain(key));
+    key.len() > 1 && (known.starts_with(&key) || key.starts_with(&known))
 }
 
 fn number(value: &DeValue) -> Option<f64> {

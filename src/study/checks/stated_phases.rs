@@ -15,6 +15,8 @@ pub struct StatedPhases {
     pub end_systole_beyond: Option<usize>,
     /// The cavity encloses less at end-diastole than at end-systole.
     pub swapped: bool,
+    /// Both are said to be one frame.
+    pub both_at: Option<usize>,
 }
 
 impl StatedPhases {
@@ -39,6 +41,9 @@ impl StatedPhases {
             end_diastole_beyond: beyond(subject.end_diastole),
             end_systole_beyond: beyond(subject.end_systole),
             swapped,
+            both_at: subject
+                .end_diastole
+                .filter(|frame| Some(*frame) == subject.end_systole && *frame < frames),
         }
     }
 
@@ -61,6 +66,11 @@ impl StatedPhases {
             .into_iter()
             .chain(beyond("end-systole", self.end_systole_beyond))
             .chain(swapped)
+            .chain(self.both_at.map(|frame| {
+                Notice::warning(format!(
+                    "end-diastole and end-systole are both set to frame {frame}: there is no ejection fraction"
+                ))
+            }))
             .collect()
     }
 }
@@ -96,5 +106,10 @@ mod tests {
     fn swapped_phases_are_told() {
         assert!(stated(0, 1).is_empty());
         assert!(stated(1, 0)[0].text.ends_with("are the two swapped?"));
+        assert!(
+            stated(1, 1)[0]
+                .text
+                .ends_with("there is no ejection fraction")
+        );
     }
 }

@@ -3,12 +3,17 @@
 use super::*;
 
 fn grouped(names: &[&str]) -> (Vec<SubjectPlan>, Vec<OpenError>) {
+    let grouped = whole(names);
+    (grouped.plans, grouped.errors)
+}
+
+fn whole(names: &[&str]) -> Grouped {
     let files = names
         .iter()
         .map(|name| LooseFile {
             path: PathBuf::from("in").join(name),
-            series: None,
-            folder_surface: None,
+            stem: stem(Path::new(name)),
+            ..LooseFile::default()
         })
         .collect();
     group_files(files, Path::new("in"), "in")
@@ -26,7 +31,7 @@ fn texts(plan: &SubjectPlan) -> Vec<&str> {
 }
 
 fn names(surface: &SurfacePlan) -> Vec<String> {
-    surface.files.iter().map(|path| file_name(path)).collect()
+    surface.files.iter().map(|path| name_of(path)).collect()
 }
 
 #[test]
@@ -102,7 +107,13 @@ fn two_files_for_one_frame_are_an_error_and_two_formats_are_not() {
     assert_eq!(names(&plan.surfaces[0]), ["endo_1.obj", "endo_2.obj"]);
     assert_eq!(
         texts(&plan),
-        ["1 file with the extension .ply hold the same frames and are not read"]
+        ["1 file with the extension .ply holds the same frame and is not read"]
+    );
+    let plan = one(&["endo_0.obj", "endo_1.obj", "endo_1.ply", "endo_2.ply"]);
+    assert_eq!(
+        names(&plan.surfaces[0]),
+        ["endo_0.obj", "endo_1.obj", "endo_2.ply"],
+        "no frame is dropped with its format"
     );
 }
 
@@ -121,4 +132,131 @@ fn a_word_for_the_ventricle_leaves_the_sheet_to_its_shape() {
     assert_eq!(plan.surfaces[0].kind, KindPlan::Ventricle);
     assert_eq!(plan.stated.end_diastole, Some(0));
     assert_eq!(plan.place, Path::new("in/LV_ED_mean.vtk"));
+}
+
+#[test]
+fn decimal_times_are_frames_in_the_order_of_their_values() {
+    let plan = one(&[
+        "endo_0.0.obj",
+        "endo_0.05.obj",
+        "endo_0.1.obj",
+        "endo_0.15.obj",
+    ]);
+    assert_eq!(
+        names(&plan.surfaces[0]),
+        [
+            "endo_0.0.obj",
+            "endo_0.05.obj",
+            "endo_0.1.obj",
+            "endo_0.15.obj"
+        ]
+    );
+    let times = plan.surfaces[0].times.as_ref().unwrap();
+    assert_eq!(times.values, [0.0, 0.05, 0.1, 0.15]);
+    for names in [
+        ["endo_0s.obj", "endo_0.05s.obj", "endo_0.1s.obj"],
+        ["endo_t=0.obj", "endo_t=0.05.obj", "endo_t=0.1.obj"],
+        ["endo_0%.obj", "endo_5%.obj", "endo_10%.obj"],
+        ["endo-0pct.obj", "endo-5pct.obj", "endo-10pct.obj"],
+        ["endo_1_of_3.obj", "endo_2_of_3.obj", "endo_3_of_3.obj"],
+        ["endo 1of12.obj", "endo 2of12.obj", "endo 10of12.obj"],
+        ["endo (1).obj", "endo (2).obj", "endo (10).obj"],
+        ["ES_endo_0.obj", "ES_endo_1.obj", "ES_endo_10.obj"],
+    ] {
+        let plan = one(&names);
+        assert_eq!(plan.surfaces[0].files.len(), 3, "{names:?}");
+        assert_eq!(self::names(&plan.surfaces[0]), names);
+        assert_eq!(plan.stated.end_systole, None);
+    }
+}
+
+#[test]
+fn the_right_ventricle_beside_the_left_is_left_out_and_told() {
+    let plan = one(&[
+        "patient1_LV_ENDOCARDIAL_000.obj",
+        "patient1_LV_ENDOCARDIAL_001.obj",
+        "patient1_RV_ENDOCARDIAL_000.obj",
+        "patient1_RV_ENDOCARDIAL_001.obj",
+        "patient1_MITRAL_VALVE_000.obj",
+    ]);
+    assert_eq!(plan.id, "in");
+    assert_eq!((plan.surfaces.len(), plan.surfaces[0].files.len()), (1, 2));
+    let texts = texts(&plan);
+    assert!(
+        texts
+            .iter()
+            .any(|t| t.starts_with("2 files of the right ventricle not read")),
+        "{texts:?}"
+    );
+    assert!(
+        texts.iter().any(|t| t.contains("mitral valve")),
+        "{texts:?}"
+    );
+}
+
+#[test]
+fn a_right_ventricle_alone_is_shown_as_no_left_one() {
+    for names in [
+        ["RV_endo_0.obj", "RV_endo_1.obj"],
+        ["RVEndo_0.obj", "RVEndo_1.obj"],
+    ] {
+        let plan = one(&names);
+        assert_eq!(
+            (plan.id.as_str(), plan.surfaces[0].kind),
+            ("in", KindPlan::Unnamed)
+        );
+        assert!(
+            texts(&plan)[0].starts_with("right ventricle"),
+            "{:?}",
+            plan.notices
+        );
+    }
+    let (plans, errors) = grouped(&["RV_endo_0.obj", "RV_epi_0.obj", "RV_SEPTUM_0.obj"]);
+    assert_eq!((plans.len(), errors.len()), (3, 0));
+    assert!(
+        plans
+            .iter()
+            .all(|plan| plan.surfaces[0].kind == KindPlan::Unnamed)
+    );
+}
+
+#[test]
+fn a_file_that_cannot_be_read_costs_its_subject_under_its_own_name() {
+    let files = [
+        "endo_0.obj",
+        "endo_1.obj",
+        "endo_2.obj",
+        "epi_0.obj",
+        "epi_1.obj",
+    ]
+    .iter()
+    .map(|name| LooseFile {
+        path: PathBuf::from("in").join(name),
+        stem: stem(Path::new(name)),
+        unreadable: (*name == "endo_2.obj").then(|| "a link to nowhere".to_owned()),
+        ..LooseFile::default()
+    })
+    .collect();
+    let grouped = group_files(files, Path::new("in"), "in");
+    assert!(grouped.plans.is_empty());
+    let told: Vec<String> = grouped.errors.iter().map(ToString::to_string).collect();
+    assert_eq!(told, ["a link to nowhere: in/endo_2.obj"]);
+}
+
+#[test]
+fn subjects_of_one_frame_that_differ_in_a_number_are_told() {
+    let grouped = whole(&["scan3a_x.obj", "scan4a_x.obj"]);
+    assert_eq!(grouped.plans.len(), 2);
+    assert!(
+        grouped.notices[0].text.contains("differ only in a number"),
+        "{:?}",
+        grouped.notices
+    );
+    assert!(whole(&["a.obj", "b.obj"]).notices.is_empty());
+}
+
+#[test]
+fn a_file_without_a_frame_beside_frames_is_told() {
+    let plan = one(&["endo.obj", "endo_1.obj"]);
+    assert!(texts(&plan)[0].starts_with("endo.obj has no frame in its name"));
 }

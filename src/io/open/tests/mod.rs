@@ -1,6 +1,9 @@
 //! Paths of every kind, small and made on the spot.
 
 mod faults;
+mod habits;
+#[cfg(unix)]
+mod links;
 
 use std::fs;
 
@@ -99,7 +102,7 @@ fn a_manifest_rules_its_folder() {
         &manifest,
         "name = \"Trial\"\nunits = \"mm\"\n\n[[subject]]\nid = \"one\"\nlabel = \"normal\"\ncavity = \"n01/*.obj\"\n\
          time_ms = [0, 300, 600]\nend_systole = 2\n\n[[subject]]\nid = \"two\"\nwall = \"n03/*.obj\"\n\n\
-         [[subject]]\nid = \"n02\"\nend_systole = 7\ntime_ms = [0, 1]\n",
+         [[subject]]\nid = \"n02\"\nend_systole = 7\ntime_ms = [0, 300]\n",
     )
     .unwrap();
     for path in [root.path().to_owned(), manifest.clone()] {

@@ -1,0 +1,116 @@
+//! Ids of subjects: one name each, and none that is another's in other letters.
+
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::path::Path;
+
+use super::folder_contents::folder_name;
+use super::folders::composed;
+use super::plan::SubjectPlan;
+use super::read_file::name_of;
+use crate::study::Notice;
+
+/// Gives subjects of one name the name of the folder around it too, and a number where that does not help.
+pub(super) fn make_ids_unique(plans: &mut [SubjectPlan]) {
+    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
+    for plan in plans.iter_mut() {
+        // One name is one id, whichever system wrote its letters.
+        plan.id = composed(&plan.id);
+    }
+    for plan in plans.iter() {
+        *counts.entry(plan.id.clone()).or_default() += 1;
+    }
+    for plan in plans.iter_mut() {
+        let own_folder = plan
+            .place
+            .ancestors()
+            .find(|place| composed(&name_of(place)) == plan.id);
+        if counts.get(&plan.id).is_some_and(|&count| count > 1)
+            && let Some(around) = own_folder.and_then(Path::parent).map(folder_name)
+            && !around.is_empty()
+        {
+            plan.id = format!("{around}/{}", plan.id);
+        }
+    }
+    let mut taken: HashSet<String> = HashSet::new();
+    // where the search for a free number goes on, so that many subjects of one id are numbered in one go
+    let mut next: HashMap<String, usize> = HashMap::new();
+    for plan in plans.iter_mut() {
+        let id = plan.id.clone();
+        let number = next.entry(id.clone()).or_insert(2);
+        while !taken.insert(plan.id.clone()) {
+            plan.id = format!("{id} ({number})");
+            *number += 1;
+        }
+        if plan.id != id {
+            plan.notices.push(Notice::warning(format!(
+                "another subject has the id {id:?} too: this one is shown as {:?}",
+                plan.id
+            )));
+        }
+    }
+    nearly_equal_ids(plans);
+}
+
+/// Ids that a reader cannot tell apart: they differ only in letter case or blanks.
+fn nearly_equal_ids(plans: &mut [SubjectPlan]) {
+    let plain = |id: &str| id.split_whitespace().collect::<String>().to_lowercase();
+    let mut first: HashMap<String, String> = HashMap::new();
+    for plan in plans {
+        let known = first
+            .entry(plain(&plan.id))
+            .or_insert_with(|| plan.id.clone());
+        if *known != plan.id {
+            plan.notices.push(Notice::warning(format!(
+                "the id {:?} differs from {known:?} only in letter case or blanks: two subjects, by their ids",
+                plan.id
+            )));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn plans(ids: &[&str]) -> Vec<SubjectPlan> {
+        ids.iter()
+            .map(|id| SubjectPlan {
+                id: (*id).to_owned(),
+                place: std::path::PathBuf::new(),
+                surfaces: Vec::new(),
+                stated: Default::default(),
+                notices: Vec::new(),
+            })
+            .collect()
+    }
+
+    fn unique(ids: &[&str]) -> Vec<SubjectPlan> {
+        let mut plans = plans(ids);
+        make_ids_unique(&mut plans);
+        plans
+    }
+
+    #[test]
+    fn one_name_in_two_spellings_of_unicode_is_one_id() {
+        let plans = unique(&["M\u{fc}ller", "Mu\u{308}ller"]);
+        assert_eq!(plans[1].id, "M\u{fc}ller (2)");
+        assert!(
+            plans[1].notices[0]
+                .text
+                .contains("another subject has the id")
+        );
+    }
+
+    #[test]
+    fn ids_that_differ_in_case_or_blanks_are_told() {
+        let plans = unique(&["p1", "P1", "p 1", "p2"]);
+        let told: Vec<usize> = plans.iter().map(|plan| plan.notices.len()).collect();
+        assert_eq!(told, [0, 1, 1, 0]);
+    }
+
+    #[test]
+    fn many_subjects_of_one_id_are_numbered_at_once() {
+        let plans = unique(&vec!["a"; 20_000]);
+        assert_eq!(plans[19_999].id, "a (20000)");
+    }
+}
