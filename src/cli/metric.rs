@@ -16,6 +16,19 @@ pub(super) fn metric(args: &MetricArgs) -> Result<(), CliError> {
     let pose_a = metric.prepare(a.vertices()).map_err(CliError::unusable)?;
     let pose_b = metric.prepare(&moved).map_err(CliError::unusable)?;
     let norms = metric.pair(&pose_a, &pose_b, &mut PairScratch::default());
+    let numbers = [
+        norms.norm2_a,
+        norms.norm2_b,
+        norms.energy(),
+        norms.distance(),
+    ];
+    if numbers.iter().any(|number| !number.is_finite()) {
+        return Err(CliError::Unusable(format!(
+            "the distance is no number: coordinates are too large or too small for their squares: {}, {}",
+            args.a.display(),
+            args.b.display()
+        )));
+    }
     report(norms, args.json)
 }
 

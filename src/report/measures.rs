@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::column::{Cell, Column, Digits, Unit};
 use super::table::{Row, json_row};
-use crate::analysis::measures::{PhaseSource, SubjectMeasures};
+use crate::analysis::measures::{PhaseSource, SubjectMeasures, outside_reference};
 use crate::study::Study;
 use crate::units::LengthUnit;
 
@@ -33,6 +33,10 @@ pub struct SubjectRow {
     pub unit: LengthUnit,
     /// Whether the study or the user sets the frames of end-diastole and end-systole.
     pub phases_stated: bool,
+    /// Measures outside the range of healthy adults; empty if all are inside.
+    pub outside_range: String,
+    /// Why measures are missing; empty if none is.
+    pub notes: String,
 }
 
 const VOLUME: (Unit, Digits) = (Unit::Volume, Digits::OneBelowTen);
@@ -83,11 +87,15 @@ impl SubjectRow {
         volume("esv", "ESV", "End-systolic volume of the cavity", |row| {
             row.esv.into()
         });
-    /// Stroke volume.
-    pub const SV: Column<Self> =
-        volume("sv", "Stroke volume", "Stroke volume, EDV − ESV", |row| {
-            row.sv.into()
-        });
+    /// Stroke volume: with a digit more than the volumes, whose rounded difference may be another by one.
+    pub const SV: Column<Self> = Column::new(
+        "sv",
+        "Stroke volume",
+        Unit::Volume,
+        Digits::Places(1),
+        "Stroke volume, EDV − ESV",
+        |row| row.sv.into(),
+    );
     /// Ejection fraction.
     pub const EF: Column<Self> = Column::new(
         "ef",
@@ -105,6 +113,15 @@ impl SubjectRow {
         Digits::OneBelowTen,
         "Mass of the myocardium at end-diastole; empty where coordinates are not in mm",
         |row| row.mass_g.into(),
+    );
+
+    /// Measures that are unusual.
+    pub const OUTSIDE_RANGE: Column<Self> = Column::plain(
+        "outside_range",
+        "Outside adult range",
+        "Measures outside the range of healthy adults of either sex: EF 52–74 % (Lang 2015); EDV 86–214, ESV 22–82, \
+         SV 57–144 ml, mass 56–176 g (Kawel-Boehm 2015), from women's lower to men's upper limit; empty if none",
+        |row| some(&row.outside_range),
     );
 
     /// One row per subject of the study.
@@ -134,6 +151,8 @@ impl SubjectRow {
                 PhaseSource::VolumeCurve => false,
                 PhaseSource::Stated => true,
             },
+            outside_range: joined(&outside_reference(measured)),
+            notes: joined(&measured.notes),
         }
     }
 
@@ -180,7 +199,21 @@ impl Row for SubjectRow {
                 })
             },
         ),
+        Self::OUTSIDE_RANGE,
+        Column::plain("notes", "Notes", "Why measures are missing", |row| {
+            some(&row.notes)
+        }),
     ];
+}
+
+/// Words, if there are any.
+pub(super) fn some(words: &str) -> Cell {
+    (!words.is_empty()).then(|| words.to_owned()).into()
+}
+
+fn joined(parts: &[impl ToString]) -> String {
+    let words: Vec<String> = parts.iter().map(ToString::to_string).collect();
+    words.join("; ")
 }
 
 /// Measures of every subject as a list of JSON.

@@ -1,7 +1,9 @@
 //! Verdicts: a row per subject, with what the classifier reads.
 
 use super::column::{Cell, Column, Digits, Unit};
+use super::measures::{SubjectRow, some};
 use super::table::Row;
+use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::{ClassifierSource, Feature, Features, Verdict, Verdicts};
 use crate::study::Study;
 
@@ -32,6 +34,8 @@ pub struct VerdictRow {
     pub usual_distance: Option<f64>,
     /// What the classifier reads, and further features.
     pub features: Features,
+    /// Measures of the subject outside the range of healthy adults, which no verdict on regions says.
+    pub outside_range: String,
 }
 
 impl VerdictRow {
@@ -79,6 +83,15 @@ impl VerdictRow {
                 }
             })
             .collect()
+    }
+
+    /// The same rows with what is unusual about the measures, one of each subject in the order of the study.
+    pub fn with_measures(rows: Vec<Self>, measures: &[SubjectMeasures]) -> Vec<Self> {
+        let mut rows = rows;
+        for (row, measured) in rows.iter_mut().zip(measures) {
+            row.outside_range = SubjectRow::new(String::new(), None, measured).outside_range;
+        }
+        rows
     }
 
     fn with(self, study: &Study, verdict: &Verdict, classifier: ClassifierSource) -> Self {
@@ -260,6 +273,12 @@ impl Row for VerdictRow {
             Digits::Places(3),
             "Mean distance of the mean position (MP) from the medial surface, relative to the size of the medial surface",
             |row| row.features.get(Feature::MeanPositionDistance).into(),
+        ),
+        Column::plain(
+            "outside_range",
+            "Outside adult range",
+            "Measures outside the range of healthy adults, as in subjects.csv: a wall without a regional finding may still belong to a failing ventricle",
+            |row| some(&row.outside_range),
         ),
     ];
 }

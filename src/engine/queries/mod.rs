@@ -17,7 +17,7 @@ mod thickening;
 mod thickness;
 mod verdicts;
 
-pub use classes::{ClassesError, ClassesSettings};
+pub use classes::{ClassesBy, ClassesError, ClassesSettings};
 pub use contribution::{Contribution, ContributionError};
 pub use deformation_map::{DeformationMapSettings, DeformationsError};
 pub use interpolated_poses::{InterpolatedPoses, InterpolatedPosesError, Interval, LookedAt};

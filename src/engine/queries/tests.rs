@@ -14,6 +14,7 @@ use crate::engine::store::{Interrupted, Query, Store, StoreOptions};
 use crate::progress::Progress;
 use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Revision, Study, Subject};
+mod copies;
 mod settings;
 
 pub(super) fn store() -> Store {

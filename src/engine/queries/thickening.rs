@@ -12,7 +12,7 @@ use crate::analysis::thickening::{
     Thickening, ThickeningError, ThickeningParamError, ThickeningParams, phases, thickening,
 };
 use crate::analysis::verdicts::{
-    NotAssessed, VerdictInput, VerdictParamError, VerdictParams, examine,
+    NotAssessed, VerdictInput, VerdictParamError, VerdictParams, examine, wall_in_doubt,
 };
 use crate::engine::queries::measures::Measures;
 use crate::engine::queries::medial_beat::{
@@ -155,7 +155,7 @@ impl Query for WallThickening {
             thickening: &assessed,
         };
         Ok(SubjectThickening {
-            not_assessed: examine(&input, &verdicts).err(),
+            not_assessed: wall_in_doubt(subject).or_else(|| examine(&input, &verdicts).err()),
             beat,
             thickening: assessed,
             segments: (centres.iter())

@@ -27,7 +27,7 @@ pub use find_sequences::looks_openable;
 
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
-use crate::study::checks::{AlignedCohort, all_of, counted};
+use crate::study::checks::{AlignedCohort, Copies, all_of, counted};
 use crate::study::{Notice, Study, Subject};
 use find_sequences::{Search, folder_name};
 use group_files::stem;
@@ -170,6 +170,7 @@ fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
         }));
     }
     notices.extend(AlignedCohort::of(subjects).notice());
+    notices.extend(Copies::of(subjects).notice(subjects));
     let units: HashSet<_> = subjects.iter().map(|subject| subject.unit).collect();
     if units.len() > 1 {
         notices.push(Notice::warning(
