@@ -7,10 +7,19 @@ use crate::cli::args::MetricArgs;
 use crate::cli::corresponding::{aligned, read_pair};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
+use crate::mesh::area;
 
 pub(super) fn metric(args: &MetricArgs) -> Result<(), CliError> {
     let params = args.metric.checked()?;
     let [a, b] = read_pair(&args.a, &args.b)?;
+    for (mesh, path) in [(&a, &args.a), (&b, &args.b)] {
+        // A metric is a sum over areas: of none, every distance is zero.
+        if area(mesh.vertices(), mesh.triangles()) == 0.0 {
+            let reason =
+                "no face has an area: the mesh is a line or a point, or too small for numbers";
+            return Err(CliError::Unusable(format!("{reason}: {}", path.display())));
+        }
+    }
     let moved = aligned(a.vertices(), b.vertices(), args.align)?;
     let metric = Metric::new(a.faces(), params);
     let pose_a = metric.prepare(a.vertices()).map_err(CliError::unusable)?;

@@ -214,7 +214,7 @@ mod tests {
         let meshes = (0..frames)
             .map(|frame| {
                 let beat = 1.0 - 0.05 * frame as f64;
-                let points = (ball.vertices().iter())
+                let points: Vec<Point3> = (ball.vertices().iter())
                     .map(|p| place(Point3::new(p.x * beat, p.y * (1.0 + shape), p.z * beat)))
                     .collect();
                 TriMesh::new(points, ball.faces().clone()).unwrap()
