@@ -55,7 +55,7 @@ mod tests {
         let side = |kind, radii: [f64; 2]| {
             let frames = radii.map(|radius| {
                 let bowl = phantom::bowl(radius, 6, 12);
-                let points = bowl.vertices().iter().map(|p| p + shift).collect();
+                let points: Vec<Point3> = bowl.vertices().iter().map(|p| p + shift).collect();
                 TriMesh::new(points, bowl.faces().clone()).unwrap()
             });
             SurfaceSequence::new(kind, frames.to_vec()).unwrap()

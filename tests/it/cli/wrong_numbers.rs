@@ -7,7 +7,7 @@ use super::{cardiomorph, code, demo, json_of, rows, said, text};
 fn printed(arguments: &[&str]) -> String {
     let output = cardiomorph(arguments);
     assert_eq!(code(&output), 0, "{arguments:?}: {}", said(&output));
-    String::from_utf8(output.stdout).unwrap() + &said(&output)
+    String::from_utf8_lossy(&output.stdout).into_owned() + &said(&output)
 }
 
 /// Embeds what a file says by a method, and returns what was printed and the map.
