@@ -53,6 +53,7 @@ impl Asks {
             let classes = ClassesSettings {
                 deformations,
                 classes: ClassesParams::default(),
+                ..ClassesSettings::default()
             };
             answers.classes = Some(store.ask(study, &classes));
         }

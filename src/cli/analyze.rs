@@ -7,7 +7,8 @@ use serde_json::Value;
 use crate::analysis::embedding::MapMethod;
 use crate::cli::analyze_pictures::Pictured;
 use crate::cli::args::AnalyzeArgs;
-use crate::cli::input::{interrupted, opened_study, store};
+use crate::cli::input::{in_unit, interrupted, opened_study, store};
+use crate::cli::measure::say_warnings;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json, say};
 use crate::cli::words::Switch;
@@ -30,7 +31,8 @@ pub(super) fn analyze(args: &AnalyzeArgs) -> Result<(), CliError> {
 /// on standard error and left out, and so is a deformation map that there are too few of.
 pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
     let folder = args.out.as_path();
-    let study = opened_study(&args.study)?;
+    let study = in_unit(opened_study(&args.study)?, args.unit);
+    say_warnings(&study);
     let method = (args.maps.isomap).map_or_else(MapMethod::default, |neighbours| {
         MapMethod::Isomap { neighbours }
     });

@@ -13,7 +13,7 @@ use crate::cli::medial::MedialArgs;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
-use crate::cli::words::{AlignWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch};
+use crate::cli::words::{AlignWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch, UnitWord};
 use crate::io::MeshFormat;
 
 /// Analyses the motion of the left ventricle: moving meshes in 3D, pose and deformation maps, measures and figures.
@@ -102,6 +102,9 @@ pub struct MeasureArgs {
     /// Studies, folders and files, together as one study; the built-in cohort if none is given
     #[arg(value_name = "STUDY")]
     pub study: Vec<PathBuf>,
+    /// Unit of length of all subjects [default: as the study says, or by the size of the heart]
+    #[arg(long, value_enum)]
+    pub unit: Option<UnitWord>,
     /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
@@ -116,6 +119,9 @@ pub struct AnalyzeArgs {
     /// Studies, folders and files, together as one study; the built-in cohort if none is given
     #[arg(value_name = "STUDY")]
     pub study: Vec<PathBuf>,
+    /// Unit of length of all subjects [default: as the study says, or by the size of the heart]
+    #[arg(long, value_enum)]
+    pub unit: Option<UnitWord>,
     /// Output folder; created if missing
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
@@ -188,7 +194,7 @@ pub struct TransferArgs {
     #[command(flatten)]
     pub metric: MetricOptions,
     /// How the sequence is aligned with the mesh first, by its first pose
-    #[arg(long, value_enum, default_value_t = AlignWord::None)]
+    #[arg(long, value_enum, default_value_t = AlignWord::Similarity)]
     pub align: AlignWord,
     /// Interpolated poses of the geodesic between the subjects [default: the window's]
     #[arg(long = "in-betweens", value_name = "K")]

@@ -1,13 +1,14 @@
 //! Meshes of commands that take single files, checked to correspond and aligned.
 
 use std::path::Path;
+use std::sync::Arc;
 
 use crate::analysis::alignment::{rigid_motion, similarity};
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::words::AlignWord;
 use crate::io::{Limits, read_mesh_with_siblings};
-use crate::mesh::{Point3, TriMesh};
+use crate::mesh::{FaceOrder, Point3, TriMesh};
 
 /// Two meshes with the same faces.
 ///
@@ -15,8 +16,20 @@ use crate::mesh::{Point3, TriMesh};
 /// If one cannot be read, or they do not correspond.
 pub(super) fn read_pair(a: &Path, b: &Path) -> Result<[TriMesh; 2], CliError> {
     let (mesh_a, mesh_b) = (read(a)?, read(b)?);
-    if mesh_a.faces() == mesh_b.faces() {
-        return Ok([mesh_a, mesh_b]);
+    match FaceOrder::of(mesh_a.faces(), mesh_b.faces()) {
+        FaceOrder::Same => return Ok([mesh_a, mesh_b]),
+        FaceOrder::Reordered | FaceOrder::Rewound | FaceOrder::Recut => {
+            say(&format!(
+                "cardiomorph: {} lists the same faces in another way than {}, whose faces are used",
+                b.display(),
+                a.display()
+            ));
+            let faces = Arc::clone(mesh_a.faces());
+            let mesh_b =
+                TriMesh::new(mesh_b.shared_vertices(), faces).map_err(CliError::unusable)?;
+            return Ok([mesh_a, mesh_b]);
+        }
+        FaceOrder::Different => {}
     }
     let same_count = mesh_a.triangles().len() == mesh_b.triangles().len();
     Err(CliError::Unusable(format!(

@@ -31,7 +31,10 @@ pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
     let distances = match args.input {
         EmbedInput::Distances => checked_distances(&rows)
             .map_err(|reason| CliError::Unusable(format!("{reason}: {}", args.file.display())))?,
-        EmbedInput::Points => distances_of(&rows),
+        EmbedInput::Points => distances_of(&rows).ok_or_else(|| {
+            let largest = "distances of the points are beyond the largest number";
+            CliError::Unusable(format!("{largest}: {}", args.file.display()))
+        })?,
     };
     let map = run_work(move |progress| {
         progress.begin_phase("computing the embedding", 0.0, 1.0);
@@ -40,6 +43,13 @@ pub(super) fn embed(args: &EmbedArgs) -> Result<(), CliError> {
             .map(|map| (raw_stress(&distances, &map), map))
     });
     let (raw, map) = map?;
+    // A number that is none would be read as a place.
+    if map.coordinates.iter().any(|x| !x.is_finite()) {
+        return Err(CliError::Unusable(format!(
+            "the map has coordinates that are no numbers: {}",
+            args.file.display()
+        )));
+    }
     let table = ExportFile {
         path: args.out.clone(),
         bytes: coordinates_csv(&map).into_bytes().into(),
@@ -107,11 +117,14 @@ fn report(
             .stress
             .map_or_else(String::new, |stress| format!(", stress {stress:.4}"));
         let out = args.out.display();
-        return print(&format!("{items} items{stress}: {out}"));
+        let parts = parts_sentence(map, args).map_or_else(String::new, |s| format!("\n{s}"));
+        return print(&format!("{items} items{stress}: {out}{parts}"));
     }
     let mut object = serde_json::Map::new();
     if let Some(stress) = map.stress {
         object.insert("stress".to_owned(), json!(stress));
+        // Of distances near the largest number it is none; the stress is the same share of them.
+        let raw_stress = raw_stress.filter(|stress| stress.is_finite());
         object.insert("raw_stress".to_owned(), json!(raw_stress));
     }
     if let Some(eigenvalues) = &map.eigenvalues {
@@ -129,7 +142,30 @@ fn report(
     if let Some(iterations) = map.iterations {
         object.insert("iterations".to_owned(), json!(iterations));
     }
+    if let Some(sentence) = parts_sentence(map, args) {
+        object.insert("notes".to_owned(), json!([sentence]));
+    }
     print_json(&serde_json::Value::Object(object))
+}
+
+/// What was done where the graph of nearest neighbours is not connected: the map shows that, too.
+fn parts_sentence(map: &Embedding, args: &EmbedArgs) -> Option<String> {
+    let (parts, asked) = (map.parts.filter(|&parts| parts > 1)?, args.neighbours);
+    let parts = format!(
+        "warning: the graph of {asked} nearest neighbours falls into {parts} parts that are not connected"
+    );
+    match args.method {
+        EmbedMethod::Isomap => Some(format!(
+            "{parts}: they were joined by the shortest links between them, so lengths of ways from part to part depend on single links"
+        )),
+        EmbedMethod::Lle => {
+            let used = map.neighbours.unwrap_or_default();
+            Some(format!(
+                "{parts}: {used} nearest neighbours were used instead, which join them to one part"
+            ))
+        }
+        EmbedMethod::Mds | EmbedMethod::Smacof | EmbedMethod::Pca => None,
+    }
 }
 
 /// Rows of numbers without a header, all of one length.
@@ -197,17 +233,19 @@ fn checked_distances(rows: &[Vec<f64>]) -> Result<DistanceMatrix, String> {
                     "row {i}, column {j}: {there}, but {back} in row {j}, column {i}"
                 ));
             }
-            if there < 0.0 {
-                return Err(format!("row {i}, column {j}: negative distance {there}"));
+            if there.min(back) < 0.0 {
+                let negative = there.min(back);
+                return Err(format!("row {i}, column {j}: negative distance {negative}"));
             }
-            upper.push(0.5 * (there + back));
+            upper.push(0.5 * there + 0.5 * back);
         }
     }
     DistanceMatrix::from_upper(size, upper).ok_or_else(|| "not a square matrix".to_owned())
 }
 
-fn distances_of(rows: &[Vec<f64>]) -> DistanceMatrix {
-    DistanceMatrix::of_points(&rows.concat(), rows.len()).unwrap_or_else(DistanceMatrix::empty)
+/// `None` where one is beyond the largest number.
+fn distances_of(rows: &[Vec<f64>]) -> Option<DistanceMatrix> {
+    DistanceMatrix::of_points(&rows.concat(), rows.len())
 }
 
 #[cfg(test)]
@@ -226,12 +264,26 @@ mod tests {
             error(&[&[0.0, -1.0], &[-1.0, 0.0]]).contains("row 0, column 1: negative distance -1")
         );
         assert!(error(&[&[1.0]]).contains("diagonal"));
+        // Within the slack of rounding, and still no distance.
+        assert!(
+            error(&[&[0.0, 1e-9, 5.0], &[-1e-9, 0.0, 5.0], &[5.0, 5.0, 0.0]]).contains("negative")
+        );
+        // The difference of the two entries is beyond the largest number.
+        assert!(error(&[&[0.0, 1.7e308], &[-1.7e308, 0.0]]).contains("row 0, column 1"));
+    }
+
+    #[test]
+    fn distances_near_the_largest_number_are_distances() {
+        let rows = vec![vec![0.0, 1.7e308], vec![1.7e308, 0.0]];
+        assert_eq!(checked_distances(&rows).unwrap().get(0, 1), 1.7e308);
+        let far = vec![vec![1.7e308], vec![-1.7e308]];
+        assert_eq!(distances_of(&far), None);
     }
 
     #[test]
     fn points_give_their_euclidean_distances() {
         let rows = vec![vec![0.0, 0.0], vec![3.0, 4.0], vec![0.0, 1.0]];
-        let distances = distances_of(&rows);
+        let distances = distances_of(&rows).unwrap();
         assert_eq!(distances.get(0, 1), 5.0);
         assert_eq!(distances.get(0, 2), 1.0);
     }

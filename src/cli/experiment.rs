@@ -17,6 +17,7 @@ use crate::cli::experiment_args::{
 use crate::cli::experiment_files::{figure_file, summary_file};
 use crate::cli::experiment_medial::noise_medial;
 use crate::cli::input::opened_study;
+use crate::cli::map_options::reference;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::words::Switch;
@@ -121,7 +122,16 @@ fn noise_table(result: &NoiseDeformationResult) -> String {
 /// Every metric and form on a labelled study and on its noisy copies.
 fn metrics(args: &MetricComparisonArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
-    let transfer = (args.transfer == Switch::On).then(CohortTransportParams::default);
+    // Words of the first release, which had two answers here.
+    let word = match args.transfer.as_str() {
+        "off" if study.index_of("off").is_none() => "none",
+        "on" if study.index_of("on").is_none() => "mean",
+        word => word,
+    };
+    let transfer = reference(word, &study)?.map(|reference| CohortTransportParams {
+        reference,
+        ..CohortTransportParams::default()
+    });
     let params = MetricComparisonParams {
         redraws: args.redraws,
         seed: args.seed,

@@ -74,9 +74,9 @@ pub struct MetricComparisonArgs {
     /// Noisy copies at each level
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u16).range(1..))]
     pub redraws: u16,
-    /// Whether all motions are transported onto the cohort's mean shape first
-    #[arg(long, value_enum, default_value_t = Switch::Off)]
-    pub transfer: Switch,
+    /// Parallel transport of all motions before they are compared, onto: none, mean, or the id of a subject
+    #[arg(long, value_name = "REFERENCE", default_value = "none")]
+    pub transfer: String,
     /// Random seed of the noise
     #[arg(long, default_value_t = 1)]
     pub seed: u64,

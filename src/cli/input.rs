@@ -6,11 +6,13 @@ use std::sync::Arc;
 use crate::analysis::measures::SubjectMeasures;
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
+use crate::cli::words::UnitWord;
 use crate::cli::work::run_work;
 use crate::engine::{Interrupted, Measures, OpenSource, Query, Store, StoreOptions, open};
 use crate::io::{Limits, Opened};
 use crate::progress::Stopped;
 use crate::study::Study;
+use crate::units::LengthUnit;
 
 /// Opens paths, or the built-in cohort if there are none, and says what could not be read.
 ///
@@ -28,6 +30,20 @@ pub(super) fn opened_study(paths: &[PathBuf]) -> Result<Arc<Study>, CliError> {
         }));
     }
     Ok(Arc::new(opened.study))
+}
+
+/// The study with the unit of length that the command line states, for all subjects.
+pub(super) fn in_unit(study: Arc<Study>, unit: Option<UnitWord>) -> Arc<Study> {
+    let unit = match unit {
+        None => return study,
+        Some(UnitWord::Mm) => LengthUnit::Millimetre,
+        Some(UnitWord::File) => LengthUnit::FileUnit,
+    };
+    let mut stated = Study::clone(&study);
+    for subject in &mut stated.subjects {
+        Arc::make_mut(subject).unit = unit;
+    }
+    Arc::new(stated)
 }
 
 /// Opens paths, or the built-in cohort if there are none.

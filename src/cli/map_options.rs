@@ -75,17 +75,24 @@ impl MapOptions {
     }
 
     fn reference(&self, study: &Study) -> Result<Option<Reference>, CliError> {
-        let index = match self.transfer.as_str() {
-            "none" => return Ok(None),
-            "mean" => return Ok(Some(Reference::Mean)),
-            id => study.subjects.iter().position(|subject| subject.id == id),
-        };
-        let index = index.ok_or_else(|| {
-            CliError::Usage(format!(
-                "--transfer takes none, mean or the id of a subject; there is no {:?}",
-                self.transfer
-            ))
-        })?;
-        Ok(Some(Reference::Subject(index)))
+        reference(&self.transfer, study)
     }
+}
+
+/// What `--transfer none|mean|ID` names.
+///
+/// # Errors
+/// Wrong usage, if no subject has the id.
+pub(super) fn reference(word: &str, study: &Study) -> Result<Option<Reference>, CliError> {
+    let index = match word {
+        "none" => return Ok(None),
+        "mean" => return Ok(Some(Reference::Mean)),
+        id => study.subjects.iter().position(|subject| subject.id == id),
+    };
+    let index = index.ok_or_else(|| {
+        CliError::Usage(format!(
+            "--transfer takes none, mean or the id of a subject; there is no {word:?}"
+        ))
+    })?;
+    Ok(Some(Reference::Subject(index)))
 }

@@ -3,15 +3,18 @@
 use serde_json::json;
 
 use crate::cli::args::MeasureArgs;
-use crate::cli::input::{measured, opened_study, store};
+use crate::cli::input::{in_unit, measured, opened_study, store};
 use crate::cli::outcome::CliError;
-use crate::cli::print::{print, print_json};
+use crate::cli::print::{print, print_json, say};
 use crate::cli::tables;
 use crate::engine::write_files;
 use crate::report::{SubjectRow, subjects_json};
+use crate::study::checks::Copies;
+use crate::study::{Severity, Study};
 
 pub(super) fn measure(args: &MeasureArgs) -> Result<(), CliError> {
-    let study = opened_study(&args.study)?;
+    let study = in_unit(opened_study(&args.study)?, args.unit);
+    say_warnings(&study);
     let measures = measured(&store()?, &study)?;
     let files = tables::measure_files(&study, &measures, &args.out);
     let written = write_files(files).map_err(CliError::Unusable)?;
@@ -24,9 +27,56 @@ pub(super) fn measure(args: &MeasureArgs) -> Result<(), CliError> {
         let subjects = subjects_json(&rows);
         return print_json(&json!({ "files": files, "subjects": subjects }));
     }
-    print(&format!(
-        "{}\n{}",
-        tables::overview(&rows),
-        args.out.display()
-    ))
+    let mut lines = vec![tables::overview(&rows)];
+    lines.extend(remarks(&rows));
+    lines.push(args.out.display().to_string());
+    print(&lines.join("\n"))
+}
+
+/// What is unusual or missing, a line per subject, and whose range it is.
+fn remarks(rows: &[SubjectRow]) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut any_outside = false;
+    for row in rows {
+        let parts: Vec<&str> = [row.outside_range.as_str(), &row.notes]
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect();
+        any_outside |= !row.outside_range.is_empty();
+        if !parts.is_empty() {
+            lines.push(format!("{}: {}", row.subject, parts.join("; ")));
+        }
+    }
+    if any_outside {
+        lines.push(
+            "ranges are those of healthy adults of either sex: EF by Lang 2015, volumes and mass by Kawel-Boehm 2015"
+                .to_owned(),
+        );
+    }
+    lines
+}
+
+/// Warnings of the load report on standard error: a number in a table does not show them. Beyond so many lines they are
+/// counted.
+pub(super) fn say_warnings(study: &Study) {
+    const LINES: usize = 20;
+    let warnings: Vec<String> = (study.subjects.iter())
+        .flat_map(|subject| {
+            let warnings =
+                (subject.notices.iter()).filter(|notice| notice.severity == Severity::Warning);
+            warnings.map(|notice| format!("cardiomorph: {}: warning: {}", subject.id, notice.text))
+        })
+        .collect();
+    for copies in Copies::of(&study.subjects).notices(&study.subjects) {
+        say(&format!("cardiomorph: warning: {}", copies.text));
+    }
+    for line in warnings.iter().take(LINES) {
+        say(line);
+    }
+    if warnings.len() > LINES {
+        say(&format!(
+            "cardiomorph: {} more warnings, listed by `cardiomorph info`",
+            warnings.len() - LINES
+        ));
+    }
 }

@@ -12,10 +12,10 @@ use crate::cli::input::opened_study;
 use crate::cli::interpolate::pose_files;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
-use crate::cli::words::Switch;
+use crate::cli::words::{AlignWord, Switch};
 use crate::cli::work::run_work;
 use crate::engine::write_files;
-use crate::mesh::{Faces, Point3};
+use crate::mesh::{FaceOrder, Faces, Point3};
 use crate::study::Subject;
 
 pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
@@ -37,9 +37,31 @@ pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
     })?;
     write_files(pose_files(&faces, &poses, &args.out)?).map_err(CliError::Unusable)?;
     if args.json {
-        return print_json(&json!({ "poses": poses.len(), "vertices": faces.vertex_count() }));
+        return print_json(&json!({
+            "poses": poses.len(),
+            "vertices": faces.vertex_count(),
+            "align": align_word(args.align),
+        }));
     }
-    print(&format!("{} poses: {}", poses.len(), args.out.display()))
+    print(&format!(
+        "{} poses, the sequence {}: {}",
+        poses.len(),
+        match args.align {
+            AlignWord::None => "not aligned with the mesh",
+            AlignWord::Rigid => "aligned with the mesh by the best rigid motion of its first pose",
+            AlignWord::Similarity =>
+                "aligned with the mesh by the best similarity of its first pose, scale included (--align none or rigid for another)",
+        },
+        args.out.display()
+    ))
+}
+
+fn align_word(align: AlignWord) -> &'static str {
+    match align {
+        AlignWord::None => "none",
+        AlignWord::Rigid => "rigid",
+        AlignWord::Similarity => "similarity",
+    }
 }
 
 fn checked(args: &TransferArgs) -> Result<CheckedTransportParams, CliError> {
@@ -86,7 +108,7 @@ fn target(path: &Path, faces: &Faces) -> Result<Vec<Point3>, CliError> {
         let mesh = read(path)?;
         (mesh.vertices().to_vec(), Faces::clone(mesh.faces()))
     };
-    if mesh == *faces {
+    if FaceOrder::of(faces, &mesh).is_same_surface() {
         return Ok(points);
     }
     Err(CliError::Unusable(format!(

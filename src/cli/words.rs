@@ -74,6 +74,15 @@ pub enum RegulariserWord {
     Area,
 }
 
+/// Words of `--unit`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum UnitWord {
+    /// Coordinates are millimetres
+    Mm,
+    /// The unit is not known: sizes are in units of the file
+    File,
+}
+
 /// Words of `--align`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum AlignWord {

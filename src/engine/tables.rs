@@ -13,14 +13,14 @@ use crate::analysis::medial_map::medial_map;
 use crate::analysis::verdicts::{Verdicts, verdicts};
 use crate::engine::export::ExportFile;
 use crate::engine::queries::{
-    ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams, VerdictSettings,
-    distance_words,
+    ClassesBy, ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams,
+    VerdictSettings, distance_words,
 };
 use crate::engine::store::{Interrupted, Store};
 use crate::engine::wall_tables::{Unassessed, WallTables};
 use crate::progress::Progress;
 use crate::report::{AnalysisReport, columns_md, pretty_json};
-use crate::study::Study;
+use crate::study::{LabelRole, Study};
 
 /// Share of the work until poses are mapped; the rest classifies motions …
 const POSES_SHARE: f32 = 0.75;
@@ -114,7 +114,8 @@ impl AnalysisTables {
             maps: (maps.iter())
                 .map(|(word, map)| (*word, &map.embedding))
                 .collect(),
-            deformations: classes.as_ref().map(|(map, classes)| (&**map, &**classes)),
+            deformations: (classes.as_ref()).map(|found| (&*found.map, &*found.classes)),
+            classes_by_role: classes.as_ref().and_then(|found| found.by_role.as_deref()),
             verdicts: &verdicts,
             verdict_params: &checked,
             medial_map: medial.as_ref().map_err(String::as_str),
@@ -126,7 +127,7 @@ impl AnalysisTables {
             measures,
             verdicts: Arc::new(verdicts),
             poses: Arc::clone(&maps[0].1),
-            deformations: classes.map(|(map, _)| map),
+            deformations: classes.map(|found| found.map),
             tables,
             walls,
             folder,
@@ -183,7 +184,12 @@ fn methods(chosen: MapMethod) -> Vec<(&'static str, MapMethod)> {
 }
 
 /// The map of whole deformations, and the classification by it.
-type Classified = (Arc<DeformationMap>, Arc<Classes>);
+struct Classified {
+    map: Arc<DeformationMap>,
+    classes: Arc<Classes>,
+    /// Of normal and abnormal subjects, where the study says which labels are which.
+    by_role: Option<Arc<Classes>>,
+}
 
 /// Maps the deformations and classifies by them.
 fn classified(
@@ -192,11 +198,21 @@ fn classified(
     settings: &DeformationMapSettings,
     progress: &Progress,
 ) -> Result<Classified, Interrupted> {
-    let classes = ClassesSettings {
+    let by = |by: ClassesBy| ClassesSettings {
         deformations: *settings,
         classes: ClassesParams::default(),
+        by,
     };
-    let classes = store.answer(study, &classes, progress)?;
+    let classes = store.answer(study, &by(ClassesBy::Label), progress)?;
+    let with = |role| (study.subjects.iter()).any(|subject| study.role(subject) == role);
+    // Several labels may count as abnormal: both questions are asked where the study says which.
+    let by_role = (with(LabelRole::Normal) && with(LabelRole::Abnormal))
+        .then(|| store.answer(study, &by(ClassesBy::Role), progress))
+        .transpose()?;
     // The classification has asked for the map, so it is known by now.
-    Ok((store.answer(study, settings, progress)?, classes))
+    Ok(Classified {
+        map: store.answer(study, settings, progress)?,
+        classes,
+        by_role,
+    })
 }

@@ -14,6 +14,7 @@ mod medial_noise_plot;
 mod noise_plot;
 mod numbers;
 mod openings;
+mod origin;
 pub mod page;
 mod patch_words;
 mod prepared;
@@ -43,6 +44,7 @@ pub use medial::{
 pub use medial_noise_plot::medial_noise_page;
 pub use noise_plot::noise_page;
 pub use numbers::{SurfaceScalars, relative_density};
+pub use origin::PictureOrigin;
 pub use patch_words::{
     PatchStanding, area_text, extent_words, part_name, patch_heading, percent, segment_words,
     sentence, smallest_words,

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::mesh::{Point3, vertex_normals};
 use crate::picture::axes::SubjectAxes;
+use crate::picture::origin::PictureOrigin;
 use crate::picture::quantity::Quantity;
 use crate::picture::wall_rim::{WallRim, wall_rim};
 use crate::render::{Geometry, GeometryPose, VertexScalars};
@@ -92,6 +93,7 @@ impl PreparedSubject {
         let outer = sequence.surface(SurfaceKind::Epicardium);
         let both = inner.zip(outer);
         let mut offset = 0;
+        let origin = PictureOrigin::of(subject);
         let mut surfaces: Vec<PreparedSurface> = sequence
             .surfaces()
             .iter()
@@ -103,7 +105,7 @@ impl PreparedSubject {
                 };
                 let poses = poses(surface, offset, interpolated_poses);
                 offset += surface.faces().vertex_count();
-                prepared_surface(surface, &poses, role, reference)
+                prepared_surface(surface, &poses, role, reference, origin)
             })
             .collect();
         let rim = both.and_then(|(inner, outer)| wall_rim(inner, outer));
@@ -203,6 +205,7 @@ fn prepared_surface(
     poses: &[&[Point3]],
     role: SurfaceRole,
     reference: usize,
+    origin: PictureOrigin,
 ) -> PreparedSurface {
     let triangles = surface.faces().triangles();
     let start = surface.frames()[reference].vertices();
@@ -213,12 +216,7 @@ fn prepared_surface(
     };
     let (mut displacement, mut area_ratio) = (Vec::new(), Vec::new());
     for &points in poses {
-        geometry.positions.push(
-            points
-                .iter()
-                .map(|p| p.coords.cast::<f32>().into())
-                .collect(),
-        );
+        (geometry.positions).push(points.iter().map(|point| origin.drawn(point)).collect());
         let normals = vertex_normals(points, triangles);
         geometry
             .normals

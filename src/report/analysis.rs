@@ -34,6 +34,8 @@ pub struct AnalysisReport<'a> {
     pub maps: Vec<(&'static str, &'a Embedding)>,
     /// The deformation map and the classification on it, where there is one.
     pub deformations: Option<(&'a DeformationMap, &'a Classes)>,
+    /// The classification of normal and abnormal subjects, where the study says which labels are which.
+    pub classes_by_role: Option<&'a Classes>,
     /// Verdicts on the subjects.
     pub verdicts: &'a Verdicts,
     /// How they are made.
@@ -63,7 +65,11 @@ impl AnalysisReport<'_> {
         if let Some((map, _)) = self.deformations {
             tables.extend(named_csv(&DeformationRow::of_map(study, map)));
         }
-        tables.extend(named_csv(&VerdictRow::of_study(study, self.verdicts)));
+        let verdicts = VerdictRow::of_study(study, self.verdicts);
+        tables.extend(named_csv(&VerdictRow::with_measures(
+            verdicts,
+            self.measures,
+        )));
         let poses = MedialPoseRow::of_map(study, self.medial_map.ok());
         tables.extend(named_csv(&poses));
         let metric = distances_json(study, self.distance_params, self.metric);
@@ -113,6 +119,12 @@ impl AnalysisReport<'_> {
             verdicts_json(self.verdicts, self.verdict_params),
         ));
         further.push(("medial_map", medial_map_json(study, self.medial_map)));
+        if let Some(classes) = self.classes_by_role {
+            further.push((
+                "classification_normal_abnormal",
+                classification_json(classes),
+            ));
+        }
         if let Value::Object(object) = &mut summary {
             object.extend(
                 further

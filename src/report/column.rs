@@ -68,7 +68,7 @@ cell_from! {
     String: words => Self::Text(Cow::Owned(words));
     usize: count => Self::Count(count);
     u32: count => Self::Count(count as usize);
-    f64: number => Self::Number(number);
+    f64: number => if number.is_finite() { Self::Number(number) } else { Self::Empty };
     bool: flag => Self::Flag(flag);
 }
 

@@ -2,10 +2,10 @@
 
 use serde_json::{Value, json};
 
-use super::column::{Column, Digits, Unit, column};
+use super::column::{Cell, Column, Digits, Unit, column};
 use super::shared;
 use super::table::{Row, json_row};
-use crate::analysis::measures::{PhaseSource, SubjectMeasures};
+use crate::analysis::measures::{PhaseSource, SubjectMeasures, outside_reference};
 use crate::study::Study;
 use crate::units::LengthUnit;
 
@@ -34,6 +34,10 @@ pub struct SubjectRow {
     pub unit: LengthUnit,
     /// Whether the study or the user sets the frames of end-diastole and end-systole.
     pub phases_stated: bool,
+    /// Measures outside the range of healthy adults; empty if all are inside.
+    pub outside_range: String,
+    /// Why measures are missing; empty if none is.
+    pub notes: String,
 }
 
 impl SubjectRow {
@@ -55,9 +59,12 @@ impl SubjectRow {
     /// End-systolic volume.
     pub const ESV: Column<Self> = column("esv", "ESV", |row: &Self| row.esv.into())
         .volume("End-systolic volume of the cavity");
-    /// Stroke volume.
-    pub const SV: Column<Self> = column("sv", "Stroke volume", |row: &Self| row.sv.into())
-        .volume("Stroke volume, EDV − ESV");
+    /// Stroke volume: with a digit more than the volumes, whose rounded difference may be another by one.
+    pub const SV: Column<Self> = column("sv", "Stroke volume", |row: &Self| row.sv.into()).with(
+        Unit::Volume,
+        Digits::Places(1),
+        "Stroke volume, EDV − ESV",
+    );
     /// Ejection fraction.
     pub const EF: Column<Self> = column("ef", "EF", |row: &Self| row.ef.into())
         .share("Ejection fraction, (EDV − ESV) / EDV, as a fraction");
@@ -67,6 +74,17 @@ impl SubjectRow {
         Digits::OneBelowTen,
         "Mass of the myocardium at end-diastole; empty where coordinates are not in mm",
     );
+
+    /// Measures that are unusual.
+    pub const OUTSIDE_RANGE: Column<Self> =
+        column("outside_range", "Outside adult range", |row: &Self| {
+            some(&row.outside_range)
+        })
+        .plain(
+            "Measures outside the range of healthy adults of either sex: EF 52–74 % (Lang 2015); EDV 86–214, \
+             ESV 22–82, SV 57–144 ml, mass 56–176 g (Kawel-Boehm 2015), from women's lower to men's upper limit; \
+             empty if none",
+        );
 
     /// One row per subject of the study.
     pub fn of_study(study: &Study, measures: &[SubjectMeasures]) -> Vec<Self> {
@@ -95,6 +113,8 @@ impl SubjectRow {
                 PhaseSource::VolumeCurve => false,
                 PhaseSource::Stated => true,
             },
+            outside_range: joined(&outside_reference(measured)),
+            notes: joined(&measured.notes),
         }
     }
 
@@ -136,7 +156,19 @@ impl Row for SubjectRow {
             "Source of end-diastole and end-systole: volume curve, or stated: set by the \
                      user or the study",
         ),
+        Self::OUTSIDE_RANGE,
+        column("notes", "Notes", |row: &Self| some(&row.notes)).plain("Why measures are missing"),
     ];
+}
+
+/// Words, if there are any.
+pub(super) fn some(words: &str) -> Cell<'_> {
+    (!words.is_empty()).then_some(words).into()
+}
+
+fn joined(parts: &[impl ToString]) -> String {
+    let words: Vec<String> = parts.iter().map(ToString::to_string).collect();
+    words.join("; ")
 }
 
 /// Measures of every subject as a list of JSON.

@@ -15,6 +15,7 @@ pub(super) fn map_json(map: &Embedding) -> Value {
         "iterations": map.iterations,
         "neighbours": map.neighbours,
         "reconstruction_error": map.reconstruction_error,
+        "parts": map.parts,
     })
 }
 

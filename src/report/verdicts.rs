@@ -1,8 +1,10 @@
 //! Verdicts: a row per subject, with what the classifier reads.
 
 use super::column::{Cell, Column, column};
+use super::measures::{SubjectRow, some};
 use super::shared;
 use super::table::Row;
+use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::{ClassifierSource, Feature, Features, Verdict, Verdicts};
 use crate::study::Study;
 
@@ -33,6 +35,8 @@ pub struct VerdictRow {
     pub usual_distance: Option<f64>,
     /// What the classifier reads, and further features.
     pub features: Features,
+    /// Measures of the subject outside the range of healthy adults, which no verdict on regions says.
+    pub outside_range: String,
 }
 
 impl VerdictRow {
@@ -72,6 +76,15 @@ impl VerdictRow {
                 }
             })
             .collect()
+    }
+
+    /// The same rows with what is unusual about the measures, one of each subject in the order of the study.
+    pub fn with_measures(rows: Vec<Self>, measures: &[SubjectMeasures]) -> Vec<Self> {
+        let mut rows = rows;
+        for (row, measured) in rows.iter_mut().zip(measures) {
+            row.outside_range = SubjectRow::new(String::new(), None, measured).outside_range;
+        }
+        rows
     }
 
     fn with(self, study: &Study, verdict: &Verdict, classifier: ClassifierSource) -> Self {
@@ -264,6 +277,13 @@ impl Row for VerdictRow {
                      (MP) from the medial surface, relative to the size of the medial surface",
         )
         .in_unit("× size"),
+        column("outside_range", "Outside adult range", |row: &Self| {
+            some(&row.outside_range)
+        })
+        .plain(
+            "Measures outside the range of healthy adults, as in subjects.csv: a wall without a \
+                     regional finding may still belong to a failing ventricle",
+        ),
     ];
 }
 

@@ -4,7 +4,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use crate::mesh::{Faces, Point3, TriMesh};
+use crate::mesh::{FaceOrder, Faces, Point3, TriMesh};
 
 /// Which sheet of the subject a surface is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -88,7 +88,8 @@ pub enum SequenceError {
 }
 
 impl SurfaceSequence {
-    /// Joins frames of equal connectivity; afterwards all share frame 0's [`Faces`].
+    /// Joins frames of equal connectivity; afterwards all share frame 0's [`Faces`]. A frame may list the same
+    /// faces in another way: [`FaceListing`](super::checks::FaceListing) tells it.
     ///
     /// # Errors
     /// If there is no frame, or one whose connectivity is not frame 0's.
@@ -106,7 +107,10 @@ impl SurfaceSequence {
                 first_vertices: faces.vertex_count(),
                 first_faces: faces.triangles().len(),
             };
-            if !Arc::ptr_eq(mesh.faces(), &faces) && **mesh.faces() != *faces {
+            // Vertices correspond by their numbers, whichever way a file lists the faces.
+            if !Arc::ptr_eq(mesh.faces(), &faces)
+                && !FaceOrder::of(&faces, mesh.faces()).is_same_surface()
+            {
                 return Err(differs());
             }
             let mesh =
@@ -193,7 +197,7 @@ impl MeshSequence {
         for surface in &surfaces {
             surface.kind.hash(&mut hasher);
             surface.faces().vertex_count().hash(&mut hasher);
-            surface.faces().triangles().hash(&mut hasher);
+            surface.faces().in_one_order().hash(&mut hasher);
         }
         Ok(Self {
             surfaces,
@@ -235,7 +239,7 @@ impl MeshSequence {
         self.id
     }
 
-    /// Equal for subjects whose vertices correspond: the same kinds, counts and faces.
+    /// Equal for subjects whose vertices correspond: the same kinds, counts and faces, in whichever order.
     pub fn correspondence(&self) -> CorrespondenceKey {
         self.correspondence
     }

@@ -16,6 +16,8 @@ mod refusals;
 mod shape_space;
 #[cfg(test)]
 mod walls;
+#[cfg(test)]
+mod wrong_numbers;
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -6,6 +6,7 @@ use crate::analysis::pose_distances::DistanceMatrix;
 use crate::numeric::{Eigen, add_scaled, dot, leading_eigen, symmetric_eigen};
 use crate::progress::{Progress, Stopped};
 
+use super::moderate::in_moderate_unit;
 use super::orientation::oriented;
 use super::{Embedding, EmbeddingError, kruskal_stress};
 
@@ -26,8 +27,18 @@ const SHARES: usize = 16;
 /// Source: Borg and Groenen, *Modern Multidimensional Scaling*, 2nd ed., section 12.1.
 ///
 /// # Errors
-/// If stopped, or eigenvalues do not converge.
+/// If stopped, eigenvalues do not converge, or a coordinate is beyond the largest number.
 pub fn classical_mds(
+    distances: &DistanceMatrix,
+    dimensions: usize,
+    progress: &Progress,
+) -> Result<Embedding, EmbeddingError> {
+    in_moderate_unit(distances, |distances| {
+        scaled_classically(distances, dimensions, progress)
+    })
+}
+
+fn scaled_classically(
     distances: &DistanceMatrix,
     dimensions: usize,
     progress: &Progress,

@@ -36,6 +36,11 @@ pub enum EmbeddingError {
         /// Items there are.
         items: usize,
     },
+    /// Distances so large that the map has coordinates beyond the largest number.
+    #[error(
+        "the map has coordinates beyond the largest number: give the distances in a larger unit"
+    )]
+    TooLarge,
 }
 
 impl From<LeadingEigenError> for EmbeddingError {

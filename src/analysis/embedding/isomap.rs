@@ -6,6 +6,7 @@ use crate::analysis::pose_distances::DistanceMatrix;
 use crate::numeric::{add_scaled, dot};
 use crate::progress::{Progress, Stopped};
 
+use super::moderate::in_moderate_unit;
 use super::neighbour_graph::NeighbourGraph;
 use super::{Embedding, EmbeddingError, Neighbours, classical_mds};
 
@@ -30,8 +31,10 @@ pub fn isomap(
     dimensions: usize,
     progress: &Progress,
 ) -> Result<Embedding, EmbeddingError> {
-    let nearest = Neighbours::of_distances(distances, neighbours, progress)?;
-    isomap_of_neighbours(distances, &nearest, dimensions, progress)
+    in_moderate_unit(distances, |distances| {
+        let nearest = Neighbours::of_distances(distances, neighbours, progress)?;
+        isomap_of_neighbours(distances, &nearest, dimensions, progress)
+    })
 }
 
 /// [`isomap()`] with neighbours that are known; `distances` are asked for only where the graph

@@ -1,5 +1,6 @@
 //! Local linearity: the map in which every item is the same mean of its neighbours as in space.
 
+use crate::numeric::moderate_unit;
 use crate::progress::Progress;
 
 use super::bottom_eigenvectors::bottom_eigenvectors;
@@ -26,6 +27,21 @@ use super::{CheckedLleParams, Embedding, EmbeddingError, LocalWeights, Neighbour
 /// If stopped, if rows are not finite or of equal length, or if there are not more items than
 /// neighbours and than dimensions.
 pub fn lle(
+    points: &[f64],
+    items: usize,
+    params: &CheckedLleParams,
+    progress: &Progress,
+) -> Result<Embedding, EmbeddingError> {
+    let unit = moderate_unit(points.iter().fold(0.0, |most, x| x.abs().max(most)));
+    if unit != 1.0 {
+        // Weights do not change with the unit of length, and so neither does the map.
+        let moderate: Vec<f64> = points.iter().map(|x| x / unit).collect();
+        return locally_linear(&moderate, items, params, progress);
+    }
+    locally_linear(points, items, params, progress)
+}
+
+fn locally_linear(
     points: &[f64],
     items: usize,
     params: &CheckedLleParams,

@@ -8,6 +8,7 @@ mod isomap;
 mod lle;
 mod lle_params;
 mod local_weights;
+mod moderate;
 mod neighbour_graph;
 mod neighbours;
 mod orientation;

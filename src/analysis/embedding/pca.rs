@@ -1,8 +1,9 @@
 //! Principal components: the map of points that keeps most of their variance.
 
-use crate::numeric::symmetric_eigen;
+use crate::numeric::{moderate_unit, symmetric_eigen};
 use crate::progress::Progress;
 
+use super::moderate::told_in;
 use super::orientation::oriented;
 use super::{Embedding, EmbeddingError};
 
@@ -35,6 +36,24 @@ pub fn pca(
     if width * items != points.len() || points.iter().any(|x| !x.is_finite()) {
         return Err(wrong);
     }
+    let unit = moderate_unit(points.iter().fold(0.0, |most, x| x.abs().max(most)));
+    if unit == 1.0 {
+        return components(points, items, width, dimensions, progress);
+    }
+    let moderate: Vec<f64> = points.iter().map(|x| x / unit).collect();
+    told_in(
+        unit,
+        components(&moderate, items, width, dimensions, progress)?,
+    )
+}
+
+fn components(
+    points: &[f64],
+    items: usize,
+    width: usize,
+    dimensions: usize,
+    progress: &Progress,
+) -> Result<Embedding, EmbeddingError> {
     let centred = centred(points, items, width);
     // Of XXᵀ and XᵀX the smaller one; both have the same eigenvalues but for zeros.
     let by_items = items <= width;

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use crate::analysis::pose_distances::DistanceMatrix;
 use crate::progress::{Progress, Stopped};
 
+use super::moderate::in_moderate_unit;
 use super::orientation::on_principal_axes;
 use super::{Embedding, EmbeddingError, classical_mds, kruskal_stress};
 
@@ -71,14 +72,24 @@ impl SmacofParams {
 /// Source: Borg and Groenen, *Modern Multidimensional Scaling*, 2nd ed., section 8.6, eqs. 8.28–8.29.
 ///
 /// # Errors
-/// If stopped, or the eigenvalues for the start do not converge.
+/// If stopped, the eigenvalues for the start do not converge, or a coordinate is beyond the largest number.
 pub fn smacof(
     distances: &DistanceMatrix,
     dimensions: usize,
     params: &CheckedSmacofParams,
     progress: &Progress,
 ) -> Result<Embedding, EmbeddingError> {
-    let params = params.0;
+    in_moderate_unit(distances, |distances| {
+        majorised(distances, dimensions, params.0, progress)
+    })
+}
+
+fn majorised(
+    distances: &DistanceMatrix,
+    dimensions: usize,
+    params: SmacofParams,
+    progress: &Progress,
+) -> Result<Embedding, EmbeddingError> {
     // The stress has many minima; classical scaling leads to a low one, and to the same every time.
     let start = classical_mds(distances, dimensions, progress)?;
     let blocks = row_blocks(distances.size());

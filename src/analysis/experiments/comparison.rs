@@ -1,6 +1,8 @@
 //! One table: every metric and form on a labelled study and on its noisy copies, beside EF alone and
 //! plain displacement.
 
+use std::sync::Arc;
+
 use rayon::prelude::*;
 
 use crate::analysis::classification::{Accuracy, Classes, ClassesParams, classify};
@@ -12,6 +14,7 @@ use crate::analysis::pose_distances::{DistanceMatrix, PoseDistanceParams};
 use crate::analysis::transport::CohortTransportParams;
 use crate::progress::Progress;
 use crate::study::Study;
+use crate::study::checks::Copies;
 
 use super::noise_result::mean_and_error;
 use super::{ExperimentError, Method, Noise, NoiseFamily, NoiseReference, noisy_study};
@@ -143,6 +146,8 @@ pub fn metric_comparison(
             });
         }
     }
+    // Before noise makes copies differ: a subject that is listed twice would be tested on itself.
+    let once = labelled_once(study);
     let mut tasks = Vec::new();
     for &percent in &params.percents {
         // Without noise all copies would be the same.
@@ -163,7 +168,7 @@ pub fn metric_comparison(
                 // By copy alone: every method sees the same noise.
                 seed: params.seed.wrapping_add(u64::from(copy)),
             };
-            let copy = noisy_study(study, &noise)?;
+            let copy = noisy_study(&once, &noise)?;
             match params.methods.get(method) {
                 Some(method) => by_method(&copy, method, params, &progress.within()),
                 None => by_ejection_fraction(&copy, params, &progress.within()),
@@ -205,6 +210,18 @@ pub fn metric_comparison(
         params: params.clone(),
         rows,
     })
+}
+
+/// The study with the label of each subject once, however often its meshes are listed.
+fn labelled_once(study: &Study) -> Study {
+    let mut once = study.clone();
+    let labels = Copies::of(&study.subjects).labels_once(&study.subjects);
+    for (subject, label) in once.subjects.iter_mut().zip(labels) {
+        if subject.label.as_deref() != label {
+            Arc::make_mut(subject).label = label.map(str::to_owned);
+        }
+    }
+    once
 }
 
 fn by_method(

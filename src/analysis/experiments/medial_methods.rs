@@ -97,6 +97,7 @@ fn stated() -> SubjectMeasures {
         sv: None,
         ef: None,
         mass: None,
+        notes: Vec::new(),
     }
 }
 

@@ -4,10 +4,11 @@ use rayon::prelude::*;
 
 use crate::mesh::{Point3, bounding_box};
 use crate::progress::{Progress, Stopped};
+use crate::study::checks::WallDoubt;
 use crate::study::{Study, Subject};
 use crate::units::{Grams, LengthUnit};
 
-use super::result::{FrameMeasures, PhaseSource, SubjectMeasures};
+use super::result::{FrameMeasures, MeasureNote, PhaseSource, SubjectMeasures};
 use super::volumes::{SubjectGeometry, UnknownVolume};
 
 /// Density of myocardium in g/ml, by which its volume becomes a mass.
@@ -52,22 +53,21 @@ pub fn unknown_volumes(subject: &Subject) -> Vec<UnknownVolume> {
 
 fn measure(subject: &Subject, progress: &Progress) -> Result<SubjectMeasures, Stopped> {
     let geometry = SubjectGeometry::new(subject);
+    let doubt = WallDoubt::of(&subject.sequence, subject.unit);
     let mut measured = no_measures(subject);
     for frame in 0..subject.sequence.frame_count() {
-        measured
-            .frames
-            .push(frame_measures(subject, &geometry, frame));
+        let mut sizes = frame_measures(subject, &geometry, frame);
+        // Both surfaces have their volumes, but what lies between them is no myocardium.
+        if doubt.as_ref().is_some_and(|doubt| doubt.concerns(frame)) {
+            sizes.wall_volume = None;
+        }
+        measured.frames.push(sizes);
         progress.step()?;
     }
     find_phases(subject, &mut measured);
-    let volume_at = |frame: Option<usize>| measured.frames.get(frame?)?.endo_volume;
-    measured.edv = volume_at(measured.end_diastole);
-    measured.esv = volume_at(measured.end_systole);
-    let two_phases = measured.end_diastole != measured.end_systole;
-    if let (Some(edv), Some(esv), true) = (measured.edv, measured.esv, two_phases) {
-        measured.sv = Some(edv - esv);
-        // A cavity without volume has no fraction.
-        measured.ef = Some((edv - esv) / edv).filter(|ef| ef.is_finite());
+    find_ejection(subject, &mut measured);
+    if let Some(doubt) = doubt {
+        measured.notes.push(MeasureNote::Wall(doubt.sentence()));
     }
     // Without phases, as of a wall whose cavity is not known, the first frame stands for all.
     let wall_ml = measured
@@ -93,6 +93,7 @@ fn no_measures(subject: &Subject) -> SubjectMeasures {
         sv: None,
         ef: None,
         mass: None,
+        notes: Vec::new(),
     }
 }
 
@@ -125,7 +126,53 @@ fn frame_measures(
     }
 }
 
-/// A single frame is end-diastole and has no end-systole, so that no beat is made up.
+/// Volumes that differ by less than this share of the larger one are equal but for rounding.
+const EQUAL_VOLUMES: f64 = 1e-9;
+
+/// EDV and ESV, and what follows from them where they are volumes of two frames that differ.
+fn find_ejection(subject: &Subject, measured: &mut SubjectMeasures) {
+    let volume_at = |frame: Option<usize>| measured.frames.get(frame?)?.endo_volume;
+    let (edv, esv) = (
+        volume_at(measured.end_diastole),
+        volume_at(measured.end_systole),
+    );
+    (measured.edv, measured.esv) = (edv, esv);
+    let still = subject.sequence.frame_count() == 1;
+    let note = match (measured.end_diastole, measured.end_systole, edv, esv) {
+        (None, Some(_), _, Some(_)) if still => MeasureNote::EndSystoleOnly,
+        (Some(_), None, Some(_), _) if still => MeasureNote::OneFrame,
+        (_, Some(_), Some(_), _) if !still && constant(&measured.frames) => {
+            MeasureNote::EqualVolumes
+        }
+        (Some(diastole), Some(systole), Some(_), _) if diastole == systole => {
+            MeasureNote::SameFrame(diastole)
+        }
+        (None, Some(frame), _, Some(_)) | (Some(frame), None, Some(_), _) => {
+            MeasureNote::SameFrame(frame)
+        }
+        (_, _, Some(edv), Some(esv)) if equal(edv, esv) => MeasureNote::EqualVolumes,
+        (_, _, Some(edv), Some(esv)) => {
+            measured.sv = Some(edv - esv);
+            measured.ef = Some((edv - esv) / edv).filter(|ef| ef.is_finite());
+            return;
+        }
+        _ => return,
+    };
+    measured.notes.push(note);
+}
+
+fn equal(a: f64, b: f64) -> bool {
+    (a - b).abs() <= EQUAL_VOLUMES * a.max(b)
+}
+
+/// Whether the cavity has the same volume at every frame at which it has one.
+fn constant(frames: &[FrameMeasures]) -> bool {
+    let mut volumes = frames.iter().filter_map(|frame| frame.endo_volume);
+    let first = volumes.next();
+    first.is_some_and(|first| volumes.all(|volume| equal(first, volume)))
+}
+
+/// A single frame is end-diastole and has no end-systole, or what the input says it is, so that no beat is made up.
 fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
     let count = measured.frames.len();
     let volumes: Vec<(usize, f64)> = measured
@@ -148,12 +195,11 @@ fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
     if stated_ed.is_some() || stated_es.is_some() {
         measured.phase_source = PhaseSource::Stated;
     }
-    // One frame is never both: without a second one there is no other phase.
-    let other_than = |taken: Option<usize>| move |frame: &usize| Some(*frame) != taken;
-    measured.end_diastole = stated_ed.or_else(|| extreme(1.0).filter(other_than(stated_es)));
-    measured.end_systole = stated_es.or_else(|| {
-        extreme(-1.0)
-            .filter(|_| count > 1)
-            .filter(other_than(stated_ed))
-    });
+    // A frame is one phase, unless the input calls it both: an ejection fraction of zero would be made up.
+    let other_than = |stated: Option<usize>, frame: Option<usize>| {
+        frame.filter(|_| stated.is_none() || stated != frame)
+    };
+    measured.end_diastole = stated_ed.or_else(|| other_than(stated_es, extreme(1.0)));
+    measured.end_systole =
+        stated_es.or_else(|| other_than(stated_ed, extreme(-1.0)).filter(|_| count > 1));
 }

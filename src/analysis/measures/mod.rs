@@ -4,6 +4,7 @@
 
 mod inner_side;
 mod measure;
+mod reference_range;
 mod result;
 #[cfg(test)]
 mod tests;
@@ -12,6 +13,10 @@ mod wall_sides;
 
 pub use inner_side::InnerSideError;
 pub use measure::{measure_study, measure_subject, unknown_volumes};
-pub use result::{FrameMeasures, PhaseSource, SubjectMeasures};
+pub use reference_range::{
+    EDV_RANGE, EF_RANGE, ESV_RANGE, MASS_RANGE, OutsideRange, ReferenceRange, SV_RANGE,
+    outside_reference,
+};
+pub use result::{FrameMeasures, MeasureNote, PhaseSource, SubjectMeasures};
 pub use volumes::UnknownVolume;
 pub use wall_sides::{Side, WallSides, split_wall, wall_sides};

@@ -29,6 +29,44 @@ pub struct FrameMeasures {
     pub bounding_box: [[f64; 3]; 2],
 }
 
+/// Why a measure is missing though its surfaces are there.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum MeasureNote {
+    /// The only frame is said to be end-systole.
+    EndSystoleOnly,
+    /// There is one frame.
+    OneFrame,
+    /// End-diastole and end-systole are the same frame.
+    SameFrame(usize),
+    /// The cavity has the same volume at both.
+    EqualVolumes,
+    /// What lies between endocardium and epicardium is no wall: what their check says.
+    Wall(String),
+}
+
+impl std::fmt::Display for MeasureNote {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::EndSystoleOnly => {
+                write!(
+                    f,
+                    "the only frame is end-systole: no EDV, no ejection fraction"
+                )
+            }
+            Self::OneFrame => write!(f, "one frame: no ESV, no ejection fraction"),
+            Self::SameFrame(frame) => write!(
+                f,
+                "end-diastole and end-systole would both be frame {frame}: no ejection fraction"
+            ),
+            Self::EqualVolumes => write!(
+                f,
+                "the cavity has the same volume at end-diastole and end-systole: no ejection fraction"
+            ),
+            Self::Wall(sentence) => write!(f, "{sentence}"),
+        }
+    }
+}
+
 /// Measures of one subject over the beat.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SubjectMeasures {
@@ -48,8 +86,10 @@ pub struct SubjectMeasures {
     pub esv: Option<f64>,
     /// Stroke volume, EDV − ESV.
     pub sv: Option<f64>,
-    /// Ejection fraction, SV / EDV, as a fraction.
+    /// Ejection fraction, SV / EDV, as a fraction; `None` where no volume changes, which is no beat.
     pub ef: Option<f64>,
-    /// Mass of the myocardium at end-diastole, where coordinates are millimetres.
+    /// Mass of the myocardium at end-diastole, where coordinates are millimetres and the surfaces are those of a wall.
     pub mass: Option<Grams>,
+    /// Why measures are missing.
+    pub notes: Vec<MeasureNote>,
 }

@@ -1,5 +1,7 @@
 //! Measures of subjects whose sizes are known.
 
+mod notes;
+
 use std::f64::consts::PI;
 
 use super::*;

@@ -1,6 +1,7 @@
 //! A symmetric matrix of distances and the poses its rows stand for.
 
 use crate::analysis::alignment::LeftOut;
+use crate::numeric::moderate_unit;
 
 /// One pose: a subject of the study at a frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -40,9 +41,12 @@ impl DistanceMatrix {
     pub fn of_points(points: &[f64], items: usize) -> Option<Self> {
         let width = points.len() / items.max(1);
         let row = |i: usize| &points[i * width..][..width];
+        // Squares of very large or small steps are no numbers; in this unit they are.
+        let unit = moderate_unit(points.iter().fold(0.0, |most, x| x.abs().max(most)));
         Self::of_pairs(items, |i, j| {
-            let squares = row(i).iter().zip(row(j)).map(|(a, b)| (a - b) * (a - b));
-            squares.sum::<f64>().sqrt()
+            let steps = row(i).iter().zip(row(j));
+            let squares = steps.map(|(a, b)| (a / unit - b / unit).powi(2));
+            unit * squares.sum::<f64>().sqrt()
         })
     }
 

@@ -35,6 +35,7 @@ fn measures(end_diastole: usize, end_systole: usize) -> SubjectMeasures {
         sv: None,
         ef: None,
         mass: None,
+        notes: Vec::new(),
     }
 }
 

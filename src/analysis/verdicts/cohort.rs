@@ -7,6 +7,7 @@ use rayon::prelude::*;
 
 use crate::analysis::classification::Accuracy;
 use crate::progress::{Progress, Stopped};
+use crate::study::checks::Copies;
 use crate::study::{LabelRole, Study};
 
 use super::classifier::{Calibration, Classifier, LeftOut, leave_one_out};
@@ -22,6 +23,8 @@ pub(super) struct Cohort {
     pub normal: Vec<usize>,
     /// And with an abnormal one.
     pub abnormal: Vec<usize>,
+    /// Which subjects have the same meshes: the classifier is trained on the first of them alone.
+    pub copies: Copies,
 }
 
 /// A classifier with its leave-one-out results on the subjects that it was trained on.
@@ -36,10 +39,14 @@ pub(super) struct Trained {
 
 impl Cohort {
     pub fn new(study: &Study, examined: &[Result<Examined, NotAssessed>]) -> Self {
+        let copies = Copies::of(&study.subjects);
+        let labels = copies.labels_once(&study.subjects);
         let with_role = |role: LabelRole| -> Vec<usize> {
             (examined.iter().enumerate())
                 .filter(|(index, subject)| {
-                    subject.is_ok() && study.role(&study.subjects[*index]) == role
+                    // A copy would be in the training set of its twin.
+                    let counts = labels[*index].is_some();
+                    counts && subject.is_ok() && study.role(&study.subjects[*index]) == role
                 })
                 .map(|(index, _)| index)
                 .collect()
@@ -53,6 +60,7 @@ impl Cohort {
                 .collect(),
             normal: with_role(LabelRole::Normal),
             abnormal: with_role(LabelRole::Abnormal),
+            copies,
         }
     }
 

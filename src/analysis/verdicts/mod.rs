@@ -26,4 +26,4 @@ pub use result::{
     ClassifierQuality, ClassifierSource, Examined, Finding, NotAssessed, TrainingSetDistance,
     Verdict, Verdicts,
 };
-pub use verdicts::{examine, verdicts};
+pub use verdicts::{examine, verdicts, wall_in_doubt};

@@ -32,6 +32,9 @@ pub enum NotAssessed {
         /// Volume at end-systole over that at end-diastole.
         share: f64,
     },
+    /// What lies between the surfaces is no wall of a left ventricle: what the check of both surfaces says.
+    #[error("{0}")]
+    WallInDoubt(String),
     /// Noise is as large as what is looked for.
     #[error(
         "the wall is not resolved: noise of thickening, {:.0} %, is not small against the {:.0} % by which remote \

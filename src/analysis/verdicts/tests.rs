@@ -12,6 +12,7 @@ use crate::units::LengthUnit;
 
 use super::*;
 
+mod copies;
 mod damage;
 
 /// Share of its thickening that the wall has at each of four poses; end-systole is pose 2.
@@ -61,6 +62,7 @@ fn measured(beat: MedialBeat) -> Heart {
         sv: None,
         ef: None,
         mass: None,
+        notes: Vec::new(),
     };
     let params = ThickeningParams::default().check().unwrap();
     let found = thickening(&beat, &measures, None, &params, &Progress::default()).unwrap();
@@ -100,14 +102,12 @@ fn failing() -> Heart {
 }
 
 fn study(labels: &[Option<&str>]) -> Study {
-    let surface = SurfaceSequence::new(SurfaceKind::Cavity, vec![phantom::sphere(1, 30.0)]);
-    let sequence = MeshSequence::new(vec![surface.unwrap()]).unwrap();
     let subject = |(index, label): (usize, &Option<&str>)| {
-        let mut subject = Subject::new(
-            format!("H{index}"),
-            sequence.clone(),
-            LengthUnit::Millimetre,
-        );
+        // Meshes of its own: the same ones would be one subject listed often.
+        let ball = phantom::sphere(1, 30.0 + index as f64);
+        let surface = SurfaceSequence::new(SurfaceKind::Cavity, vec![ball]).unwrap();
+        let sequence = MeshSequence::new(vec![surface]).unwrap();
+        let mut subject = Subject::new(format!("H{index}"), sequence, LengthUnit::Millimetre);
         subject.label = label.map(str::to_owned);
         Arc::new(subject)
     };

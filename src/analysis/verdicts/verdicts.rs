@@ -2,7 +2,8 @@
 
 use crate::analysis::thickening::Extent;
 use crate::progress::Progress;
-use crate::study::Study;
+use crate::study::checks::WallDoubt;
+use crate::study::{Study, Subject};
 
 use super::classifier::Standard;
 use super::cohort::{Cohort, Trained};
@@ -31,7 +32,7 @@ const ALIKE: usize = 3;
 
 /// Finding and probability of each subject.
 ///
-/// 1. A subject is not assessed where it has no thickening, where its wall loses volume that myocardium cannot lose, and where
+/// 1. A subject is not assessed where it has no thickening, where its surfaces are those of no wall, where its wall loses volume that myocardium cannot lose, and where
 ///    noise of thickening is a third of what remote myocardium does or more.
 /// 2. The rest is classified by a logistic classifier on [`Feature::MODEL_FEATURES`], standardised, both classes
 ///    weighing alike, trained on the subjects whose label is of class normal or abnormal. The verdict on a labelled
@@ -76,7 +77,13 @@ pub fn verdicts(
         });
     }
     progress.expect_steps(params.permutations as usize + 1);
-    let cohort = Cohort::new(study, examined);
+    let examined: Vec<Result<Examined, NotAssessed>> = (study.subjects.iter().zip(examined))
+        .map(|(subject, examined)| match wall_in_doubt(subject) {
+            Some(reason) if examined.is_ok() => Err(reason),
+            _ => examined.clone(),
+        })
+        .collect();
+    let cohort = Cohort::new(study, &examined);
     let trained = cohort.train(params, progress)?;
     let classified = Classification::new(&cohort, trained.as_ref());
     let subjects = (examined.iter().enumerate())
@@ -94,6 +101,13 @@ pub fn verdicts(
         },
         quality: trained.map(|trained| trained.quality),
     })
+}
+
+/// Why there is no verdict on what lies between two surfaces: they do not lie in each other, or the outer one is
+/// not that of the left ventricle alone.
+pub fn wall_in_doubt(subject: &Subject) -> Option<NotAssessed> {
+    WallDoubt::of(&subject.sequence, subject.unit)
+        .map(|doubt| NotAssessed::WallInDoubt(doubt.sentence()))
 }
 
 /// What [`verdicts`] reads of one subject; no atoms are needed any more, so that a cohort of any size can be classified.
@@ -170,8 +184,11 @@ impl<'a> Classification<'a> {
             let akinetic = features.get(Feature::AkineticShare).unwrap_or(0.0);
             return sigmoid((akinetic - AKINETIC_LIMIT) / AKINETIC_SCALE);
         };
-        match trained.training_set.binary_search(&index) {
-            // A subject in the training set gets the leave-one-out result; the classifier of all subjects was trained with its label.
+        match trained
+            .training_set
+            .binary_search(&self.cohort.copies.first_of(index))
+        {
+            // A subject in the training set, or a copy of one, gets the leave-one-out result; the classifier of all subjects was trained with its label.
             Ok(place) => trained.left_out.probabilities[place],
             Err(_) => {
                 let score = trained.classifier.score(&self.cohort.rows[index]);
@@ -185,7 +202,13 @@ impl<'a> Classification<'a> {
         let probability = self.probability(index, features);
         // At one half the subject counts as normal.
         let abnormal = probability > 0.5;
-        let nearest_rows = |among: &[usize]| nearest_rows(&self.standardised, index, among, ALIKE);
+        let nearest_rows = |among: &[usize]| {
+            let copies = &self.cohort.copies;
+            let others: Vec<usize> = (among.iter().copied())
+                .filter(|&other| other == index || !copies.are_copies(other, index))
+                .collect();
+            nearest_rows(&self.standardised, index, &others, ALIKE)
+        };
         Verdict {
             finding: if abnormal {
                 failure(features, subject.extent)
@@ -199,7 +222,7 @@ impl<'a> Classification<'a> {
             training_set_distance: (self.trained).and_then(|trained| {
                 training_set_distance(
                     &self.standardised,
-                    index,
+                    self.cohort.copies.first_of(index),
                     &trained.training_set,
                     &self.nearest_distances,
                 )

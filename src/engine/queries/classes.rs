@@ -4,9 +4,21 @@ use crate::analysis::classification::{Classes, ClassesParams, classify};
 use crate::analysis::deformations::deformation_distances;
 use crate::engine::queries::deformation_map::{DeformationMapSettings, deformation_words};
 use crate::engine::store::{Context, Interrupted, Memory, Query};
+use crate::study::LabelRole;
+use crate::study::checks::Copies;
 
 /// Share of the time of the classification that the deformation map takes.
 const DEFORMATION_MAP_SHARE: f32 = 0.8;
+
+/// What the classes are that subjects are told apart by.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ClassesBy {
+    /// The labels of the study.
+    #[default]
+    Label,
+    /// Normal and abnormal, as the study says of its labels.
+    Role,
+}
 
 /// Settings of the classification.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -15,6 +27,8 @@ pub struct ClassesSettings {
     pub deformations: DeformationMapSettings,
     /// How classifiers are trained and tested.
     pub classes: ClassesParams,
+    /// What is told apart.
+    pub by: ClassesBy,
 }
 
 impl Query for ClassesSettings {
@@ -27,7 +41,11 @@ impl Query for ClassesSettings {
             permutations, seed, ..
         } = self.classes;
         let map = deformation_words(&self.deformations);
-        format!("{map}, {permutations} permutations, seed {seed}")
+        let by = match self.by {
+            ClassesBy::Label => "",
+            ClassesBy::Role => ", normal and abnormal",
+        };
+        format!("{map}, {permutations} permutations, seed {seed}{by}")
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<Classes, Interrupted> {
@@ -38,8 +56,18 @@ impl Query for ClassesSettings {
         let poses = part.get(&self.deformations.poses.distances)?;
         let (study, progress) = (cx.study(), part.progress());
         let deformations = deformation_distances(study, &poses, progress)?;
+        // Copies of a subject would be tested on themselves.
+        let once = Copies::of(&study.subjects).labels_once(&study.subjects);
         let labels: Vec<Option<&str>> = (deformations.subjects.iter())
-            .map(|&index| study.subjects.get(index)?.label.as_deref())
+            .map(|&index| {
+                let label = once.get(index).copied().flatten()?;
+                match (self.by, study.label_roles.role(Some(label))) {
+                    (ClassesBy::Label, _) => Some(label),
+                    (ClassesBy::Role, LabelRole::Normal) => Some("normal"),
+                    (ClassesBy::Role, LabelRole::Abnormal) => Some("abnormal"),
+                    (ClassesBy::Role, LabelRole::Unknown) => None,
+                }
+            })
             .collect();
         progress.begin_phase("classifying", 0.0, 1.0);
         let distances = &deformations.distances;

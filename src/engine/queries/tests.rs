@@ -16,6 +16,7 @@ use crate::study::built_in::{BuiltInParams, cohort};
 use crate::study::{Revision, Study, Subject};
 use crate::units::Seconds;
 
+mod copies;
 mod settings;
 mod stops;
 

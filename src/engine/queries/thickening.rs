@@ -9,7 +9,7 @@ use crate::analysis::medial::{MedialBeat, MedialParams};
 use crate::analysis::medial_space::RatioForm;
 use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segment};
 use crate::analysis::thickening::{Thickening, ThickeningParams, phases, thickening};
-use crate::analysis::verdicts::{NotAssessed, VerdictInput, VerdictParams, examine};
+use crate::analysis::verdicts::{NotAssessed, VerdictInput, VerdictParams, examine, wall_in_doubt};
 use crate::engine::queries::measures::Measures;
 use crate::engine::queries::medial_beat::{MedialSurfaces, beat_bytes, medial_words};
 use crate::engine::queries::subject::{NoSubject, subject_of};
@@ -115,7 +115,7 @@ impl Query for WallThickening {
             thickening: &assessed,
         };
         Ok(SubjectThickening {
-            not_assessed: examine(&input, &verdicts).err(),
+            not_assessed: wall_in_doubt(subject).or_else(|| examine(&input, &verdicts).err()),
             beat,
             thickening: assessed,
             segments: (centres.iter())

@@ -48,21 +48,45 @@ pub(super) fn length_unit(
         None if all_known(sequence) => (
             LengthUnit::FileUnit,
             Some(Notice::info(format!(
-                "no unit of length given; a longest side of {side:.1} is too {} for a left ventricle in mm, so sizes are in file units, not in ml",
+                "no unit of length given; a longest side of {side:.1} is too {} for a left ventricle in mm{}, so sizes are in file units, not in ml",
                 if side < *PLAUSIBLE_MM.start() {
                     "short"
                 } else {
                     "long"
-                }
+                },
+                offer(side)
             ))),
         ),
         None => (
             LengthUnit::FileUnit,
             Some(Notice::info(format!(
-                "no unit of length given (the longest side is {side:.2}): sizes are in file units"
+                "no unit of length given (the longest side is {side:.2}){}: sizes are in file units",
+                offer(side)
             ))),
         ),
     }
+}
+
+/// Longest sides that are nearly certain to be millimetres, though not a usual ventricle's: small or dilated ones,
+/// both ventricles, or a surface that is not named. Hearts in voxels are shorter.
+const LIKELY_MM: std::ops::RangeInclusive<f64> = 46.0..=200.0;
+/// And centimetres; longer ones may be voxels.
+const LIKELY_CM: std::ops::RangeInclusive<f64> = 4.6..=14.0;
+/// And metres.
+const LIKELY_M: std::ops::RangeInclusive<f64> = 0.046..=0.2;
+
+/// How a unit that is nearly certain, but not taken, is stated.
+fn offer(side: f64) -> String {
+    let (unit, how) = if LIKELY_MM.contains(&side) {
+        ("mm", "--unit mm, or units = \"mm\" in study.toml")
+    } else if LIKELY_CM.contains(&side) {
+        ("cm", "units = \"cm\" in study.toml")
+    } else if LIKELY_M.contains(&side) {
+        ("m", "units = \"m\" in study.toml")
+    } else {
+        return String::new();
+    };
+    format!(" (it is probably in {unit}; if so, state it: {how})")
 }
 
 fn millimetres(length: f64) -> String {
@@ -124,6 +148,26 @@ mod tests {
         );
         let (unit, _) = length_unit(None, &ball(SurfaceKind::Other, 40.0));
         assert_eq!(unit, LengthUnit::FileUnit);
+    }
+
+    #[test]
+    fn a_unit_that_is_nearly_certain_is_offered_and_not_taken() {
+        let told = |kind, radius| {
+            let (unit, notice) = length_unit(None, &ball(kind, radius));
+            assert_eq!(unit, LengthUnit::FileUnit);
+            notice.unwrap().text
+        };
+        for (kind, radius, option) in [
+            (SurfaceKind::Other, 45.0, "--unit mm"),
+            (SurfaceKind::Cavity, 85.0, "--unit mm"),
+            (SurfaceKind::Cavity, 4.5, "units = \"cm\""),
+            (SurfaceKind::Cavity, 0.045, "units = \"m\""),
+        ] {
+            let text = told(kind, radius);
+            assert!(text.contains(option), "{text}");
+        }
+        // Voxels of gated SPECT.
+        assert!(!told(SurfaceKind::Cavity, 14.0).contains("state it"));
     }
 
     #[test]

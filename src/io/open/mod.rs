@@ -44,7 +44,7 @@ pub use find_sequences::looks_openable;
 
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
-use crate::study::checks::{AlignedCohort, RepeatedSubjects, all_of, counted};
+use crate::study::checks::{AlignedCohort, Copies, all_of, counted};
 use crate::study::{Notice, Study, Subject};
 use find_sequences::Search;
 use folder_contents::folder_name;
@@ -155,7 +155,7 @@ fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
         }));
     }
     notices.extend(AlignedCohort::of(subjects).notice());
-    notices.extend(RepeatedSubjects::of(subjects).notices(subjects));
+    notices.extend(Copies::of(subjects).notices(subjects));
     let units: HashSet<_> = subjects.iter().map(|subject| subject.unit).collect();
     if units.len() > 1 {
         notices.push(Notice::warning(

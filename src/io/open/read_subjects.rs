@@ -16,7 +16,9 @@ use super::sheet_by_shape::sheet_by_shape;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
 use crate::mesh::{Point3, TriMesh};
 use crate::progress::{Progress, Stopped};
-use crate::study::checks::{check_count, check_subject, frames_phrase, sort_warnings_first};
+use crate::study::checks::{
+    FaceListing, check_count, check_subject, frames_phrase, sort_warnings_first,
+};
 use crate::study::{
     Anatomy, MeshSequence, Notice, SequenceError, Subject, SurfaceKind, SurfaceSequence,
 };
@@ -244,6 +246,7 @@ fn join_surface(
         );
         notices.push(Notice { text, ..notice });
     }
+    notices.extend(FaceListing::of(&frames).notices(kind));
     let sequence = SurfaceSequence::new(kind, frames).map_err(|error| {
         let path = match &error {
             SequenceError::TopologyChanges { frame, .. } => file_of_frame

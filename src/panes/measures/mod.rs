@@ -7,7 +7,7 @@ use egui::{Align, RichText, Ui};
 
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{BeatCommand, Command};
-use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE};
+use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE, ejection_fraction_words};
 use crate::report::{Column, NO_VALUE, SubjectRow};
 use crate::ui::controls::{chooser_ui, no_subject_ui};
 use crate::ui::style::{medium, note, note_font, text_font, title_font};
@@ -79,14 +79,14 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     line.append(percent, space::SMALL, format(text_font(), colours.muted));
     if ui.available_width() > 150.0 {
         line.append(
-            EJECTION_FRACTION.short,
+            ejection_fraction_words(row.ef),
             space::MEDIUM,
             format(note_font(), colours.muted),
         );
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
     } else {
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
-        ui.add(egui::Label::new(note(EJECTION_FRACTION.short)).truncate());
+        ui.add(egui::Label::new(note(ejection_fraction_words(row.ef))).truncate());
     }
 }
 

@@ -142,6 +142,7 @@ mod tests {
             sv: Some(37.8),
             ef: Some(0.3628),
             mass: None,
+            notes: Vec::new(),
         }
     }
 

@@ -72,7 +72,7 @@ pub(in crate::picture) fn add_marks(
     settings: &SceneSettings,
     pose: GeometryPose,
 ) {
-    let frames = &heart.prepared.beat.frames;
+    let frames = &heart.prepared.drawn.frames;
     let (Some(from), Some(to)) = (frames.get(pose.from), frames.get(pose.to)) else {
         return;
     };
@@ -309,15 +309,16 @@ fn add_directions(
     if thickening.patches.is_empty() {
         descriptors.extend(&thickening.steps[step].descriptor);
     }
+    let place = |descriptor: &PoseDescriptor| heart.prepared.origin.counted(descriptor.position);
     let mut strips = Vec::new();
     for descriptor in &descriptors {
         if let Some(normal) = descriptor.normal {
-            strips.extend(arrow(descriptor.position, normal, thickening.size));
+            strips.extend(arrow(place(descriptor), normal, thickening.size));
         }
     }
     scene.lines.push(lines(strips, colour, ARROW_WIDTH));
     if !descriptors.is_empty() {
-        let dots = descriptors.iter().map(|d| single(d.position)).collect();
+        let dots = descriptors.iter().map(|d| single(place(d))).collect();
         scene.points.push(Points {
             positions: Arc::new(dots),
             colours: Arc::new(vec![colour]),

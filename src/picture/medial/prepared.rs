@@ -5,6 +5,7 @@ use std::sync::Arc;
 use crate::analysis::medial::MedialBeat;
 use crate::mesh::Point3;
 use crate::picture::numbers::SurfaceScalars;
+use crate::picture::origin::PictureOrigin;
 use crate::picture::prepared::PreparedSubject;
 use crate::picture::quantity::Quantity;
 use crate::render::{Geometry, GeometryPose, VertexScalars};
@@ -20,6 +21,10 @@ pub struct PreparedMedial {
     pub beat: Arc<MedialBeat>,
     /// The frame that PT is counted from.
     pub end_diastole: usize,
+    /// From where pictures count coordinates.
+    pub(super) origin: PictureOrigin,
+    /// The atoms counted from there.
+    pub(super) drawn: Arc<MedialBeat>,
     pub(super) discs: Arc<Geometry>,
     /// PT of each vertex of the discs at every frame.
     pub(super) ratios: Arc<VertexScalars>,
@@ -41,11 +46,13 @@ impl PreparedMedial {
         } else {
             0
         };
+        let origin = PictureOrigin::of(subject);
+        let drawn = counted_from(origin, beat);
         let Discs {
             geometry,
             atoms,
             corners,
-        } = discs(beat, end_diastole);
+        } = discs(&drawn, end_diastole);
         let mut disc_of = vec![None; beat.regular.len()];
         for (disc, &atom) in atoms.iter().enumerate() {
             disc_of[atom as usize] = Some(disc as u32);
@@ -75,6 +82,8 @@ impl PreparedMedial {
                 .collect(),
             beat: Arc::clone(beat),
             end_diastole,
+            origin,
+            drawn,
             discs: Arc::new(geometry),
             ratios: Arc::new(VertexScalars { values }),
             extremes,
@@ -133,6 +142,18 @@ impl PreparedMedial {
             .map(|(from, to)| std::array::from_fn(|x| from[x] + pose.blend * (to[x] - from[x])))
             .collect()
     }
+}
+
+/// Atoms with their places counted from another origin.
+fn counted_from(origin: PictureOrigin, beat: &Arc<MedialBeat>) -> Arc<MedialBeat> {
+    if origin.is_zero() {
+        return Arc::clone(beat);
+    }
+    let mut drawn = MedialBeat::clone(beat);
+    for atom in drawn.frames.iter_mut().flat_map(|frame| &mut frame.atoms) {
+        atom.position = origin.counted(atom.position);
+    }
+    Arc::new(drawn)
 }
 
 /// r at a frame over r at end-diastole; not a number for an atom that does not take part.

@@ -8,18 +8,25 @@ mod aligned_cohort;
 mod boundary;
 mod centred_frames;
 mod components;
+mod copies;
 mod degenerate_faces;
 mod duplicate_vertices;
 mod enclosed_volume;
+mod face_listing;
+mod inside;
 mod manifold;
+mod misplacement;
+mod nesting;
 mod orientation;
 mod outward;
 mod repeated_frames;
-mod repeated_subjects;
 mod shared_rim;
 mod stated_phases;
 mod sudden_jumps;
 mod unused_vertices;
+mod volume_curve;
+mod wall_doubt;
+mod wall_extent;
 mod wall_order;
 mod words;
 
@@ -27,18 +34,23 @@ pub use aligned_cohort::AlignedCohort;
 pub use boundary::Boundary;
 pub use centred_frames::CentredFrames;
 pub use components::Components;
+pub use copies::Copies;
 pub use degenerate_faces::DegenerateFaces;
 pub use duplicate_vertices::DuplicateVertices;
 pub use enclosed_volume::enclosed_volume;
+pub use face_listing::FaceListing;
 pub use manifold::NonManifold;
+pub use misplacement::Misplacement;
 pub use orientation::InconsistentWinding;
 pub use outward::InsideOut;
 pub use repeated_frames::RepeatedFrames;
-pub use repeated_subjects::RepeatedSubjects;
 pub use shared_rim::SharedRim;
 pub use stated_phases::StatedPhases;
 pub use sudden_jumps::SuddenJumps;
 pub use unused_vertices::UnusedVertices;
+pub use volume_curve::VolumeCurve;
+pub use wall_doubt::WallDoubt;
+pub use wall_extent::WallExtent;
 pub use wall_order::WallOrder;
 pub use words::{all_of, counted, frames_phrase};
 
@@ -70,7 +82,7 @@ const SEQUENCE_CHECKS: &[SequenceCheck] = &[
 
 /// How often [`check_subject`] asks whether to go on, for a subject of so many surfaces.
 pub fn check_count(surfaces: usize) -> usize {
-    surfaces * SURFACE_CHECKS.len() + SEQUENCE_CHECKS.len()
+    surfaces * SURFACE_CHECKS.len() + SEQUENCE_CHECKS.len() + 2
 }
 
 /// Everything that is odd about a subject, warnings first.
@@ -95,6 +107,11 @@ pub fn check_subject<E>(
         notices.extend(check(&subject.sequence));
     }
     notices.extend(StatedPhases::of(subject).notices(subject));
+    keep_going()?;
+    notices.extend(VolumeCurve::of(subject).notices());
+    keep_going()?;
+    let doubt = WallDoubt::of(&subject.sequence, subject.unit);
+    notices.extend(doubt.map(|doubt| doubt.notice()));
     sort_warnings_first(&mut notices);
     Ok(notices)
 }

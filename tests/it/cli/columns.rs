@@ -12,11 +12,11 @@ const COLUMNS: &[(&str, &str)] = &[
     ),
     (
         "subjects.csv",
-        "subject,label,end_diastole,end_systole,edv,esv,sv,ef,mass_g,volume_unit,phase_source",
+        "subject,label,end_diastole,end_systole,edv,esv,sv,ef,mass_g,volume_unit,phase_source,outside_range,notes",
     ),
     (
         "measures.csv",
-        "subject,label,end_diastole,end_systole,edv,esv,sv,ef,mass_g,volume_unit,phase_source",
+        "subject,label,end_diastole,end_systole,edv,esv,sv,ef,mass_g,volume_unit,phase_source,outside_range,notes",
     ),
     ("distances.csv", "subject,frame"),
     ("poses_mds.csv", "subject,frame,x,y"),
@@ -25,7 +25,7 @@ const COLUMNS: &[(&str, &str)] = &[
     ("deformations_lle.csv", "subject,label,x,y"),
     (
         "verdicts.csv",
-        "subject,label,verdict,probability,assessed,reason,finding,calibrated,alike_normal,alike_abnormal,distance_from_seen,usual_distance,still_share,median_ln_pt,spread_ln_pt,relative_spread,weakest_tenth_ln_pt,well_ln_pt,reach_ln_pt,patch_share,patch_confidence,patch_relative_thickening,patch_compactness,pose_distance,normal_spread_rad,gap_sizes",
+        "subject,label,verdict,probability,assessed,reason,finding,calibrated,alike_normal,alike_abnormal,distance_from_seen,usual_distance,still_share,median_ln_pt,spread_ln_pt,relative_spread,weakest_tenth_ln_pt,well_ln_pt,reach_ln_pt,patch_share,patch_confidence,patch_relative_thickening,patch_compactness,pose_distance,normal_spread_rad,gap_sizes,outside_range",
     ),
     ("medial_mds.csv", "subject,step_from,step_to,patch,x,y"),
     (

@@ -70,6 +70,7 @@ fn classes_are_classified_with_their_own_distances_settings_and_labels() {
             seed: 5,
             ..ClassesParams::default()
         },
+        ..ClassesSettings::default()
     };
     let found = ask(&store, &study, &settings);
     let map = ask(&store, &study, &settings.deformations);

@@ -250,7 +250,7 @@ fn one_heart_under_two_ids_is_told_and_read_once() {
     fs::write(root.path().join("study.toml"), toml).unwrap();
     let opened = open(&[root.path().to_owned()]);
     assert!(
-        told(&opened, "x, y and z have the same meshes"),
+        told(&opened, "the same meshes under several ids: x = y = z;"),
         "{:?}",
         opened.notices
     );
