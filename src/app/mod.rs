@@ -28,6 +28,7 @@ mod settings;
 mod sheets;
 mod start;
 mod times;
+mod typefaces;
 
 pub use app::App;
 pub use app_options::AppOptions;
@@ -35,4 +36,4 @@ pub use background::Background;
 pub use bars::*;
 pub use dialogs::{AskPaths, PathQuestion};
 pub use sheets::*;
-pub use start::{StartError, run_window};
+pub use start::{StartError, WindowError, run_window};

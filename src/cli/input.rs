@@ -7,8 +7,10 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::run_work;
-use crate::engine::{Interrupted, Measures, OpenSource, Query, Store, StoreOptions, open};
-use crate::io::{Limits, Opened};
+use crate::engine::{
+    Interrupted, Measures, OpenSource, Query, Store, StoreOptions, open, reading_limits,
+};
+use crate::io::Opened;
 use crate::progress::Stopped;
 use crate::study::Study;
 
@@ -36,7 +38,7 @@ pub(super) fn opened_study(paths: &[PathBuf]) -> Result<Arc<Study>, CliError> {
 /// If stopped.
 pub(super) fn opened(paths: &[PathBuf]) -> Result<Opened, CliError> {
     let source = OpenSource::paths_or_built_in(paths.to_vec());
-    run_work(move |progress| open(&source, &Limits::default(), progress))
+    run_work(move |progress| open(&source, &reading_limits(), progress))
 }
 
 /// A store for one command.

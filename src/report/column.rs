@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::cell_text::cell_text;
 use crate::units::LengthUnit;
 
 /// What stands where there is no value.
@@ -25,7 +26,7 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// As tables hold it: numbers as the shortest text that reads back as the same number.
+    /// As text: numbers as the shortest text that reads back as the same number.
     pub(super) fn text(&self) -> String {
         match self {
             Self::Empty => String::new(),
@@ -34,6 +35,14 @@ impl Cell {
             Self::Count(count) => count.to_string(),
             Self::Number(number) => number.to_string(),
             Self::Flag(flag) => u8::from(*flag).to_string(),
+        }
+    }
+
+    /// As CSV files hold it: words escaped for spreadsheets, see [`cell_text()`].
+    pub(super) fn written(&self) -> String {
+        match self {
+            Self::Text(words) => cell_text(words).into_owned(),
+            other => other.text(),
         }
     }
 

@@ -34,7 +34,7 @@ pub fn csv<R: Row>(rows: &[R]) -> String {
 }
 
 /// The table under each of its names.
-pub(super) fn named_csv<R: Row>(rows: &[R]) -> impl Iterator<Item = (String, String)> {
+pub fn named_csv<R: Row>(rows: &[R]) -> impl Iterator<Item = (String, String)> {
     let text = csv(rows);
     let named = move |file: &&'static str| ((*file).to_owned(), text.clone());
     R::FILES.iter().map(named)
@@ -47,10 +47,10 @@ pub fn csv_header<R: Row>() -> String {
 
 /// Rows alone, to be added to others.
 pub fn csv_rows<R: Row>(rows: &[R]) -> String {
-    records(
-        rows.iter()
-            .map(|row| R::COLUMNS.iter().map(|column| (column.cell)(row).text())),
-    )
+    records(rows.iter().map(|row| {
+        let columns = R::COLUMNS.iter();
+        columns.map(|column| (column.cell)(row).written())
+    }))
 }
 
 /// A row as an object of JSON with the keys of its columns.

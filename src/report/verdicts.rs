@@ -56,7 +56,8 @@ impl VerdictRow {
     pub const FINDING: Column<Self> = Column::plain(
         "finding",
         "Verdict",
-        "Verdict: what the classifier and the patch detection say together",
+        "Verdict as the window shows it: no regional abnormality, abnormal patch, global hypokinesia, abnormal without a patch, \
+         or not assessed",
         |row| row.finding.into(),
     );
 
@@ -73,6 +74,7 @@ impl VerdictRow {
                 match assessed {
                     Ok(verdict) => unassessed.with(study, verdict, verdicts.classifier),
                     Err(reason) => Self {
+                        finding: Some("not assessed"),
                         reason: Some(reason.to_string()),
                         ..unassessed
                     },
@@ -89,7 +91,7 @@ impl VerdictRow {
         Self {
             abnormal: Some(verdict.abnormal),
             probability: Some(verdict.probability),
-            finding: Some(verdict.finding.key()),
+            finding: Some(verdict.finding.name()),
             calibrated: Some(match classifier {
                 ClassifierSource::Cohort { .. } => true,
                 ClassifierSource::Uncalibrated { .. } => false,

@@ -10,4 +10,4 @@ pub mod theme;
 
 pub use controls::{empty_pane_ui, pane_header_ui, tab_ui};
 pub use marks::role_name;
-pub use style::{apply, install, medium_font};
+pub use style::{add_faces, apply, install, medium_font};
