@@ -187,14 +187,14 @@ mod tests {
 
     #[test]
     fn cyrillic_comes_with_the_program() {
-        for letter in "Жяẽ".chars() {
+        for letter in "Жя".chars() {
             let face = further_face(letter).unwrap();
             assert!(!face.coded && face.has(letter), "{letter}");
             let (letters, width) = face.outlines(&letter.to_string(), 20.0);
             assert_eq!(letters.len(), 1);
             assert!(width > 5.0);
         }
-        assert!(faces_for(["Жя ẽ Jürgen"]).faces.is_empty());
+        assert!(faces_for(["Жя Jürgen"]).faces.is_empty());
     }
 
     #[test]
