@@ -22,6 +22,7 @@ use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::settings::Settings;
 use super::times::Times;
+use super::typefaces::Typefaces;
 use super::window_picture::{self, KeepPicture};
 use crate::document::state::State;
 use crate::panes::look::{Kept, Memo};
@@ -41,6 +42,8 @@ pub struct App {
     layout: Layout,
     // Stands before the engine: dropped first, which lets go of its work.
     files: ChosenFiles,
+    // And so does this.
+    typefaces: Typefaces,
     background: Background,
     memo: Memo,
     adapter: String,
@@ -88,6 +91,7 @@ impl App {
             state,
             layout: settings.layout,
             files: ChosenFiles::new(options.ask_paths),
+            typefaces: Typefaces::default(),
             background,
             memo,
             adapter: cc
@@ -156,6 +160,7 @@ impl App {
             // What the pointer holds is a subject of the study before.
             egui::DragAndDrop::clear_payload(ctx);
         }
+        (self.typefaces).poll(ctx, &mut self.state, &self.background.engine);
         let chosen = (self.files).poll(&mut self.state, &mut self.background.engine);
         self.queue.extend(chosen);
         let dropped: Vec<PathBuf> = ctx.input(|input| {

@@ -10,8 +10,8 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::ViewMode;
 use crate::engine::{
-    AnalysisTables, Engine, ExportFile, Interrupted, TableSettings, ThickeningSettings,
-    distance_words,
+    Engine, ExportFile, Interrupted, TableSettings, ThickeningSettings, distance_words, file_name,
+    tables_of_study,
 };
 use crate::picture::figure::{
     FigureOrder, FigureSubject, FigureView, PatchOrder, rendered_figure, rendered_patch_figure,
@@ -120,19 +120,7 @@ impl FigureExport {
 
     /// A name for its file, of the pseudonym and the frame that it shows.
     pub fn file_name(&self) -> String {
-        let safe: String = self
-            .shown
-            .subject
-            .id
-            .chars()
-            .map(|c| {
-                if c.is_alphanumeric() || "-_.".contains(c) {
-                    c
-                } else {
-                    '_'
-                }
-            })
-            .collect();
+        let safe = file_name(&self.shown.subject.id);
         match self.kind {
             FigureKind::View => format!("{safe}_frame_{}.png", self.frame()),
             FigureKind::Patch => format!("{safe}_patch.png"),
@@ -247,6 +235,7 @@ impl TableExport {
             settings: TableSettings {
                 deformations: deformation_settings(state),
                 verdicts: verdict_settings(state),
+                ..TableSettings::default()
             },
         })
     }
@@ -256,12 +245,12 @@ impl TableExport {
         let words = distance_words(&self.settings.deformations.poses.distances);
         let store = Arc::clone(engine.store());
         engine.start_export("Tables", words, move |progress| {
-            let tables = AnalysisTables::of(&store, &self.study, &self.settings, &folder, progress)
-                .map_err(|why| match why {
+            tables_of_study(&store, &self.study, &self.settings, &folder, progress).map_err(|why| {
+                match why {
                     Interrupted::Stopped => Stopped.to_string(),
                     Interrupted::Failed(error) => error.to_string(),
-                })?;
-            Ok(tables.files(Vec::new())?.0)
+                }
+            })
         });
     }
 }

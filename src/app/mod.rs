@@ -28,6 +28,7 @@ mod settings;
 mod sheets;
 mod start;
 mod times;
+mod typefaces;
 mod window_picture;
 
 pub use app::App;
@@ -36,4 +37,4 @@ pub use background::Background;
 pub use bars::*;
 pub use dialogs::{AskPaths, PathQuestion};
 pub use sheets::*;
-pub use start::{StartError, run_window};
+pub use start::{StartError, WindowError, run_window};

@@ -69,7 +69,11 @@ fn to_text(theme: ThemeChoice, layout: &Layout, recent: &[PathBuf]) -> Option<St
     let saved = SettingsV1 {
         theme,
         layout: layout.to_saved().unwrap_or_default(),
-        recent: recent.to_vec(),
+        // JSON holds no path that is no Unicode: such a one is forgotten, the rest is kept.
+        recent: (recent.iter())
+            .filter(|path| path.to_str().is_some())
+            .cloned()
+            .collect(),
     };
     serde_json::to_string(&saved).ok()
 }
@@ -96,6 +100,19 @@ mod tests {
         assert_eq!(back.theme, ThemeChoice::Light);
         assert_eq!(back.recent, recent);
         assert!(!back.layout.is_open(Pane::ACTIVITY));
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_path_that_is_no_unicode_stops_nothing_else_from_being_kept() {
+        use std::ffi::OsStr;
+        use std::os::unix::ffi::OsStrExt;
+        let odd = PathBuf::from(OsStr::from_bytes(b"/data/M\xfcller"));
+        let recent = [odd, PathBuf::from("/b")];
+        let text = to_text(ThemeChoice::Light, &Layout::default(), &recent).unwrap();
+        let back = Settings::from_text(&text);
+        assert_eq!(back.theme, ThemeChoice::Light);
+        assert_eq!(back.recent, [PathBuf::from("/b")]);
     }
 
     #[test]

@@ -3,7 +3,10 @@
 use std::any::Any;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
+
+use crate::engine::make_private;
 
 use super::app::App;
 use super::app_options::AppOptions;
@@ -40,6 +43,26 @@ pub enum StartError {
     },
 }
 
+/// Why the window is not, or no longer, there.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum WindowError {
+    /// It could not be opened.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// It was open, and ended without being closed: a bug, or the display is gone.
+    #[error("the window ended unexpectedly: {reason}")]
+    Died {
+        /// What the panic or the window system said, in one line.
+        reason: String,
+    },
+}
+
+/// The file in which eframe keeps settings, in its folder of this program.
+const SETTINGS_FILE: &str = "app.ron";
+
+/// Name of the program where the window system and its folders ask for one.
+const APP_ID: &str = "cardiomorph";
+
 /// Size of the window at the first start, in points.
 const FIRST_SIZE: [f32; 2] = [1600.0, 1000.0];
 
@@ -50,11 +73,15 @@ const MIN_SIZE: [f32; 2] = [880.0, 560.0];
 /// is closed.
 ///
 /// # Errors
-/// If there is no display, no driver, or a library of the window system is missing. Errors print
-/// as one line; the command line still works then.
-pub fn run_window(paths: Vec<PathBuf>) -> Result<(), StartError> {
+/// If there is no display, no driver, or a library of the window system is missing; the command line still works then. Or
+/// if the window ended without being closed. Errors print as one line.
+pub fn run_window(paths: Vec<PathBuf>) -> Result<(), WindowError> {
     if cfg!(all(unix, not(target_os = "macos"))) && !display_is_named() {
-        return Err(StartError::NoDisplay);
+        return Err(StartError::NoDisplay.into());
+    }
+    if let Some(folder) = eframe::storage_dir(APP_ID) {
+        // What cannot be made cannot be written by the window either.
+        make_private(&folder.join(SETTINGS_FILE)).ok();
     }
     let options = AppOptions {
         live: true,
@@ -73,22 +100,44 @@ pub fn run_window(paths: Vec<PathBuf>) -> Result<(), StartError> {
         }
     };
     let started = restore.clone();
+    let opened = Arc::new(AtomicBool::new(false));
+    let has_opened = Arc::clone(&opened);
     let outcome = catch_unwind(AssertUnwindSafe(|| {
         eframe::run_native(
             "Cardiomorph",
             native_options(),
             Box::new(move |cc| {
                 started();
-                Ok(Box::new(App::new(cc, options)?))
+                let app = App::new(cc, options)?;
+                has_opened.store(true, Ordering::SeqCst);
+                Ok(Box::new(app))
             }),
         )
     }));
     restore();
-    match outcome {
-        Ok(result) => result.map_err(|error| plain_error(&error)),
-        Err(payload) => Err(StartError::WindowSystem {
+    let ended = match outcome {
+        Ok(Ok(())) => return Ok(()),
+        Ok(Err(error)) => plain_error(&error),
+        Err(payload) => StartError::WindowSystem {
             reason: panic_line(&*payload),
-        }),
+        },
+    };
+    Err(window_error(opened.load(Ordering::SeqCst), ended))
+}
+
+/// Only a window that never opened means a machine without one: one that ends later has broken down, and whoever saw it did
+/// not ask for anything else.
+fn window_error(opened: bool, ended: StartError) -> WindowError {
+    if !opened {
+        return ended.into();
+    }
+    WindowError::Died {
+        reason: match ended {
+            StartError::WindowSystem { reason }
+            | StartError::NoDriver { reason }
+            | StartError::Preparation { reason } => reason,
+            StartError::NoDisplay => ended.to_string(),
+        },
     }
 }
 
@@ -102,7 +151,7 @@ fn native_options() -> eframe::NativeOptions {
     eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("Cardiomorph")
-            .with_app_id("cardiomorph")
+            .with_app_id(APP_ID)
             .with_inner_size(FIRST_SIZE)
             .with_min_inner_size(MIN_SIZE)
             .with_drag_and_drop(true),
@@ -134,6 +183,19 @@ fn panic_line(payload: &(dyn Any + Send)) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_window_that_ends_after_it_opened_is_no_machine_without_a_display() {
+        let ended = || StartError::WindowSystem {
+            reason: "index out of bounds".to_owned(),
+        };
+        assert_eq!(window_error(false, ended()), WindowError::Start(ended()));
+        let died = window_error(true, ended());
+        assert_eq!(
+            died.to_string(),
+            "the window ended unexpectedly: index out of bounds"
+        );
+    }
 
     #[test]
     fn start_errors_are_one_line() {

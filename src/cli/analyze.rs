@@ -2,18 +2,21 @@
 
 use std::sync::Arc;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::analysis::embedding::MapMethod;
 use crate::cli::analyze_pictures::Pictured;
 use crate::cli::args::AnalyzeArgs;
 use crate::cli::input::{in_unit, interrupted, opened_study, store};
+use crate::cli::letters::say_missing_letters;
 use crate::cli::measure::say_warnings;
 use crate::cli::outcome::CliError;
-use crate::cli::print::{print, print_json, say};
+use crate::cli::print::{on_one_line, print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
-use crate::engine::{AnalysisTables, TableSettings, Unassessed, VerdictSettings, write_files};
+use crate::engine::{
+    AnalysisTables, ResultFolder, TableSettings, Unassessed, VerdictSettings, columns_file,
+};
 use crate::study::Study;
 
 pub(super) fn analyze(args: &AnalyzeArgs) -> Result<(), CliError> {
@@ -27,10 +30,10 @@ pub(super) fn analyze(args: &AnalyzeArgs) -> Result<(), CliError> {
 /// Does the whole analysis into the folder and returns the summary that it wrote there.
 ///
 /// # Errors
-/// If nothing can be opened or written, or it was stopped. A figure that cannot be drawn is reported
-/// on standard error and left out, and so is a deformation map that there are too few of.
+/// If nothing can be opened or written, or it was stopped: what is known by then stands in the folder, and the summary and a
+/// line on standard error say what is missing. A figure that cannot be drawn is reported on standard error and left out, and
+/// so is a deformation map that there are too few of.
 pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
-    let folder = args.out.as_path();
     let study = in_unit(opened_study(&args.study)?, args.unit);
     say_warnings(&study);
     let method = (args.maps.isomap).map_or_else(MapMethod::default, |neighbours| {
@@ -42,31 +45,60 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
             thickening: args.patches.settings()?,
             ..VerdictSettings::default()
         },
+        distances: args.distances.into(),
     };
-    let (work_study, work_folder) = (Arc::clone(&study), folder.to_owned());
+    say_missing_letters(&study);
+    let results = Arc::new(ResultFolder::new(args.out.clone()));
+    let figures = args.figures == Switch::On;
+    let outcome = analyzed_into(&results, &study, settings, figures);
+    if let Err(error) = &outcome {
+        let mut expected = settings.expected();
+        expected.extend(figures.then(|| "figures".to_owned()));
+        expected.extend(["report.pdf", "columns.md"].map(str::to_owned));
+        // What cannot be written any more is what the error is about.
+        if let Ok(Some(words)) = results.give_up(&expected, &error.to_string()) {
+            say(&format!("cardiomorph: {words}"));
+        }
+    }
+    outcome
+}
+
+fn analyzed_into(
+    results: &Arc<ResultFolder>,
+    study: &Arc<Study>,
+    settings: TableSettings,
+    figures: bool,
+) -> Result<Value, CliError> {
     let store = store()?;
-    let work_store = Arc::clone(&store);
+    let work = (Arc::clone(&store), Arc::clone(study), Arc::clone(results));
     let tables = run_work(move |progress| {
-        AnalysisTables::of(&work_store, &work_study, &settings, &work_folder, progress)
+        let (store, study, results) = &work;
+        let mut deliver = |files| results.write(files);
+        let folder = results.path();
+        AnalysisTables::of(store, study, &settings, folder, &mut deliver, progress)
             .map_err(interrupted)
     })?;
     if let Some(reason) = &tables.without_deformations {
         say(&format!("cardiomorph: no deformation map: {reason}"));
     }
-    say_unassessed(&study, tables.unassessed());
+    say_unassessed(study, &tables.unassessed);
     let pictured = Pictured {
-        study: Arc::clone(&study),
+        study: Arc::clone(study),
         measures: Arc::clone(&tables.measures),
         verdicts: Arc::clone(&tables.verdicts),
         poses: Arc::clone(&tables.poses),
         deformations: tables.deformations.clone(),
         settings,
-        folder: folder.to_owned(),
+        results: Arc::clone(results),
     };
-    let drawn = pictured.files(args.figures == Switch::On, &store)?;
-    let (files, summary) = tables.files(drawn).map_err(CliError::Unusable)?;
-    write_files(files).map_err(CliError::Unusable)?;
-    Ok(summary)
+    let drawn = pictured.write(figures, &store)?;
+    let columns = columns_file(results.path(), &results.written());
+    results.write(vec![columns]).map_err(CliError::Unusable)?;
+    let mut summary = tables.summary;
+    if let Value::Object(object) = &mut summary {
+        object.insert("figures".to_owned(), json!(drawn));
+    }
+    results.finish(summary).map_err(CliError::Unusable)
 }
 
 /// Says how many walls could not be assessed, and why the first of them: the summary has all reasons.
@@ -74,9 +106,10 @@ fn say_unassessed(study: &Study, unassessed: &[Unassessed]) {
     if let Some(first) = unassessed.first() {
         let id = (study.subjects.get(first.subject)).map_or("", |subject| &subject.id);
         say(&format!(
-            "cardiomorph: {} of {} walls not assessed, such as {id}: {}",
+            "cardiomorph: {} of {} walls not assessed, such as {}: {}",
             unassessed.len(),
             study.subjects.len(),
+            on_one_line(id),
             first.reason
         ));
     }

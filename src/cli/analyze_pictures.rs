@@ -1,7 +1,8 @@
 //! What `analyze` draws: a figure of every subject, patch figures of those with a patch, the report.
 
-use std::path::PathBuf;
 use std::sync::Arc;
+
+use serde_json::{Value, json};
 
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
@@ -12,9 +13,10 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::run_work;
 use crate::engine::{
-    ExportFile, PoseMap, Store, SubjectThickening, TableSettings, WallThickening, distance_words,
-    thickening_words,
+    ExportFile, PoseMap, ResultFolder, Store, SubjectThickening, TableSettings, WallThickening,
+    distance_words, file_names, thickening_words,
 };
+use crate::picture::figure::Figure;
 use crate::picture::page::{FigureFonts, Page, PageFormat, pdf_file};
 use crate::picture::report::{REPORT_WIDTH_MM, ReportOrder, report_pages, report_settings};
 use crate::picture::{MedialSettings, PictureTheme, Quantity, SceneSettings};
@@ -37,40 +39,58 @@ pub(super) struct Pictured {
     pub(super) poses: Arc<PoseMap>,
     pub(super) deformations: Option<Arc<DeformationMap>>,
     pub(super) settings: TableSettings,
-    pub(super) folder: PathBuf,
+    pub(super) results: Arc<ResultFolder>,
+}
+
+/// What was drawn.
+#[derive(Default)]
+struct Drawn {
+    /// Per subject its id and the names of its figures.
+    files: Vec<Value>,
+    /// Patch figures as pages.
+    patches: Vec<Page>,
+}
+
+/// Why there are no figures, or not all.
+enum NoFigures {
+    /// They cannot be drawn, which the rest of an analysis does without; or it was stopped.
+    Drawing(CliError),
+    /// They cannot be written.
+    Writing(CliError),
+}
+
+impl From<CliError> for NoFigures {
+    fn from(error: CliError) -> Self {
+        Self::Drawing(error)
+    }
 }
 
 impl Pictured {
-    /// The figures, if they are wanted and can be drawn, and the report.
+    /// Writes the figures, if they are wanted and can be drawn, and the report. Returns which files are of which subject.
     ///
     /// # Errors
-    /// If stopped, or the report cannot be written. Figures that cannot be drawn are reported on standard error.
-    pub(super) fn files(
-        &self,
-        figures: bool,
-        store: &Arc<Store>,
-    ) -> Result<Vec<ExportFile>, CliError> {
-        let (mut files, mut patches) = (Vec::new(), Vec::new());
+    /// If stopped, or something cannot be written. Figures that cannot be drawn are reported on standard error.
+    pub(super) fn write(&self, figures: bool, store: &Arc<Store>) -> Result<Vec<Value>, CliError> {
+        let mut drawn = Drawn::default();
         if figures {
             let (task, store) = (self.clone(), Arc::clone(store));
-            match run_work(move |progress| task.figures(&store, progress)) {
-                Ok((drawn, pages)) => (files, patches) = (drawn, pages),
-                Err(error @ CliError::Stopped(_)) => return Err(error),
-                Err(error) => say(&format!("cardiomorph: no figures: {error}")),
+            match run_work(move |progress| Ok::<_, CliError>(task.figures(&store, progress))) {
+                Ok(Ok(figures)) => drawn = figures,
+                Ok(Err(NoFigures::Drawing(CliError::Unusable(reason)))) => {
+                    say(&format!("cardiomorph: no figures: {reason}"));
+                }
+                Ok(Err(NoFigures::Drawing(error) | NoFigures::Writing(error))) | Err(error) => {
+                    return Err(error);
+                }
             }
         }
         let task = self.clone();
-        files.push(run_work(move |progress| task.report(patches, progress))?);
-        Ok(files)
+        run_work(move |progress| task.report(&drawn.patches, progress).map(|()| drawn.files))
     }
 
     /// A figure of every subject at end-systole, coloured by displacement from end-diastole; and
-    /// patch figures of subjects with an abnormal patch, as files and as pages.
-    fn figures(
-        &self,
-        store: &Store,
-        progress: &Progress,
-    ) -> Result<(Vec<ExportFile>, Vec<Page>), CliError> {
+    /// patch figures of subjects with an abnormal patch, as files and as pages. Each is written once it is drawn.
+    fn figures(&self, store: &Store, progress: &Progress) -> Result<Drawn, NoFigures> {
         progress.begin_phase("drawing figures", 0.0, 1.0);
         progress.expect_steps(self.study.subjects.len());
         let mut studio = Studio::open(&self.study, &self.measures)?;
@@ -79,10 +99,9 @@ impl Pictured {
             theme: PictureTheme::LIGHT,
             ..studio.settings()
         };
-        let folder = self.folder.join("figures");
-        let (mut files, mut pages) = (Vec::new(), Vec::new());
-        for (index, subject) in self.study.subjects.iter().enumerate() {
-            let name = file_name(&subject.id);
+        let names = file_names(self.study.subjects.iter().map(|subject| &*subject.id));
+        let mut drawn = Drawn::default();
+        for ((index, subject), name) in self.study.subjects.iter().enumerate().zip(names) {
             let shot = Shot {
                 index,
                 frame: self.end_systole(index),
@@ -91,11 +110,8 @@ impl Pictured {
                 thickening: self.settings.verdicts.thickening,
             };
             let figure = studio.figure(&shot, scene, None)?;
-            let bytes = PageFormat::Png.file(&figure.page, &figure.settings, &studio.fonts);
-            files.push(ExportFile {
-                path: folder.join(format!("{name}.png")),
-                bytes: bytes.map_err(CliError::unusable)?.into(),
-            });
+            let file = self.picture(&studio, &figure, format!("{name}.png"))?;
+            let mut patch_file = None;
             if let Some(wall) = self.abnormal_wall(index, store, progress)? {
                 let scene = SceneSettings {
                     quantity: Quantity::Tissue,
@@ -108,18 +124,35 @@ impl Pictured {
                     ..shot
                 };
                 let figure = studio.patch_figure(&shot, scene, &wall, Some(&self.verdicts))?;
-                let bytes = PageFormat::Png.file(&figure.page, &figure.settings, &studio.fonts);
-                files.push(ExportFile {
-                    path: folder.join(format!("{name}_patch.png")),
-                    bytes: bytes.map_err(CliError::unusable)?.into(),
-                });
-                if pages.len() < MAX_PAGES {
-                    pages.push(figure.page);
+                let name = format!("{name}_patch.png");
+                patch_file = Some(self.picture(&studio, &figure, name)?);
+                if drawn.patches.len() < MAX_PAGES {
+                    drawn.patches.push(figure.page);
                 }
             }
-            progress.step()?;
+            drawn.files.push(json!({
+                "subject": subject.id, "file": file, "patch_file": patch_file,
+            }));
+            progress.step().map_err(CliError::from)?;
         }
-        Ok((files, pages))
+        Ok(drawn)
+    }
+
+    /// Writes a figure and returns its name in the folder.
+    fn picture(
+        &self,
+        studio: &Studio<'_>,
+        figure: &Figure,
+        name: String,
+    ) -> Result<String, NoFigures> {
+        let bytes = PageFormat::Png.file(&figure.page, &figure.settings, &studio.fonts);
+        let file = ExportFile {
+            path: self.results.path().join("figures").join(&name),
+            bytes: bytes.map_err(CliError::unusable)?.into(),
+        };
+        let written = self.results.write(vec![file]);
+        written.map_err(|reason| NoFigures::Writing(CliError::Unusable(reason)))?;
+        Ok(format!("figures/{name}"))
     }
 
     fn end_systole(&self, index: usize) -> usize {
@@ -149,7 +182,7 @@ impl Pictured {
         wall.map(Some).map_err(interrupted)
     }
 
-    fn report(&self, patches: Vec<Page>, progress: &Progress) -> Result<ExportFile, CliError> {
+    fn report(&self, patches: &[Page], progress: &Progress) -> Result<(), CliError> {
         progress.begin_phase("writing the report", 0.0, 1.0);
         let fonts = FigureFonts::load().map_err(CliError::unusable)?;
         let parameters = [
@@ -170,31 +203,13 @@ impl Pictured {
             deformations: self.deformations.as_deref(),
             parameters: &parameters,
         };
-        let mut pages = report_pages(&order, &fonts);
-        pages.extend(patches);
+        let pages = report_pages(&order, patches, &fonts);
         progress.check()?;
         let bytes = pdf_file(&pages, REPORT_WIDTH_MM, &report_settings(&self.study));
-        Ok(ExportFile {
-            path: self.folder.join("report.pdf"),
+        let file = ExportFile {
+            path: self.results.path().join("report.pdf"),
             bytes: bytes.map_err(CliError::unusable)?.into(),
-        })
-    }
-}
-
-/// An id as the name of a file: whatever could lead elsewhere becomes a dash.
-fn file_name(id: &str) -> String {
-    let plain = |letter: char| letter.is_alphanumeric() || "-_. ".contains(letter);
-    let name: String = id.chars().map(|c| if plain(c) { c } else { '-' }).collect();
-    name.trim_start_matches('.').to_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn an_id_cannot_lead_out_of_the_folder() {
-        assert_eq!(file_name("../../etc/passwd"), "-..-etc-passwd");
-        assert_eq!(file_name("P-041"), "P-041");
+        };
+        self.results.write(vec![file]).map_err(CliError::Unusable)
     }
 }

@@ -8,12 +8,15 @@ use clap::{Args, Parser, Subcommand};
 
 use crate::cli::experiment_args::ExperimentCommand;
 use crate::cli::figure_args::FigureArgs;
+use crate::cli::limit_options::LimitOptions;
 use crate::cli::map_options::MapOptions;
 use crate::cli::medial::MedialArgs;
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
 use crate::cli::patch_options::PatchOptions;
-use crate::cli::words::{AlignWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch, UnitWord};
+use crate::cli::words::{
+    AlignWord, DistancesWord, EmbedInput, EmbedMethod, GeodesicsWord, Switch, UnitWord,
+};
 use crate::io::MeshFormat;
 
 /// Analyses the motion of the left ventricle: moving meshes in 3D, pose and deformation maps, measures and figures.
@@ -35,6 +38,11 @@ struct Cli {
     /// needed [default: a quarter of the machine's memory]
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u32).range(16..))]
     memory: Option<u32>,
+    #[command(flatten)]
+    limits: LimitOptions,
+    /// Print what every column of every table means, with its unit, as Markdown
+    #[arg(long)]
+    columns: bool,
 }
 
 /// What to do without a window.
@@ -63,6 +71,17 @@ pub enum Command {
     /// Runs an experiment
     #[command(subcommand)]
     Experiment(ExperimentCommand),
+}
+
+impl Command {
+    /// Whether it draws with a graphics driver.
+    pub fn draws(&self) -> bool {
+        match self {
+            Self::Analyze(args) => args.figures == Switch::On,
+            Self::Figure(_) => true,
+            _ => false,
+        }
+    }
 }
 
 /// Options of `demo`.
@@ -134,6 +153,10 @@ pub struct AnalyzeArgs {
     /// Whether a figure is rendered of every subject
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub figures: Switch,
+    /// How the distances between all poses are written: as CSV, as a binary array of NumPy (for more than about 500 poses),
+    /// or not at all
+    #[arg(long, value_enum, default_value_t = DistancesWord::Csv)]
+    pub distances: DistancesWord,
     /// Print one JSON object
     #[arg(long)]
     pub json: bool,
@@ -266,20 +289,24 @@ fn mesh_format() -> impl TypedValueParser<Value = MeshFormat> {
 /// What the command line asks for.
 #[derive(Debug)]
 pub enum Door {
+    /// The dictionary of columns.
+    Columns,
     /// A window on these paths.
     Window(Vec<PathBuf>),
     /// A command.
     Command(Box<Command>),
 }
 
-/// Reads the command line and sets the number of threads and the memory of stores. Wrong usage, `--help` and `--version`
+/// Reads the command line and sets the number of threads, the memory of stores and the limits of reading. Wrong usage, `--help` and `--version`
 /// are answered here and end the program.
 pub fn chosen_door() -> Door {
     let cli = Cli::parse();
     crate::engine::configure_threads(cli.threads.map(usize::from));
     crate::engine::configure_memory(cli.memory.and_then(|mib| usize::try_from(mib).ok()));
+    crate::engine::configure_limits(cli.limits.limits());
     match cli.command {
         Some(command) => Door::Command(Box::new(command)),
+        None if cli.columns => Door::Columns,
         None => Door::Window(cli.paths),
     }
 }

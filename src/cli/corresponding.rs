@@ -7,7 +7,8 @@ use crate::analysis::alignment::{rigid_motion, similarity};
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::words::AlignWord;
-use crate::io::{Limits, read_mesh_with_siblings};
+use crate::engine::reading_limits;
+use crate::io::read_mesh_with_siblings;
 use crate::mesh::{FaceOrder, Point3, TriMesh};
 
 /// Two meshes with the same faces.
@@ -92,7 +93,7 @@ pub(super) fn laying(
 /// If it cannot be read.
 pub(super) fn read(path: &Path) -> Result<TriMesh, CliError> {
     let wrong = |reason: String| CliError::Unusable(format!("{reason}: {}", path.display()));
-    let limits = Limits::default();
+    let limits = reading_limits();
     let size = std::fs::metadata(path)
         .map_err(|error| wrong(error.to_string()))?
         .len();

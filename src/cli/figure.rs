@@ -8,6 +8,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::cli::figure_args::FigureArgs;
 use crate::cli::input::{answered, measured, opened_study, store};
+use crate::cli::letters::say_missing_letters;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
 use crate::cli::words::ViewWord;
@@ -52,6 +53,7 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
     let study = opened_study(&args.study)?;
     let index = chosen_subject(&study, args.subject.as_deref())?;
     check_view(args, &study, index)?;
+    say_missing_letters(&study);
     let store = store()?;
     let measures = measured(&store, &study)?;
     let shows_ratio = Quantity::from(args.colour) == Quantity::ThicknessRatio;

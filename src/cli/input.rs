@@ -8,8 +8,10 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::words::UnitWord;
 use crate::cli::work::run_work;
-use crate::engine::{Interrupted, Measures, OpenSource, Query, Store, StoreOptions, open};
-use crate::io::{Limits, Opened};
+use crate::engine::{
+    Interrupted, Measures, OpenSource, Query, Store, StoreOptions, open, reading_limits,
+};
+use crate::io::Opened;
 use crate::progress::Stopped;
 use crate::study::Study;
 use crate::units::LengthUnit;
@@ -52,7 +54,7 @@ pub(super) fn in_unit(study: Arc<Study>, unit: Option<UnitWord>) -> Arc<Study> {
 /// If stopped.
 pub(super) fn opened(paths: &[PathBuf]) -> Result<Opened, CliError> {
     let source = OpenSource::paths_or_built_in(paths.to_vec());
-    run_work(move |progress| open(&source, &Limits::default(), progress))
+    run_work(move |progress| open(&source, &reading_limits(), progress))
 }
 
 /// A store for one command.

@@ -4,11 +4,12 @@ use std::process::ExitCode;
 
 use crate::cli::args::Command;
 use crate::cli::outcome::CliError;
-use crate::cli::print::say;
+use crate::cli::print::{print, say};
 use crate::cli::work::hear_ctrl_c;
 use crate::cli::{
     analyze, demo, embed, experiment, figure, info, interpolate, measure, medial, metric, transfer,
 };
+use crate::report::all_columns_md;
 
 /// Runs one command. Errors are reported once, here, on standard error.
 pub fn run(command: Command) -> ExitCode {
@@ -26,6 +27,16 @@ pub fn run(command: Command) -> ExitCode {
         Command::Figure(args) => figure::figure(&args),
         Command::Experiment(command) => experiment::experiment(&command),
     })
+}
+
+/// Prints what every column of every table means.
+pub fn print_columns() -> ExitCode {
+    exit_code(print(all_columns_md().trim_end()))
+}
+
+/// Says why the window is gone; the code is that of an error.
+pub fn end_of_window(reason: &str) -> ExitCode {
+    exit_code(Err(CliError::Unusable(reason.to_owned())))
 }
 
 /// Says what went wrong, if anything did, and gives the code for it.

@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use crate::analysis::measures::SubjectMeasures;
-use crate::engine::ExportFile;
+use crate::cli::print::on_one_line;
+use crate::engine::{ExportFile, columns_file};
 use crate::report::{Column, Digits, FrameRow, SubjectRow, csv};
 use crate::study::Study;
 use crate::units::LengthUnit;
 
-/// `frames.csv` and `subjects.csv`.
+/// `frames.csv`, `subjects.csv`, and `columns.md`, which explains them.
 pub(super) fn measure_files(
     study: &Study,
     measures: &[SubjectMeasures],
@@ -19,12 +20,15 @@ pub(super) fn measure_files(
     vec![
         ExportFile::text(folder, "frames.csv", frames),
         ExportFile::text(folder, "subjects.csv", subjects),
+        columns_file(folder, &["frames.csv", "subjects.csv"].map(str::to_owned)),
     ]
 }
 
 /// A line per subject for people: EF in percent, volumes with their unit.
 pub(super) fn overview(rows: &[SubjectRow]) -> String {
-    let widest = rows.iter().map(|row| row.subject.chars().count()).max();
+    let widest = (rows.iter())
+        .map(|row| on_one_line(&row.subject).chars().count())
+        .max();
     let width = widest.unwrap_or(0).max("subject".len());
     let head = format!(
         "{:width$}  {:>6}  {:>10}  {:>10}  unit  {}  {}  label",
@@ -41,14 +45,14 @@ pub(super) fn overview(rows: &[SubjectRow]) -> String {
         let tenths = |column: Column<SubjectRow>| column.shown_with(Digits::Places(1), row);
         format!(
             "{:width$}  {:>6}  {:>10}  {:>10}  {:4}  {:>2}  {:>2}  {}",
-            row.subject,
+            on_one_line(&row.subject),
             tenths(SubjectRow::EF),
             tenths(SubjectRow::EDV),
             tenths(SubjectRow::ESV),
             row.unit.volume_symbol(),
             SubjectRow::END_DIASTOLE.shown(row),
             SubjectRow::END_SYSTOLE.shown(row),
-            row.label.as_deref().unwrap_or(""),
+            on_one_line(row.label.as_deref().unwrap_or("")),
         )
     });
     let lines = std::iter::once(head).chain(lines);

@@ -6,6 +6,7 @@ use clap::builder::PossibleValue;
 use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, METRICS, MetricKind, Regulariser};
 use crate::analysis::transport::Geodesics;
+use crate::engine::DistanceTable;
 use crate::picture::{AnatomicalView, PictureTheme, Quantity};
 
 /// Words of `--metric`, those of the list of metrics.
@@ -63,6 +64,27 @@ pub enum Switch {
     On,
     /// No
     Off,
+}
+
+/// Words of `--distances`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DistancesWord {
+    /// distances.csv
+    Csv,
+    /// distances.npy
+    Npy,
+    /// No file
+    None,
+}
+
+impl From<DistancesWord> for DistanceTable {
+    fn from(word: DistancesWord) -> Self {
+        match word {
+            DistancesWord::Csv => Self::Csv,
+            DistancesWord::Npy => Self::Npy,
+            DistancesWord::None => Self::None,
+        }
+    }
 }
 
 /// Words of `--regulariser`.

@@ -2,10 +2,10 @@
 
 use std::fmt::Display;
 use std::io::{IsTerminal, Write};
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
-use std::time::Duration;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 use crate::cli::outcome::CliError;
 use crate::cli::print::say;
@@ -19,8 +19,10 @@ static STOP: AtomicBool = AtomicBool::new(false);
 const TICK: Duration = Duration::from_millis(50);
 /// What takes less shows no bar.
 const SHOW_AFTER: Duration = Duration::from_millis(200);
-/// Where standard error is no terminal, a line at most this often.
+/// Where standard error is no terminal, a line at most this often, over all work of this run.
 const LINE_EVERY: Duration = Duration::from_secs(5);
+/// When the last such line was written.
+static LAST_LINE: Mutex<Option<Instant>> = Mutex::new(None);
 
 /// From now on Ctrl-C stops work at its next step instead of ending the program.
 pub(super) fn hear_ctrl_c() {
@@ -73,7 +75,18 @@ where
 #[derive(Default)]
 struct Meter {
     drawn: bool,
-    last_line: Duration,
+}
+
+/// Whether a line is due, `elapsed` after the work began, and marks it as written.
+///
+/// A command does much work one after the other: what counts is the time since the last line of any of them.
+fn line_is_due(last: &mut Option<Instant>, now: Instant, elapsed: Duration) -> bool {
+    let since = last.map_or(elapsed, |last| now.saturating_duration_since(last));
+    let due = since >= LINE_EVERY;
+    if due {
+        *last = Some(now);
+    }
+    due
 }
 
 impl Meter {
@@ -89,8 +102,11 @@ impl Meter {
             write!(out, "\r\x1b[2K{line}")
                 .and_then(|()| out.flush())
                 .ok();
-        } else if elapsed >= self.last_line + LINE_EVERY {
-            self.last_line = elapsed;
+        } else if line_is_due(
+            &mut LAST_LINE.lock().unwrap_or_else(PoisonError::into_inner),
+            watch.queued() + elapsed,
+            elapsed,
+        ) {
             say(&format!(
                 "{} {:.0} %",
                 watch.phase(),
@@ -121,6 +137,24 @@ fn bar(phase: &str, fraction: f32, left: Option<Duration>) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn much_short_work_writes_no_more_lines_than_one_long_piece() {
+        let begin = JobWatch::default().queued();
+        let mut last = None;
+        // Sixty pieces of work of a second each, looked at twenty times a second.
+        let mut lines = 0;
+        for look in 0..60 * 20_u32 {
+            let now = begin + TICK * look;
+            lines += u32::from(line_is_due(&mut last, now, TICK * (look % 20)));
+        }
+        assert_eq!(lines, 0, "none of them is long enough to be told of");
+        for look in 0..60 * 20_u32 {
+            let now = begin + TICK * look;
+            lines += u32::from(line_is_due(&mut last, now, TICK * look));
+        }
+        assert_eq!(lines, 11);
+    }
 
     #[test]
     fn the_bar_says_what_how_much_and_how_long() {

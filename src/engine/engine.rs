@@ -8,6 +8,7 @@ use crate::engine::activity::{Activity, Topic};
 use crate::engine::export::{ExportFile, write_files};
 use crate::engine::job::{Ending, Job, JobError, Wake};
 use crate::engine::open::{OpenSource, open};
+use crate::engine::reading_limits::reading_limits;
 use crate::engine::store::{FailedWork, SharedError, Store, StoreOptions};
 use crate::engine::workers::Workers;
 use crate::io::{Limits, Opened};
@@ -56,7 +57,7 @@ impl Engine {
             exported: None,
             last_opening: None,
             revisions: Arc::new(AtomicU64::new(1)),
-            limits: Limits::default(),
+            limits: reading_limits(),
             wake: Arc::clone(&options.wake),
             exporter: Workers::start("export", 1)?,
             reader: Workers::start("reader", 1)?,

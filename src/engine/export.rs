@@ -1,8 +1,9 @@
 //! Writes finished files whole: what stands under a name is never half a file.
 
-use std::fs::{self, File};
-use std::io::{BufWriter, Write};
+use std::fs::{self, File, OpenOptions};
+use std::io::{BufWriter, ErrorKind, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// A file that is to be written.
 #[derive(Debug)]
@@ -52,10 +53,9 @@ impl PassingFile {
     /// # Errors
     /// If it cannot be made: why, and which.
     pub fn create(place: PathBuf) -> Result<Self, String> {
-        let passing = passing_name(&place);
-        let made = make_folder(&place).and_then(|()| File::create(&passing));
+        let made = make_folder(&place).and_then(|()| create_beside(&place));
         match made {
-            Ok(file) => Ok(Self {
+            Ok((passing, file)) => Ok(Self {
                 file: BufWriter::new(file),
                 place,
                 passing,
@@ -64,12 +64,12 @@ impl PassingFile {
         }
     }
 
-    /// Adds text at the end.
+    /// Adds bytes, such as text, at the end.
     ///
     /// # Errors
     /// If it cannot be written: why, and which.
-    pub fn write(&mut self, text: &str) -> Result<(), String> {
-        let written = self.file.write_all(text.as_bytes());
+    pub fn write(&mut self, bytes: impl AsRef<[u8]>) -> Result<(), String> {
+        let written = self.file.write_all(bytes.as_ref());
         written.map_err(|error| cannot_write(&error, &self.place))
     }
 
@@ -113,8 +113,10 @@ fn cannot_write(error: &std::io::Error, path: &Path) -> String {
 
 fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     make_folder(path)?;
-    let passing = passing_name(path);
-    let written = fs::write(&passing, bytes).and_then(|()| fs::rename(&passing, path));
+    let (passing, mut file) = create_beside(path)?;
+    let written = file
+        .write_all(bytes)
+        .and_then(|()| fs::rename(&passing, path));
     if written.is_err() {
         fs::remove_file(&passing).ok();
     }
@@ -129,10 +131,28 @@ fn make_folder(path: &Path) -> std::io::Result<()> {
         .map_or(Ok(()), fs::create_dir_all)
 }
 
-fn passing_name(path: &Path) -> PathBuf {
-    let mut passing = path.as_os_str().to_owned();
-    passing.push(".partial");
-    PathBuf::from(passing)
+/// A new, empty file beside `path` under a passing name that no other run has.
+///
+/// The name holds the number of this process and is taken only where nothing lies there: two runs into one folder never
+/// share it, and a link that lies at such a name is not followed. It does not hold the name of the file, since one that is
+/// just short enough for the disk would no longer be.
+fn create_beside(path: &Path) -> std::io::Result<(PathBuf, File)> {
+    static NEXT: AtomicU64 = AtomicU64::new(0);
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    loop {
+        let (process, number) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
+        let passing = folder.join(format!(".cardiomorph-{process}-{number}.partial"));
+        match OpenOptions::new()
+            .write(true)
+            .create_new(true)
+            .open(&passing)
+        {
+            Ok(file) => return Ok((passing, file)),
+            // Left behind by a run that was killed, or laid there: the next number.
+            Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+            Err(error) => return Err(error),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -192,5 +212,58 @@ mod tests {
         write_files(vec![file]).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"subject\nN01\n");
         assert_eq!(names(), 1, "nothing passing is left behind");
+    }
+
+    #[test]
+    fn two_files_that_grow_at_one_place_do_not_write_into_each_other() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("atoms.csv");
+        let mut first = PassingFile::create(path.clone()).unwrap();
+        let mut second = PassingFile::create(path.clone()).unwrap();
+        first.write("first\n").unwrap();
+        second.write("second\n").unwrap();
+        assert_ne!(first.passing, second.passing);
+        for (grown, whole) in [(first, "first\n"), (second, "second\n")] {
+            write_files(vec![ExportFile {
+                path: path.clone(),
+                bytes: FileBytes::Passing(grown),
+            }])
+            .unwrap();
+            assert_eq!(fs::read_to_string(&path).unwrap(), whole);
+        }
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn a_link_at_a_passing_name_is_not_followed() {
+        let folder = tempfile::tempdir().unwrap();
+        let (victim, place) = (folder.path().join("victim"), folder.path().join("t.csv"));
+        fs::write(&victim, "untouched").unwrap();
+        // Links at all names that the next files could take, as far as another test may have counted meanwhile.
+        let probe = PassingFile::create(place.clone()).unwrap();
+        let name = probe.passing.to_str().unwrap();
+        let (head, number) = name.trim_end_matches(".partial").rsplit_once('-').unwrap();
+        let number: u64 = number.parse().unwrap();
+        for next in number + 1..number + 200 {
+            let link = format!("{head}-{next}.partial");
+            std::os::unix::fs::symlink(&victim, link).unwrap();
+        }
+        write_files(vec![ExportFile::text(
+            folder.path(),
+            "t.csv",
+            "rows".to_owned(),
+        )])
+        .unwrap();
+        assert_eq!(fs::read_to_string(&victim).unwrap(), "untouched");
+        assert_eq!(fs::read_to_string(&place).unwrap(), "rows");
+        assert!(!place.is_symlink());
+    }
+
+    #[test]
+    fn a_name_as_long_as_the_disk_takes_can_be_written() {
+        let folder = tempfile::tempdir().unwrap();
+        let name = format!("{}.csv", "x".repeat(251));
+        write_files(vec![ExportFile::text(folder.path(), &name, String::new())]).unwrap();
+        assert!(folder.path().join(name).exists());
     }
 }

@@ -14,24 +14,34 @@ mod engine;
 mod export;
 #[cfg(test)]
 mod facade_tests;
+mod file_names;
 mod job;
 mod open;
+mod private_file;
 mod queries;
+mod reading_limits;
+mod result_folder;
 mod store;
 mod tables;
+mod typefaces;
 mod wall_tables;
 mod workers;
 
 pub use activity::{Activity, ActivityLog, ActivityState, Topic};
 pub use engine::{Engine, ExportError};
 pub use export::{ExportFile, FileBytes, PassingFile, write_files};
+pub use file_names::{file_name, file_names};
 pub use job::{Ending, Job, JobError, JobWatch, Wake};
 pub use open::{OpenSource, open};
+pub use private_file::make_private;
 pub use queries::*;
+pub use reading_limits::{configure_limits, reading_limits};
+pub use result_folder::ResultFolder;
 pub use store::{
     Answered, Context, Dependencies, FailedWork, Interrupted, Memory, Query, SharedError, Showing,
     Store, StoreOptions, Urgency, configure_memory, default_budget,
 };
-pub use tables::{AnalysisTables, TableSettings};
+pub use tables::{AnalysisTables, DistanceTable, TableSettings, columns_file, tables_of_study};
+pub use typefaces::{SystemFace, system_face};
 pub use wall_tables::Unassessed;
 pub use workers::configure_threads;

@@ -1,9 +1,9 @@
 //! All tables of a whole analysis with their summary; the window's export and the command line write these.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::Arc;
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use crate::analysis::classification::{Classes, ClassesParams};
 use crate::analysis::deformations::DeformationMap;
@@ -11,15 +11,19 @@ use crate::analysis::embedding::MapMethod;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::medial_map;
 use crate::analysis::verdicts::{Verdicts, verdicts};
-use crate::engine::export::ExportFile;
+use crate::engine::export::{ExportFile, FileBytes, PassingFile};
 use crate::engine::queries::{
     ClassesBy, ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams,
     VerdictSettings, distance_words,
 };
+use crate::engine::result_folder::{clear_earlier, complete, name_in};
 use crate::engine::store::{Interrupted, Store};
-use crate::engine::wall_tables::{Unassessed, WallTables};
+use crate::engine::wall_tables::{Unassessed, WallTables, WriteError};
 use crate::progress::Progress;
-use crate::report::{AnalysisReport, columns_md, pretty_json};
+use crate::report::{
+    AnalysisReport, DeformationRow, FrameRow, MedialPoseRow, PoseRow, Row, SubjectRow, VerdictRow,
+    columns_md, csv, distances_csv, distances_json, named_csv, npy_header, npy_row, pretty_json,
+};
 use crate::study::{LabelRole, Study};
 
 /// Share of the work until poses are mapped; the rest classifies motions …
@@ -30,6 +34,28 @@ const CLASSES_SHARE: f32 = 0.8;
 /// … until here, and then classifies subjects.
 const WALLS_SHARE: f32 = 0.99;
 
+/// How distances of poses are written: their number grows with the square of that of the poses.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum DistanceTable {
+    /// `distances.csv`.
+    #[default]
+    Csv,
+    /// `distances.npy`, binary, a fifth of the size; its rows are the poses of `poses_mds.csv`.
+    Npy,
+    /// Not at all.
+    None,
+}
+
+impl DistanceTable {
+    fn file(self) -> Option<&'static str> {
+        match self {
+            Self::Csv => Some("distances.csv"),
+            Self::Npy => Some("distances.npy"),
+            Self::None => None,
+        }
+    }
+}
+
 /// Settings of an analysis of a whole study.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TableSettings {
@@ -37,9 +63,35 @@ pub struct TableSettings {
     pub deformations: DeformationMapSettings,
     /// How walls are assessed, and what a verdict is.
     pub verdicts: VerdictSettings,
+    /// How distances of poses are written.
+    pub distances: DistanceTable,
 }
 
-/// Results of the analysis of a whole study.
+impl TableSettings {
+    /// Names of all tables of an analysis with these settings.
+    pub fn expected(&self) -> Vec<String> {
+        let methods = methods(self.deformations.poses.method);
+        let maps = methods.iter().map(|(word, _)| format!("poses_{word}.csv"));
+        let before = ["frames.csv", "subjects.csv", "measures.csv"].into_iter();
+        let distances = self.distances.file().map(|file| [file, "distances.json"]);
+        let behind = [
+            "deformations_lle.csv",
+            "atoms.csv",
+            "patches.csv",
+            "patch_segments.csv",
+            "segments.csv",
+            "verdicts.csv",
+            "medial_mds.csv",
+        ];
+        (before.chain(distances.into_iter().flatten()))
+            .map(str::to_owned)
+            .chain(maps)
+            .chain(behind.map(str::to_owned))
+            .collect()
+    }
+}
+
+/// Results of the analysis of a whole study, whose tables are delivered already.
 #[derive(Debug)]
 pub struct AnalysisTables {
     /// The measures, for figures.
@@ -50,52 +102,69 @@ pub struct AnalysisTables {
     pub poses: Arc<PoseMap>,
     /// The deformation map.
     pub deformations: Option<Arc<DeformationMap>>,
-    /// Name of each file and what it holds, without those of walls.
-    pub tables: Vec<(String, String)>,
-    /// Atoms, patches and segments.
-    walls: WallTables,
-    folder: PathBuf,
+    /// The subjects whose wall could not be assessed, and why.
+    pub unassessed: Vec<Unassessed>,
     /// What `summary.json` says, without the list of files.
     pub summary: Value,
     /// Why there is no deformation map, where there is none.
     pub without_deformations: Option<String>,
 }
 
+/// Takes the files of one part of an analysis; the words of an error name the file.
+pub type Deliver<'a> = dyn FnMut(Vec<ExportFile>) -> Result<(), String> + 'a;
+
 impl AnalysisTables {
-    /// Does the whole analysis for `folder`. Poses are mapped by classical scaling, by stress majorisation
-    /// and by the method of the settings. The table of atoms grows beside its place meanwhile,
-    /// since that of a large cohort does not fit into memory.
+    /// Does the whole analysis for `folder` and delivers each table as soon as it is known. Poses are mapped by classical
+    /// scaling, by stress majorisation and by the method of the settings. The tables of atoms and of distances grow beside
+    /// their place, since those of a large cohort do not fit into memory.
     ///
     /// # Errors
-    /// If stopped, the study has no answer, or the folder cannot be written to. Too few subjects for a
-    /// deformation map are no error, and neither are subjects whose wall cannot be assessed.
+    /// If stopped, the study has no answer, or the folder cannot be written to; what was delivered stays. Too few subjects
+    /// for a deformation map are no error, and neither are subjects whose wall cannot be assessed.
     pub fn of(
         store: &Store,
         study: &Arc<Study>,
         settings: &TableSettings,
         folder: &Path,
+        deliver: &mut Deliver<'_>,
         progress: &Progress,
     ) -> Result<Self, Interrupted> {
+        let mut hand_over = |files: Vec<ExportFile>| deliver(files).map_err(WriteError);
         let measures = store.answer(study, &Measures, progress)?;
-        let (deformations, folder) = (&settings.deformations, folder.to_owned());
+        hand_over(measure_files(study, &measures, folder))?;
+        let deformations = &settings.deformations;
         let part = progress.part("comparing poses", 0.0, POSES_SHARE);
-        let maps = (methods(deformations.poses.method).into_iter())
-            .map(|(word, method)| {
-                let query = PoseMapParams {
-                    method,
-                    ..deformations.poses
-                };
-                Ok((word, store.answer(study, &query, &part)?))
-            })
-            .collect::<Result<Vec<_>, Interrupted>>()?;
+        let mut maps = Vec::new();
+        for (word, method) in methods(deformations.poses.method) {
+            let query = PoseMapParams {
+                method,
+                ..deformations.poses
+            };
+            let map = store.answer(study, &query, &part)?;
+            if maps.is_empty() {
+                hand_over(distance_files(study, &map, settings, folder, &part)?)?;
+            }
+            let rows = PoseRow::of_map(study, &map.distances.poses, &map.embedding);
+            let name = format!("poses_{word}.csv");
+            hand_over(vec![ExportFile::text(folder, &name, csv(&rows))])?;
+            maps.push((word, map));
+        }
         let part = progress.part("classifying motions", POSES_SHARE, CLASSES_SHARE);
         let (classes, without_deformations) = match classified(store, study, deformations, &part) {
             Ok(classes) => (Some(classes), None),
             Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
             Err(Interrupted::Failed(failure)) => (None, Some(failure.to_string())),
         };
+        if let Some(found) = &classes {
+            hand_over(tables_of(
+                &DeformationRow::of_map(study, &found.map),
+                folder,
+            ))?;
+        }
         let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
-        let walls = WallTables::of(store, study, &settings.verdicts, &folder, &part)?;
+        let walls = WallTables::of(store, study, &settings.verdicts, folder, &part)?;
+        let (files, walls) = walls.files(folder);
+        hand_over(files.into())?;
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
         let checked = settings.verdicts.verdicts.check()?;
         let verdicts = verdicts(study, &walls.examined, &checked, &part)?;
@@ -105,11 +174,15 @@ impl AnalysisTables {
             Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
             Err(Interrupted::Failed(error)) => Err(error.to_string()),
         };
+        let rows = VerdictRow::of_study(study, &verdicts);
+        let rows = VerdictRow::with_measures(rows, &measures);
+        hand_over(tables_of(&rows, folder))?;
+        let places = MedialPoseRow::of_map(study, medial.as_ref().ok());
+        hand_over(tables_of(&places, folder))?;
         let report = AnalysisReport {
             study,
             measures: &measures,
             distances: &maps[0].1.distances,
-            distance_params: &deformations.poses.distances,
             metric: &distance_words(&deformations.poses.distances),
             maps: (maps.iter())
                 .map(|(word, map)| (*word, &map.embedding))
@@ -121,54 +194,115 @@ impl AnalysisTables {
             medial_map: medial.as_ref().map_err(String::as_str),
             thickening: &walls.summary,
         };
-        let tables = report.tables()?;
         let summary = report.summary();
         Ok(Self {
             measures,
             verdicts: Arc::new(verdicts),
             poses: Arc::clone(&maps[0].1),
             deformations: classes.map(|found| found.map),
-            tables,
-            walls,
-            folder,
+            unassessed: walls.unassessed,
             summary,
             without_deformations,
         })
     }
+}
 
-    /// The subjects whose wall could not be assessed, and why.
-    pub fn unassessed(&self) -> &[Unassessed] {
-        &self.walls.unassessed
-    }
+/// The dictionary of the columns of tables with these names, as a file.
+pub fn columns_file(folder: &Path, names: &[String]) -> ExportFile {
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    ExportFile::text(folder, "columns.md", columns_md(&names))
+}
 
-    /// All files for the folder: the tables, `more`, and a summary that lists them.
-    ///
-    /// # Errors
-    /// If the summary cannot be written as JSON.
-    pub fn files(mut self, more: Vec<ExportFile>) -> Result<(Vec<ExportFile>, Value), String> {
-        let folder = &self.folder;
-        let mut files: Vec<ExportFile> = (self.tables.into_iter())
-            .map(|(name, text)| ExportFile::text(folder, &name, text))
-            .collect();
-        files.extend(self.walls.files(folder));
+/// All tables of a study with their summary, to be written at once; what an earlier run left in the folder is removed when
+/// they are known.
+///
+/// # Errors
+/// As [`AnalysisTables::of()`].
+pub fn tables_of_study(
+    store: &Store,
+    study: &Arc<Study>,
+    settings: &TableSettings,
+    folder: &Path,
+    progress: &Progress,
+) -> Result<Vec<ExportFile>, Interrupted> {
+    let mut files = Vec::new();
+    let mut keep = |more: Vec<ExportFile>| {
         files.extend(more);
-        let names_of = |files: &[ExportFile]| -> Vec<String> {
-            (files.iter())
-                .filter_map(|file| file.path.strip_prefix(folder).ok())
-                .map(|name| name.display().to_string())
-                .collect()
-        };
-        let tables = names_of(&files);
-        let columns = columns_md(&tables.iter().map(String::as_str).collect::<Vec<_>>());
-        files.push(ExportFile::text(folder, "columns.md", columns));
-        let names = names_of(&files);
-        if let Value::Object(object) = &mut self.summary {
-            object.insert("files".to_owned(), json!(names));
+        Ok(())
+    };
+    let tables = AnalysisTables::of(store, study, settings, folder, &mut keep, progress)?;
+    let names = |files: &[ExportFile]| -> Vec<String> {
+        let names = files.iter();
+        names
+            .filter_map(|file| name_in(folder, &file.path))
+            .collect()
+    };
+    files.push(columns_file(folder, &names(&files)));
+    let mut summary = tables.summary;
+    complete(&mut summary, &names(&files));
+    files.push(ExportFile::text(
+        folder,
+        "summary.json",
+        pretty_json(&summary)?,
+    ));
+    clear_earlier(folder);
+    Ok(files)
+}
+
+/// `frames.csv`, `subjects.csv` and its older name.
+fn measure_files(study: &Study, measures: &[SubjectMeasures], folder: &Path) -> Vec<ExportFile> {
+    let mut files = tables_of(&FrameRow::of_study(study, measures), folder);
+    files.extend(tables_of(&SubjectRow::of_study(study, measures), folder));
+    files
+}
+
+fn tables_of<R: Row>(rows: &[R], folder: &Path) -> Vec<ExportFile> {
+    named_csv(rows)
+        .map(|(name, text)| ExportFile::text(folder, &name, text))
+        .collect()
+}
+
+/// The matrix of distances as the settings want it, and by which metric it is.
+fn distance_files(
+    study: &Study,
+    map: &PoseMap,
+    settings: &TableSettings,
+    folder: &Path,
+    progress: &Progress,
+) -> Result<Vec<ExportFile>, Interrupted> {
+    let Some(name) = settings.distances.file() else {
+        return Ok(Vec::new());
+    };
+    let path = folder.join(name);
+    let mut table = PassingFile::create(path.clone()).map_err(WriteError)?;
+    let distances = &map.distances;
+    match settings.distances {
+        DistanceTable::Npy => {
+            let matrix = &distances.distances;
+            table.write(npy_header(matrix.size())).map_err(WriteError)?;
+            for row in 0..matrix.size() {
+                progress.check()?;
+                table.write(npy_row(matrix, row)).map_err(WriteError)?;
+            }
         }
-        let text = pretty_json(&self.summary).map_err(|error| error.to_string())?;
-        files.push(ExportFile::text(folder, "summary.json", text));
-        Ok((files, self.summary))
+        DistanceTable::Csv | DistanceTable::None => {
+            for line in distances_csv(study, distances) {
+                progress.check()?;
+                table.write(line).map_err(WriteError)?;
+            }
+        }
     }
+    let params = &settings.deformations.poses.distances;
+    let metric = distances_json(study, params, &distance_words(params), name);
+    let metric = pretty_json(&metric)?;
+    let table = ExportFile {
+        path,
+        bytes: FileBytes::Passing(table),
+    };
+    Ok(vec![
+        table,
+        ExportFile::text(folder, "distances.json", metric),
+    ])
 }
 
 /// Both kinds of scaling, and what the settings ask for beside them, with the word for each.

@@ -11,15 +11,15 @@ use crate::engine::queries::{StudyPaths, VerdictSettings, WallThickening, examin
 use crate::engine::store::{Answered, Interrupted, Store};
 use crate::progress::Progress;
 use crate::report::{
-    AssessedWall, AtomRow, PatchRow, SegmentRow, csv_header, csv_rows, thickening_params_json,
-    unassessed_wall_json, wall_json,
+    AssessedWall, AtomRow, PatchRow, PatchSegmentRow, SegmentRow, csv_header, csv_rows,
+    thickening_params_json, unassessed_wall_json, wall_json,
 };
 use crate::study::Study;
 
 /// The folder of the tables cannot be written to.
 #[derive(Debug, thiserror::Error)]
 #[error("{0}")]
-struct WriteError(String);
+pub(super) struct WriteError(pub String);
 
 /// A subject whose wall could not be assessed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -30,13 +30,9 @@ pub struct Unassessed {
     pub reason: String,
 }
 
-/// Atoms, patches and segments of all subjects.
+/// What the tables of walls leave for what is asked next.
 #[derive(Debug)]
-pub(super) struct WallTables {
-    /// Too long for memory: every atom at every frame of every subject.
-    atoms: PassingFile,
-    patches: String,
-    segments: String,
+pub(super) struct AssessedWalls {
     /// What the summary says of them.
     pub summary: Value,
     /// Those without rows.
@@ -45,6 +41,17 @@ pub(super) struct WallTables {
     pub examined: Vec<Result<Examined, NotAssessed>>,
     /// What the medial map is made of.
     pub paths: StudyPaths,
+}
+
+/// Atoms, patches and segments of all subjects.
+#[derive(Debug)]
+pub(super) struct WallTables {
+    /// Too long for memory: every atom at every frame of every subject.
+    atoms: PassingFile,
+    patches: String,
+    patch_segments: String,
+    segments: String,
+    walls: AssessedWalls,
 }
 
 impl WallTables {
@@ -67,11 +74,14 @@ impl WallTables {
         let mut tables = Self {
             atoms: PassingFile::create(folder.join("atoms.csv")).map_err(WriteError)?,
             patches: csv_header::<PatchRow>(),
+            patch_segments: csv_header::<PatchSegmentRow>(),
             segments: csv_header::<SegmentRow>(),
-            summary: Value::Null,
-            unassessed: Vec::new(),
-            examined: Vec::with_capacity(study.subjects.len()),
-            paths: StudyPaths::with_capacity(study.subjects.len()),
+            walls: AssessedWalls {
+                summary: Value::Null,
+                unassessed: Vec::new(),
+                examined: Vec::with_capacity(study.subjects.len()),
+                paths: StudyPaths::with_capacity(study.subjects.len()),
+            },
         };
         tables.add_atoms(&csv_header::<AtomRow>())?;
         let count = study.subjects.len().max(1) as f32;
@@ -84,11 +94,11 @@ impl WallTables {
                 settings: *thickening,
             };
             let answer = store.answer(study, &wall, &part);
-            tables.examined.push(examined(&answer, &checked)?);
-            tables.paths.push(paths_of(&answer)?);
+            tables.walls.examined.push(examined(&answer, &checked)?);
+            tables.walls.paths.push(paths_of(&answer)?);
             subjects.push(tables.add(study, subject, answer, &part)?);
         }
-        tables.summary = json!({
+        tables.walls.summary = json!({
             "parameters": thickening_params_json(&thickening.medial, &thickening.thickening),
             "subjects": subjects,
         });
@@ -110,7 +120,7 @@ impl WallTables {
             Err(Interrupted::Failed(failure)) => {
                 let reason = failure.to_string();
                 let json = unassessed_wall_json(&subject.id, &reason);
-                self.unassessed.push(Unassessed {
+                self.walls.unassessed.push(Unassessed {
                     subject: index,
                     reason,
                 });
@@ -130,6 +140,7 @@ impl WallTables {
             self.add_atoms(&csv_rows(&AtomRow::of_frame(&wall, frame)))?;
         }
         self.patches += &csv_rows(&PatchRow::of_wall(&wall));
+        self.patch_segments += &csv_rows(&PatchSegmentRow::of_wall(&wall));
         self.segments += &csv_rows(&SegmentRow::of_wall(&wall));
         Ok(wall_json(&wall))
     }
@@ -138,16 +149,18 @@ impl WallTables {
         self.atoms.write(text).map_err(WriteError)
     }
 
-    /// The files.
-    pub fn files(self, folder: &Path) -> [ExportFile; 3] {
-        [
+    /// The files, and what is left.
+    pub fn files(self, folder: &Path) -> ([ExportFile; 4], AssessedWalls) {
+        let files = [
             ExportFile {
                 path: folder.join("atoms.csv"),
                 bytes: FileBytes::Passing(self.atoms),
             },
             ExportFile::text(folder, "patches.csv", self.patches),
+            ExportFile::text(folder, "patch_segments.csv", self.patch_segments),
             ExportFile::text(folder, "segments.csv", self.segments),
-        ]
+        ];
+        (files, self.walls)
     }
 }
 

@@ -1,19 +1,16 @@
-//! Everything that an analysis of a study says: its tables by the names of their files, and its summary.
+//! Everything that an analysis of a study says, in one object.
 
 use serde_json::{Value, json};
 
-use super::maps::{DeformationRow, MedialPoseRow, PoseRow, distances_csv, distances_json};
-use super::measures::{FrameRow, SubjectRow, subjects_json};
+use super::measures::{SubjectRow, subjects_json};
 use super::summary::{classification_json, deformations_json, map_json, medial_map_json};
-use super::table::{csv, named_csv, pretty_json};
 use super::verdict_json::verdicts_json;
-use super::verdicts::VerdictRow;
 use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::embedding::Embedding;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial_map::MedialMap;
-use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
+use crate::analysis::pose_distances::PoseDistances;
 use crate::analysis::verdicts::{VerdictParams, Verdicts};
 use crate::study::{LabelRole, Study};
 
@@ -26,9 +23,7 @@ pub struct AnalysisReport<'a> {
     pub measures: &'a [SubjectMeasures],
     /// Distances of their poses.
     pub distances: &'a PoseDistances,
-    /// How poses are compared.
-    pub distance_params: &'a PoseDistanceParams,
-    /// The same in a sentence.
+    /// How poses are compared, in a sentence.
     pub metric: &'a str,
     /// Pose maps, each with the word for its method.
     pub maps: Vec<(&'static str, &'a Embedding)>,
@@ -47,36 +42,6 @@ pub struct AnalysisReport<'a> {
 }
 
 impl AnalysisReport<'_> {
-    /// Name of each file and what it holds.
-    ///
-    /// # Errors
-    /// If a number cannot be written as JSON, which no result of an analysis is.
-    pub fn tables(&self) -> Result<Vec<(String, String)>, serde_json::Error> {
-        let study = self.study;
-        let mut tables: Vec<(String, String)> = Vec::new();
-        tables.extend(named_csv(&FrameRow::of_study(study, self.measures)));
-        tables.extend(named_csv(&SubjectRow::of_study(study, self.measures)));
-        let distances = distances_csv(study, self.distances);
-        tables.push(("distances.csv".to_owned(), distances));
-        for (word, map) in &self.maps {
-            let rows = PoseRow::of_map(study, &self.distances.poses, map);
-            tables.push((format!("poses_{word}.csv"), csv(&rows)));
-        }
-        if let Some((map, _)) = self.deformations {
-            tables.extend(named_csv(&DeformationRow::of_map(study, map)));
-        }
-        let verdicts = VerdictRow::of_study(study, self.verdicts);
-        tables.extend(named_csv(&VerdictRow::with_measures(
-            verdicts,
-            self.measures,
-        )));
-        let poses = MedialPoseRow::of_map(study, self.medial_map.ok());
-        tables.extend(named_csv(&poses));
-        let metric = distances_json(study, self.distance_params, self.metric);
-        tables.push(("distances.json".to_owned(), pretty_json(&metric)?));
-        Ok(tables)
-    }
-
     /// `summary.json`, without the list of files.
     pub fn summary(&self) -> Value {
         let study = self.study;

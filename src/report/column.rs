@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
+use super::cell_text::cell_text;
 use crate::units::LengthUnit;
 
 /// What stands where there is no value.
@@ -26,12 +27,13 @@ pub enum Cell<'a> {
 }
 
 impl Cell<'_> {
-    /// Adds it as tables hold it: numbers as the shortest text that reads back as the same number.
+    /// Adds it as CSV files hold it: words escaped for spreadsheets, see [`cell_text()`], numbers as the shortest text that
+    /// reads back as the same number.
     pub(super) fn add_to(&self, text: &mut String) {
         // Writing into a string cannot fail.
         match self {
             Self::Empty => Ok(()),
-            Self::Text(words) => text.write_str(words),
+            Self::Text(words) => text.write_str(&cell_text(words)),
             Self::Count(count) => write!(text, "{count}"),
             Self::Number(number) => write!(text, "{number}"),
             Self::Flag(flag) => write!(text, "{}", u8::from(*flag)),

@@ -6,6 +6,7 @@ use super::experiments::NoiseRow;
 use super::maps::{DeformationRow, MedialPoseRow, PoseRow, distances_described};
 use super::measures::{FrameRow, SubjectRow};
 use super::medial_atoms::MedialAtomRow;
+use super::patch_segments::PatchSegmentRow;
 use super::segments::SegmentRow;
 use super::table::{TableWords, described};
 use super::verdicts::VerdictRow;
@@ -27,6 +28,7 @@ pub fn all_tables() -> Vec<TableWords> {
         described::<AtomRow>(),
         described::<PatchRow>(),
         described::<SegmentRow>(),
+        described::<PatchSegmentRow>(),
         described::<MedialAtomRow>(),
         described::<NoiseRow>(),
         described::<TransportCase>(),
@@ -38,10 +40,19 @@ pub fn all_tables() -> Vec<TableWords> {
     ]
 }
 
+/// The dictionary of columns of all files that the program writes, as Markdown.
+pub fn all_columns_md() -> String {
+    let tables = all_tables();
+    let files = tables.iter().flat_map(|table| table.files);
+    columns_md(&files.copied().collect::<Vec<_>>())
+}
+
 /// The dictionary of columns of the files with these names, as Markdown.
 pub fn columns_md(files: &[&str]) -> String {
     let mut text = "# Columns\n\nNames and order of columns are fixed; new ones go to the end. Numbers have all digits; \
-                    a cell is empty where there is no value.\n"
+                    a cell is empty where there is no value. Words that begin with =, +, - or @ and are no numbers have an \
+                    apostrophe in front, so that no spreadsheet computes them; control characters stand as their codes, \
+                    such as \\n.\n"
         .to_owned();
     let mut line = |words: std::fmt::Arguments<'_>| {
         // Writing into a string cannot fail.
@@ -92,6 +103,22 @@ mod tests {
                 assert_ne!(column.heading, column.key, "{column:?}");
                 assert_ne!(column.explanation, column.heading, "{column:?}");
                 assert!(!column.explanation.ends_with('.'), "{column:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn the_whole_dictionary_holds_every_column_of_every_table() {
+        let text = all_columns_md();
+        for table in all_tables() {
+            for file in table.files {
+                assert!(text.contains(&format!("`{file}`")), "{file}");
+            }
+            for column in table.columns {
+                assert!(
+                    text.contains(&format!("| `{}` |", column.key)),
+                    "{column:?}"
+                );
             }
         }
     }

@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::cell_text::cell_text;
 use super::column::{Column, ColumnWords, column};
 use super::shared;
 use super::table::{Row, TableWords, records};
@@ -29,24 +30,36 @@ const POSE_COLUMNS: [ColumnWords; 2] = [
     },
 ];
 
-/// The square matrix of distances: a row per pose, with a column per pose behind its name.
-pub(super) fn distances_csv(study: &Study, distances: &PoseDistances) -> String {
-    let name = |pose: &PoseId| format!("{}:{}", subject_id(study, pose.subject), pose.frame);
+/// The lines of `distances.csv`, a square matrix: a row per pose, with a column per pose behind its name. One after the
+/// other, since those of a large cohort do not fit into memory.
+pub fn distances_csv<'a>(
+    study: &'a Study,
+    distances: &'a PoseDistances,
+) -> impl Iterator<Item = String> + 'a {
+    let name = |pose: &PoseId| {
+        let name = format!("{}:{}", subject_id(study, pose.subject), pose.frame);
+        cell_text(&name).into_owned()
+    };
     let header = (POSE_COLUMNS.iter().map(|column| column.key.to_owned()))
         .chain(distances.poses.iter().map(name));
     let matrix = &distances.distances;
-    let rows = distances.poses.iter().enumerate().map(|(i, pose)| {
-        let mut row = vec![subject_id(study, pose.subject), pose.frame.to_string()];
+    let rows = distances.poses.iter().enumerate().map(move |(i, pose)| {
+        let id = subject_id(study, pose.subject);
+        let mut row = vec![cell_text(&id).into_owned(), pose.frame.to_string()];
         row.extend((0..matrix.size()).map(|j| matrix.get(i, j).to_string()));
         row
     });
-    records(std::iter::once(header.collect::<Vec<String>>()).chain(rows))
+    let header: Vec<String> = header.collect();
+    std::iter::once(header)
+        .chain(rows)
+        .map(|row| records(std::iter::once(row)))
 }
 
 pub(super) fn distances_described() -> TableWords {
     TableWords {
         files: &["distances.csv"],
-        row: "Distances of all poses, a row per pose; distances.json says by which metric",
+        row: "Distances of all poses, a row per pose; distances.json says by which metric. With `--distances npy` the numbers \
+              alone stand in distances.npy, an array of NumPy with the poses of poses_mds.csv as rows and columns",
         columns: POSE_COLUMNS.to_vec(),
         further: Some(
             "a column per pose, named subject:frame, with the distance; without unit where the metric is \
@@ -55,16 +68,22 @@ pub(super) fn distances_described() -> TableWords {
     }
 }
 
-/// By which metric the distances of `distances.csv` are: the words of the command line's options, and one
-/// sentence. It stands in a file of its own, since scripts read all columns of the matrix behind the second.
-pub(super) fn distances_json(study: &Study, params: &PoseDistanceParams, words: &str) -> Value {
+/// By which metric the distances of `table` are: the words of the command line's options, and one
+/// sentence; and where its rows are listed. It stands in a file of its own, since scripts read all columns of the matrix behind the second.
+pub fn distances_json(
+    study: &Study,
+    params: &PoseDistanceParams,
+    words: &str,
+    table: &str,
+) -> Value {
     let metric = &params.metric;
     let transport = params.transport.map(|transport| match transport.reference {
         Reference::Mean => "mean".to_owned(),
         Reference::Subject(index) => subject_id(study, index),
     });
     json!({
-        "table": "distances.csv",
+        "table": table,
+        "rows": "poses_mds.csv",
         "in_words": words,
         "metric": metric.kind.words().id,
         "form": match metric.form {
@@ -283,7 +302,8 @@ mod tests {
             distances: DistanceMatrix::from_upper(2, vec![0.1 + 0.2]).unwrap(),
             left_out: Vec::new(),
         };
-        let table = distances_csv(&study(), &distances);
+        let study = study();
+        let table: String = distances_csv(&study, &distances).collect();
         let mut reader = csv::Reader::from_reader(table.as_bytes());
         assert_eq!(&reader.headers().unwrap()[3], "P, \"1\":1");
         let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
@@ -296,7 +316,7 @@ mod tests {
     #[test]
     fn distances_name_the_metric_by_the_words_of_its_options() {
         let params = PoseDistanceParams::default();
-        let written = distances_json(&study(), &params, "in one sentence");
+        let written = distances_json(&study(), &params, "in one sentence", "distances.csv");
         assert_eq!(written["metric"], "quasi-conformal");
         assert_eq!(written["form"], "additive");
         assert_eq!(written["in_words"], "in one sentence");

@@ -195,6 +195,8 @@ pub struct FrameRow {
     pub epi_area: Option<f64>,
     /// Unit of coordinates.
     pub unit: LengthUnit,
+    /// Time after the R peak in seconds; `None` where the study does not say.
+    pub time_s: Option<f64>,
 }
 
 impl FrameRow {
@@ -203,8 +205,9 @@ impl FrameRow {
         let subjects = study.subjects.iter().zip(measures);
         subjects
             .flat_map(|(subject, measured)| {
+                let (timing, count) = (&subject.timing, measured.frames.len());
                 let frames = measured.frames.iter().enumerate();
-                frames.map(|(frame, sizes)| Self {
+                frames.map(move |(frame, sizes)| Self {
                     subject: subject.id.clone(),
                     frame,
                     endo_volume: sizes.endo_volume,
@@ -213,6 +216,7 @@ impl FrameRow {
                     endo_area: sizes.endo_area,
                     epi_area: sizes.epi_area,
                     unit: measured.unit,
+                    time_s: timing.time_at(frame as f64, count).map(|time| time.0),
                 })
             })
             .collect()
@@ -251,6 +255,12 @@ impl Row for FrameRow {
             row.unit.area_symbol().into()
         })
         .plain("Unit of the areas: cm² where coordinates are in mm, else units²"),
+        column("time_s", "Time", |row: &Self| row.time_s.into())
+            .coordinate(
+                "Time of the frame after the R peak; frames share the cycle evenly where the \
+                     study gives its length alone; empty where it gives neither",
+            )
+            .in_unit("s"),
     ];
 }
 

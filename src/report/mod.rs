@@ -2,6 +2,7 @@
 //! panes, figures and the report.
 
 mod analysis;
+mod cell_text;
 mod column;
 mod dictionary;
 mod experiment_json;
@@ -11,6 +12,8 @@ mod measures;
 mod medial_atoms;
 mod medial_experiment_json;
 mod medial_experiments;
+mod npy;
+mod patch_segments;
 #[cfg(test)]
 mod row_tests;
 mod segments;
@@ -26,15 +29,19 @@ mod wall_json;
 
 pub use analysis::AnalysisReport;
 pub use column::{Cell, Column, ColumnWords, Digits, NO_VALUE, Unit};
-pub use dictionary::{all_tables, columns_md};
+pub use dictionary::{all_columns_md, all_tables, columns_md};
 pub use experiment_json::{comparison_json, noise_json, partners_json};
 pub use experiments::NoiseRow;
-pub use maps::{DeformationRow, MedialPoseRow, PoseRow, coordinates_csv};
+pub use maps::{
+    DeformationRow, MedialPoseRow, PoseRow, coordinates_csv, distances_csv, distances_json,
+};
 pub use measures::{FrameRow, SubjectRow, subjects_json};
 pub use medial_atoms::MedialAtomRow;
 pub use medial_experiment_json::noise_medial_json;
+pub use npy::{npy_header, npy_row};
+pub use patch_segments::PatchSegmentRow;
 pub use segments::SegmentRow;
-pub use table::{Row, TableWords, csv, csv_header, csv_rows, pretty_json};
+pub use table::{Row, TableWords, csv, csv_header, csv_rows, named_csv, pretty_json};
 pub use verdicts::VerdictRow;
 pub use wall::{AssessedWall, AtomRow, PatchRow};
 pub use wall_json::{thickening_params_json, unassessed_wall_json, wall_json};

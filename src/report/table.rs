@@ -34,7 +34,7 @@ pub fn csv<R: Row>(rows: &[R]) -> String {
 }
 
 /// The table under each of its names.
-pub(super) fn named_csv<R: Row>(rows: &[R]) -> impl Iterator<Item = (String, String)> {
+pub fn named_csv<R: Row>(rows: &[R]) -> impl Iterator<Item = (String, String)> {
     let text = csv(rows);
     let named = move |file: &&'static str| ((*file).to_owned(), text.clone());
     R::FILES.iter().map(named)

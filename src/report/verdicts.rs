@@ -55,7 +55,10 @@ impl VerdictRow {
     .or_short("Probability");
     /// The verdict in words.
     pub const FINDING: Column<Self> = column("finding", "Verdict", |row: &Self| row.finding.into())
-        .plain("Verdict: what the classifier and the patch detection say together");
+        .plain(
+            "Verdict as the window shows it: no regional abnormality, abnormal patch, global \
+                     hypokinesia, abnormal without a patch, or not assessed",
+        );
 
     /// One row per subject of the study.
     pub fn of_study(study: &Study, verdicts: &Verdicts) -> Vec<Self> {
@@ -70,6 +73,7 @@ impl VerdictRow {
                 match assessed {
                     Ok(verdict) => unassessed.with(study, verdict, verdicts.classifier),
                     Err(reason) => Self {
+                        finding: Some("not assessed"),
                         reason: Some(reason.to_string()),
                         ..unassessed
                     },
@@ -95,7 +99,7 @@ impl VerdictRow {
         Self {
             abnormal: Some(verdict.abnormal),
             probability: Some(verdict.probability),
-            finding: Some(verdict.finding.key()),
+            finding: Some(verdict.finding.name()),
             calibrated: Some(match classifier {
                 ClassifierSource::Cohort { .. } => true,
                 ClassifierSource::Uncalibrated { .. } => false,

@@ -10,5 +10,5 @@ pub(crate) mod text;
 pub mod theme;
 
 pub use marks::role_name;
-pub use style::{apply, install, medium_font};
+pub use style::{add_faces, apply, install, medium_font};
 pub use {controls::*, text::*};

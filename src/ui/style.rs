@@ -1,5 +1,6 @@
 //! Passes the design tokens to egui: fonts, spacing and the looks of controls in both themes.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use egui::style::{ScrollStyle, Selection, WidgetVisuals};
@@ -22,6 +23,22 @@ pub fn install(ctx: &Context) {
     for theme in [Theme::Dark, Theme::Light] {
         ctx.set_style_of(theme, style(theme == Theme::Dark));
     }
+}
+
+/// Adds faces, each a file and the number of the face in it, for letters that the window's own lack.
+pub fn add_faces(ctx: &Context, faces: Vec<(Cow<'static, [u8]>, u32)>) {
+    let mut fonts = fonts();
+    for (number, (bytes, index)) in faces.into_iter().enumerate() {
+        let name = format!("further {number}");
+        let mut face = FontData::from_static(&[]);
+        face.font = Arc::new(bytes);
+        face.index = index;
+        fonts.font_data.insert(name.clone(), Arc::new(face));
+        for order in fonts.families.values_mut() {
+            order.push(name.clone());
+        }
+    }
+    ctx.set_fonts(fonts);
 }
 
 /// [`install`] and a fixed theme.

@@ -9,6 +9,8 @@ mod medial;
 #[cfg(test)]
 mod noise_medial;
 #[cfg(test)]
+mod output;
+#[cfg(test)]
 pub mod patch_figures;
 #[cfg(test)]
 mod refusals;

@@ -79,16 +79,6 @@ impl Finding {
             Self::WithoutPatch => "abnormal without a patch",
         }
     }
-
-    /// In files, where scripts rely on it.
-    pub fn key(self) -> &'static str {
-        match self {
-            Self::Nothing => "no abnormal patch",
-            Self::Patch => "abnormal patch",
-            Self::GlobalHypokinesia => "global failure",
-            Self::WithoutPatch => "abnormal without a patch",
-        }
-    }
 }
 
 /// How near a subject lies to the training set, by the classifier's standardised features.

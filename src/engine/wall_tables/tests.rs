@@ -54,9 +54,10 @@ fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_row
         &Progress::default(),
     )
     .unwrap();
-    assert_eq!(tables.unassessed.len(), 1);
-    assert_eq!(tables.unassessed[0].subject, 1);
-    let subjects = tables.summary["subjects"].as_array().unwrap().clone();
+    let (files, walls) = tables.files(folder.path());
+    assert_eq!(walls.unassessed.len(), 1);
+    assert_eq!(walls.unassessed[0].subject, 1);
+    let subjects = walls.summary["subjects"].as_array().unwrap().clone();
     assert_eq!(subjects[0]["assessed"], true);
     assert_eq!(subjects[0]["patches"].as_array().unwrap().len(), 0);
     assert_eq!(subjects[1]["assessed"], false);
@@ -67,8 +68,8 @@ fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_row
             .starts_with("no wall: ")
     );
     assert!(subjects[2]["patches"][0]["share"].as_f64().unwrap() > 0.02);
-    assert_eq!(tables.summary["parameters"]["patch_core"], 0.2);
-    write_files(tables.files(folder.path()).into()).unwrap();
+    assert_eq!(walls.summary["parameters"]["patch_core"], 0.2);
+    write_files(files.into()).unwrap();
     let atoms = rows(&folder.path().join("atoms.csv"));
     let per_frame = |subject: usize| {
         let sequence = &study.subjects[subject].sequence;
@@ -85,7 +86,14 @@ fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_row
     };
     let [well, ill] = [0, 2].map(|subject: usize| study.subjects[subject].id.clone());
     assert_eq!(ids("patches.csv"), std::slice::from_ref(&ill));
+    assert_eq!(ids("patch_segments.csv"), std::slice::from_ref(&ill));
     assert_eq!(ids("segments.csv"), [well, ill]);
+    let listed = rows(&folder.path().join("patches.csv"))[0][4].to_owned();
+    let rows_of_first: Vec<String> = (rows(&folder.path().join("patch_segments.csv")).iter())
+        .filter(|row| &row[1] == "0")
+        .map(|row| row[2].to_owned())
+        .collect();
+    assert_eq!(rows_of_first.join(" "), listed, "the same list, a row each");
     assert_eq!(rows(&folder.path().join("segments.csv")).len(), 34);
 }
 

@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use crate::picture::page::fonts::{FigureFonts, Weight};
+use crate::picture::page::faces::FurtherFace;
+use crate::picture::page::fonts::FigureFonts;
+use crate::picture::page::weight::Weight;
 use crate::render::Picture;
 
 /// One thing on a page. Lengths are in pixels of the page, from its upper left corner; colours are
@@ -31,10 +33,12 @@ pub enum Mark {
         /// 1 hides what is below.
         opacity: f32,
     },
-    /// A line of words.
+    /// A line of words, or a piece of one, in one typeface.
     Text {
         /// What is said.
         words: String,
+        /// The typeface; `None` for Inter.
+        face: Option<FurtherFace>,
         /// Thickness of letters.
         weight: Weight,
         /// The em in pixels.
@@ -107,6 +111,44 @@ impl Page {
     }
 }
 
+impl Mark {
+    /// The same, with every length `scale` times as long and its origin at `at`.
+    fn placed(&self, at: [f32; 2], scale: f32) -> Self {
+        let place = |[x, y]: [f32; 2]| [at[0] + scale * x, at[1] + scale * y];
+        let mut mark = self.clone();
+        match &mut mark {
+            Self::Fill { corners, .. } => {
+                corners.iter_mut().for_each(|point| *point = place(*point))
+            }
+            Self::Line { points, width, .. } => {
+                points.iter_mut().for_each(|point| *point = place(*point));
+                *width *= scale;
+            }
+            Self::Text { size, at, .. } => {
+                *at = place(*at);
+                *size *= scale;
+            }
+            Self::Picture { at, size, .. } => {
+                *at = place(*at);
+                *size = size.map(|side| scale * side);
+            }
+        }
+        mark
+    }
+}
+
+impl Page {
+    /// Lays another page onto this one, its upper left corner at `at` and its lengths `scale` times as long.
+    pub fn lay(&mut self, page: &Self, at: [f32; 2], scale: f32) {
+        if let Some(colour) = page.background {
+            let far = [0, 1].map(|axis| at[axis] + scale * page.size[axis]);
+            self.rectangle(at, far, colour);
+        }
+        let marks = page.marks.iter();
+        self.marks.extend(marks.map(|mark| mark.placed(at, scale)));
+    }
+}
+
 /// How a line of words is set.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Type {
@@ -146,15 +188,41 @@ impl Page {
             Anchor::Middle => 0.5 * width,
             Anchor::End => width,
         };
-        if !words.is_empty() {
+        for run in fonts.runs(words, set.weight, set.size) {
             self.marks.push(Mark::Text {
-                words: words.to_owned(),
+                words: run.words,
+                face: run.face,
                 weight: set.weight,
                 size: set.size,
-                at: [at[0] - back, at[1]],
+                at: [at[0] - back + run.x, at[1]],
                 colour: set.colour,
             });
         }
         width
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_page_laid_onto_another_keeps_its_shapes() {
+        let mut small = Page::new([100.0, 50.0], Some([1.0; 3]));
+        small.rectangle([10.0, 10.0], [20.0, 30.0], [0.0; 3]);
+        small.line(&[[0.0, 0.0], [100.0, 50.0]], false, 4.0, [0.0; 3]);
+        let mut sheet = Page::new([200.0, 200.0], None);
+        sheet.lay(&small, [50.0, 100.0], 0.5);
+        let corners = |mark: &Mark| match mark {
+            Mark::Fill { corners, .. } => corners.clone(),
+            Mark::Line { points, width, .. } => {
+                assert_eq!(*width, 2.0);
+                points.clone()
+            }
+            Mark::Text { .. } | Mark::Picture { .. } => Vec::new(),
+        };
+        assert_eq!(corners(&sheet.marks[0])[2], [100.0, 125.0]);
+        assert_eq!(corners(&sheet.marks[1])[0], [55.0, 105.0]);
+        assert_eq!(corners(&sheet.marks[2])[1], [100.0, 125.0]);
     }
 }

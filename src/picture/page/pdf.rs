@@ -13,9 +13,9 @@ use krilla::text::{Font, TextDirection};
 use std::collections::HashMap;
 
 use crate::picture::page::FigureSettings;
-use crate::picture::page::fonts::Weight;
 use crate::picture::page::marks::{Mark, Page};
 use crate::picture::page::raster::byte;
+use crate::picture::page::weight::Weight;
 use crate::render::Picture;
 
 /// Points of PDF in a millimetre.
@@ -37,12 +37,7 @@ pub fn pdf_file(
     width_mm: f32,
     settings: &FigureSettings,
 ) -> Result<Vec<u8>, PdfError> {
-    let mut typefaces = HashMap::new();
-    for weight in [Weight::Regular, Weight::SemiBold] {
-        let font = Font::new(weight.file().to_vec().into(), 0);
-        let damaged = || PdfError("the built-in font cannot be read".to_owned());
-        typefaces.insert(weight, font.ok_or_else(damaged)?);
-    }
+    let typefaces = typefaces(pages)?;
     let mut document = Document::new();
     document.set_metadata(metadata(settings));
     for page in pages {
@@ -63,6 +58,37 @@ pub fn pdf_file(
         .map_err(|error| PdfError(format!("{error:?}")))
 }
 
+/// A typeface in a document.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Face {
+    Inter(Weight),
+    Further(usize),
+}
+
+/// Inter, and the further faces that the pages use.
+fn typefaces(pages: &[Page]) -> Result<HashMap<Face, Font>, PdfError> {
+    let mut typefaces = HashMap::new();
+    for weight in [Weight::Regular, Weight::SemiBold] {
+        let font = Font::new(weight.file().into(), 0);
+        let damaged = || PdfError("the built-in font cannot be read".to_owned());
+        typefaces.insert(Face::Inter(weight), font.ok_or_else(damaged)?);
+    }
+    for mark in pages.iter().flat_map(|page| &page.marks) {
+        if let Mark::Text {
+            face: Some(face), ..
+        } = mark
+        {
+            let key = Face::Further(face.number());
+            if !typefaces.contains_key(&key) {
+                let damaged = || PdfError("a font of this system cannot be read".to_owned());
+                let font = Font::new(face.bytes.into(), face.index);
+                typefaces.insert(key, font.ok_or_else(damaged)?);
+            }
+        }
+    }
+    Ok(typefaces)
+}
+
 fn metadata(settings: &FigureSettings) -> Metadata {
     let of = |key: &str| {
         let found = settings.iter().find(|(other, _)| *other == key);
@@ -79,7 +105,7 @@ fn metadata(settings: &FigureSettings) -> Metadata {
         .language("en".to_owned())
 }
 
-fn lay(surface: &mut Surface<'_>, page: &Page, typefaces: &HashMap<Weight, Font>) {
+fn lay(surface: &mut Surface<'_>, page: &Page, typefaces: &HashMap<Face, Font>) {
     if let Some(colour) = page.background {
         let [width, height] = page.size;
         let corners = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
@@ -114,6 +140,7 @@ fn lay(surface: &mut Surface<'_>, page: &Page, typefaces: &HashMap<Weight, Font>
             }
             Mark::Text {
                 words,
+                face,
                 weight,
                 size,
                 at,
@@ -121,10 +148,13 @@ fn lay(surface: &mut Surface<'_>, page: &Page, typefaces: &HashMap<Weight, Font>
             } => {
                 surface.set_stroke(None);
                 surface.set_fill(Some(filling(*colour, 1.0)));
-                if let Some(font) = typefaces.get(weight) {
+                let (key, direction) = match face {
+                    None => (Face::Inter(*weight), TextDirection::LeftToRight),
+                    Some(face) => (Face::Further(face.number()), TextDirection::Auto),
+                };
+                if let Some(font) = typefaces.get(&key) {
                     let at = Point::from_xy(at[0], at[1]);
-                    let font = font.clone();
-                    surface.draw_text(at, font, *size, words, false, TextDirection::LeftToRight);
+                    surface.draw_text(at, font.clone(), *size, words, false, direction);
                 }
             }
             Mark::Picture { at, size, picture } => put(surface, picture, *at, *size),

@@ -6,8 +6,9 @@ use tiny_skia::{
     PixmapPaint, PixmapRef, Stroke, Transform,
 };
 
-use crate::picture::page::fonts::{FigureFonts, Weight};
+use crate::picture::page::fonts::FigureFonts;
 use crate::picture::page::marks::{Mark, Page};
+use crate::picture::page::weight::Letter;
 use crate::render::Picture;
 
 /// A page too large to draw, or without any size.
@@ -97,12 +98,17 @@ fn draw(pixmap: &mut Pixmap, mark: &Mark, to_pixels: Transform, fonts: &FigureFo
         }
         Mark::Text {
             words,
+            face,
             weight,
             size,
             at,
             colour,
         } => {
-            if let Some(path) = letters(fonts, words, *weight, *size, *at) {
+            let outlines = match face {
+                None => fonts.outlines(words, *weight, *size),
+                Some(face) => face.outlines(words, *size).0,
+            };
+            if let Some(path) = letters(&outlines, *at) {
                 let paint = paint(*colour, 1.0);
                 pixmap.fill_path(&path, &paint, FillRule::Winding, to_pixels, None);
             }
@@ -125,18 +131,12 @@ fn polyline(points: &[[f32; 2]], closed: bool) -> Option<Path> {
 }
 
 /// Outlines of a line of words, with its base line starting at `at`.
-fn letters(
-    fonts: &FigureFonts,
-    words: &str,
-    weight: Weight,
-    size: f32,
-    at: [f32; 2],
-) -> Option<Path> {
+fn letters(outlines: &[Letter], at: [f32; 2]) -> Option<Path> {
     let mut path = PathBuilder::new();
-    for letter in fonts.outlines(words, weight, size) {
+    for letter in outlines {
         let place = |point: ab_glyph::Point| {
             let x = at[0] + letter.x + point.x * letter.scale;
-            (x, at[1] - point.y * letter.scale)
+            (x, at[1] - letter.y - point.y * letter.scale)
         };
         let mut pen = None;
         for curve in &letter.curves {
@@ -224,6 +224,7 @@ fn premultiplied(rgba: &[u8]) -> Vec<u8> {
 mod tests {
     use super::*;
     use crate::picture::page::marks::{Anchor, Type};
+    use crate::picture::page::weight::Weight;
     use std::sync::Arc;
 
     fn page() -> Page {

@@ -3,14 +3,15 @@
 use std::collections::BTreeSet;
 use std::fmt::Write;
 
+use ab_glyph::OutlineCurve;
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
 
 use crate::picture::page::FigureSettings;
-use crate::picture::page::fonts::Weight;
 use crate::picture::page::marks::{Mark, Page};
 use crate::picture::page::png_file::{PngError, encoded_png};
 use crate::picture::page::raster::byte;
+use crate::picture::page::weight::{Letter, Weight};
 
 /// The text of an SVG file `width_mm` wide. The typeface lies inside, as far as it is used, and each setting stands in the
 /// metadata as `key: value`.
@@ -60,7 +61,9 @@ fn put(svg: &mut String, words: std::fmt::Arguments<'_>) {
 /// Only the weights that the page uses.
 fn typefaces(svg: &mut String, page: &Page) {
     let weights = page.marks.iter().filter_map(|mark| match mark {
-        Mark::Text { weight, .. } => Some(weight.number()),
+        Mark::Text {
+            weight, face: None, ..
+        } => Some(weight.number()),
         _ => None,
     });
     let used: BTreeSet<u16> = weights.collect();
@@ -117,8 +120,27 @@ fn add(svg: &mut String, mark: &Mark) -> Result<(), PngError> {
                 seen_through("stroke-opacity", *opacity)
             ),
         ),
+        // A face of the system may be too large for the file, or nobody's to hand on: its letters are shapes that say what
+        // they are.
         Mark::Text {
             words,
+            face: Some(face),
+            size,
+            at,
+            colour,
+            ..
+        } => put(
+            svg,
+            format_args!(
+                "<path d=\"{}\" fill=\"{}\"><title>{}</title></path>\n",
+                letters(&face.outlines(words, *size).0, *at),
+                hex(*colour),
+                escaped(words)
+            ),
+        ),
+        Mark::Text {
+            words,
+            face: None,
             weight,
             size,
             at,
@@ -160,6 +182,41 @@ fn path(points: &[[f32; 2]]) -> String {
             &mut path,
             format_args!("{letter}{} {}", short(point[0]), short(point[1])),
         );
+    }
+    path
+}
+
+/// Outlines of letters as one path, the base line starting at `at`.
+fn letters(outlines: &[Letter], at: [f32; 2]) -> String {
+    let mut path = String::new();
+    for letter in outlines {
+        let place = |point: ab_glyph::Point| {
+            let x = at[0] + letter.x + point.x * letter.scale;
+            let y = at[1] - letter.y - point.y * letter.scale;
+            format!("{} {}", short(x), short(y))
+        };
+        let mut pen = None;
+        for curve in &letter.curves {
+            let (from, to) = match *curve {
+                OutlineCurve::Line(from, to)
+                | OutlineCurve::Quad(from, _, to)
+                | OutlineCurve::Cubic(from, _, _, to) => (from, to),
+            };
+            if pen != Some(from) {
+                path.push_str(if pen.is_some() { "ZM" } else { "M" });
+                path.push_str(&place(from));
+            }
+            let (sign, between) = match *curve {
+                OutlineCurve::Line(..) => ('L', String::new()),
+                OutlineCurve::Quad(_, by, _) => ('Q', place(by) + " "),
+                OutlineCurve::Cubic(_, a, b, _) => ('C', format!("{} {} ", place(a), place(b))),
+            };
+            put(&mut path, format_args!("{sign}{between}{}", place(to)));
+            pen = Some(to);
+        }
+        if pen.is_some() {
+            path.push('Z');
+        }
     }
     path
 }
@@ -217,7 +274,7 @@ mod tests {
             colour: [0.0; 3],
         };
         let fonts = FigureFonts::load().unwrap();
-        page.words(&fonts, "P<1> & \u{1}", set, Anchor::Start, [20.0, 30.0]);
+        page.words(&fonts, "P<1> & ", set, Anchor::Start, [20.0, 30.0]);
         let raster = Arc::new(Picture {
             width: 1,
             height: 1,
@@ -232,7 +289,7 @@ mod tests {
         assert_eq!(root.attribute("height"), Some("50mm"));
         let named = |name| root.children().filter(move |node| node.has_tag_name(name));
         let text = named("text").next().unwrap();
-        assert_eq!(text.text(), Some("P<1> &  "));
+        assert_eq!(text.text(), Some("P<1> & "));
         assert_eq!(text.attribute("x"), Some("20"));
         let first = named("path").next().unwrap();
         assert_eq!(first.attribute("d"), Some("M1 2L3 4L5.13 6Z"));
@@ -242,5 +299,33 @@ mod tests {
         assert!(metadata.contains("Title: P<1>"));
         let style = named("style").next().unwrap().text().unwrap();
         assert!(style.contains("font-weight: 600") && !style.contains("font-weight: 400"));
+    }
+
+    #[test]
+    fn letters_that_inter_lacks_are_shapes_that_say_what_they_are() {
+        let set = Type {
+            weight: Weight::Regular,
+            size: 12.0,
+            colour: [0.0; 3],
+        };
+        let fonts = FigureFonts::load().unwrap();
+        let mut page = Page::new([200.0, 100.0], None);
+        page.words(&fonts, "a心\u{1}", set, Anchor::Start, [20.0, 30.0]);
+        let svg = svg_file(&page, 100.0, &Vec::new()).unwrap();
+        let document = roxmltree::Document::parse(&svg).unwrap();
+        let shapes = document
+            .descendants()
+            .filter(|node| node.has_tag_name("path"));
+        let titles: Vec<&str> = shapes
+            .map(|shape| {
+                assert!(shape.attribute("d").unwrap().len() > 50, "{shape:?}");
+                shape.first_element_child().unwrap().text().unwrap()
+            })
+            .collect();
+        assert_eq!(titles, ["心", " "], "XML holds no control character");
+        let words = document
+            .descendants()
+            .find(|node| node.has_tag_name("text"));
+        assert_eq!(words.unwrap().text(), Some("a"));
     }
 }

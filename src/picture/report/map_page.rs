@@ -2,6 +2,7 @@
 
 use crate::picture::figure::Pen;
 use crate::picture::page::{Anchor, FigureFonts, Page};
+use crate::picture::report::map_names::{Name, placed};
 use crate::picture::report::order::ReportOrder;
 use crate::picture::report::sheet::{LINE, MARGIN, SIZE, TEXT, THEME, pen, sheet};
 use crate::picture::tokens::srgb;
@@ -13,6 +14,10 @@ const SIDE: f32 = 640.0;
 const MARK: f32 = 6.0;
 /// Widths of marks and of paths.
 const STROKES: [f32; 2] = [2.4, 1.0];
+/// Size of names relative to running text.
+const NAME: f32 = 0.7;
+/// Widest name.
+const NAME_WIDTH: f32 = 200.0;
 /// Paths lie behind marks.
 const PALE: f32 = 0.55;
 
@@ -124,12 +129,60 @@ fn draw(pen: &mut Pen<'_>, order: &ReportOrder<'_>, plot: &Plot, top: f32) {
         let pale = colour.map(|channel| 1.0 - PALE * (1.0 - channel));
         pen.page.line(&line, false, STROKES[1], pale);
     }
+    write_names(pen, order, plot, place, frame);
     for (subject, path) in &plot.paths {
         let role = role_of(order, *subject);
         for (step, point) in path.iter().enumerate() {
             let size = if step == 0 { MARK } else { 0.5 * MARK };
             mark(pen.page, role, place(point), size);
         }
+    }
+}
+
+/// The subjects beside their large marks, and below the frame how many of them have no room.
+fn write_names(
+    pen: &mut Pen<'_>,
+    order: &ReportOrder<'_>,
+    plot: &Plot,
+    place: impl Fn(&[f64; 2]) -> [f32; 2],
+    frame: [[f32; 2]; 4],
+) {
+    let mut small = pen.regular(THEME.text);
+    small.size *= NAME;
+    let named: Vec<(&str, [f32; 2])> = (plot.paths.iter())
+        .filter_map(|(subject, path)| {
+            let subject = order.study.subjects.get(*subject)?;
+            Some((&*subject.id, place(path.first()?)))
+        })
+        .collect();
+    let words: Vec<String> = (named.iter())
+        .map(|(id, _)| {
+            pen.fonts
+                .shortened(id, small.weight, small.size, NAME_WIDTH)
+        })
+        .collect();
+    let names: Vec<Name> = (named.iter().zip(&words))
+        .map(|((_, at), words)| Name {
+            at: *at,
+            size: [pen.fonts.width(words, small.weight, small.size), small.size],
+        })
+        .collect();
+    let marks: Vec<[f32; 2]> = named.iter().map(|(_, at)| *at).collect();
+    let places = placed(&names, &marks, 1.5 * MARK, [frame[0], frame[2]]);
+    for (words, at) in words.iter().zip(&places) {
+        if let Some(at) = at {
+            pen.write(words, small, Anchor::Start, *at);
+        }
+    }
+    let without = places.iter().filter(|place| place.is_none()).count();
+    if without > 0 {
+        let note = format!(
+            "{without} of {} names are left out for lack of room",
+            places.len()
+        );
+        let mut muted = pen.regular(THEME.muted);
+        muted.size *= NAME;
+        pen.write(&note, muted, Anchor::End, [frame[2][0], frame[2][1] + LINE]);
     }
 }
 

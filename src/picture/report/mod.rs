@@ -2,8 +2,10 @@
 
 mod content;
 mod cover;
+mod map_names;
 mod map_page;
 mod order;
+mod patch_pages;
 mod sheet;
 
 use crate::picture::page::{FigureFonts, FigureSettings, Page};
@@ -14,10 +16,15 @@ pub use order::ReportOrder;
 /// Width of the report's paper, A4.
 pub const REPORT_WIDTH_MM: f32 = 210.0;
 
-/// The pages of a report before its patch figures.
-pub fn report_pages(order: &ReportOrder<'_>, fonts: &FigureFonts) -> Vec<Page> {
+/// The pages of a report, all of one size and numbered: verdicts, maps, then the patch figures, two a page.
+pub fn report_pages(
+    order: &ReportOrder<'_>,
+    patch_figures: &[Page],
+    fonts: &FigureFonts,
+) -> Vec<Page> {
     let mut pages = cover::cover_pages(order, fonts);
     pages.extend(map_page::map_page(order, fonts));
+    pages.extend(patch_pages::patch_pages(patch_figures));
     sheet::number(&mut pages, fonts);
     pages
 }

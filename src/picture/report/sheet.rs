@@ -34,6 +34,7 @@ pub(super) fn pen<'a>(page: &'a mut Page, fonts: &'a FigureFonts) -> Pen<'a> {
 
 /// Writes the foot of every sheet: the program, what the report is not for, the number.
 pub(super) fn number(pages: &mut [Page], fonts: &FigureFonts) {
+    let count = pages.len();
     for (index, page) in pages.iter_mut().enumerate() {
         let mut pen = pen(page, fonts);
         let base = SIZE[1] - MARGIN + 0.5 * LINE;
@@ -44,7 +45,7 @@ pub(super) fn number(pages: &mut [Page], fonts: &FigureFonts) {
             env!("CARGO_PKG_VERSION")
         );
         pen.write(&program, set, Anchor::Start, [MARGIN, base]);
-        let place = format!("page {}", index + 1);
+        let place = format!("page {} of {count}", index + 1);
         pen.write(&place, set, Anchor::End, [SIZE[0] - MARGIN, base]);
     }
 }

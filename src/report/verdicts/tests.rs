@@ -133,7 +133,8 @@ fn verdicts_stand_a_row_per_subject_with_reasons_for_those_not_assessed() {
         rows[0].iter().take(6).collect::<Vec<_>>().join("|"),
         "P, 1|MINF|abnormal|0.30000000000000004|yes|"
     );
-    assert_eq!(cell(0, "finding"), "abnormal patch");
+    assert_eq!(cell(0, "finding"), Finding::Patch.name());
+    assert_eq!(cell(1, "finding"), "not assessed");
     assert_eq!(
         (cell(0, "alike_abnormal"), cell(0, "distance_from_seen")),
         ("P, 1 N1".to_owned(), "0.5".to_owned())

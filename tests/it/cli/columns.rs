@@ -8,7 +8,7 @@ use cardiomorph::report::all_tables;
 const COLUMNS: &[(&str, &str)] = &[
     (
         "frames.csv",
-        "subject,frame,endo_volume,epi_volume,volume_unit,wall_volume,endo_area,epi_area,area_unit",
+        "subject,frame,endo_volume,epi_volume,volume_unit,wall_volume,endo_area,epi_area,area_unit,time_s",
     ),
     (
         "subjects.csv",
@@ -39,6 +39,10 @@ const COLUMNS: &[(&str, &str)] = &[
     (
         "segments.csv",
         "subject,segment,name,thickness_ed,thickness_es,length_unit,thickening_percent,pt,patch_share",
+    ),
+    (
+        "patch_segments.csv",
+        "subject,patch,segment,name,share_of_patch,share_of_segment",
     ),
     (
         "the file of `medial --out`",
@@ -144,7 +148,7 @@ fn files_that_commands_write_have_the_columns_of_the_list() {
         "--isomap",
         "5",
     ]);
-    assert_eq!(check_folder(&report), 13);
+    assert_eq!(check_folder(&report), 14);
     run(&["measure", demo, "--out", super::text(&measures)]);
     assert_eq!(check_folder(&measures), 2);
     let atoms = folder.path().join("one_wall.csv");
@@ -171,6 +175,27 @@ fn files_that_commands_write_have_the_columns_of_the_list() {
         }
     }
     assert!(!columns.contains("noise.csv"));
+}
+
+#[test]
+fn the_dictionary_is_printed_with_every_column_and_its_unit() {
+    let output = super::cardiomorph(&["--columns"]);
+    assert_eq!(super::code(&output), 0, "{}", super::said(&output));
+    let text = String::from_utf8(output.stdout).unwrap();
+    for (file, keys) in COLUMNS {
+        assert!(text.contains(&format!("`{file}`")), "{file}");
+        for key in keys.split(',') {
+            assert!(text.contains(&format!("| `{key}` |")), "{file}: {key}");
+        }
+    }
+    assert!(text.contains("| `time_s` | Time | s | "));
+    let demo = super::text(super::demo());
+    let folder = tempfile::tempdir().unwrap();
+    let out = super::text(folder.path());
+    let output = super::cardiomorph(&["measure", demo, "--out", out]);
+    assert_eq!(super::code(&output), 0);
+    let written = std::fs::read_to_string(folder.path().join("columns.md")).unwrap();
+    assert!(written.contains("`time_s`") && !written.contains("atoms.csv"));
 }
 
 #[test]

@@ -145,5 +145,11 @@ fn analyze_writes_a_report_and_the_patch_figures_of_hearts_that_have_a_patch() {
     assert!(patched >= 8, "{patched}");
     let whole = String::from_utf8_lossy(&pdf);
     let pages = whole.matches("/Type /Page\n").count() + whole.matches("/Type/Page/").count();
-    assert!(pages >= patched, "{pages} pages for {patched} patches");
+    // A page of verdicts, one of maps, then two patch figures a page.
+    let expected = 2 + patched.div_ceil(2);
+    assert!(pages >= expected, "{pages} pages for {patched} patches");
+    let sizes = whole.split("/MediaBox").skip(1);
+    let mut sizes: Vec<&str> = sizes.filter_map(|rest| rest.split(']').next()).collect();
+    sizes.dedup();
+    assert_eq!(sizes.len(), 1, "pages have one size: {sizes:?}");
 }
