@@ -1,15 +1,11 @@
 //! Takes the shapes of a frame out of egui's hands before the window draws them.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, PoisonError};
 
-use egui::epaint::textures::TexturesDelta;
 use egui::epaint::{ClippedShape, Rect, Shape};
 use egui::{Context, FullOutput, Plugin, ViewportId};
 
-use super::kept::FramePaint;
-
-/// Changes of textures that no frame has drawn yet: a frame may be made and not shown.
-pub(super) type WaitingTextures = Arc<Mutex<TexturesDelta>>;
+use super::kept::{FramePaint, WaitingTextures};
 
 /// Hands each frame of the window to the kept picture, as one callback that covers the window.
 #[derive(Default)]

@@ -1,15 +1,18 @@
 //! The kept picture: a texture of the window's size, into which changed areas are drawn.
 
-use std::sync::{Arc, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
+use egui::epaint::textures::TexturesDelta;
 use egui::epaint::{ClippedPrimitive, ClippedShape, Primitive};
 use egui::{Color32, Context, CornerRadius, PaintCallbackInfo, Rect, Shape, TextureId};
 use egui_wgpu::{CallbackResources, CallbackTrait, RenderState, RendererOptions, ScreenDescriptor};
 
 use super::changes::{Areas, changed_areas, scene_pixels};
-use super::hook::WaitingTextures;
 use super::target::{Copier, Target};
 use crate::panes::viewport::paint::{self, SceneDrawing};
+
+/// Changes of textures that no frame has drawn yet: a frame may be made and not shown.
+pub(super) type WaitingTextures = Arc<Mutex<TexturesDelta>>;
 
 /// All shapes of one frame.
 pub(super) struct FramePaint {

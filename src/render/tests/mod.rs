@@ -1,5 +1,6 @@
 //! Pictures of small scenes, measured pixel by pixel.
 
+mod blitted;
 mod marks;
 mod moving;
 mod opengl;

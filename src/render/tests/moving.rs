@@ -51,7 +51,14 @@ fn with_fewer_pixels_it_fills_the_same_place() {
     let coarse = picture(&mut headless, &wall(), full.moving(0.5));
     let covered = |picture: &Picture| {
         let pixels = picture.rgba.chunks(4);
-        pixels.filter(|pixel| **pixel != background()).count() as f64
+        // An edge that is spread over two pixels counts once.
+        let far = |pixel: &[u8]| {
+            pixel
+                .iter()
+                .zip(background())
+                .any(|(a, b)| a.abs_diff(b) > 30)
+        };
+        pixels.filter(|pixel| far(pixel)).count() as f64
     };
     let share = covered(&coarse) / covered(&rest);
     assert!((share - 1.0).abs() < 0.05, "{share}");
