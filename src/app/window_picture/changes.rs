@@ -7,11 +7,11 @@ use egui::{Pos2, Rect, Shape, pos2};
 const SEARCHED: usize = 48;
 
 /// Areas that are drawn apart at most: each repeats what lies across its edges.
-const MOST_AREAS: usize = 12;
+const MAX_AREAS: usize = 12;
 
 /// Two areas are drawn as one if that adds at most so many square points to both: a scene of half the window is not
 /// made larger for a cursor beside it, while the letters of a text are one area.
-const MOST_ADDED: f32 = 3000.0;
+const MAX_ADDED: f32 = 3000.0;
 
 /// Width in pixels that smoothing of edges adds around a shape, rounded up.
 const FEATHER_PIXELS: f32 = 2.0;
@@ -104,7 +104,7 @@ impl Areas {
             area = area.union(self.list.swap_remove(at));
         }
         self.list.push(area);
-        if self.list.len() > MOST_AREAS {
+        if self.list.len() > MAX_AREAS {
             self.join_cheapest();
         }
     }
@@ -134,7 +134,7 @@ impl Areas {
 }
 
 fn joins(a: Rect, b: Rect) -> bool {
-    a.union(b).area() - a.area() - b.area() <= MOST_ADDED
+    a.union(b).area() - a.area() - b.area() <= MAX_ADDED
 }
 
 /// The pixels that egui gives to a callback, in points: its edges are rounded.
@@ -273,7 +273,7 @@ mod tests {
             // Most of a real picture stays.
             now.splice(0..0, before.iter().take(kept).cloned());
             let areas = areas(&before, &now);
-            prop_assert!(areas.len() <= MOST_AREAS);
+            prop_assert!(areas.len() <= MAX_AREAS);
             for x in 0..80 {
                 for y in 0..60 {
                     let at = pos2(x as f32 * 5.0 + 2.5, y as f32 * 5.0 + 2.5);
