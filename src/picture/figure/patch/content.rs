@@ -38,7 +38,7 @@ impl VerdictLines {
         match classified {
             _ if wall.not_assessed.is_some() => Self::not_assessed(wall.not_assessed.as_ref()),
             None => Self {
-                heading: String::new(),
+                heading: "Not yet assessed".to_owned(),
                 abnormal: false,
                 evidence: extent_words(&wall.thickening),
             },
