@@ -290,7 +290,7 @@ impl eframe::App for App {
             let_go_of_study(ctx);
         }
         let (files, mut exporting) = self.exporting(ctx);
-        files.take_waiting_figure(&mut exporting);
+        files.take_waiting_figures(&mut exporting);
         self.play(ctx);
         let seen = Seen {
             panes: self.layout.seen(),

@@ -62,11 +62,11 @@ pub struct Exporting<'a> {
     pub dark: bool,
 }
 
-/// The dialog that is open, the picture that is read and the figure that waits for its subject.
+/// The dialog that is open, the picture that is read and the figures that wait for their subject.
 pub struct ChosenFiles {
     dialogs: Dialogs,
     saved_views: SavedViews,
-    waiting_figure: Option<WantedFigure>,
+    waiting_figures: Vec<WantedFigure>,
 }
 
 impl ChosenFiles {
@@ -75,7 +75,7 @@ impl ChosenFiles {
         Self {
             dialogs: Dialogs::new(ask_paths),
             saved_views: SavedViews::default(),
-            waiting_figure: None,
+            waiting_figures: Vec::new(),
         }
     }
 
@@ -151,23 +151,23 @@ impl ChosenFiles {
                 if let Some(subject) = wanted.document.selected() {
                     state.message = format!("The figure waits for {}", subject.id);
                 }
-                self.waiting_figure = Some(WantedFigure { path, ..wanted });
+                self.waiting_figures.push(WantedFigure { path, ..wanted });
             }
         }
     }
 
-    /// Takes the figure that waits for its subject, once that is on screen; never of another subject.
-    pub fn take_waiting_figure(&mut self, exporting: &mut Exporting<'_>) {
-        let Some(waiting) = self.waiting_figure.take() else {
-            return;
-        };
-        let Some(reason) = waiting.left_behind_by(&exporting.state.document) else {
-            return self.make_figure(exporting, waiting);
-        };
-        let subject = waiting.document.selected();
-        let id = subject.map_or("the subject", |subject| subject.id.as_str());
-        let title = format!("There is no figure of {id}");
-        push_card(&mut exporting.state.errors, title, reason);
+    /// Takes the figures that wait for their subject, once that is on screen; never of another subject.
+    pub fn take_waiting_figures(&mut self, exporting: &mut Exporting<'_>) {
+        for waiting in std::mem::take(&mut self.waiting_figures) {
+            let Some(reason) = waiting.left_behind_by(&exporting.state.document) else {
+                self.make_figure(exporting, waiting);
+                continue;
+            };
+            let subject = waiting.document.selected();
+            let id = subject.map_or("the subject", |subject| subject.id.as_str());
+            let title = format!("There is no figure of {id}");
+            push_card(&mut exporting.state.errors, title, reason);
+        }
     }
 
     /// What dialogs and pictures have brought: commands to apply; exports with a place begin.

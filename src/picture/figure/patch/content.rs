@@ -32,7 +32,7 @@ pub struct VerdictLines {
 }
 
 impl VerdictLines {
-    /// Of one subject; with `None` for verdicts, thickening alone.
+    /// Of one subject; with `None` for verdicts, thickening alone and that there is no verdict yet.
     pub fn of(wall: &SubjectThickening, verdicts: Option<&Verdicts>, subject: usize) -> Self {
         let classified = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
         match classified {
