@@ -63,6 +63,7 @@ impl App {
         let ctx = cc.egui_ctx.clone();
         let settings = Settings::load(cc.storage);
         ui::install(&ctx);
+        ctx.add_plugin(crate::panes::TabForSubjects);
         choose_theme(&ctx, settings.theme);
         if let Some(device) = &cc.wgpu_render_state {
             let scenes = paint::install(device, options.live);
@@ -154,12 +155,7 @@ impl App {
     }
 
     fn take_in(&mut self, ctx: &Context) {
-        let opening = self.state.document.study.opening;
         self.background.poll(&mut self.state);
-        if self.state.document.study.opening != opening {
-            // What the pointer holds is a subject of the study before.
-            egui::DragAndDrop::clear_payload(ctx);
-        }
         (self.typefaces).poll(ctx, &mut self.state, &self.background.engine);
         let chosen = (self.files).poll(&mut self.state, &mut self.background.engine);
         self.queue.extend(chosen);
@@ -271,6 +267,14 @@ fn choose_theme(ctx: &Context, choice: ThemeChoice) {
     });
 }
 
+/// Another study is on screen, opened or brought back by undo: what the pointer holds, what an open menu is about and
+/// where a map was looked at belong to the one before.
+fn let_go_of_study(ctx: &Context) {
+    egui::DragAndDrop::clear_payload(ctx);
+    egui::Popup::close_all(ctx);
+    crate::panes::leave_study(ctx);
+}
+
 /// After a click the keys belong to the window again, unless the click went into a text: Space
 /// plays and arrows step frames whatever was clicked before.
 fn give_keyboard_back(ctx: &Context) {
@@ -287,12 +291,16 @@ impl eframe::App for App {
         let begin = Instant::now();
         // What was clicked concerns what was drawn: it comes before anything that finished since, such as
         // another study, in whose table a row is another subject.
+        let opening = self.state.document.study.opening;
         self.apply_queue(ctx);
         self.take_in(ctx);
         self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
+        if self.state.document.study.opening != opening {
+            let_go_of_study(ctx);
+        }
         let (files, mut exporting) = self.exporting(ctx);
-        files.take_waiting_figure(&mut exporting);
+        files.take_waiting_figures(&mut exporting);
         self.play(ctx);
         let seen = Seen {
             panes: self.layout.seen(),
@@ -342,10 +350,6 @@ impl eframe::App for App {
     /// What egui itself would keep includes texts that were typed, so nothing of it is kept.
     fn persist_egui_memory(&self) -> bool {
         false
-    }
-
-    fn raw_input_hook(&mut self, ctx: &Context, input: &mut egui::RawInput) {
-        self.queue.extend(crate::panes::claim_tab(ctx, input));
     }
 
     fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {

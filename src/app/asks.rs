@@ -11,6 +11,7 @@ use crate::panes::Pane;
 
 use super::asks_motions::MotionAsks;
 use crate::document::answers::{Answers, WallAnswer};
+use crate::document::document::Document;
 use crate::document::state::State;
 use crate::document::visible_poses;
 use crate::panes::deformation_map::view::enough_subjects;
@@ -60,7 +61,7 @@ impl Asks {
         if seen.panes.contains(&Pane::THICKNESS) {
             answers.thickness = thickness(state, store);
         }
-        let verdicts = verdict_settings(state);
+        let verdicts = verdict_settings(&state.document);
         answers.verdicts = Some(ask_at_rest(store, study, seen.pointer_held, &verdicts));
         answers
     }
@@ -75,9 +76,9 @@ pub fn deformation_settings(state: &State) -> DeformationMapSettings {
 }
 
 /// How the subjects are classified.
-pub fn verdict_settings(state: &State) -> VerdictSettings {
+pub fn verdict_settings(document: &Document) -> VerdictSettings {
     VerdictSettings {
-        thickening: state.document.thickening,
+        thickening: document.thickening,
         ..VerdictSettings::default()
     }
 }

@@ -5,22 +5,52 @@ use std::sync::Arc;
 
 use crate::engine::Engine;
 use crate::panes::{Command, FileCommand};
+use crate::picture::Quantity;
 use crate::study::Subject;
 
 use super::dialogs::{AskPaths, Dialogs, PathQuestion};
 use super::errors::push_card;
 use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
 use super::saved_views::{self, SavedViews};
+use crate::document::document::Document;
 use crate::document::state::State;
 use crate::panes::look::Kept;
 use crate::panes::viewport::hearts::Viewport;
 
-/// A figure that was asked for before the selected subject was on screen and its wall measured.
-struct WaitingFigure {
+/// A figure as it was asked for. It waits where the selected subject is not on screen yet, or its wall not measured.
+struct WantedFigure {
     kind: FigureKind,
     /// Where it goes; asked for if `None`.
     path: Option<PathBuf>,
-    subject: Arc<Subject>,
+    /// What was on screen at the command, or about to be.
+    document: Document,
+    dark: bool,
+}
+
+impl WantedFigure {
+    /// Why it can no longer be had once the window shows `now`; `None` as long as it can.
+    fn left_behind_by(&self, now: &Document) -> Option<&'static str> {
+        let needs_numbers = |document: &Document| {
+            matches!(
+                document.bar_quantity(),
+                Quantity::ThicknessRatio | Quantity::Contribution | Quantity::MotionDifference
+            )
+        };
+        let colours_changed = now.bar_quantity() != self.document.bar_quantity();
+        if self.subject() != now.selected().map(Arc::as_ptr) {
+            Some("another subject was selected before this one was drawn and measured")
+        } else if now.thickening != self.document.thickening {
+            Some("the thresholds of patches were changed before its wall was measured")
+        } else if colours_changed && needs_numbers(&self.document) {
+            Some("other colours were chosen before those of the figure were computed")
+        } else {
+            None
+        }
+    }
+
+    fn subject(&self) -> Option<*const Subject> {
+        self.document.selected().map(Arc::as_ptr)
+    }
 }
 
 /// What an export is made from and reports to.
@@ -32,11 +62,11 @@ pub struct Exporting<'a> {
     pub dark: bool,
 }
 
-/// The dialog that is open, the picture that is read and the figure that waits for its subject.
+/// The dialog that is open, the picture that is read and the figures that wait for their subject.
 pub struct ChosenFiles {
     dialogs: Dialogs,
     saved_views: SavedViews,
-    waiting_figure: Option<WaitingFigure>,
+    waiting_figures: Vec<WantedFigure>,
 }
 
 impl ChosenFiles {
@@ -45,7 +75,7 @@ impl ChosenFiles {
         Self {
             dialogs: Dialogs::new(ask_paths),
             saved_views: SavedViews::default(),
-            waiting_figure: None,
+            waiting_figures: Vec::new(),
         }
     }
 
@@ -84,14 +114,21 @@ impl ChosenFiles {
         kind: FigureKind,
         path: Option<PathBuf>,
     ) {
-        let state = &mut *exporting.state;
-        let figure = FigureExport::now(
-            state,
-            &exporting.viewport.borrow_mut(),
-            exporting.dark,
+        let wanted = WantedFigure {
             kind,
-        );
-        match (figure, path) {
+            path,
+            document: exporting.state.document.clone(),
+            dark: exporting.dark,
+        };
+        self.make_figure(exporting, wanted);
+    }
+
+    fn make_figure(&mut self, exporting: &mut Exporting<'_>, mut wanted: WantedFigure) {
+        let state = &mut *exporting.state;
+        let viewport = exporting.viewport.borrow_mut();
+        let (document, kind) = (&wanted.document, wanted.kind);
+        let figure = FigureExport::of(document, state, &viewport, wanted.dark, kind);
+        match (figure, wanted.path.take()) {
             (Ok(figure), Some(path)) => write_figure(state, exporting.engine, figure, path),
             (Ok(figure), None) => {
                 let question = PathQuestion::SaveFigure {
@@ -110,23 +147,27 @@ impl ChosenFiles {
                 let title = "There is no patch figure of this subject";
                 push_card(&mut state.errors, title, reason);
             }
-            (Err(NoFigure::NotYet), path) => self.wait_for_subject(state, kind, path),
+            (Err(NoFigure::NotYet), path) => {
+                if let Some(subject) = wanted.document.selected() {
+                    state.message = format!("The figure waits for {}", subject.id);
+                }
+                self.waiting_figures.push(WantedFigure { path, ..wanted });
+            }
         }
     }
 
-    /// Takes the figure that waits for its subject, once that is on screen; never of another subject.
-    pub fn take_waiting_figure(&mut self, exporting: &mut Exporting<'_>) {
-        let Some(waiting) = self.waiting_figure.take() else {
-            return;
-        };
-        let selected = exporting.state.document.selected();
-        if selected.is_some_and(|selected| Arc::ptr_eq(selected, &waiting.subject)) {
-            self.ask_for_figure(exporting, waiting.kind, waiting.path);
-            return;
+    /// Takes the figures that wait for their subject, once that is on screen; never of another subject.
+    pub fn take_waiting_figures(&mut self, exporting: &mut Exporting<'_>) {
+        for waiting in std::mem::take(&mut self.waiting_figures) {
+            let Some(reason) = waiting.left_behind_by(&exporting.state.document) else {
+                self.make_figure(exporting, waiting);
+                continue;
+            };
+            let subject = waiting.document.selected();
+            let id = subject.map_or("the subject", |subject| subject.id.as_str());
+            let title = format!("There is no figure of {id}");
+            push_card(&mut exporting.state.errors, title, reason);
         }
-        let title = format!("There is no figure of {}", waiting.subject.id);
-        let reason = "another subject was selected before this one was drawn and measured";
-        push_card(&mut exporting.state.errors, title, reason);
     }
 
     /// What dialogs and pictures have brought: commands to apply; exports with a place begin.
@@ -138,18 +179,6 @@ impl ChosenFiles {
             None => {}
         }
         commands
-    }
-
-    fn wait_for_subject(&mut self, state: &mut State, kind: FigureKind, path: Option<PathBuf>) {
-        let subject = state.document.selected().map(Arc::clone);
-        self.waiting_figure = subject.map(|subject| {
-            state.message = format!("The figure waits for {}", subject.id);
-            WaitingFigure {
-                kind,
-                path,
-                subject,
-            }
-        });
     }
 }
 

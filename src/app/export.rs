@@ -10,20 +10,20 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::ViewMode;
 use crate::engine::{
-    Engine, ExportFile, Interrupted, TableSettings, ThickeningSettings, distance_words, file_name,
-    tables_of_study,
+    Engine, ExportFile, Interrupted, Store, TableSettings, ThickeningSettings, VerdictSettings,
+    distance_words, file_name, tables_of_study,
 };
 use crate::picture::figure::{
     FigureOrder, FigureSubject, FigureView, PatchOrder, rendered_figure, rendered_patch_figure,
 };
 use crate::picture::page::{FigureFonts, PageFormat};
-use crate::picture::{BullsEyeQuantity, SceneSettings};
+use crate::picture::{BullsEyeQuantity, SceneSettings, frames_around, sentence};
 use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
 
 use super::asks::{deformation_settings, verdict_settings};
-use crate::document::document::nearest_frame;
+use crate::document::document::{Document, nearest_frame};
 use crate::document::play::pose_in;
 use crate::document::state::State;
 use crate::panes::viewport::hearts::Viewport;
@@ -66,14 +66,17 @@ impl FigureKind {
 /// A subject, a camera and settings as they were when the figure was asked for: everything that it is drawn from.
 pub struct FigureExport {
     kind: FigureKind,
-    study: String,
+    study: Arc<Study>,
     shown: ShownSubject,
     measures: Option<SubjectMeasures>,
     settings: SceneSettings,
     camera: Camera,
     bulls_eye: BullsEyeQuantity,
     thickening: ThickeningSettings,
-    verdicts: Option<Arc<Verdicts>>,
+    /// What the verdict is asked with, for a patch figure: it may not be known yet.
+    verdict: VerdictSettings,
+    /// What a figure of the 3D view says of it: there is no room for more, and no reason to wait for a cohort.
+    verdict_words: String,
 }
 
 /// Why there is no figure now.
@@ -86,35 +89,47 @@ pub enum NoFigure {
 }
 
 impl FigureExport {
-    /// The selected subject as it is seen now.
+    /// The subject that `document` selects as the document shows it: the document of the command, which may be older
+    /// than that of the state.
     ///
     /// # Errors
     /// If the view still shows another subject, its wall is still being measured, or it has none for a patch figure.
-    pub fn now(
+    pub fn of(
+        document: &Document,
         state: &State,
         viewport: &Viewport,
         dark: bool,
         kind: FigureKind,
     ) -> Result<Self, NoFigure> {
-        let shown = selected_on_screen(state, viewport).ok_or(NoFigure::NotYet)?;
-        if kind == FigureKind::Patch && shown.medial.is_none() {
-            return Err(match state.wall_of(shown.index) {
-                Some((Err(why), _)) => {
-                    NoFigure::Refused(format!("{} is not assessed: {why}", shown.subject.id))
+        let shown = selected_on_screen(document, viewport).ok_or(NoFigure::NotYet)?;
+        let wall = state.wall_of(shown.index);
+        if kind == FigureKind::Patch {
+            match wall {
+                Some((Err(why), true)) => {
+                    let why = format!("{} is not assessed: {why}", shown.subject.id);
+                    return Err(NoFigure::Refused(why));
                 }
-                _ => NoFigure::NotYet,
-            });
+                Some((Ok(_), true)) if shown.medial.is_some() => {}
+                _ => return Err(NoFigure::NotYet),
+            }
         }
         Ok(Self {
             kind,
-            study: state.document.study().name.clone(),
+            study: Arc::clone(document.study()),
             measures: state.measures_of(shown.index).cloned(),
-            settings: viewport.settings(state, dark),
-            camera: viewport.camera(state, shown),
-            bulls_eye: state.document.bulls_eye,
-            thickening: state.document.thickening,
-            verdicts: state.verdicts().map(|(verdicts, _)| Arc::clone(verdicts)),
-            shown: shown.clone(),
+            settings: shown.settings(&viewport.settings(document, dark)),
+            camera: viewport.camera(document, shown),
+            bulls_eye: document.bulls_eye,
+            thickening: document.thickening,
+            verdict: verdict_settings(document),
+            verdict_words: verdict_words(state, shown.index),
+            shown: ShownSubject {
+                position: match document.view_mode {
+                    ViewMode::AllFrames => document.frame() as f64,
+                    ViewMode::Single | ViewMode::SideBySide => document.position,
+                },
+                ..shown.clone()
+            },
         })
     }
 
@@ -122,13 +137,20 @@ impl FigureExport {
     pub fn file_name(&self) -> String {
         let safe = file_name(&self.shown.subject.id);
         match self.kind {
-            FigureKind::View => format!("{safe}_frame_{}.png", self.frame()),
+            FigureKind::View => match frames_around(self.shown.position, self.frame_count()) {
+                Some([from, to]) => format!("{safe}_between_frames_{from}_and_{to}.png"),
+                None => format!("{safe}_frame_{}.png", self.frame()),
+            },
             FigureKind::Patch => format!("{safe}_patch.png"),
         }
     }
 
     fn frame(&self) -> usize {
-        nearest_frame(self.shown.position, self.shown.placed.prepared.frame_count)
+        nearest_frame(self.shown.position, self.frame_count())
+    }
+
+    fn frame_count(&self) -> usize {
+        self.shown.placed.prepared.frame_count
     }
 
     /// Draws and writes it, off the window's thread.
@@ -145,8 +167,9 @@ impl FigureExport {
         let [width, height] = self.kind.size();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let words = format!("{width} × {height} pixels, {name}");
+        let store = Arc::clone(engine.store());
         engine.start_export(self.kind.name(), words, move |progress| {
-            let bytes = drawn(&self, format, progress)?;
+            let bytes = drawn(&self, &store, format, progress)?;
             Ok(vec![ExportFile {
                 path,
                 bytes: bytes.into(),
@@ -156,36 +179,55 @@ impl FigureExport {
     }
 }
 
-/// The selected subject where it is on screen, at the frame of the time bar where every frame is shown.
-fn selected_on_screen<'a>(state: &State, viewport: &'a Viewport) -> Option<&'a ShownSubject> {
-    let document = &state.document;
+/// The selected subject where it is on screen.
+fn selected_on_screen<'a>(document: &Document, viewport: &'a Viewport) -> Option<&'a ShownSubject> {
     let selected = document.selected()?;
-    let mut own = viewport
-        .shown()
-        .iter()
-        .filter(|shown| Arc::ptr_eq(&shown.subject, selected));
-    if document.view_mode == ViewMode::AllFrames {
-        own.find(|shown| {
-            nearest_frame(shown.position, shown.placed.prepared.frame_count) == document.frame()
-        })
-    } else {
-        own.next()
+    let mut shown = viewport.shown().iter();
+    shown.find(|shown| Arc::ptr_eq(&shown.subject, selected))
+}
+
+/// The verdict on a subject, as far as it is known with the settings of today.
+fn verdict_words(state: &State, subject: usize) -> String {
+    let of_today = matches!(state.verdicts(), Some((_, true)));
+    let verdict = state.verdict_of(subject).filter(|_| of_today);
+    match (verdict, state.wall_of(subject)) {
+        (Some(Ok(verdict)), _) => sentence(verdict.finding.name()),
+        (Some(Err(_)), _) | (None, Some((Err(_), true))) => "Not assessed".to_owned(),
+        (None, _) => "Not yet assessed".to_owned(),
     }
+}
+
+/// The verdicts that a patch figure waits for; `None` where they could not be had, for which there is a card.
+fn awaited_verdicts(
+    figure: &FigureExport,
+    store: &Store,
+    progress: &Progress,
+) -> Result<Option<Arc<Verdicts>>, String> {
+    if figure.kind != FigureKind::Patch {
+        return Ok(None);
+    }
+    let part = progress.part("waiting for the verdict", 0.0, 0.5);
+    let verdicts = store.answer(&figure.study, &figure.verdict, &part);
+    progress.check().map_err(|stopped| stopped.to_string())?;
+    Ok(verdicts.ok())
 }
 
 fn drawn(
     figure: &FigureExport,
+    store: &Store,
     format: PageFormat,
     progress: &Progress,
 ) -> Result<Vec<u8>, String> {
-    progress.begin_phase("drawing", 0.0, 0.8);
+    let verdicts = awaited_verdicts(figure, store, progress)?;
+    progress.begin_phase("drawing", 0.5, 0.8);
     let message = |error: &dyn std::fmt::Display| error.to_string();
     let fonts = FigureFonts::load().map_err(|error| message(&error))?;
     let mut headless = Headless::new().map_err(|error| message(&error))?;
     let shown = &figure.shown;
     let prepared = &shown.placed.prepared;
     let order = FigureOrder {
-        study: &figure.study,
+        study: &figure.study.name,
+        verdict: &figure.verdict_words,
         shown: FigureSubject {
             subject: &shown.subject,
             measures: figure.measures.as_ref(),
@@ -206,7 +248,7 @@ fn drawn(
             let order = PatchOrder {
                 figure: order,
                 wall: &medial.wall,
-                verdicts: figure.verdicts.as_deref(),
+                verdicts: verdicts.as_deref(),
                 subject: shown.index,
             };
             rendered_patch_figure(&order, &mut headless, &fonts)
@@ -234,7 +276,7 @@ impl TableExport {
             study,
             settings: TableSettings {
                 deformations: deformation_settings(state),
-                verdicts: verdict_settings(state),
+                verdicts: verdict_settings(&state.document),
                 ..TableSettings::default()
             },
         })

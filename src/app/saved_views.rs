@@ -86,9 +86,7 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
     }
     state.play.playing = false;
     change(state, moment, None, |d| {
-        d.select_subject(subject);
-        let last = (d.frame_count() as f64 - f64::EPSILON).max(0.0);
-        d.position = view.position.min(last);
+        d.select_subject_at(subject, view.position);
         d.view_mode = ViewMode::Single;
         let camera = view.camera;
         d.look = Look {
@@ -185,6 +183,15 @@ mod tests {
         assert!(state.errors.is_empty());
         let undone = state.history.undo(&state.document).unwrap();
         assert_eq!(undone, before);
+    }
+
+    #[test]
+    fn a_position_at_the_end_of_the_cycle_stays_within_the_frames() {
+        let mut state = state();
+        let mut view = view(&state);
+        view.position = 4.0;
+        apply(&mut state, &view, &moment());
+        assert!(state.document.position < 4.0, "{}", state.document.position);
     }
 
     #[test]

@@ -333,6 +333,7 @@ impl Stage {
     ) -> FigureOrder<'a> {
         FigureOrder {
             study: &study.name,
+            verdict: "",
             shown: FigureSubject {
                 subject: &study.subjects[shot.index],
                 measures: measures.get(shot.index),

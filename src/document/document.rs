@@ -241,14 +241,35 @@ impl Document {
         let phase = self
             .selected()
             .map_or(0.0, |shown| phase_of(shown, self.position));
-        if subject != self.subject && self.selected_patch().is_some() {
-            // A patch belongs to its subject; a segment is one of every subject.
-            self.part = None;
-        }
-        self.subject = subject;
+        self.select_subject_at(subject, 0.0);
         self.position = self
             .selected()
             .map_or(0.0, |shown| position_at_phase(shown, phase));
+    }
+
+    /// Selects a subject at a position in its own cycle.
+    pub fn select_subject_at(&mut self, subject: usize, position: f64) {
+        if subject != self.subject {
+            self.let_patch_go();
+        }
+        self.subject = subject;
+        self.move_to(position);
+    }
+
+    /// A patch belongs to its subject; a segment is one of every subject.
+    fn let_patch_go(&mut self) {
+        if self.selected_patch().is_some() {
+            self.part = None;
+        }
+    }
+
+    /// Moves to the position nearest to this one, counted in frames, that the selected subject has.
+    pub fn move_to(&mut self, position: f64) {
+        // A position just below the frame count lies between the last pose and the first.
+        let end = (self.frame_count() as f64).next_down();
+        if !position.is_nan() {
+            self.position = position.clamp(0.0, end);
+        }
     }
 
     /// Replaces the selected subject by an edited copy in a study of another revision.
@@ -259,6 +280,8 @@ impl Document {
         let mut edited = Subject::clone(subject);
         edit(&mut edited);
         self.study.study = Arc::new(self.study().with_subject(self.subject, edited, revision));
+        // Its patches are found anew and counted in another order.
+        self.let_patch_go();
     }
 }
 

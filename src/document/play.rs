@@ -1,5 +1,7 @@
 //! The clock that plays a motion: from seconds on the wall to a place between poses.
 
+pub use crate::picture::is_between;
+
 use crate::picture::PreparedSubject;
 use crate::render::GeometryPose;
 use crate::study::Subject;
@@ -112,12 +114,6 @@ pub fn pose_in(prepared: &PreparedSubject, position: f64) -> GeometryPose {
         },
         blend: (place - step as f64) as f32,
     }
-}
-
-/// Whether a position lies between given poses. Positions within a millionth of a frame count
-/// as given: that far go rounding errors of phases.
-pub fn is_between(position: f64) -> bool {
-    (position - position.round()).abs() > 1e-6
 }
 
 #[cfg(test)]

@@ -32,7 +32,8 @@ pub struct Engine {
     // Jobs stand before their threads: they are dropped first, which stops what still runs.
     opening: Option<Job<Opened, Stopped>>,
     opened: Option<Opened>,
-    export: Option<Job<Vec<PathBuf>, ExportError>>,
+    /// One is made after the other.
+    exports: Vec<Job<Vec<PathBuf>, ExportError>>,
     exported: Option<Vec<PathBuf>>,
     last_opening: Option<OpenSource>,
     revisions: Arc<AtomicU64>,
@@ -53,7 +54,7 @@ impl Engine {
         Ok(Self {
             opening: None,
             opened: None,
-            export: None,
+            exports: Vec::new(),
             exported: None,
             last_opening: None,
             revisions: Arc::new(AtomicU64::new(1)),
@@ -120,8 +121,7 @@ impl Engine {
             write_files(files).map_err(ExportError)
         });
         (self.store).list_job(Topic::EXPORT, name, parameters, Arc::clone(job.watch()));
-        self.exported = None;
-        self.export = Some(job);
+        self.exports.push(job);
     }
 
     /// The files of a finished export, once.
@@ -147,7 +147,7 @@ impl Engine {
     pub fn cancel(&mut self, topic: Topic) {
         match topic {
             Topic::OPENING => self.opening = None,
-            Topic::EXPORT => self.export = None,
+            Topic::EXPORT => self.exports.clear(),
             question => self.store.cancel(question),
         }
     }
@@ -173,11 +173,16 @@ impl Engine {
                 Err(error) => self.report(Topic::OPENING, "Opening failed", Arc::new(error)),
             }
         }
-        if let Some(exported) = finished(&mut self.export) {
-            match exported {
-                Ok(files) => self.exported = Some(files),
-                Err(error) => self.report(Topic::EXPORT, "Nothing was exported", Arc::new(error)),
+        for job in std::mem::take(&mut self.exports) {
+            let mut job = Some(job);
+            match finished(&mut job) {
+                Some(Ok(files)) => self.exported = Some(files),
+                Some(Err(error)) => {
+                    self.report(Topic::EXPORT, "Nothing was exported", Arc::new(error));
+                }
+                None => {}
             }
+            self.exports.extend(job);
         }
     }
 
@@ -188,7 +193,7 @@ impl Engine {
 
     /// Whether anything runs; while it does, its bar moves.
     pub fn busy(&self) -> bool {
-        self.opening.is_some() || self.export.is_some() || self.store.busy()
+        self.opening.is_some() || !self.exports.is_empty() || self.store.busy()
     }
 
     /// All work of this run, newest first.

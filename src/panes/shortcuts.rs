@@ -1,9 +1,9 @@
 //! Keys that were pressed, as commands, and keys as text.
 
-use egui::{Context, Key, KeyboardShortcut, Modifiers};
+use egui::{Context, Event, Key, KeyboardShortcut, Modifiers, Plugin, RawInput};
 
+use crate::panes::commands::Command;
 use crate::panes::commands::{ACTIONS, Action, action_of};
-use crate::panes::commands::{BeatCommand, Command};
 
 /// The shortcut of a command as text, such as `Ctrl+K`; `None` where it has none.
 pub fn shortcut_text(ctx: &Context, command: &Command) -> Option<String> {
@@ -21,15 +21,14 @@ pub fn hint(ctx: &Context, name: &str, command: &Command) -> String {
 /// Commands whose keys were pressed; the keys are consumed.
 ///
 /// Keys that would disturb typing do nothing while a text field has the keyboard, and keys that
-/// move or press a control do nothing while one has it. Tab is taken by [`claim_tab`].
+/// move or press a control do nothing while one has it. While a menu or a form is open, plain keys belong to it.
 pub fn pressed_commands(ctx: &Context) -> Vec<Command> {
     let typing = ctx.text_edit_focused();
     let on_control = ctx.memory(|memory| memory.focused()).is_some();
     let popup = ctx.any_popup_open();
     let mut by_modifiers: Vec<(&Action, KeyboardShortcut)> = ACTIONS
         .iter()
-        .filter_map(|action| Some((action, action.shortcut?)))
-        .filter(|(_, shortcut)| shortcut.logical_key != Key::Tab)
+        .filter_map(|action| Some((action, reachable(action.shortcut?))))
         .collect();
     // Ctrl+Shift+Z before Ctrl+Z: a shortcut also matches with more Shift than it asks for.
     by_modifiers.sort_by_key(|(_, shortcut)| std::cmp::Reverse(modifier_count(shortcut.modifiers)));
@@ -42,7 +41,7 @@ pub fn pressed_commands(ctx: &Context) -> Vec<Command> {
         );
         // A text field undoes its own typing.
         let undoes = shortcut.logical_key == Key::Z;
-        if (typing && (plain || undoes)) || ((on_control || popup) && moves) {
+        if ((typing || popup) && plain) || (typing && undoes) || (on_control && moves) {
             continue;
         }
         if ctx.input_mut(|input| input.consume_shortcut(&shortcut)) {
@@ -52,33 +51,42 @@ pub fn pressed_commands(ctx: &Context) -> Vec<Command> {
     commands
 }
 
-/// Takes Tab for the next subject while no control has the keyboard; call it on raw input,
-/// before egui moves its focus. F6 then gives the keyboard to the first control, Esc takes it back.
-pub fn claim_tab(ctx: &Context, input: &mut egui::RawInput) -> Vec<Command> {
-    let busy = ctx.memory(|memory| memory.focused()).is_some() || ctx.any_popup_open();
-    let mut commands = Vec::new();
-    for event in &mut input.events {
-        let egui::Event::Key {
-            key,
-            pressed,
-            modifiers,
-            ..
-        } = event
-        else {
-            continue;
-        };
-        if *key == Key::F6 && !busy {
-            *key = Key::Tab;
-        } else if *key == Key::Tab && !busy && !modifiers.command && !modifiers.alt {
-            if *pressed {
-                commands
-                    .push(BeatCommand::StepSubject(if modifiers.shift { -1 } else { 1 }).into());
+/// Takes Tab for the next subject while no control has the keyboard, before egui moves its focus. F6 then gives the
+/// keyboard to the first control, Esc takes it back. Its place is after [`crate::ui::install`], which cuts the input of
+/// a frame: a Tab after Ctrl+K is for the palette.
+#[derive(Debug, Default)]
+pub struct TabForSubjects;
+
+/// The key that Tab is passed on as: no keyboard has it.
+const CLAIMED_TAB: Key = Key::F35;
+
+impl Plugin for TabForSubjects {
+    fn debug_name(&self) -> &'static str {
+        "tab for subjects"
+    }
+
+    fn input_hook(&mut self, ctx: &Context, input: &mut RawInput) {
+        if ctx.memory(|memory| memory.focused()).is_some() || ctx.any_popup_open() {
+            return;
+        }
+        for event in &mut input.events {
+            if let Event::Key { key, modifiers, .. } = event {
+                match *key {
+                    Key::F6 => *key = Key::Tab,
+                    Key::Tab if !modifiers.command && !modifiers.alt => *key = CLAIMED_TAB,
+                    _ => {}
+                }
             }
-            // A key that nothing listens to.
-            *key = Key::F35;
         }
     }
-    commands
+}
+
+/// A shortcut as it reaches the window.
+fn reachable(mut shortcut: KeyboardShortcut) -> KeyboardShortcut {
+    if shortcut.logical_key == Key::Tab {
+        shortcut.logical_key = CLAIMED_TAB;
+    }
+    shortcut
 }
 
 fn modifier_count(modifiers: Modifiers) -> usize {
@@ -95,7 +103,7 @@ fn is_function_key(key: Key) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::panes::{EditCommand, WindowCommand};
+    use crate::panes::{BeatCommand, EditCommand, WindowCommand};
 
     const NONE: Modifiers = Modifiers::NONE;
     const CTRL: Modifiers = Modifiers::COMMAND;
@@ -103,8 +111,8 @@ mod tests {
 
     fn pressed(modifiers: Modifiers, key: Key) -> Vec<Command> {
         let ctx = Context::default();
-        let input = egui::RawInput {
-            events: vec![egui::Event::Key {
+        let input = RawInput {
+            events: vec![Event::Key {
                 key,
                 physical_key: None,
                 pressed: true,
@@ -143,36 +151,39 @@ mod tests {
     #[test]
     fn tab_steps_through_subjects_until_a_control_has_the_keyboard() {
         let ctx = Context::default();
-        let tab = || egui::RawInput {
-            events: vec![egui::Event::Key {
-                key: Key::Tab,
-                physical_key: None,
-                pressed: true,
-                repeat: false,
-                modifiers: SHIFT,
-            }],
-            ..Default::default()
+        ctx.add_plugin(TabForSubjects);
+        let press = |key, modifiers, focus: bool| {
+            let input = RawInput {
+                events: vec![Event::Key {
+                    key,
+                    physical_key: None,
+                    pressed: true,
+                    repeat: false,
+                    modifiers,
+                }],
+                ..Default::default()
+            };
+            let mut commands = Vec::new();
+            let output = ctx.run_ui(input, |ui| {
+                commands = pressed_commands(ui.ctx());
+                let button = ui.button("Here");
+                if focus {
+                    button.request_focus();
+                }
+            });
+            output.drop_without_applying_deltas();
+            commands
         };
-        assert_eq!(
-            claim_tab(&ctx, &mut tab()),
-            [Command::Beat(BeatCommand::StepSubject(-1))]
-        );
-        let output = ctx.run_ui(Default::default(), |ui| {
-            ui.button("Here").request_focus();
-        });
-        output.drop_without_applying_deltas();
-        let mut input = tab();
-        assert_eq!(claim_tab(&ctx, &mut input), []);
-        assert!(matches!(
-            input.events[0],
-            egui::Event::Key { key: Key::Tab, .. }
-        ));
+        let step = |step| [Command::Beat(BeatCommand::StepSubject(step))];
+        assert_eq!(press(Key::Tab, SHIFT, false), step(-1));
+        assert_eq!(press(Key::Tab, NONE, true), step(1));
+        assert_eq!(press(Key::Tab, NONE, true), []);
     }
 
     #[test]
     fn a_text_field_keeps_the_keys_that_it_types_with() {
         let ctx = Context::default();
-        let key = |key, modifiers| egui::Event::Key {
+        let key = |key, modifiers| Event::Key {
             key,
             physical_key: None,
             pressed: true,
@@ -183,7 +194,7 @@ mod tests {
         let mut commands = Vec::new();
         let keys = vec![key(Key::W, NONE), key(Key::Z, CTRL), key(Key::K, CTRL)];
         for events in [Vec::new(), keys] {
-            let input = egui::RawInput {
+            let input = RawInput {
                 events,
                 ..Default::default()
             };

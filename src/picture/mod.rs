@@ -34,7 +34,9 @@ pub use bulls_eye::{
 };
 pub use colour_map::ColourMap;
 pub use fit::fitted_camera;
-pub use frame_words::frame_words;
+pub use frame_words::{
+    frame_words, frames_around, is_between, position_words, share_unit, share_words,
+};
 pub use heart_frame::SubjectFrame;
 pub use legend::{ColourLegend, Tick, USER_LIMITS};
 pub use limits::{CohortLimits, reference_frame};

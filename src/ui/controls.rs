@@ -60,6 +60,13 @@ pub fn clicked_twice(response: &Response) -> bool {
     response.double_clicked() || response.triple_clicked()
 }
 
+/// Whether a drag goes on that began on the widget itself: egui also gives a widget what is pressed a few points beside
+/// it, such as in the header above.
+pub fn dragged_from_within(ui: &Ui, response: &Response) -> bool {
+    let began = ui.input(|input| input.pointer.press_origin());
+    response.dragged() && began.is_some_and(|at| response.interact_rect.contains(at))
+}
+
 /// The content of a pane that scrolls, within its margin.
 pub fn scrolled_ui(ui: &mut Ui, salt: &str, margin: Margin, add: impl FnOnce(&mut Ui)) {
     let area = ScrollArea::vertical().id_salt(salt).auto_shrink(false);

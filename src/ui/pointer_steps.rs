@@ -1,8 +1,10 @@
-//! A press, a move and a release that reach the window in one frame are passed on one after the other.
+//! A press, a move and a release that reach the window in one frame are passed on one after the other, and so are a
+//! key or a click that gives the keyboard to something else and what is typed after it.
 
-use egui::{Context, Event, Plugin, RawInput};
+use egui::{Context, Event, Key, Plugin, RawInput};
 
-/// Cuts the input of a frame so that the press, the way and the release of a drag are seen in one frame each.
+/// Cuts the input of a frame so that the press, the way and the release of a drag are seen in one frame each, and that
+/// what is typed after a click or after a key such as Ctrl+K goes to what they opened.
 ///
 /// egui asks which widget lies under the last place of a frame's input. Where a frame takes long, a whole quick drag
 /// arrives in one frame, and the widget that was reached would take the press that another one was meant by: the
@@ -37,7 +39,13 @@ impl Plugin for PointerSteps {
 fn cut(events: &[Event], mut held: bool) -> (usize, bool) {
     // Where a button went down or up in this frame; whether the pointer moved on with a button down.
     let (mut button_at, mut dragged) = (None, false);
+    // Whether something else may have the keyboard in the next frame.
+    let mut handed_on = false;
     for (index, event) in events.iter().enumerate() {
+        if (handed_on || button_at.is_some()) && types(event) && !is_text_of(events, index) {
+            return (index, held);
+        }
+        handed_on |= hands_keyboard_on(event);
         match event {
             Event::PointerButton { pos, pressed, .. } => {
                 // A button elsewhere, without a way to it, would take the first one's widget along.
@@ -57,6 +65,38 @@ fn cut(events: &[Event], mut held: bool) -> (usize, bool) {
         }
     }
     (events.len(), held)
+}
+
+/// Whether an event is for whatever has the keyboard. A key that is held down does not count: its repeats would wait
+/// in a row that grows where frames take longer than they come.
+fn types(event: &Event) -> bool {
+    match event {
+        Event::Key {
+            pressed, repeat, ..
+        } => *pressed && !repeat,
+        Event::Text(_) | Event::Paste(_) | Event::Cut | Event::Copy | Event::Ime(_) => true,
+        _ => false,
+    }
+}
+
+/// Whether a key may open a field or a sheet, or move the keyboard elsewhere.
+fn hands_keyboard_on(event: &Event) -> bool {
+    let Event::Key { key, modifiers, .. } = event else {
+        return false;
+    };
+    let moves = matches!(
+        key,
+        Key::Enter | Key::Escape | Key::Tab | Key::F6 | Key::Questionmark
+    );
+    types(event) && (moves || modifiers.command)
+}
+
+/// Whether an event is the letter of the key that stands just before it.
+fn is_text_of(events: &[Event], index: usize) -> bool {
+    let before = index.checked_sub(1).and_then(|before| events.get(before));
+    let typed =
+        matches!(before, Some(Event::Key { pressed: true, modifiers, .. }) if !modifiers.command);
+    typed && matches!(events.get(index), Some(Event::Text(_)))
 }
 
 #[cfg(test)]
@@ -118,8 +158,49 @@ mod tests {
             button(at, false),
             button(at, true),
             button(at, false),
-            Event::Text("k".to_owned()),
         ];
+        assert_eq!(frames(events.clone()), [events]);
+    }
+
+    fn key(key: Key, modifiers: Modifiers, repeat: bool) -> Event {
+        Event::Key {
+            key,
+            physical_key: None,
+            pressed: true,
+            repeat,
+            modifiers,
+        }
+    }
+
+    fn text(letter: &str) -> Event {
+        Event::Text(letter.to_owned())
+    }
+
+    #[test]
+    fn what_is_typed_after_a_click_or_a_key_that_opens_something_waits() {
+        let none = Modifiers::NONE;
+        let at = pos2(4.0, 4.0);
+        let events = vec![
+            key(Key::A, none, false),
+            text("a"),
+            button(at, true),
+            button(at, false),
+            key(Key::Num5, none, false),
+            text("5"),
+            key(Key::K, Modifiers::COMMAND, false),
+            text("w"),
+            key(Key::Questionmark, none, false),
+            text("?"),
+            key(Key::W, none, false),
+        ];
+        let expected = [&events[..4], &events[4..7], &events[7..10], &events[10..]];
+        assert_eq!(frames(events.clone()), expected);
+    }
+
+    #[test]
+    fn a_key_that_is_held_down_does_not_make_a_row_of_frames() {
+        let tab = |repeat| key(Key::Tab, Modifiers::NONE, repeat);
+        let events = vec![tab(false), tab(true), tab(true), tab(true)];
         assert_eq!(frames(events.clone()), [events]);
     }
 

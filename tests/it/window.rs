@@ -5,6 +5,10 @@ mod around;
 #[cfg(test)]
 mod beats;
 #[cfg(test)]
+mod early_figures;
+#[cfg(test)]
+mod faults;
+#[cfg(test)]
 mod figures;
 #[cfg(test)]
 mod maps;

@@ -55,8 +55,7 @@ fn select_pose(state: &mut State, moment: &Moment, subject: usize, frame: usize,
     };
     let frames = shown.sequence.frame_count();
     change(state, moment, None, |document| {
-        document.subject = subject;
-        document.position = frame.min(frames - 1) as f64;
+        document.select_subject_at(subject, frame.min(frames - 1) as f64);
     });
     state.play.playing = play && frames > 1;
 }
@@ -98,12 +97,9 @@ fn go_to(state: &mut State, moment: &Moment, frame: Option<usize>) {
 }
 
 fn move_to(state: &mut State, moment: &Moment, position: f64) {
-    let count = state.document.frame_count() as f64;
     if position.is_finite() {
-        // A position just below the frame count lies between the last pose and the first.
-        let position = position.clamp(0.0, count.next_down());
         change(state, moment, Some(Gesture::Time), |document| {
-            document.position = position;
+            document.move_to(position);
         });
     }
 }

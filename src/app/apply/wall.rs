@@ -129,4 +129,40 @@ mod tests {
         give(&mut state, Command::Edit(EditCommand::Undo), false);
         assert_eq!(state.document.part, Some(WallPart::Patch(0)));
     }
+
+    #[test]
+    fn frames_that_are_stated_anew_let_the_patch_go() {
+        let mut state = state();
+        give(
+            &mut state,
+            Command::Wall(WallCommand::SelectPart(Some(WallPart::Patch(1)))),
+            false,
+        );
+        give(
+            &mut state,
+            Command::Beat(BeatCommand::StateEndDiastole(Some(1))),
+            false,
+        );
+        assert_eq!(state.document.part, None);
+    }
+
+    #[test]
+    fn a_pose_of_another_subject_lets_the_patch_go_and_one_of_the_same_keeps_it() {
+        let mut state = state();
+        let patch = Some(WallPart::Patch(0));
+        give(
+            &mut state,
+            Command::Wall(WallCommand::SelectPart(patch)),
+            false,
+        );
+        for (subject, kept) in [(0, patch), (1, None)] {
+            let pose = BeatCommand::SelectPose {
+                subject,
+                frame: 2,
+                play: true,
+            };
+            give(&mut state, Command::Beat(pose), false);
+            assert_eq!(state.document.part, kept);
+        }
+    }
 }

@@ -36,11 +36,19 @@ pub fn shortcut_sheet_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
 
 fn sheet_ui(ui: &mut Ui) {
     let id = ui.scope_id().with("search");
-    let mut search: String = ui.data(|data| data.get_temp(id)).unwrap_or_default();
+    let pass = ui.ctx().cumulative_pass_nr();
+    let kept: Option<(String, u64)> = ui.data(|data| data.get_temp(id));
+    // A sheet that is opened again has an empty search, and the keyboard.
+    let kept = kept.filter(|(_, last)| last + 1 >= pass);
+    let opens = kept.is_none();
+    let mut search = kept.map_or_else(String::new, |(search, _)| search);
     let edit = TextEdit::singleline(&mut search)
         .hint_text("Search…")
         .desired_width(f32::INFINITY);
-    ui.add(edit).accessible_name("Search the shortcuts");
+    let field = ui.add(edit).accessible_name("Search the shortcuts");
+    if opens {
+        field.request_focus();
+    }
     ui.add_space(space::SMALL);
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         for menu in Menu::ALL {
@@ -62,7 +70,7 @@ fn sheet_ui(ui: &mut Ui) {
             .collect();
         group_ui(ui, "Pointer and focus", &lines, &search);
     });
-    ui.data_mut(|data| data.insert_temp(id, search));
+    ui.data_mut(|data| data.insert_temp(id, (search, pass)));
 }
 
 fn group_ui(ui: &mut Ui, heading: &str, lines: &[(&str, String)], search: &str) {

@@ -15,7 +15,7 @@ use crate::panes::cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerd
 use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand, ViewCommand};
 use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
-use crate::ui::controls::empty_pane_ui;
+use crate::ui::controls::{dragged_from_within, empty_pane_ui};
 use crate::ui::marks::{role_mark, role_name};
 use crate::ui::style::{note, note_font, text_font};
 use crate::ui::text::counted;
@@ -249,11 +249,13 @@ fn row_ui(
     if response.clicked() {
         commands.push(BeatCommand::SelectSubject(index).into());
     }
-    response.dnd_set_drag_payload(DraggedSubject {
-        subject: index,
-        id: row.id.clone(),
-        correspondence: row.correspondence,
-    });
+    if dragged_from_within(ui, &response) {
+        response.dnd_set_drag_payload(DraggedSubject {
+            subject: index,
+            id: row.id.clone(),
+            correspondence: row.correspondence,
+        });
+    }
     let target = SubjectTarget {
         rect,
         subject: index,

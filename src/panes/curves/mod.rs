@@ -8,7 +8,7 @@ use egui::{
 
 use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::cycle_axis::CycleAxis;
-use crate::picture::nice_ticks;
+use crate::picture::{nice_ticks, share_unit, share_words};
 use crate::ui::controls::empty_pane_ui;
 use crate::ui::style::{medium_note_font, note_font};
 use crate::ui::text::{note_at, text_width};
@@ -171,12 +171,13 @@ fn draw_axes(ui: &Ui, view: &CurvesView, plot: &Plot) {
     let y = plot.area.bottom() + 6.0;
     let (end, unit) = match view.cycle_ms {
         Some(beat) => (beat, "ms"),
-        None => (100.0, "% R-R"),
+        None => (100.0, share_unit(false)),
     };
+    let unit_width = text_width(ui, unit, note_font());
     let columns = ((plot.area.width() / 80.0) as usize).clamp(2, 6);
     for tick in nice_ticks(0.0, end, columns) {
         let x = plot.x(tick / end);
-        if x < plot.area.right() - 46.0 {
+        if x < plot.area.right() - unit_width - 16.0 {
             note_at(ui, pos2(x, y), Align2::CENTER_TOP, format!("{tick:.0}"));
         }
     }
@@ -303,11 +304,11 @@ fn draw_now(ui: &Ui, view: &CurvesView, plot: &Plot) {
 }
 
 fn hover_text(view: &CurvesView, position: f64) -> String {
-    let percent = 100.0 * view.axis.share_at(position);
-    let mut text = match view.cycle_ms {
-        Some(beat) => format!("{:.0} ms · {percent:.0} % R-R", 0.01 * percent * beat),
-        None => format!("{percent:.0} % R-R"),
-    };
+    let share = view.axis.share_at(position);
+    let mut text = share_words(share, view.cycle_ms.is_some());
+    if let Some(cycle) = view.cycle_ms {
+        text = format!("{:.0} ms · {text}", share * cycle);
+    }
     for curve in &view.curves {
         let value = value_at(curve, position);
         if value.is_finite() {

@@ -63,3 +63,16 @@ fn a_click_on_the_plot_moves_through_the_cycle() {
     };
     assert!((position - 1.5).abs() < 0.01, "{position}");
 }
+
+#[test]
+fn a_share_of_a_cycle_without_times_is_not_one_of_the_r_r_interval() {
+    let mut view = CurvesView {
+        axis: CycleAxis {
+            frame_shares: vec![0.0, 0.5],
+        },
+        ..CurvesView::default()
+    };
+    assert_eq!(hover_text(&view, 1.0), "50 % of the cycle by frames");
+    view.cycle_ms = Some(800.0);
+    assert_eq!(hover_text(&view, 1.0), "400 ms · 50 % R-R");
+}

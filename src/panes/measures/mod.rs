@@ -8,7 +8,7 @@ use egui::{Align, RichText, Ui};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE, ejection_fraction_words};
-use crate::report::{Column, NO_VALUE, SubjectRow};
+use crate::report::{Column, Digits, NO_VALUE, SubjectRow};
 use crate::ui::controls::{chooser_ui, no_subject_ui};
 use crate::ui::style::{medium, note, note_font, text_font, title_font};
 use crate::ui::theme::{colours, space};
@@ -43,12 +43,10 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
                 let row = &view.measures;
                 let volumes = [SubjectRow::EDV, SubjectRow::ESV];
                 let heading = volumes.each_ref().map(|column| column.heading).join(" · ");
-                let pair = volumes
-                    .each_ref()
-                    .map(|column| column.shown(row))
-                    .join(" · ");
-                value_ui(ui, &heading, &pair, row.unit.volume_symbol());
-                column_ui(ui, &SubjectRow::SV, row);
+                let [edv, esv, sv] = volume_texts(row);
+                let unit = row.unit.volume_symbol();
+                value_ui(ui, &heading, &format!("{edv} · {esv}"), unit);
+                value_ui(ui, SubjectRow::SV.heading, &sv, unit);
                 // A mass needs a volume in ml.
                 if row.unit == LengthUnit::Millimetre {
                     column_ui(ui, &SubjectRow::MASS_G, row);
@@ -88,6 +86,31 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
         ui.add(egui::Label::new(note(ejection_fraction_words(row.ef))).truncate());
     }
+}
+
+/// End-diastolic, end-systolic and stroke volume as they stand below each other: the third is the difference of the two
+/// that are shown. Where rounding would tell another one, all have a decimal place.
+fn volume_texts(row: &SubjectRow) -> [String; 3] {
+    let columns = [&SubjectRow::EDV, &SubjectRow::ESV, &SubjectRow::SV];
+    let usual = columns.map(|column| column.shown(row));
+    let difference = |[edv, esv, _]: &[String; 3]| Some(shown_number(edv)? - shown_number(esv)?);
+    let (Some(told), Some(sv)) = (difference(&usual), shown_number(&usual[2])) else {
+        return usual;
+    };
+    if (told - sv).abs() < 1e-6 {
+        return usual;
+    }
+    let digits = Digits::Places(1);
+    let mut finer = columns.map(|column| column.shown_with(digits, row));
+    if let Some(told) = difference(&finer) {
+        finer[2] = digits.shown(told);
+    }
+    finer
+}
+
+/// The number that a text shows; `None` where it shows none.
+fn shown_number(text: &str) -> Option<f64> {
+    text.replace('−', "-").parse().ok()
 }
 
 fn column_ui(ui: &mut Ui, column: &Column<SubjectRow>, row: &SubjectRow) {
@@ -146,6 +169,28 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
 mod tests {
     use super::*;
     use egui_kittest::{Harness, kittest::Queryable as _};
+
+    #[test]
+    fn the_stroke_volume_is_the_difference_of_the_volumes_that_are_shown() {
+        let texts = |edv: f64, esv: f64| {
+            volume_texts(&SubjectRow {
+                edv: Some(edv),
+                esv: Some(esv),
+                sv: Some(edv - esv),
+                ..SubjectRow::default()
+            })
+        };
+        assert_eq!(texts(149.4, 82.6), ["149.4", "82.6", "66.8"]);
+        assert_eq!(texts(149.0, 83.2), ["149", "83", "66"]);
+        assert_eq!(texts(100.0, 91.7), ["100.0", "91.7", "8.3"]);
+        for step in 0..2000 {
+            let [edv, esv, sv] = texts(149.0 + 0.0013 * f64::from(step), 82.6);
+            let [edv, esv, sv] = [edv, esv, sv].map(|text| shown_number(&text).unwrap());
+            assert!((edv - esv - sv).abs() < 1e-6, "{edv} − {esv} is not {sv}");
+        }
+        let unknown = volume_texts(&SubjectRow::default());
+        assert_eq!(unknown, [NO_VALUE; 3].map(str::to_owned));
+    }
 
     #[test]
     fn the_current_frame_can_be_stated_as_end_systole() {

@@ -71,6 +71,7 @@ fn points(map: &MedialMap, state: &State) -> Vec<ScatterPoint> {
                 start_frame: pose.step_from,
                 at: plane(map.embedding.point(row)),
                 share: phase_of(subject, pose.step_from as f64),
+                rr_is_known: subject.timing.rr.is_some(),
                 phase: PosePhase::of(pose.step_from, state.phases_of(pose.subject)),
                 label: begins_path.then_some(""),
                 facts: medial_facts(patch, pose.descriptor.ratio(), distance),

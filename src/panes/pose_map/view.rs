@@ -59,6 +59,7 @@ fn points(map: &PoseMap, state: &State) -> Vec<ScatterPoint> {
                 start_frame: pose.frame,
                 at: plane(map.embedding.point(row)),
                 share: phase_of(subject, pose.frame as f64),
+                rr_is_known: subject.timing.rr.is_some(),
                 phase,
                 label: match phase {
                     PosePhase::EndDiastole => Some("ED"),

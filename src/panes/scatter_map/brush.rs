@@ -4,7 +4,7 @@ use egui::{Id, Ui};
 
 /// Who is pointed at, and on which map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Brush {
+pub(super) struct Brush {
     map: Id,
     subject: usize,
 }

@@ -3,7 +3,7 @@
 use egui::{Pos2, Rect, Response, Role, Sense, Stroke, Ui, Vec2, WidgetInfo, vec2};
 
 use crate::picture::nice_floor;
-use crate::ui::controls::clicked_twice;
+use crate::ui::controls::{clicked_twice, dragged_from_within};
 use crate::ui::theme::{colours, line};
 
 use super::input::{key_zoom, pointer_zoom};
@@ -65,7 +65,7 @@ impl Ground {
 
     /// The point nearest to a pointer, if it is within reach.
     pub fn nearest(&self, points: &[ScatterPoint], pointer: Option<Pos2>) -> Option<usize> {
-        let pointer = pointer?;
+        let pointer = pointer.filter(|pointer| self.rect.contains(*pointer))?;
         points
             .iter()
             .map(|point| (self.on_screen(point.at) - pointer).length())
@@ -101,7 +101,7 @@ impl Ground {
 /// Dragging moves, scrolling and pinching zoom, and so do the keys while the map has the keyboard.
 fn turn_lens(ui: &Ui, response: &Response, rect: Rect, lens: &mut Lens) -> bool {
     let before = *lens;
-    if response.dragged() {
+    if dragged_from_within(ui, response) {
         lens.drag(response.drag_delta());
     }
     if let Some(pointer) = response.hover_pos() {

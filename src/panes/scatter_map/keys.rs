@@ -8,6 +8,10 @@ use super::input::pressed_arrows;
 use super::point::ScatterPoint;
 use super::view::ScatterView;
 
+/// The place in the list of points of the one that the keyboard was on last.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct OnKey(usize);
+
 /// The point that the keyboard is on, while the map has it.
 pub fn step(
     ui: &Ui,
@@ -19,17 +23,18 @@ pub fn step(
         return None;
     }
     let id = response.id.with("on key");
-    let kept: Option<usize> = ui.data(|data| data.get_temp(id));
+    let kept: Option<OnKey> = ui.data(|data| data.get_temp(id));
     let mut points = view.points.iter();
     let selected = points.position(|point| Some(point.subject) == view.selected);
     let mut here = kept
+        .map(|OnKey(index)| index)
         .filter(|index| *index < view.points.len())
         .or(selected)
         .unwrap_or(0);
     for arrow in pressed_arrows(ui, response) {
         here = next(view.points, here, arrow).unwrap_or(here);
     }
-    ui.data_mut(|data| data.insert_temp(id, here));
+    ui.data_mut(|data| data.insert_temp(id, OnKey(here)));
     let point = view.points.get(here)?;
     if ui.input(|input| input.key_pressed(Key::Enter)) {
         commands.push((view.words.command)(point));

@@ -27,3 +27,12 @@ mod view;
 
 pub use {data::*, draw::*, input::*, map::*, method::*, path::*, point::*, respond::*, view::*};
 pub use {lens::bounds, state::without_map_ui};
+
+/// Forgets where on a map the eye, the pointer and the keyboard are: another study has other points there.
+pub fn leave_study(ctx: &egui::Context) {
+    ctx.data_mut(|data| {
+        data.remove_by_type::<lens::Moved>();
+        data.remove_by_type::<brush::Brush>();
+        data.remove_by_type::<keys::OnKey>();
+    });
+}

@@ -42,6 +42,8 @@ pub struct ScatterPoint {
     pub at: [f64; 2],
     /// Share of the cycle at its first frame, in `0..1`.
     pub share: f64,
+    /// Whether the length of the cycle is known; else frames share it evenly.
+    pub rr_is_known: bool,
     /// What it is within the cycle.
     pub phase: PosePhase,
     /// What follows the subject's name beside the point while the subject is selected; `None`

@@ -219,7 +219,7 @@ fn the_hover_card_has_name_class_numbers_and_hints() {
     harness.hover_at(at);
     harness.run_steps(40);
     for line in [
-        "P0 · frame 1, 0 % R-R · end-systole",
+        "P0 · frame 1, 0 % of the cycle by frames · end-systole",
         "no label, class other",
         "Fact of 0",
         "Click to play",

@@ -4,6 +4,7 @@ use crate::engine::Topic;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::work_state::WorkState;
+use crate::picture::share_words;
 use crate::study::LabelRole;
 
 use super::path::paths;
@@ -115,7 +116,8 @@ impl<'a> ScatterView<'a> {
         let id = subject.map_or_else(String::new, |subject| subject.id.clone());
         let frames = point.frames.map(|[from, to]| {
             if from == to {
-                format!("frame {from}, {:.0} % R-R", 100.0 * point.share)
+                let share = share_words(point.share, point.rr_is_known);
+                format!("frame {from}, {share}")
             } else {
                 format!("frame {from} to {to}")
             }

@@ -2,13 +2,15 @@
 
 use egui::{Align2, Painter, Pos2, Rect, Shape, Stroke, Vec2, vec2};
 
+use crate::picture::share_unit;
 use crate::ui::style::note_font;
 use crate::ui::theme::{Colours, line};
 
 use super::eye::Eye;
 
-/// Draws edges of the box, the floor's grid and the ticks of time behind the curves.
-pub fn draw_axes(painter: &Painter, eye: &Eye, colours: &Colours) {
+/// Draws edges of the box, the floor's grid and the ticks of time behind the curves. `rr_is_known` says whether the
+/// cycles of all curves have a known length.
+pub fn draw_axes(painter: &Painter, eye: &Eye, colours: &Colours, rr_is_known: bool) {
     let mut axes = Axes {
         painter,
         eye,
@@ -18,7 +20,7 @@ pub fn draw_axes(painter: &Painter, eye: &Eye, colours: &Colours) {
     axes.draw_floor();
     let edge = axes.time_edge();
     axes.draw_uprights(edge);
-    axes.draw_time(edge);
+    axes.draw_time(edge, rr_is_known);
     for axis in [0, 1] {
         axes.name_floor_axis(axis);
     }
@@ -95,12 +97,13 @@ impl Axes<'_> {
         }
     }
 
-    fn draw_time(&mut self, edge: [f32; 2]) {
+    fn draw_time(&mut self, edge: [f32; 2], rr_is_known: bool) {
         let (bottom, top) = (self.place(edge, -1.0), self.place(edge, 1.0));
         let stroke = Stroke::new(line::THIN, self.colours.muted);
         self.painter.line_segment([bottom, top], stroke);
         let above = top + vec2(0.0, -10.0);
-        self.write(above, Align2::CENTER_BOTTOM, "time, % R-R");
+        let name = format!("time, {}", share_unit(rr_is_known));
+        self.write(above, Align2::CENTER_BOTTOM, &name);
         // Ticks point away from the middle of the plot.
         let right = self.place(edge, 0.0).x > self.eye.rect.center().x;
         let outward = vec2(if right { 1.0 } else { -1.0 }, 0.0);

@@ -8,7 +8,7 @@ use crate::panes::scatter_map::{
     MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play, pointed_at,
     pointer_zoom, pressed_arrows, respond_ui, without_map_ui,
 };
-use crate::ui::controls::clicked_twice;
+use crate::ui::controls::{clicked_twice, dragged_from_within};
 use crate::ui::marks::distance_to;
 use crate::ui::theme::colours;
 
@@ -48,7 +48,8 @@ pub fn space_time_ui(ui: &mut Ui, map: &ScatterView, share: f64, commands: &mut 
     let pointer = response.hover_pos().filter(|_| !response.dragged());
     let hovered = pointer.and_then(|pointer| nearest(map, &eye, pointer));
     let (painter, colours) = (ui.painter_at(rect), colours(ui));
-    draw_axes(&painter, &eye, colours);
+    let rr_is_known = map.points.iter().all(|point| point.rr_is_known);
+    draw_axes(&painter, &eye, colours, rr_is_known);
     draw_phase_plane(&painter, map, share, &eye, colours);
     let colour_of = |subject: usize| match Some(subject) {
         chosen if chosen == map.selected => Some(colours.selection),
@@ -75,7 +76,7 @@ fn turned(ui: &Ui, response: &Response) -> Turn {
     if clicked_twice(response) {
         turn = Turn::default();
     }
-    if response.dragged() {
+    if dragged_from_within(ui, response) {
         turn.drag(response.drag_delta());
     }
     turn.zoom_by(pointer_zoom(ui, response) * key_zoom(ui, response));

@@ -5,6 +5,7 @@ use glam::{DVec3, Vec2};
 
 use crate::panes::{Command, ViewCommand};
 use crate::render::Camera;
+use crate::ui::controls::dragged_from_within;
 
 use crate::document::state::State;
 use crate::panes::viewport::shown_subject::Cell;
@@ -26,6 +27,9 @@ pub fn camera_command(
     cells: &[Cell],
 ) -> Option<Command> {
     if response.dragged() {
+        if !dragged_from_within(ui, response) {
+            return None;
+        }
         let start = ui.input(|input| input.pointer.press_origin())?;
         let cell = cell_at(cells, start).or(cells.first())?;
         let delta = response.drag_delta();

@@ -18,6 +18,7 @@ use crate::render::{Camera, ViewId};
 use crate::ui::controls::clicked_twice;
 use crate::ui::theme::{colours, line, radius, type_size};
 
+use crate::document::document::Document;
 use crate::document::play::pose_in;
 use crate::document::state::State;
 use crate::document::visible_poses;
@@ -35,6 +36,8 @@ use crate::panes::viewport::shown_subject::{Cell, ScalarCache, ShownSubject, sho
 pub struct Viewport {
     shown: Vec<ShownSubject>,
     mode: ViewMode,
+    /// Which opening of a study the subjects on screen are of.
+    opening: u64,
     limits: CohortLimits,
     fits: Fits,
     numbers: ScalarCache,
@@ -66,7 +69,14 @@ impl Viewport {
         if complete {
             self.shown = ready;
             self.mode = state.document.view_mode;
+            self.opening = state.document.study.opening;
         }
+        // A label that a click left belongs to its subject.
+        let pinned = self.pinned.take();
+        self.pinned = pinned.filter(|picked| {
+            let mut shown = self.shown.iter();
+            shown.any(|shown| picked.belongs_to(&shown.subject))
+        });
         if !study.subjects.is_empty()
             && let Some(limits) = pictures.cohort_limits(reference_frames)
         {
@@ -88,8 +98,8 @@ impl Viewport {
     }
 
     /// The camera of a subject on screen, as last drawn; fitted to a square where it never was.
-    pub fn camera(&self, state: &State, shown: &ShownSubject) -> Camera {
-        let look = state.document.look;
+    pub fn camera(&self, document: &Document, shown: &ShownSubject) -> Camera {
+        let look = document.look;
         let fitted = self.fits.latest(&shown.placed).unwrap_or_else(|| {
             let rotation = look.rotation(&shown.placed.prepared.axes);
             shown.placed.fitted(rotation, 1.0)
@@ -102,9 +112,8 @@ impl Viewport {
         &self.limits
     }
 
-    /// How subjects are drawn now.
-    pub fn settings(&self, state: &State, dark: bool) -> SceneSettings {
-        let document = &state.document;
+    /// How a document has subjects drawn.
+    pub fn settings(&self, document: &Document, dark: bool) -> SceneSettings {
         let visible = document.visibility;
         SceneSettings {
             quantity: document.quantity,
@@ -159,14 +168,20 @@ impl Viewport {
             })
             .collect();
         commands.extend(camera_command(ui, &response, state, &cells));
-        commands.extend(self.click_command(&response, &cells));
-        let settings = self.settings(state, ui.visuals().dark_mode);
+        // Until the first subject of another study is ready, indices of the subjects on screen mean other ones.
+        let is_of_study = self.opening == state.document.study.opening;
+        if is_of_study {
+            commands.extend(self.click_command(&response, &cells));
+        }
+        let settings = self.settings(&state.document, ui.visuals().dark_mode);
         let (hovered, clicked) = pointed(&response, state, &cells, &settings);
         let legends = self.draw(ui, &settings, &cells, meter);
         self.overlays_ui(ui, state, &cells, (area, legends.as_ref()), commands);
-        targets_ui(ui, &response, state, &cells, commands);
+        if is_of_study {
+            targets_ui(ui, &response, state, &cells, commands);
+        }
         let quantity = state.document.bar_quantity();
-        if let Some(now) = &clicked {
+        if let Some(now) = clicked.as_ref().filter(|_| is_of_study) {
             commands.extend(part_command(state, &cells, now.as_ref()));
         }
         let pinned = match clicked {
@@ -190,8 +205,12 @@ impl Viewport {
             .interact_pointer_pos()
             .filter(|_| response.clicked())?;
         let cell = cells.iter().find(|cell| cell.rect.contains(at))?;
-        (self.mode == ViewMode::AllFrames)
-            .then_some(Command::Beat(BeatCommand::SetPosition(cell.shown.position)))
+        // The subject on screen may still be the one before.
+        (self.mode == ViewMode::AllFrames).then_some(Command::Beat(BeatCommand::SelectPose {
+            subject: cell.shown.index,
+            frame: cell.shown.position as usize,
+            play: false,
+        }))
     }
 
     /// Hands the subjects to our renderer; returns what the colours mean, and at which subject it stands.

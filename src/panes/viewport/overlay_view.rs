@@ -14,7 +14,8 @@ use crate::panes::viewport::overlay::{
     ColourBarView, CubeView, ScaleBarView, SubjectCaption, ViewportOverlayView,
 };
 use crate::picture::{
-    ColourLegend, PreparedSubject, Quantity, SubjectAxes, SubjectScene, USER_LIMITS, frame_words,
+    ColourLegend, PreparedSubject, Quantity, SubjectAxes, SubjectScene, USER_LIMITS, is_between,
+    position_words,
 };
 use crate::render::Camera;
 use crate::study::Subject;
@@ -56,16 +57,17 @@ pub fn caption(state: &State, cell: &VisiblePose) -> SubjectCaption {
     }
 }
 
-/// "frame 1 of 2", "ES": the frame at a position, with its phase in the motion of a subject.
+/// "frame 3 (0–7)", "ES": the frame at a position, with its phase in the motion of a subject; between frames
+/// neither is named.
 fn moment_words(
     state: &State,
     subject: usize,
     position: f64,
     count: usize,
 ) -> impl Iterator<Item = String> {
-    let frame = nearest_frame(position, count);
-    let phase = phase_name(state.phases_of(subject), frame).map(str::to_owned);
-    std::iter::once(frame_words(frame, count)).chain(phase)
+    let frame = (!is_between(position)).then(|| nearest_frame(position, count));
+    let phase = frame.and_then(|frame| phase_name(state.phases_of(subject), frame));
+    std::iter::once(position_words(position, count)).chain(phase.map(str::to_owned))
 }
 
 /// Names the subject that plays a transported motion, or will.

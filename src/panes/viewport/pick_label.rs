@@ -52,7 +52,12 @@ pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked>
 impl Picked {
     /// Whether the vertex belongs to the subject of a cell.
     pub fn is_on(&self, cell: &Cell) -> bool {
-        Arc::ptr_eq(&self.subject, &cell.shown.subject)
+        self.belongs_to(&cell.shown.subject)
+    }
+
+    /// Whether the vertex is one of a subject.
+    pub fn belongs_to(&self, subject: &Arc<Subject>) -> bool {
+        Arc::ptr_eq(&self.subject, subject)
     }
 
     /// The atom of the medial surface that belongs to the vertex.

@@ -2,7 +2,7 @@
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::picture::axes::CubeFace;
-use crate::picture::frame_words::frame_words;
+use crate::picture::frame_words::{is_between, position_words, share_words};
 use crate::picture::legend::ColourLegend;
 use crate::report::{Column, SubjectRow};
 use crate::study::Subject;
@@ -42,7 +42,13 @@ pub struct FigureContent {
 
 impl FigureContent {
     /// Gathers what is known. A subject has a pseudonym; nothing else names a person.
-    pub fn of(shown: FigureSubject<'_>, legends: Vec<ColourLegend>, cube: Vec<CubeFace>) -> Self {
+    /// `position` is the place in the cycle, counted in frames.
+    pub fn of(
+        shown: FigureSubject<'_>,
+        position: f64,
+        legends: Vec<ColourLegend>,
+        cube: Vec<CubeFace>,
+    ) -> Self {
         let unit = shown.subject.unit;
         let row = shown
             .measures
@@ -69,7 +75,7 @@ impl FigureContent {
             });
         Self {
             title: shown.subject.id.clone(),
-            moment: moment(shown),
+            moment: moment(shown, position),
             ejection_fraction,
             volumes,
             legends,
@@ -83,8 +89,8 @@ impl FigureContent {
     }
 }
 
-/// `MINF · frame 3 (0–7) · ES · 312 ms · 37 % R-R`.
-fn moment(shown: FigureSubject<'_>) -> String {
+/// `MINF · frame 3 (0–7) · ES · 312 ms · 37 % R-R`; `MINF · between frames 3 and 4 · 330 ms · 40 % R-R`.
+fn moment(shown: FigureSubject<'_>, position: f64) -> String {
     let FigureSubject {
         subject,
         measures,
@@ -93,24 +99,26 @@ fn moment(shown: FigureSubject<'_>) -> String {
     let count = subject.sequence.frame_count();
     let mut parts: Vec<String> = subject.label.iter().cloned().collect();
     if count > 1 {
-        parts.push(frame_words(frame, count));
+        parts.push(position_words(position, count));
     }
     let diastole = measures
         .and_then(|m| m.end_diastole)
         .or(subject.end_diastole);
     let systole = measures.and_then(|m| m.end_systole).or(subject.end_systole);
-    if diastole == Some(frame) {
+    if is_between(position) {
+        // A phase is that of a frame.
+    } else if diastole == Some(frame) {
         parts.push("ED".to_owned());
     } else if systole == Some(frame) {
         parts.push("ES".to_owned());
     }
-    if let Some(time) = subject.timing.time_at(frame as f64, count) {
+    if let Some(time) = subject.timing.time_at(position, count) {
         parts.push(format!("{:.0} ms", 1000.0 * time.0));
     }
     // Two frames are end-diastole and end-systole; their share of the beat is not known.
     if subject.timing.rr.is_some() || count > 2 {
-        let phase = subject.timing.phase(frame as f64, count);
-        parts.push(format!("{:.0} % R-R", 100.0 * phase));
+        let share = subject.timing.phase(position, count);
+        parts.push(share_words(share, subject.timing.rr.is_some()));
     }
     parts.join(" · ")
 }
@@ -160,7 +168,7 @@ mod tests {
             measures: Some(&measures),
             frame: 3,
         };
-        let content = FigureContent::of(shown, Vec::new(), Vec::new());
+        let content = FigureContent::of(shown, 3.0, Vec::new(), Vec::new());
         assert_eq!(content.title, "P-041");
         assert_eq!(
             content.moment,
@@ -172,6 +180,26 @@ mod tests {
     }
 
     #[test]
+    fn a_pose_between_frames_has_no_phase_and_no_share_of_an_unknown_interval() {
+        let heart = subject(8);
+        let measures = measures();
+        let shown = FigureSubject {
+            subject: &heart,
+            measures: Some(&measures),
+            frame: 3,
+        };
+        let moment = |position| FigureContent::of(shown, position, Vec::new(), Vec::new()).moment;
+        assert_eq!(
+            moment(3.2),
+            "between frames 3 and 4 · 40 % of the cycle by frames"
+        );
+        assert_eq!(
+            moment(3.0),
+            "frame 3 (0–7) · ES · 38 % of the cycle by frames"
+        );
+    }
+
+    #[test]
     fn what_is_not_known_is_not_said() {
         let heart = subject(2);
         let shown = FigureSubject {
@@ -179,7 +207,7 @@ mod tests {
             measures: None,
             frame: 0,
         };
-        let content = FigureContent::of(shown, Vec::new(), Vec::new());
+        let content = FigureContent::of(shown, 0.0, Vec::new(), Vec::new());
         assert_eq!(content.moment, "frame 0 (0–1)");
         assert_eq!(content.ejection_fraction, "");
         assert_eq!(content.volumes, "");

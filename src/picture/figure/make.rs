@@ -32,6 +32,8 @@ pub enum FigureView {
 pub struct FigureOrder<'a> {
     /// Name of the study.
     pub study: &'a str,
+    /// What a figure of the heart alone says of its verdict; empty where none is asked for.
+    pub verdict: &'a str,
     /// Who and when.
     pub shown: FigureSubject<'a>,
     /// Place in the beat, counted in frames.
@@ -74,7 +76,13 @@ pub fn rendered_figure(
     fonts: &FigureFonts,
 ) -> Result<Figure, RenderError> {
     let heart = scene_with_extras(order.prepared, order.extras, &order.scene, order.pose);
-    let content = order.content(&heart);
+    let mut content = order.content(&heart);
+    if !order.verdict.is_empty() {
+        content.moment = match content.moment.as_str() {
+            "" => order.verdict.to_owned(),
+            moment => format!("{moment} · {}", order.verdict),
+        };
+    }
     let frame = FigureFrame::of(order.size, &content, fonts);
     let camera = order.camera(frame.heart_aspect());
     let [width, height] = [frame.size[0], frame.heart_height];
@@ -88,7 +96,10 @@ pub fn rendered_figure(
         order.scene.transparent,
         fonts,
     );
-    let settings = order.settings(&content, &camera);
+    let mut settings = order.settings(&content, &camera);
+    if !order.verdict.is_empty() {
+        settings.push(("Verdict", order.verdict.to_owned()));
+    }
     Ok(Figure { page, settings })
 }
 
@@ -98,6 +109,7 @@ impl FigureOrder<'_> {
         let legends = [&heart.legend, &heart.atom_legend].into_iter().flatten();
         FigureContent::of(
             self.shown,
+            self.position,
             legends.cloned().collect(),
             self.prepared.axes.cube(),
         )
@@ -121,7 +133,7 @@ impl FigureOrder<'_> {
             ("Software", format!("Cardiomorph {version}")),
             ("Comment", "research use, not for diagnosis".to_owned()),
             ("Title", content.title.clone()),
-            ("Frame", self.shown.frame.to_string()),
+            ("Frame", self.position.to_string()),
             ("Moment", content.moment.clone()),
             ("Quantity", self.scene.quantity.word().to_owned()),
         ];

@@ -183,6 +183,7 @@ pub fn time(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         end_diastole: Some(0),
         end_systole: Some(4),
         time_ms: Some(276.0),
+        rr_is_known: true,
         between: Some("interpolated"),
         interpolated_poses: vec![2.25, 2.5, 2.75, 3.25, 3.5, 3.75],
         note: String::new(),

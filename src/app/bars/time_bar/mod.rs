@@ -8,6 +8,7 @@ use egui::{
 use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::cycle_axis::CycleAxis;
 use crate::panes::shortcuts::hint;
+use crate::picture::share_words;
 use crate::ui::controls::{choices_ui, chooser_ui, focus_ring, icon_button_ui};
 use crate::ui::marks::{Icon, icon};
 use crate::ui::style::text_font;
@@ -39,6 +40,8 @@ pub struct TimeBarView {
     pub end_systole: Option<usize>,
     /// Time after the R peak, where the study states it.
     pub time_ms: Option<f64>,
+    /// Whether the length of the cycle is known; else frames share it evenly.
+    pub rr_is_known: bool,
     /// What is shown between frames, such as `interpolated`; `None` on a frame.
     pub between: Option<&'static str>,
     /// Positions of computed poses between frames, ascending; each has a small mark.
@@ -139,10 +142,10 @@ fn speed_text(speed: f32) -> String {
 
 /// Room for the longest readout, so that the line does not move while the motion plays.
 fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
-    let mut widest = match view.time_ms {
-        Some(_) => "8888 ms · 100 % R-R".to_owned(),
-        None => "100 % R-R".to_owned(),
-    };
+    let mut widest = share_words(1.0, view.rr_is_known);
+    if view.time_ms.is_some() {
+        widest = format!("8888 ms · {widest}");
+    }
     if with_between {
         widest += " · linear interpolation";
     }
@@ -154,11 +157,10 @@ fn readout_text(view: &TimeBarView) -> String {
     if view.axis.frame_count() == 0 {
         return "No motion".to_owned();
     }
-    let percent = 100.0 * view.axis.share_at(view.position);
-    let mut text = match view.time_ms {
-        Some(time) => format!("{time:.0} ms · {percent:.0} % R-R"),
-        None => format!("{percent:.0} % R-R"),
-    };
+    let mut text = share_words(view.axis.share_at(view.position), view.rr_is_known);
+    if let Some(time) = view.time_ms {
+        text = format!("{time:.0} ms · {text}");
+    }
     if let Some(between) = view.between {
         text += " · ";
         text += between;

@@ -21,6 +21,7 @@ fn harness() -> Harness<'static, Vec<Command>> {
                     end_diastole: Some(0),
                     end_systole: Some(2),
                     time_ms: Some(100.0),
+                    rr_is_known: true,
                     between: Some("interpolated"),
                     interpolated_poses: vec![2.25, 2.5, 2.75],
                     note: "3 interpolated poses per interval".to_owned(),
@@ -102,4 +103,16 @@ fn a_click_near_a_pose_between_frames_lands_on_it() {
 fn speeds_are_written_without_needless_digits() {
     assert_eq!(speed_text(1.0), "1.0×");
     assert_eq!(speed_text(0.25), "0.25×");
+}
+
+#[test]
+fn without_times_the_share_is_one_of_the_cycle_by_frames() {
+    let view = TimeBarView {
+        position: 2.0,
+        axis: CycleAxis {
+            frame_shares: vec![0.0, 0.25, 0.5, 0.75],
+        },
+        ..TimeBarView::default()
+    };
+    assert_eq!(readout_text(&view), "50 % of the cycle by frames");
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use egui::text::{CCursor, CCursorRange};
 use egui::{
     Align2, Button, Color32, Key, Popup, Rect, RichText, Shape, Stroke, TextEdit, Ui, UiBuilder,
     pos2, vec2,
@@ -186,23 +187,45 @@ fn limits_ui(ui: &mut Ui, bar: Rect, view: &ColourBarView, commands: &mut Vec<Co
         let response = response.on_hover_text("Set the colour limits");
         Popup::menu(&response)
             .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
-            .show(|ui| limits_form_ui(ui, view, commands));
+            .show(|ui| limits_form_ui(ui, view, index, commands));
     }
 }
 
-fn limits_form_ui(ui: &mut Ui, view: &ColourBarView, commands: &mut Vec<Command>) {
-    let id = ui.scope_id().with("typed limits");
-    let mut typed: [String; 2] = ui
-        .data(|data| data.get_temp(id))
-        .unwrap_or_else(|| view.limits.map(tick_text));
+/// What was typed into the form, in which pass last: a form that is opened again begins with the limits in force.
+#[derive(Clone)]
+struct TypedLimits {
+    texts: [String; 2],
+    pass: u64,
+}
+
+/// The form; the limit that was clicked has the keyboard when it opens.
+fn limits_form_ui(ui: &mut Ui, view: &ColourBarView, clicked: usize, commands: &mut Vec<Command>) {
+    let id = ui.scope_id().with(("typed limits", view.title));
+    let pass = ui.ctx().cumulative_pass_nr();
+    let kept: Option<TypedLimits> = ui.data(|data| data.get_temp(id));
+    let kept = kept.filter(|kept| kept.pass + 1 >= pass);
+    let opens = kept.is_none();
+    let mut typed = kept.map_or_else(|| view.limits.map(tick_text), |kept| kept.texts);
     ui.set_width(180.0);
     ui.label(note(format!("Limits of {}", view.title.to_lowercase())));
     let mut done = false;
-    for (text, name) in typed.iter_mut().zip(["From", "To"]) {
+    for (index, (text, name)) in typed.iter_mut().zip(["From", "To"]).enumerate() {
         ui.horizontal(|ui| {
             ui.label(name);
+            let length = text.chars().count();
             let edit = TextEdit::singleline(text).desired_width(90.0);
-            let response = ui.add(edit).accessible_name(format!("{name} value"));
+            let mut output = edit.show(ui);
+            if opens && index == clicked {
+                // What is typed takes the place of the limit.
+                let all = CCursorRange::two(CCursor::new(0), CCursor::new(length));
+                output.state.cursor.set_char_range(Some(all));
+                output.state.store(ui.ctx(), output.response.id);
+                output.response.request_focus();
+            }
+            let response = output
+                .response
+                .response
+                .accessible_name(format!("{name} value"));
             done |= response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
             ui.label(RichText::new(view.unit).weak());
         });
@@ -220,10 +243,11 @@ fn limits_form_ui(ui: &mut Ui, view: &ColourBarView, commands: &mut Vec<Command>
             ui.close();
         }
     });
-    ui.data_mut(|data| data.insert_temp(id, typed));
+    let kept = TypedLimits { texts: typed, pass };
+    ui.data_mut(|data| data.insert_temp(id, kept));
     if let (true, Ok(limits)) = (done, limits) {
         commands.push(ViewCommand::SetColourLimits(Some(limits)).into());
-        ui.data_mut(|data| data.remove::<[String; 2]>(id));
+        ui.data_mut(|data| data.remove::<TypedLimits>(id));
         ui.close();
     }
 }

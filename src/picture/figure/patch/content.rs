@@ -32,13 +32,13 @@ pub struct VerdictLines {
 }
 
 impl VerdictLines {
-    /// Of one subject; with `None` for verdicts, thickening alone.
+    /// Of one subject; with `None` for verdicts, thickening alone and that there is no verdict yet.
     pub fn of(wall: &SubjectThickening, verdicts: Option<&Verdicts>, subject: usize) -> Self {
         let classified = verdicts.and_then(|all| Some((all, all.subjects.get(subject)?)));
         match classified {
             _ if wall.not_assessed.is_some() => Self::not_assessed(wall.not_assessed.as_ref()),
             None => Self {
-                heading: String::new(),
+                heading: "Not yet assessed".to_owned(),
                 abnormal: false,
                 evidence: extent_words(&wall.thickening),
             },
