@@ -6,8 +6,8 @@ pub(crate) mod spec;
 pub(crate) mod view;
 
 use egui::{
-    Align2, Key, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2,
-    vec2,
+    Align2, Key, Order, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui,
+    WidgetInfo, pos2, vec2,
 };
 
 use crate::panes::buttons::command_button_ui;
@@ -87,16 +87,23 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
             let response = ui.add(edit).accessible_name("Filter subjects");
             if response.changed() {
                 commands.push(ViewCommand::SetSearch(text).into());
-            } else if response.has_focus()
-                && ui.input(|input| input.key_pressed(Key::Escape))
-                && !view.search.is_empty()
-            {
+            } else if !view.search.is_empty() && escaped(ui) {
                 commands.push(ViewCommand::SetSearch(String::new()).into());
             }
         });
 }
 
 fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
+/// Whether Esc was pressed and closes nothing else, in the filter box or elsewhere in the window.
+fn escaped(ui: &Ui) -> bool {
+    let over = |order| matches!(order, Order::Middle | Order::Foreground);
+    let covered = ui.memory(|memory| {
+        let layers = memory.areas().visible_layer_ids();
+        layers.iter().any(|layer| over(layer.order))
+    });
+    !covered && ui.input(|input| input.key_pressed(Key::Escape))
+}
+
     let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
     let verdict = match columns.room {
         VerdictRoom::Words | VerdictRoom::Share => "Verdict",

@@ -57,6 +57,8 @@ pub struct CohortRow {
 }
 
 /// Columns in the order of `ViewCommand::SortCohort`.
+    /// Whether the filter of the table leaves it out; maps then dim it.
+    pub filtered_out: bool,
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CohortColumn {
     /// Shape of the label's role.
@@ -113,6 +115,14 @@ pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) 
 fn searchable(row: &CohortRow) -> String {
     let percent = row
         .ejection_fraction
+/// "6 of 23" while a filter leaves subjects out.
+pub fn count_text(shown: usize, count: usize) -> String {
+    match shown == count {
+        true => count.to_string(),
+        false => format!("{shown} of {count}"),
+    }
+}
+
         .map(|ef| format!("{:.0}", 100.0 * ef))
         .unwrap_or_default();
     let role = crate::ui::marks::role_name(row.role);

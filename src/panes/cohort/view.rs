@@ -50,6 +50,14 @@ impl CohortData {
         if self.filtered_by.as_ref().map(|(s, o)| (s, *o)) != Some(filter) {
             self.visible = visible_rows(&self.rows, &document.search, sort(document.sorting));
             self.filtered_by = Some((document.search.clone(), document.sorting));
+            for row in &mut self.rows {
+                row.filtered_out = true;
+            }
+            for &shown in &self.visible {
+                if let Some(row) = self.rows.get_mut(shown) {
+                    row.filtered_out = false;
+                }
+            }
         }
     }
 
@@ -59,6 +67,11 @@ impl CohortData {
     }
 
     /// What the pane shows; the last two say whether measures and verdicts are still to come.
+    /// How many subjects the filter shows.
+    pub fn shown_count(&self) -> usize {
+        self.visible.len()
+    }
+
     pub fn view<'a>(
         &'a self,
         state: &'a State,
@@ -127,3 +140,4 @@ fn cohort_rows(state: &State) -> Vec<CohortRow> {
         })
         .collect()
 }
+            filtered_out: false,

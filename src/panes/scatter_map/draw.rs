@@ -86,6 +86,9 @@ pub fn draw_points(
     canvas.pointed(pointed);
 }
 
+/// Strength of subjects that the filter leaves out: seen as where the others lie, and no more.
+const FILTERED_OUT: f32 = 0.16;
+
 /// Radius at rest and when selected, and whether the mark is filled: end-diastole is filled and large,
 /// end-systole open and large, other poses small.
 fn mark(phase: PosePhase) -> (f32, f32, bool) {
@@ -199,7 +202,16 @@ impl<P: Projection> Canvas<'_, P> {
 
     /// The label's colour, nearer to that of the pane the weaker it is.
     fn resting_colour(&self, subject: usize, strength: f32, depth: f32) -> Color32 {
-        let dimmed = if self.view.out_of_date() { 0.45 } else { 1.0 };
+        let filtered = if self.view.is_filtered_out(subject) {
+            FILTERED_OUT
+        } else {
+            1.0
+        };
+        let dimmed = if self.view.out_of_date() {
+            0.45 * filtered
+        } else {
+            filtered
+        };
         let strength = (strength * dimmed * self.projection.fade(depth)).clamp(0.0, 1.0);
         let colour = self.colours.role(self.view.role(subject));
         self.colours.pane.lerp_to_gamma(colour, strength)

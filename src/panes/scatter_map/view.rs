@@ -99,6 +99,12 @@ impl<'a> ScatterView<'a> {
         subject.map(|subject| subject.role).unwrap_or_default()
     }
 
+    /// Whether the filter of the cohort table leaves a subject out: it is dimmed, and the pointer passes over it.
+    pub fn is_filtered_out(&self, subject: usize) -> bool {
+        let subject = self.subjects.get(subject);
+        subject.is_some_and(|subject| subject.filtered_out)
+    }
+
     /// Whether the subject is one of the two that stand out.
     pub fn is_chosen(&self, subject: usize) -> bool {
         [self.selected, self.compared].contains(&Some(subject))

@@ -54,6 +54,7 @@ impl Example {
                     let start = [wobble, 0.8 * (subject as f64 * 1.7).cos()];
                     let phase = PosePhase::of(frame, (Some(0), Some(4)));
                     points.push(ScatterPoint {
+                    filtered_out: false,
                         subject,
                         frames: Some([frame, frame]),
                         start_frame: frame,
