@@ -16,7 +16,8 @@ use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand
 use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::controls::empty_pane_ui;
-use crate::ui::marks::{role_mark, role_name};
+use crate::ui::label_marks::label_mark;
+use crate::ui::marks::role_name;
 use crate::ui::style::{note, note_font, text_font};
 use crate::ui::text::counted;
 use crate::ui::theme::{colours, space};
@@ -227,7 +228,7 @@ fn row_ui(
             .rect_filled(rect, 0.0, colours.selected_row.gamma_multiply(0.5));
     }
     let y = rect.center().y;
-    role_mark(ui, pos2(columns.mark, y), 4.0, row.role, true);
+    label_mark(ui, pos2(columns.mark, y), 4.0, row.mark, true);
     let id_colour = if selected {
         colours.strong
     } else {

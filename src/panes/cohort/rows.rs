@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use crate::panes::verdict_marks::VerdictMark;
 use crate::study::LabelRole;
+use crate::ui::LabelMark;
 
 /// The verdict on one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,6 +45,8 @@ pub struct CohortRow {
     pub label: Option<String>,
     /// Class of the label.
     pub role: LabelRole,
+    /// Shape and colour of the label.
+    pub mark: LabelMark,
     /// Ejection fraction as a fraction; `None` until it is computed or where it cannot be.
     pub ejection_fraction: Option<f64>,
     /// Its verdict; `None` until there is one.
@@ -54,11 +57,11 @@ pub struct CohortRow {
     pub warning_count: usize,
     /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
+    /// Whether the filter of the table leaves it out; maps then dim it.
+    pub filtered_out: bool,
 }
 
 /// Columns in the order of `ViewCommand::SortCohort`.
-    /// Whether the filter of the table leaves it out; maps then dim it.
-    pub filtered_out: bool,
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum CohortColumn {
     /// Shape of the label's role.
@@ -112,9 +115,6 @@ pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) 
     visible
 }
 
-fn searchable(row: &CohortRow) -> String {
-    let percent = row
-        .ejection_fraction
 /// "6 of 23" while a filter leaves subjects out.
 pub fn count_text(shown: usize, count: usize) -> String {
     match shown == count {
@@ -123,6 +123,9 @@ pub fn count_text(shown: usize, count: usize) -> String {
     }
 }
 
+fn searchable(row: &CohortRow) -> String {
+    let percent = row
+        .ejection_fraction
         .map(|ef| format!("{:.0}", 100.0 * ef))
         .unwrap_or_default();
     let role = crate::ui::marks::role_name(row.role);

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 
-use crate::ui::marks::role_shape;
+use crate::ui::label_marks::label_shape;
 use crate::ui::theme::{Colours, colours, line};
 
 use super::labels::Labels;
@@ -190,8 +190,8 @@ impl<P: Projection> Canvas<'_, P> {
             let colour = self.resting_colour(point.subject, strength, depth);
             let (radius, _, filled) = mark(point.phase);
             if self.projection.rect().expand(8.0).contains(at) {
-                let role = self.view.role(point.subject);
-                let shape = role_shape(at, radius, role, colour, filled);
+                let label = self.view.mark(point.subject);
+                let shape = label_shape(at, radius, label, colour, filled);
                 pieces.push((depth - 0.01, shape));
             }
         }
@@ -213,7 +213,7 @@ impl<P: Projection> Canvas<'_, P> {
             filtered
         };
         let strength = (strength * dimmed * self.projection.fade(depth)).clamp(0.0, 1.0);
-        let colour = self.colours.role(self.view.role(subject));
+        let colour = self.view.mark(subject).colour(self.colours);
         self.colours.pane.lerp_to_gamma(colour, strength)
     }
 
@@ -240,8 +240,8 @@ impl<P: Projection> Canvas<'_, P> {
             let point = &self.view.points[index];
             let at = self.seen[index].0;
             let (_, radius, filled) = mark(point.phase);
-            let role = self.view.role(point.subject);
-            let shape = role_shape(at, radius, role, colour, filled);
+            let label = self.view.mark(point.subject);
+            let shape = label_shape(at, radius, label, colour, filled);
             if point.phase == PosePhase::WholeMotion {
                 // A single point has no path that stands out: it gets a ring.
                 self.painter.circle_filled(at, 8.5, self.colours.pane);

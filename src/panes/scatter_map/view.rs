@@ -4,7 +4,7 @@ use crate::engine::Topic;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::work_state::WorkState;
-use crate::study::LabelRole;
+use crate::ui::LabelMark;
 
 use super::path::paths;
 use super::point::{PosePhase, ScatterPoint};
@@ -93,10 +93,10 @@ impl<'a> ScatterView<'a> {
         }
     }
 
-    /// The class of a subject.
-    pub fn role(&self, subject: usize) -> LabelRole {
+    /// Shape and colour of a subject.
+    pub fn mark(&self, subject: usize) -> LabelMark {
         let subject = self.subjects.get(subject);
-        subject.map(|subject| subject.role).unwrap_or_default()
+        subject.map(|subject| subject.mark).unwrap_or_default()
     }
 
     /// Whether the filter of the cohort table leaves a subject out: it is dimmed, and the pointer passes over it.

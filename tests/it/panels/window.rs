@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cardiomorph::app::*;
 use cardiomorph::panes::*;
 use cardiomorph::report::SubjectRow;
-use cardiomorph::study::LabelRole;
+use cardiomorph::ui::LabelMark;
 use cardiomorph::ui::theme::colours;
 use cardiomorph::ui::*;
 use cardiomorph::units::LengthUnit;
@@ -80,7 +80,7 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
     let caption = SubjectCaption {
         title: example.rows[9].id.clone(),
         subtitle: "MINF · frame 3 of 8".to_owned(),
-        role: LabelRole::Abnormal,
+        mark: LabelMark::Label(0),
         badge: Some("interpolated"),
         badge_note: "3 poses between these frames".to_owned(),
         ..SubjectCaption::default()
@@ -144,7 +144,6 @@ pub fn measures(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         ],
         unit: "ml",
         axis: example.axis(),
-        cycle_ms: Some(920.0),
         position: 2.4,
         end_diastole: Some(0),
         end_systole: Some(4),
