@@ -18,11 +18,11 @@ use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_u
 use crate::ui::controls::empty_pane_ui;
 use crate::ui::label_marks::label_mark;
 use crate::ui::marks::role_name;
-use crate::ui::style::{note, note_font, text_font};
+use crate::ui::style::{note, text_font};
 use crate::ui::text::counted;
 use crate::ui::theme::{colours, space};
 
-use columns::{Columns, VerdictRoom, cell, verdict_cell};
+use columns::{Columns, VerdictRoom, cell, heading, verdict_cell};
 
 /// What the cohort pane shows.
 #[derive(Clone, Debug)]
@@ -94,7 +94,6 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
         });
 }
 
-fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
 /// Whether Esc was pressed and closes nothing else, in the filter box or elsewhere in the window.
 fn escaped(ui: &Ui) -> bool {
     let over = |order| matches!(order, Order::Middle | Order::Foreground);
@@ -105,6 +104,7 @@ fn escaped(ui: &Ui) -> bool {
     !covered && ui.input(|input| input.key_pressed(Key::Escape))
 }
 
+fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
     let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
     let verdict = match columns.room {
         VerdictRoom::Words | VerdictRoom::Share => "Verdict",
@@ -129,14 +129,12 @@ fn escaped(ui: &Ui) -> bool {
         } else {
             colours(ui).muted
         };
-        let (at, anchor) = if column == CohortColumn::EjectionFraction {
-            (rect.right_center(), Align2::RIGHT_CENTER)
+        let align = if column == CohortColumn::EjectionFraction {
+            Align2::RIGHT_CENTER
         } else {
-            (rect.left_center(), Align2::LEFT_CENTER)
+            Align2::LEFT_CENTER
         };
-        let text = ui
-            .painter()
-            .text(at, anchor, names[index], note_font(), colour);
+        let text = heading(ui, rect, align, names[index], colour);
         if let Some(sort) = sorted {
             let arrow = if sort.descending { "▼" } else { "▲" };
             let (at, anchor) = if column == CohortColumn::EjectionFraction {

@@ -94,8 +94,8 @@ fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
         }
     }
     let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).room;
-    assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Share);
-    assert!(room(240.0) == VerdictRoom::Mark);
+    assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Words);
+    assert!(room(236.0) == VerdictRoom::Share && room(190.0) == VerdictRoom::Mark);
 }
 
 #[test]
