@@ -88,9 +88,10 @@ fn menu_ui(ui: &mut Ui, menu: Menu, actions: &ActionState, commands: &mut Vec<Co
 fn scrolling_ui(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
     // Below the bar, with the margins of the menu.
     let room = ui.ctx().content_rect().height() - ABOVE_AND_BELOW;
-    ScrollArea::vertical()
-        .max_height(room.max(space::ROW))
-        .show(ui, add);
+    let room = room.max(space::ROW);
+    // A popup offers less by itself.
+    ui.set_max_height(room);
+    ScrollArea::vertical().max_height(room).show(ui, add);
 }
 
 fn item_ui(ui: &mut Ui, item: &Item, actions: &ActionState, commands: &mut Vec<Command>) {

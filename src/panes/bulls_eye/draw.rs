@@ -89,8 +89,8 @@ fn patch_mark(ui: &Ui, view: &BullsEyeView, disc: &Disc, patch: &BullsEyePatch) 
         let points: Vec<Pos2> = border.iter().map(|&point| disc.at(point)).collect();
         // Dark below light: seen on pale and on deep colours.
         let below = Stroke::new(width + 2.0, BETWEEN);
-        painter.add(Shape::closed_line(points.clone(), below));
-        painter.add(Shape::closed_line(points, Stroke::new(width, colour)));
+        painter.extend(sides(&points, below));
+        painter.extend(sides(&points, Stroke::new(width, colour)));
     }
     if disc.radius < NUMBERED_RADIUS || (view.by_segment && view.flat.oriented) {
         return;
@@ -101,6 +101,16 @@ fn patch_mark(ui: &Ui, view: &BullsEyeView, disc: &Disc, patch: &BullsEyePatch) 
         let number = patch.number.as_str();
         painter.text(at, Align2::CENTER_CENTER, number, note_font(), colour);
     }
+}
+
+/// A closed line, side by side: drawn in one piece, its joints run far out where it turns back sharply, as long lines
+/// across the plot and beyond.
+fn sides(points: &[Pos2], stroke: Stroke) -> Vec<Shape> {
+    let next = points.iter().cycle().skip(1);
+    let sides = points.iter().zip(next);
+    sides
+        .map(|(from, to)| Shape::line_segment([*from, *to], stroke))
+        .collect()
 }
 
 /// Every how manieth line of a hatch is drawn, so that lines stay five points apart on a small disc.
@@ -213,4 +223,34 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
     let title = view.scale.title(view.moment);
     let at = pos2(area.center().x, area.bottom());
     painter.text(at, Align2::CENTER_BOTTOM, title, note_font(), colours.text);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::epaint::{ClippedShape, Primitive};
+
+    #[test]
+    fn an_outline_that_turns_back_sharply_sends_no_line_across_the_plot() {
+        let points = [[0.0, 0.0], [50.0, 0.0], [0.0, 0.4], [25.0, 30.0]].map(Pos2::from);
+        let ctx = egui::Context::default();
+        // Fonts exist from the first frame on, and shapes are made triangles after it.
+        let output = ctx.run_ui(Default::default(), |_| {});
+        output.drop_without_applying_deltas();
+        let shapes = sides(&points, Stroke::new(4.0, Color32::WHITE)).into_iter();
+        let clipped = shapes.map(|shape| ClippedShape {
+            clip_rect: Rect::EVERYTHING,
+            shape,
+        });
+        let allowed = Rect::from_points(&points).expand(4.0);
+        for drawn in ctx.tessellate(clipped.collect(), 1.0) {
+            if let Primitive::Mesh(mesh) = drawn.primitive {
+                assert!(
+                    mesh.vertices
+                        .iter()
+                        .all(|vertex| allowed.contains(vertex.pos))
+                );
+            }
+        }
+    }
 }
