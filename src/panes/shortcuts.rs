@@ -7,7 +7,21 @@ use crate::panes::commands::{ACTIONS, Action, action_of};
 
 /// The shortcut of a command as text, such as `Ctrl+K`; `None` where it has none.
 pub fn shortcut_text(ctx: &Context, command: &Command) -> Option<String> {
-    Some(ctx.format_shortcut(action_of(command)?.shortcut.as_ref()?))
+    Some(keys_text(ctx, action_of(command)?.shortcut.as_ref()?))
+}
+
+/// Keys as they are printed on a keyboard: `?`, not the name of the key.
+pub fn keys_text(ctx: &Context, shortcut: &KeyboardShortcut) -> String {
+    let names = [
+        ("Questionmark", Key::Questionmark),
+        ("Period", Key::Period),
+        ("Comma", Key::Comma),
+    ];
+    let text = ctx.format_shortcut(shortcut);
+    match names.iter().find(|(_, key)| *key == shortcut.logical_key) {
+        Some((name, key)) => text.replace(name, key.symbol_or_name()),
+        None => text,
+    }
 }
 
 /// A name with its key behind it, for hints: `Next frame (Right)`.
@@ -146,6 +160,22 @@ mod tests {
             pressed(SHIFT, Key::Questionmark),
             [Command::Window(WindowCommand::ToggleShortcuts)]
         );
+    }
+
+    #[test]
+    fn keys_are_written_as_they_are_printed_on_a_keyboard() {
+        let ctx = Context::default();
+        for action in ACTIONS.iter() {
+            let Some(shortcut) = action.shortcut.as_ref() else {
+                continue;
+            };
+            let text = keys_text(&ctx, shortcut);
+            for name in ["Questionmark", "Period", "Comma"] {
+                assert!(!text.contains(name), "{}: {text}", action.name);
+            }
+        }
+        let help = Command::Window(WindowCommand::ToggleShortcuts);
+        assert_eq!(shortcut_text(&ctx, &help).as_deref(), Some("?"));
     }
 
     #[test]

@@ -29,8 +29,8 @@ mod wall_rim;
 
 pub use axes::{AnatomicalView, CubeFace, SubjectAxes};
 pub use bulls_eye::{
-    BullsEyeQuantity, BullsEyeScale, PolarMap, PolarValues, ink_on, sector_line, sector_outline,
-    sector_strip,
+    BullsEyeQuantity, BullsEyeScale, PolarMap, PolarPatch, PolarValues, ink_on, sector_line,
+    sector_outline, sector_strip,
 };
 pub use colour_map::ColourMap;
 pub use fit::fitted_camera;

@@ -1,50 +1,10 @@
-//! Shapes that stand for labels, phases and actions; drawn, so that they need no font.
+//! Shapes that stand for phases and actions; drawn, so that they need no font.
 
 use egui::epaint::Mesh;
-use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
 
 use crate::study::LabelRole;
-use crate::ui::theme::{colours, line};
-
-/// The shape of a label's role: a circle, a cross or a square, so that colour is never alone.
-pub fn role_shape(
-    centre: Pos2,
-    radius: f32,
-    role: LabelRole,
-    colour: Color32,
-    filled: bool,
-) -> Shape {
-    let stroke = Stroke::new(line::MARK, colour);
-    match (role, filled) {
-        (LabelRole::Normal, true) => Shape::circle_filled(centre, radius, colour),
-        (LabelRole::Normal, false) => {
-            Shape::circle_stroke(centre, radius - 0.5 * line::MARK, stroke)
-        }
-        (LabelRole::Abnormal, filled) => {
-            let arm = radius * 0.85;
-            let width = if filled { line::STRONG } else { line::MARK };
-            let across = |arm: Vec2| {
-                Shape::line_segment([centre - arm, centre + arm], Stroke::new(width, colour))
-            };
-            Shape::Vec(vec![across(vec2(arm, arm)), across(vec2(arm, -arm))])
-        }
-        (LabelRole::Unknown, filled) => {
-            let square = Rect::from_center_size(centre, Vec2::splat(1.8 * radius));
-            if filled {
-                Shape::rect_filled(square, 1.0, colour)
-            } else {
-                Shape::rect_stroke(square, 1.0, stroke, egui::StrokeKind::Inside)
-            }
-        }
-    }
-}
-
-/// Draws the shape of a label's role in its colour.
-pub fn role_mark(ui: &Ui, centre: Pos2, radius: f32, role: LabelRole, filled: bool) {
-    let colour = colours(ui).role(role);
-    ui.painter()
-        .add(role_shape(centre, radius, role, colour, filled));
-}
+use crate::ui::theme::line;
 
 /// What a role is called.
 pub fn role_name(role: LabelRole) -> &'static str {

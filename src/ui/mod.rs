@@ -2,6 +2,7 @@
 
 pub(crate) mod controls;
 pub(crate) mod fuzzy;
+pub(crate) mod label_marks;
 pub(crate) mod marks;
 pub(crate) mod number_field;
 pub(crate) mod pointer_steps;
@@ -9,6 +10,7 @@ pub(crate) mod style;
 pub(crate) mod text;
 pub mod theme;
 
+pub use label_marks::LabelMark;
 pub use marks::role_name;
 pub use style::{add_faces, apply, install, medium_font};
 pub use {controls::*, text::*};

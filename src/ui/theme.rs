@@ -2,8 +2,6 @@
 
 use egui::Color32;
 
-use crate::study::LabelRole;
-
 /// Type sizes in points: notes, text, headings, the one number that matters.
 pub mod type_size {
     /// Notes, axis labels, legends.
@@ -97,6 +95,9 @@ pub struct Colours {
     pub error: Color32,
     /// A warning.
     pub warning: Color32,
+    /// Labels other than normal: distinct from each other, from normal and from the selection, for colour-blind readers
+    /// too.
+    pub labels: [Color32; 8],
     /// Clusters: distinct from the classes and from each other, in any order.
     pub clusters: [Color32; 6],
     /// Inner surface.
@@ -125,6 +126,16 @@ pub const DARK: Colours = Colours {
     unknown: Color32::from_rgb(0x8a, 0x94, 0xa1),
     error: Color32::from_rgb(0xf0, 0x71, 0x78),
     warning: Color32::from_rgb(0xe8, 0xb4, 0x4f),
+    labels: [
+        Color32::from_rgb(0xe7, 0x88, 0x5c),
+        Color32::from_rgb(0x4f, 0xd6, 0xae),
+        Color32::from_rgb(0xa3, 0x6c, 0xf7),
+        Color32::from_rgb(0xfe, 0xb1, 0xd8),
+        Color32::from_rgb(0x2f, 0x9a, 0x3f),
+        Color32::from_rgb(0xf2, 0x3a, 0x6e),
+        Color32::from_rgb(0xdf, 0xf5, 0xe4),
+        Color32::from_rgb(0x9a, 0x8a, 0x00),
+    ],
     clusters: [
         Color32::from_rgb(0x4f, 0xc4, 0xa8),
         Color32::from_rgb(0xc0, 0x8f, 0xe8),
@@ -157,6 +168,16 @@ pub const LIGHT: Colours = Colours {
     unknown: Color32::from_rgb(0x68, 0x72, 0x7f),
     error: Color32::from_rgb(0xb8, 0x2c, 0x3a),
     warning: Color32::from_rgb(0x96, 0x63, 0x07),
+    labels: [
+        Color32::from_rgb(0xc2, 0x57, 0x1f),
+        Color32::from_rgb(0x0d, 0x8f, 0x64),
+        Color32::from_rgb(0x3c, 0x25, 0xb7),
+        Color32::from_rgb(0xc3, 0x3a, 0xe0),
+        Color32::from_rgb(0x6b, 0x2a, 0x12),
+        Color32::from_rgb(0xd8, 0x1e, 0x52),
+        Color32::from_rgb(0x00, 0x41, 0x4d),
+        Color32::from_rgb(0x7c, 0x16, 0x78),
+    ],
     clusters: [
         Color32::from_rgb(0x0f, 0x7d, 0x64),
         Color32::from_rgb(0x7b, 0x45, 0xb8),
@@ -178,15 +199,6 @@ impl Colours {
     /// Colour of a cluster; past the last, colours repeat and the letter distinguishes.
     pub fn cluster(&self, cluster: usize) -> Color32 {
         self.clusters[cluster % self.clusters.len()]
-    }
-
-    /// Colour of a label's role; its shape is drawn by `marks::role_mark`.
-    pub fn role(&self, role: LabelRole) -> Color32 {
-        match role {
-            LabelRole::Normal => self.normal,
-            LabelRole::Abnormal => self.abnormal,
-            LabelRole::Unknown => self.unknown,
-        }
     }
 }
 
@@ -232,6 +244,11 @@ mod tests {
             let marks = [theme.accent, theme.abnormal, theme.error, theme.warning];
             for mark in marks.into_iter().chain(theme.clusters) {
                 assert!(contrast(mark, theme.pane) >= 3.0);
+            }
+            for (mark, behind) in (theme.labels.into_iter())
+                .flat_map(|mark| [theme.pane, theme.selected_row, theme.control].map(|b| (mark, b)))
+            {
+                assert!(contrast(mark, behind) >= 3.0, "{mark:?}");
             }
         }
     }

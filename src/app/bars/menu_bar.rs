@@ -2,17 +2,21 @@
 
 use std::path::{Path, PathBuf};
 
-use egui::{Align, Button, Layout, RichText, Stroke, Ui, vec2};
+use egui::{Align, Button, Layout, RichText, ScrollArea, Stroke, Ui, vec2};
 
 use crate::document::State;
 use crate::panes::action_state::ActionState;
-use crate::panes::actions::ALL_ACTIONS;
 use crate::panes::commands::Menu;
 use crate::panes::commands::{Command, FileCommand, WindowCommand};
-use crate::panes::shortcuts::shortcut_text;
+use crate::panes::shortcuts::{keys_text, shortcut_text};
 use crate::ui::style::{note, title_text_font};
 use crate::ui::text::counted;
 use crate::ui::theme::{colours, line, space};
+
+use super::menu_lines::{Item, MenuLine, menu_lines};
+
+/// Room of the bar above a menu and of the margins around its lines.
+const ABOVE_AND_BELOW: f32 = 64.0;
 
 /// Draws the menus, the study's line and the button to the palette.
 pub fn menu_bar_ui(ui: &mut Ui, actions: &ActionState, commands: &mut Vec<Command>) {
@@ -59,27 +63,53 @@ fn palette_button_ui(ui: &mut Ui, commands: &mut Vec<Command>) {
 }
 
 fn menu_ui(ui: &mut Ui, menu: Menu, actions: &ActionState, commands: &mut Vec<Command>) {
-    let mut group = None;
-    for action in ALL_ACTIONS.iter().filter(|action| action.menu == menu) {
-        if group.is_some_and(|group| group != action.group) {
-            ui.separator();
+    scrolling_ui(ui, |ui| {
+        for line in menu_lines(menu) {
+            match line {
+                MenuLine::Separator => {
+                    ui.separator();
+                }
+                MenuLine::Action(item) => item_ui(ui, &item, actions, commands),
+                MenuLine::Submenu(title, items) => {
+                    ui.menu_button(title, |ui| {
+                        scrolling_ui(ui, |ui| {
+                            for item in &items {
+                                item_ui(ui, item, actions, commands);
+                            }
+                        });
+                    });
+                }
+            }
         }
-        group = Some(action.group);
-        let mut button = Button::new(action.name);
-        if let Some(shortcut) = &action.shortcut {
-            button = button.shortcut_text(ui.ctx().format_shortcut(shortcut));
-        }
-        if actions.checked(&action.command) == Some(true) {
-            button = button.selected(true);
-        }
-        let enabled = actions.enabled(&action.command);
-        if ui.add_enabled(enabled, button).clicked() {
-            commands.push(action.command.clone());
-            ui.close();
-        }
-        if action.command == Command::File(FileCommand::OpenBuiltIn) {
-            recent_ui(ui, &actions.state.recent, commands);
-        }
+    });
+}
+
+/// A menu that is higher than the window scrolls.
+fn scrolling_ui(ui: &mut Ui, add: impl FnOnce(&mut Ui)) {
+    // Below the bar, with the margins of the menu.
+    let room = ui.ctx().content_rect().height() - ABOVE_AND_BELOW;
+    let room = room.max(space::ROW);
+    // A popup offers less by itself.
+    ui.set_max_height(room);
+    ScrollArea::vertical().max_height(room).show(ui, add);
+}
+
+fn item_ui(ui: &mut Ui, item: &Item, actions: &ActionState, commands: &mut Vec<Command>) {
+    let action = item.action;
+    let mut button = Button::new(item.name.as_str());
+    if let Some(shortcut) = &action.shortcut {
+        button = button.shortcut_text(keys_text(ui.ctx(), shortcut));
+    }
+    if actions.checked(&action.command) == Some(true) {
+        button = button.selected(true);
+    }
+    let enabled = actions.enabled(&action.command);
+    if ui.add_enabled(enabled, button).clicked() {
+        commands.push(action.command.clone());
+        ui.close();
+    }
+    if action.command == Command::File(FileCommand::OpenBuiltIn) {
+        recent_ui(ui, &actions.state.recent, commands);
     }
 }
 
@@ -126,4 +156,81 @@ fn study_line(state: &State) -> String {
         counted(subjects, "subject"),
         counted(frames, "frame")
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use egui_kittest::{Harness, kittest::Queryable as _};
+
+    use super::*;
+    use crate::document::ThemeChoice;
+
+    fn harness(size: [f32; 2]) -> Harness<'static, Vec<Command>> {
+        let state = State::default();
+        let mut harness = Harness::builder()
+            .with_size(size)
+            .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+            .build_ui_state(
+                move |ui, commands: &mut Vec<Command>| {
+                    let actions = ActionState {
+                        state: &state,
+                        hidden_panes: Vec::new(),
+                    };
+                    menu_bar_ui(ui, &actions, commands);
+                },
+                Vec::new(),
+            );
+        harness.run();
+        harness
+    }
+
+    #[test]
+    fn every_line_of_every_menu_is_within_a_small_window() {
+        for menu in Menu::ALL {
+            let mut shown = harness([1024.0, 640.0]);
+            shown.get_by_label(menu.name()).click();
+            shown.run();
+            for line in menu_lines(menu) {
+                let name = match line {
+                    MenuLine::Separator => continue,
+                    MenuLine::Action(item) => item.name,
+                    MenuLine::Submenu(title, _) => title,
+                };
+                for line in shown.get_all_by_label_contains(&name) {
+                    let rect = line.rect();
+                    assert!(rect.bottom() <= 640.0, "{menu:?}: {name} at {rect:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_last_theme_of_the_view_menu_can_be_chosen() {
+        let mut shown = harness([1024.0, 640.0]);
+        for name in ["View", "Theme", "Light"] {
+            shown.get_by_label_contains(name).click();
+            shown.run();
+        }
+        let wanted = WindowCommand::SetTheme(ThemeChoice::Light);
+        assert_eq!(*shown.state(), [Command::Window(wanted)]);
+    }
+
+    #[test]
+    fn a_menu_higher_than_the_window_scrolls() {
+        let mut shown = harness([1024.0, 300.0]);
+        shown.get_by_label("Analysis").click();
+        shown.run();
+        let last = |shown: &Harness<'_, _>| shown.get_by_label("Show own motion").rect();
+        assert!(last(&shown).top() > 300.0);
+        shown.hover_at(shown.get_by_label("Pose map").rect().center());
+        shown.event(egui::Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: vec2(0.0, -2000.0),
+            phase: egui::TouchPhase::Move,
+            modifiers: egui::Modifiers::NONE,
+            source: egui::MouseWheelSource::Wheel,
+        });
+        shown.run_steps(30);
+        assert!(last(&shown).bottom() <= 300.0, "{:?}", last(&shown));
+    }
 }

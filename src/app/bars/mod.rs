@@ -1,6 +1,7 @@
 //! The bars above and below the tiles.
 
 mod menu_bar;
+mod menu_lines;
 pub(crate) mod menu_view;
 mod status_bar;
 pub(crate) mod status_view;

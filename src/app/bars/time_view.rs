@@ -26,7 +26,7 @@ pub fn time_bar_view(state: &State) -> TimeBarView {
         end_diastole,
         end_systole,
         time_ms: time.map(|time| 1e3 * time.0),
-        rr_is_known: subject.timing.rr.is_some(),
+        cycle_ms: subject.timing.rr.map(|rr| 1e3 * rr.0),
         between: between.short,
         interpolated_poses: motion.map_or_else(Vec::new, |motion| motion.positions()),
         note: line_note(state, between),

@@ -9,6 +9,7 @@ use crate::panes::action_state::ActionState;
 use crate::panes::actions::ALL_ACTIONS;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command, TransportCommand, WindowCommand};
+use crate::panes::shortcuts::keys_text;
 use crate::ui::fuzzy::fuzzy_score;
 use crate::ui::style::note;
 use crate::ui::theme::{colours, radius, space};
@@ -135,7 +136,7 @@ fn offers(ctx: &egui::Context, view: &CommandPaletteView, text: &str) -> Vec<Off
         keys: action
             .shortcut
             .as_ref()
-            .map(|shortcut| ctx.format_shortcut(shortcut))
+            .map(|shortcut| keys_text(ctx, shortcut))
             .unwrap_or_default(),
         enabled: view.actions.enabled(&action.command),
         command: action.command.clone(),

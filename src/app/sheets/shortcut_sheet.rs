@@ -5,6 +5,7 @@ use egui::{Grid, ScrollArea, TextEdit, Ui};
 use crate::panes::actions::ALL_ACTIONS;
 use crate::panes::commands::Menu;
 use crate::panes::commands::{Command, WindowCommand};
+use crate::panes::shortcuts::keys_text;
 use crate::ui::controls::dialog_ui;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
@@ -56,10 +57,7 @@ fn sheet_ui(ui: &mut Ui) {
                 .iter()
                 .filter(|action| action.menu == menu)
                 .filter_map(|action| {
-                    Some((
-                        action.name,
-                        ui.ctx().format_shortcut(action.shortcut.as_ref()?),
-                    ))
+                    Some((action.name, keys_text(ui.ctx(), action.shortcut.as_ref()?)))
                 })
                 .collect();
             group_ui(ui, menu.name(), &lines, &search);

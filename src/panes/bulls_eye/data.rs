@@ -71,10 +71,11 @@ impl BullsEyeData {
         self.shown = self.flat.values(found, subject, quantity, frame);
         let selected = document.selected_patch();
         let standing = state.patch_standing(state.document.subject);
-        self.patches = (self.flat.borders.iter().enumerate())
+        self.patches = (self.flat.patches.iter().enumerate())
             .filter(|_| state.document.visibility.patches)
-            .map(|(index, borders)| BullsEyePatch {
-                borders: borders.clone(),
+            .map(|(index, shape)| BullsEyePatch {
+                shape: shape.clone(),
+                number: (index + 1).to_string(),
                 name: patch_name(found, standing, index),
                 faint: standing == PatchStanding::LowThickening,
                 selected: selected == Some(index),

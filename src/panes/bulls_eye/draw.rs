@@ -4,8 +4,8 @@ use egui::epaint::Mesh;
 use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2};
 
 use crate::analysis::segments::{RING_RADII, Segment};
-use crate::panes::bulls_eye::BullsEyeView;
 use crate::panes::bulls_eye::layout::Disc;
+use crate::panes::bulls_eye::{BullsEyePatch, BullsEyeView};
 use crate::picture::{BullsEyeScale, ink_on, sector_line, sector_outline, sector_strip};
 use crate::ui::marks::colour_strip;
 use crate::ui::style::note_font;
@@ -28,6 +28,11 @@ const FOUND: Color32 = Color32::from_rgb(0xff, 0xd1, 0x66);
 /// And of places that only thicken little.
 const FAINT: Color32 = Color32::from_rgb(0xc8, 0xcd, 0xd3);
 
+/// Lines inside a patch: the colours between them stay readable.
+const HATCH: Color32 = Color32::from_rgba_premultiplied(10, 11, 13, 150);
+/// From this radius on a patch has room for its number.
+const NUMBERED_RADIUS: f32 = 36.0;
+
 /// Draws the disc.
 pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>) {
     let painter = ui.painter();
@@ -41,26 +46,11 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
         painter.add(Shape::mesh(continuous(view, disc)));
     }
     borders(ui, view, disc);
+    for patch in view.patches {
+        patch_mark(ui, view, disc, patch);
+    }
     if view.by_segment && view.flat.oriented {
         numbers(ui, view, disc);
-    }
-    for patch in view.patches {
-        let fine = !patch.selected && view.patches.iter().any(|patch| patch.selected);
-        let width = if fine { line::THIN } else { line::STRONG };
-        for border in &patch.borders {
-            let points: Vec<Pos2> = border.iter().map(|&point| disc.at(point)).collect();
-            // Dark below light: seen on pale and on deep colours.
-            let below = Stroke::new(width + 2.0, BETWEEN);
-            painter.add(Shape::closed_line(points.clone(), below));
-            if patch.faint {
-                let closed: Vec<Pos2> = points.iter().chain(points.first()).copied().collect();
-                let above = Stroke::new(width, FAINT);
-                painter.extend(Shape::dashed_line(&closed, above, 5.0, 4.0));
-            } else {
-                let above = Stroke::new(width, FOUND);
-                painter.add(Shape::closed_line(points, above));
-            }
-        }
     }
     for (segment, width) in [
         (hovered, line::MARK),
@@ -76,6 +66,57 @@ pub fn plot(ui: &Ui, view: &BullsEyeView, disc: &Disc, hovered: Option<Segment>)
             painter.add(Shape::closed_line(outline, stroke));
         }
     }
+}
+
+/// Outline, hatch and number of a patch: the hatched side is the patch.
+fn patch_mark(ui: &Ui, view: &BullsEyeView, disc: &Disc, patch: &BullsEyePatch) {
+    let painter = ui.painter();
+    let fine = !patch.selected && view.patches.iter().any(|patch| patch.selected);
+    let (width, colour) = match (fine, patch.faint) {
+        (true, false) => (line::THIN, FOUND),
+        (false, false) => (line::STRONG, FOUND),
+        (true, true) => (line::THIN, FAINT),
+        (false, true) => (line::MARK, FAINT),
+    };
+    let stride = hatch_stride(disc.radius);
+    for (number, ends) in &patch.shape.hatch {
+        if number.rem_euclid(stride) == 0 {
+            let ends = ends.map(|end| disc.at(end));
+            painter.line_segment(ends, Stroke::new(line::THIN, HATCH));
+        }
+    }
+    for border in &patch.shape.borders {
+        let points: Vec<Pos2> = border.iter().map(|&point| disc.at(point)).collect();
+        // Dark below light: seen on pale and on deep colours.
+        let below = Stroke::new(width + 2.0, BETWEEN);
+        painter.extend(sides(&points, below));
+        painter.extend(sides(&points, Stroke::new(width, colour)));
+    }
+    if disc.radius < NUMBERED_RADIUS || (view.by_segment && view.flat.oriented) {
+        return;
+    }
+    if let Some(middle) = patch.shape.middle {
+        let at = disc.at(middle);
+        painter.circle_filled(at, 8.0, BETWEEN);
+        let number = patch.number.as_str();
+        painter.text(at, Align2::CENTER_CENTER, number, note_font(), colour);
+    }
+}
+
+/// A closed line, side by side: drawn in one piece, its joints run far out where it turns back sharply, as long lines
+/// across the plot and beyond.
+fn sides(points: &[Pos2], stroke: Stroke) -> Vec<Shape> {
+    let next = points.iter().cycle().skip(1);
+    let sides = points.iter().zip(next);
+    sides
+        .map(|(from, to)| Shape::line_segment([*from, *to], stroke))
+        .collect()
+}
+
+/// Every how manieth line of a hatch is drawn, so that lines stay five points apart on a small disc.
+fn hatch_stride(radius: f32) -> i32 {
+    let lines = (5.0 / (0.07 * radius.max(1.0))).ceil();
+    (lines as i32).max(1)
 }
 
 /// Every place its own colour.
@@ -182,4 +223,34 @@ pub fn colour_bar(ui: &Ui, view: &BullsEyeView, area: Rect) {
     let title = view.scale.title(view.moment);
     let at = pos2(area.center().x, area.bottom());
     painter.text(at, Align2::CENTER_BOTTOM, title, note_font(), colours.text);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use egui::epaint::{ClippedShape, Primitive};
+
+    #[test]
+    fn an_outline_that_turns_back_sharply_sends_no_line_across_the_plot() {
+        let points = [[0.0, 0.0], [50.0, 0.0], [0.0, 0.4], [25.0, 30.0]].map(Pos2::from);
+        let ctx = egui::Context::default();
+        // Fonts exist from the first frame on, and shapes are made triangles after it.
+        let output = ctx.run_ui(Default::default(), |_| {});
+        output.drop_without_applying_deltas();
+        let shapes = sides(&points, Stroke::new(4.0, Color32::WHITE)).into_iter();
+        let clipped = shapes.map(|shape| ClippedShape {
+            clip_rect: Rect::EVERYTHING,
+            shape,
+        });
+        let allowed = Rect::from_points(&points).expand(4.0);
+        for drawn in ctx.tessellate(clipped.collect(), 1.0) {
+            if let Primitive::Mesh(mesh) = drawn.primitive {
+                assert!(
+                    mesh.vertices
+                        .iter()
+                        .all(|vertex| allowed.contains(vertex.pos))
+                );
+            }
+        }
+    }
 }

@@ -129,7 +129,7 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
 fn patch_at(view: &BullsEyeView, disc: &layout::Disc, at: egui::Pos2) -> Option<usize> {
     const REACH: f32 = 5.0;
     let distance = |patch: &BullsEyePatch| {
-        let sides = patch.borders.iter().flat_map(|border| {
+        let sides = patch.shape.borders.iter().flat_map(|border| {
             let next = border.iter().cycle().skip(1);
             border.iter().zip(next)
         });

@@ -4,7 +4,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 use crate::panes::WallCommand;
-use crate::picture::{BullsEyeScale, PolarMap, PolarValues};
+use crate::picture::{BullsEyeScale, PolarMap, PolarPatch, PolarValues};
 
 struct Shown {
     state: WorkState,
@@ -104,7 +104,11 @@ fn a_click_selects_the_segment_and_a_second_one_lets_it_go() {
 #[test]
 fn a_click_on_a_border_selects_its_patch() {
     let patch = |selected| BullsEyePatch {
-        borders: vec![vec![[0.3, 0.3], [0.8, 0.3], [0.3, 0.8]]],
+        shape: PolarPatch {
+            borders: vec![vec![[0.3, 0.3], [0.8, 0.3], [0.3, 0.8]]],
+            ..PolarPatch::default()
+        },
+        number: "1".to_owned(),
         name: "Patch 1".to_owned(),
         selected,
         faint: false,

@@ -2,13 +2,15 @@
 
 use crate::analysis::segments::Segment;
 use crate::panes::work_state::WorkState;
-use crate::picture::{BullsEyeScale, PolarMap, PolarValues};
+use crate::picture::{BullsEyeScale, PolarMap, PolarPatch, PolarValues};
 
 /// A patch on the plot.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BullsEyePatch {
-    /// Closed borders, x to the right and y up in the unit disc.
-    pub borders: Vec<Vec<[f64; 2]>>,
+    /// Outline, hatch and middle in the unit disc.
+    pub shape: PolarPatch,
+    /// "1": its number in the table of patches.
+    pub number: String,
     /// "Patch 1 · 31 % of the LV".
     pub name: String,
     /// Whether it is selected.

@@ -32,36 +32,47 @@ pub(super) enum VerdictRoom {
     Mark,
 }
 
+/// Room between the ejection fraction and the verdict.
+const GAP: f32 = space::MEDIUM + 2.0;
 /// Width of the mark of a verdict with the gap after it.
 const VERDICT_MARK: f32 = 14.0;
-/// Inner widths of a pane from which a verdict has words, and a share.
-const VERDICT_WIDTHS: [f32; 2] = [272.0, 236.0];
+/// Room that a subject's name has before a verdict has words or a share.
+const SUBJECT_WIDTH: f32 = 64.0;
+/// Room that a label needs; with less its mark alone stands for it.
+const LABEL_WIDTH: f32 = 46.0;
 /// Room of "100" and of its heading.
 const EF_WIDTH: f32 = 38.0;
 
+impl VerdictRoom {
+    fn width(self) -> f32 {
+        match self {
+            Self::Words => VERDICT_MARK + 70.0,
+            Self::Share => VERDICT_MARK + 36.0,
+            Self::Mark => VERDICT_MARK,
+        }
+    }
+}
+
 impl Columns {
-    /// Without labels their column is empty, and names take its room.
+    /// Subject, ejection fraction and verdict have room first. Labels have a column where room is left; elsewhere, and
+    /// in a study without labels, names take it.
     pub(super) fn within(across: egui::Rangef, labelled: bool) -> Self {
         let inner = across.shrink(space::LARGE);
         let from = inner.min + 22.0;
-        let room = match inner.span() {
-            width if width >= VERDICT_WIDTHS[0] => VerdictRoom::Words,
-            width if width >= VERDICT_WIDTHS[1] => VerdictRoom::Share,
-            _ => VerdictRoom::Mark,
-        };
-        let width = match room {
-            VerdictRoom::Words => VERDICT_MARK + 70.0,
-            VerdictRoom::Share => VERDICT_MARK + 36.0,
-            VerdictRoom::Mark => VERDICT_MARK,
-        };
-        let verdict = [inner.max - width, inner.max];
-        let to = verdict[0] - space::MEDIUM - 2.0;
-        let free = (to - EF_WIDTH - from).max(0.0);
+        let free_beside = |room: VerdictRoom| inner.max - room.width() - GAP - EF_WIDTH - from;
+        let room = [VerdictRoom::Words, VerdictRoom::Share]
+            .into_iter()
+            .find(|room| free_beside(*room) >= SUBJECT_WIDTH)
+            .unwrap_or(VerdictRoom::Mark);
+        let verdict = [inner.max - room.width(), inner.max];
+        let to = verdict[0] - GAP;
+        let free = free_beside(room).max(0.0);
+        let labelled = labelled && free >= SUBJECT_WIDTH + space::MEDIUM + LABEL_WIDTH;
         Self {
             mark: inner.min + 6.0,
             subject: from,
             label: if labelled {
-                from + (free * 0.56).max(62.0).min(free)
+                from + (free * 0.56).max(SUBJECT_WIDTH + space::MEDIUM)
             } else {
                 from + free
             },
@@ -122,6 +133,22 @@ pub(super) fn verdict_cell(
     write(left + VERDICT_MARK, text, colour);
 }
 
+/// A heading, cut off where its column ends; returns where it is.
+pub(super) fn heading(
+    ui: &Ui,
+    rect: egui::Rect,
+    align: Align2,
+    text: &str,
+    colour: egui::Color32,
+) -> egui::Rect {
+    let mut job = egui::text::LayoutJob::simple_singleline(text.to_owned(), note_font(), colour);
+    job.wrap = egui::text::TextWrapping::truncate_at_width(rect.width());
+    let galley = ui.painter().layout_job(job);
+    let place = align.align_size_within_rect(galley.size(), rect);
+    ui.painter().galley(place.min, galley, colour);
+    place
+}
+
 /// Text of one cell, cut off with an ellipsis where the column ends.
 pub(super) fn cell(
     ui: &Ui,
@@ -165,6 +192,27 @@ fn without_middle(name: &str, fits: impl Fn(&str) -> bool) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn columns_never_overlap_and_subject_and_verdict_go_before_the_label() {
+        for labelled in [true, false] {
+            for width in 176..420 {
+                let columns = Columns::within(egui::Rangef::new(0.0, width as f32), labelled);
+                let spans = CohortColumn::ALL.map(|column| columns.span(column));
+                let shown: Vec<[f32; 2]> = spans
+                    .into_iter()
+                    .filter(|[left, right]| left < right)
+                    .collect();
+                for pair in shown.windows(2) {
+                    assert!(pair[0][1] <= pair[1][0], "{width}: {pair:?}");
+                }
+                let [left, right] = columns.span(CohortColumn::Subject);
+                assert!(right - left >= 56.0, "{width}: {}", right - left);
+                let [left, right] = columns.span(CohortColumn::Label);
+                assert!(right <= left || right - left >= LABEL_WIDTH, "{width}");
+            }
+        }
+    }
 
     #[test]
     fn a_name_keeps_its_beginning_and_its_end() {

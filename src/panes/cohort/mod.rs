@@ -6,8 +6,8 @@ pub(crate) mod spec;
 pub(crate) mod view;
 
 use egui::{
-    Align2, Key, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2,
-    vec2,
+    Align2, Key, Order, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui,
+    WidgetInfo, pos2, vec2,
 };
 
 use crate::panes::buttons::command_button_ui;
@@ -16,12 +16,13 @@ use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand
 use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::ui::controls::{dragged_from_within, empty_pane_ui};
-use crate::ui::marks::{role_mark, role_name};
-use crate::ui::style::{note, note_font, text_font};
+use crate::ui::label_marks::label_mark;
+use crate::ui::marks::role_name;
+use crate::ui::style::{note, text_font};
 use crate::ui::text::counted;
 use crate::ui::theme::{colours, space};
 
-use columns::{Columns, VerdictRoom, cell, verdict_cell};
+use columns::{Columns, VerdictRoom, cell, heading, verdict_cell};
 
 /// What the cohort pane shows.
 #[derive(Clone, Debug)]
@@ -87,13 +88,20 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
             let response = ui.add(edit).accessible_name("Filter subjects");
             if response.changed() {
                 commands.push(ViewCommand::SetSearch(text).into());
-            } else if response.has_focus()
-                && ui.input(|input| input.key_pressed(Key::Escape))
-                && !view.search.is_empty()
-            {
+            } else if !view.search.is_empty() && escaped(ui) {
                 commands.push(ViewCommand::SetSearch(String::new()).into());
             }
         });
+}
+
+/// Whether Esc was pressed and closes nothing else, in the filter box or elsewhere in the window.
+fn escaped(ui: &Ui) -> bool {
+    let over = |order| matches!(order, Order::Middle | Order::Foreground);
+    let covered = ui.memory(|memory| {
+        let layers = memory.areas().visible_layer_ids();
+        layers.iter().any(|layer| over(layer.order))
+    });
+    !covered && ui.input(|input| input.key_pressed(Key::Escape))
 }
 
 fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
@@ -121,14 +129,12 @@ fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut V
         } else {
             colours(ui).muted
         };
-        let (at, anchor) = if column == CohortColumn::EjectionFraction {
-            (rect.right_center(), Align2::RIGHT_CENTER)
+        let align = if column == CohortColumn::EjectionFraction {
+            Align2::RIGHT_CENTER
         } else {
-            (rect.left_center(), Align2::LEFT_CENTER)
+            Align2::LEFT_CENTER
         };
-        let text = ui
-            .painter()
-            .text(at, anchor, names[index], note_font(), colour);
+        let text = heading(ui, rect, align, names[index], colour);
         if let Some(sort) = sorted {
             let arrow = if sort.descending { "▼" } else { "▲" };
             let (at, anchor) = if column == CohortColumn::EjectionFraction {
@@ -220,7 +226,7 @@ fn row_ui(
             .rect_filled(rect, 0.0, colours.selected_row.gamma_multiply(0.5));
     }
     let y = rect.center().y;
-    role_mark(ui, pos2(columns.mark, y), 4.0, row.role, true);
+    label_mark(ui, pos2(columns.mark, y), 4.0, row.mark, true);
     let id_colour = if selected {
         colours.strong
     } else {

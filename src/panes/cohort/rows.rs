@@ -4,6 +4,7 @@ use std::cmp::Ordering;
 
 use crate::panes::verdict_marks::VerdictMark;
 use crate::study::LabelRole;
+use crate::ui::LabelMark;
 
 /// The verdict on one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -44,6 +45,8 @@ pub struct CohortRow {
     pub label: Option<String>,
     /// Class of the label.
     pub role: LabelRole,
+    /// Shape and colour of the label.
+    pub mark: LabelMark,
     /// Ejection fraction as a fraction; `None` until it is computed or where it cannot be.
     pub ejection_fraction: Option<f64>,
     /// Its verdict; `None` until there is one.
@@ -54,6 +57,8 @@ pub struct CohortRow {
     pub warning_count: usize,
     /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
+    /// Whether the filter of the table leaves it out; maps then dim it.
+    pub filtered_out: bool,
 }
 
 /// Columns in the order of `ViewCommand::SortCohort`.
@@ -108,6 +113,14 @@ pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) 
         visible.sort_by(|a, b| compare(&rows[*a], &rows[*b], sort));
     }
     visible
+}
+
+/// "6 of 23" while a filter leaves subjects out.
+pub fn count_text(shown: usize, count: usize) -> String {
+    match shown == count {
+        true => count.to_string(),
+        false => format!("{shown} of {count}"),
+    }
 }
 
 fn searchable(row: &CohortRow) -> String {

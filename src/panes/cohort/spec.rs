@@ -10,6 +10,7 @@ use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::verdict::view::classifying;
 
 use super::cohort_table_ui;
+use super::rows::count_text;
 use super::view::cohort_data;
 
 impl Pane {
@@ -31,7 +32,8 @@ pub const PANE: PaneSpec = PaneSpec {
 fn count_ui(ui: &mut Ui, look: &Look<'_>, _: f32, _: &mut Vec<Command>) {
     let count = look.state().document.study().subjects.len();
     if count > 0 {
-        ui.weak(count.to_string());
+        let shown = cohort_data(look).borrow_mut().shown_count();
+        ui.weak(count_text(shown, count));
     }
 }
 

@@ -94,8 +94,8 @@ fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
         }
     }
     let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).room;
-    assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Share);
-    assert!(room(240.0) == VerdictRoom::Mark);
+    assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Words);
+    assert!(room(236.0) == VerdictRoom::Share && room(190.0) == VerdictRoom::Mark);
 }
 
 #[test]
@@ -214,4 +214,50 @@ fn the_menu_of_a_row_offers_both_directions() {
             onto: 0
         })]
     );
+}
+
+/// What the table asks for when Esc is pressed, in its filter box or elsewhere.
+fn on_escape(search: &'static str, in_box: bool) -> Vec<Command> {
+    let rows = rows(3);
+    let mut harness = Harness::builder()
+        .with_size([280.0, 400.0])
+        .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
+        .build_ui_state(
+            move |ui, commands: &mut Vec<Command>| {
+                let view = CohortView {
+                    rows: &rows,
+                    visible: &[1],
+                    search,
+                    sort: None,
+                    selected: None,
+                    compared: None,
+                    measuring: false,
+                    classifying: false,
+                };
+                cohort_table_ui(ui, &view, commands);
+            },
+            Vec::new(),
+        );
+    harness.run();
+    if in_box {
+        harness.get_by_label("Filter subjects").focus();
+        harness.run();
+    }
+    harness.key_press(Key::Escape);
+    harness.run();
+    harness.into_state()
+}
+
+#[test]
+fn escape_clears_the_filter_from_its_box_and_from_anywhere() {
+    let clear = Command::View(ViewCommand::SetSearch(String::new()));
+    assert_eq!(on_escape("S1", true), [clear.clone()]);
+    assert_eq!(on_escape("S1", false), [clear]);
+    assert_eq!(on_escape("", true), []);
+}
+
+#[test]
+fn a_filter_says_how_many_of_all_subjects_it_shows() {
+    assert_eq!(rows::count_text(6, 23), "6 of 23");
+    assert_eq!(rows::count_text(23, 23), "23");
 }

@@ -9,7 +9,8 @@ use crate::document::state::State;
 use crate::panes::look::{Kept, Look};
 use crate::panes::same::Same;
 use crate::panes::verdict::view::cohort_verdict;
-use crate::study::{Revision, Severity, Subject};
+use crate::study::{Revision, Severity, Study, Subject};
+use crate::ui::LabelMark;
 
 /// What rows are made from: measures and verdicts as long as they are the same ones.
 type MadeFrom = (
@@ -49,6 +50,14 @@ impl CohortData {
         let filter = (&document.search, document.sorting);
         if self.filtered_by.as_ref().map(|(s, o)| (s, *o)) != Some(filter) {
             self.visible = visible_rows(&self.rows, &document.search, sort(document.sorting));
+            for row in &mut self.rows {
+                row.filtered_out = true;
+            }
+            for &shown in &self.visible {
+                if let Some(row) = self.rows.get_mut(shown) {
+                    row.filtered_out = false;
+                }
+            }
             self.filtered_by = Some((document.search.clone(), document.sorting));
         }
     }
@@ -56,6 +65,11 @@ impl CohortData {
     /// All subjects in the order of the study.
     pub fn rows(&self) -> &[CohortRow] {
         &self.rows
+    }
+
+    /// How many subjects the filter shows.
+    pub fn shown_count(&self) -> usize {
+        self.visible.len()
     }
 
     /// What the pane shows; the last two say whether measures and verdicts are still to come.
@@ -96,8 +110,18 @@ fn sort(sorting: Sorting) -> Option<CohortSort> {
     })
 }
 
+/// Shape and colour of the label of every subject.
+pub fn label_marks(study: &Study) -> Vec<LabelMark> {
+    let labels = study.subjects.iter();
+    let labels: Vec<_> = labels
+        .map(|subject| (subject.label.as_deref(), study.role(subject)))
+        .collect();
+    LabelMark::of_study(&labels)
+}
+
 fn cohort_rows(state: &State) -> Vec<CohortRow> {
     let study = state.document.study();
+    let marks = label_marks(study);
     let mut groups = Vec::new();
     let mut group_of = |subject: &Subject| {
         let key = subject.sequence.correspondence();
@@ -116,9 +140,11 @@ fn cohort_rows(state: &State) -> Vec<CohortRow> {
             id: subject.id.clone(),
             label: subject.label.clone(),
             role: study.role(subject),
+            mark: marks.get(index).copied().unwrap_or_default(),
             ejection_fraction: state.measures_of(index).and_then(|measures| measures.ef),
             verdict: cohort_verdict(state, index),
             frame_count: subject.sequence.frame_count(),
+            filtered_out: false,
             warning_count: subject
                 .notices
                 .iter()

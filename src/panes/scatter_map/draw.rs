@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use egui::{Color32, Painter, Pos2, Rect, Shape, Stroke, Ui, vec2};
 
-use crate::ui::marks::role_shape;
+use crate::ui::label_marks::label_shape;
 use crate::ui::theme::{Colours, colours, line};
 
 use super::labels::Labels;
@@ -85,6 +85,9 @@ pub fn draw_points(
     }
     canvas.pointed(pointed);
 }
+
+/// Strength of subjects that the filter leaves out: seen as where the others lie, and no more.
+const FILTERED_OUT: f32 = 0.16;
 
 /// Radius at rest and when selected, and whether the mark is filled: end-diastole is filled and large,
 /// end-systole open and large, other poses small.
@@ -187,8 +190,8 @@ impl<P: Projection> Canvas<'_, P> {
             let colour = self.resting_colour(point.subject, strength, depth);
             let (radius, _, filled) = mark(point.phase);
             if self.projection.rect().expand(8.0).contains(at) {
-                let role = self.view.role(point.subject);
-                let shape = role_shape(at, radius, role, colour, filled);
+                let label = self.view.mark(point.subject);
+                let shape = label_shape(at, radius, label, colour, filled);
                 pieces.push((depth - 0.01, shape));
             }
         }
@@ -199,9 +202,18 @@ impl<P: Projection> Canvas<'_, P> {
 
     /// The label's colour, nearer to that of the pane the weaker it is.
     fn resting_colour(&self, subject: usize, strength: f32, depth: f32) -> Color32 {
-        let dimmed = if self.view.out_of_date() { 0.45 } else { 1.0 };
+        let filtered = if self.view.is_filtered_out(subject) {
+            FILTERED_OUT
+        } else {
+            1.0
+        };
+        let dimmed = if self.view.out_of_date() {
+            0.45 * filtered
+        } else {
+            filtered
+        };
         let strength = (strength * dimmed * self.projection.fade(depth)).clamp(0.0, 1.0);
-        let colour = self.colours.role(self.view.role(subject));
+        let colour = self.view.mark(subject).colour(self.colours);
         self.colours.pane.lerp_to_gamma(colour, strength)
     }
 
@@ -228,8 +240,8 @@ impl<P: Projection> Canvas<'_, P> {
             let point = &self.view.points[index];
             let at = self.seen[index].0;
             let (_, radius, filled) = mark(point.phase);
-            let role = self.view.role(point.subject);
-            let shape = role_shape(at, radius, role, colour, filled);
+            let label = self.view.mark(point.subject);
+            let shape = label_shape(at, radius, label, colour, filled);
             if point.phase == PosePhase::WholeMotion {
                 // A single point has no path that stands out: it gets a ring.
                 self.painter.circle_filled(at, 8.5, self.colours.pane);

@@ -8,7 +8,6 @@ use crate::ui::theme::{colours, line};
 
 use super::input::{key_zoom, pointer_zoom};
 use super::lens::{Lens, Moved};
-use super::point::ScatterPoint;
 use super::view::ScatterView;
 
 /// How near to a point, in points of the screen, the pointer counts as on it.
@@ -64,12 +63,12 @@ impl Ground {
     }
 
     /// The point nearest to a pointer, if it is within reach.
-    pub fn nearest(&self, points: &[ScatterPoint], pointer: Option<Pos2>) -> Option<usize> {
+    pub fn nearest(&self, view: &ScatterView, pointer: Option<Pos2>) -> Option<usize> {
         let pointer = pointer.filter(|pointer| self.rect.contains(*pointer))?;
+        let points = view.points.iter().enumerate();
         points
-            .iter()
-            .map(|point| (self.on_screen(point.at) - pointer).length())
-            .enumerate()
+            .filter(|(_, point)| !view.is_filtered_out(point.subject))
+            .map(|(index, point)| (index, (self.on_screen(point.at) - pointer).length()))
             .filter(|(_, distance)| *distance <= REACH)
             .min_by(|a, b| a.1.total_cmp(&b.1))
             .map(|(index, _)| index)

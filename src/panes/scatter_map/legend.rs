@@ -1,11 +1,12 @@
-//! The strip below a map: how many subjects of each class it holds, how well it fits, and its clusters.
+//! The strip below a map: how many subjects of each label it holds, how well it fits, and its clusters.
 
 use egui::{Align2, RichText, Sense, Ui, UiBuilder, pos2, vec2};
 
+use crate::panes::cohort::rows::count_text;
 use crate::panes::commands::{Command, MapCommand};
-use crate::study::LabelRole;
-use crate::ui::marks::{role_mark, role_name};
+use crate::ui::label_marks::{LabelMark, label_mark};
 use crate::ui::style::{note, note_font};
+use crate::ui::text::text_width;
 use crate::ui::theme::{colours, space};
 
 use super::clusters::{cluster_counts, cluster_name};
@@ -14,10 +15,18 @@ use super::view::ScatterView;
 /// Height of the strip.
 pub const LEGEND: f32 = 26.0;
 
+/// Width of a mark, and of all that an entry has beside its text.
+const MARK_WIDTH: f32 = 10.0;
+const ENTRY_BESIDE_TEXT: f32 = MARK_WIDTH + 3.0 * space::SMALL + space::MEDIUM;
+/// Width of "+3".
+const MORE_WIDTH: f32 = 24.0;
+/// Share of the strip that labels may take from the note.
+const LABELS_SHARE: f32 = 0.62;
+
 /// Lines of the hover for subjects that are not on the map.
 const MAX_LINES: usize = 12;
 
-/// Counts of classes on the left; on the right the clusters or, where there are none, the note.
+/// Counts of labels on the left; on the right the clusters or, where there are none, the note.
 pub fn legend_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
     let (strip, _) = ui.allocate_exact_size(vec2(ui.available_width(), LEGEND), Sense::hover());
     let inner = strip.shrink2(vec2(space::LARGE, 0.0));
@@ -26,10 +35,10 @@ pub fn legend_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
     let clusters = cluster_counts(view.points);
     let sides = egui::Sides::new().height(LEGEND);
     if clusters.is_empty() {
-        let wide = inner.width() > 330.0;
+        let room = LABELS_SHARE * inner.width();
         sides.shrink_right().truncate().show(
             &mut row,
-            |ui| role_counts_ui(ui, view, wide),
+            |ui| label_counts_ui(ui, view, room),
             |ui| note_ui(ui, view, &trust_text(view)),
         );
     } else {
@@ -37,8 +46,16 @@ pub fn legend_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
         sides.shrink_left().show(
             &mut row,
             |ui| {
-                role_counts_ui(ui, view, wide);
-                if !view.left_out.is_empty() {
+                // Beside the clusters, or the box that shows them.
+                let beside = if wide {
+                    110.0 + 34.0 * clusters.len() as f32
+                } else {
+                    110.0
+                };
+                label_counts_ui(ui, view, inner.width() - beside);
+                if let Some(filter) = filter_text(view) {
+                    note_ui(ui, view, &filter);
+                } else if !view.left_out.is_empty() {
                     note_ui(ui, view, &left_out_text(view));
                 }
             },
@@ -47,32 +64,78 @@ pub fn legend_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
     }
 }
 
-/// Draws one entry per class that occurs; names are left to the hover where there is little room.
-fn role_counts_ui(ui: &mut Ui, view: &ScatterView, wide: bool) {
-    let subjects = view.points.chunk_by(|a, b| a.subject == b.subject);
-    let roles: Vec<LabelRole> = subjects
-        .map(|points| view.role(points[0].subject))
-        .collect();
-    for role in [LabelRole::Normal, LabelRole::Abnormal, LabelRole::Unknown] {
-        let count = roles.iter().filter(|other| **other == role).count();
-        if count > 0 {
-            role_count_ui(ui, role, count, wide);
+/// One entry of the legend: subjects on the map that are marked alike.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct Entry {
+    mark: LabelMark,
+    /// The label as the study writes it; the class where normal labels share a mark.
+    name: String,
+    count: usize,
+}
+
+/// One entry per mark that occurs, normal first and subjects without a label last.
+fn entries(view: &ScatterView) -> Vec<Entry> {
+    let mut entries: Vec<Entry> = Vec::new();
+    for points in view.points.chunk_by(|a, b| a.subject == b.subject) {
+        let subject = points[0].subject;
+        if view.is_filtered_out(subject) {
+            continue;
         }
+        let mark = view.mark(subject);
+        match entries.iter_mut().find(|entry| entry.mark == mark) {
+            Some(entry) => entry.count += 1,
+            None => entries.push(Entry {
+                mark,
+                name: name_of(view, subject, mark),
+                count: 1,
+            }),
+        }
+    }
+    entries.sort_by_key(|entry| entry.mark);
+    entries
+}
+
+fn name_of(view: &ScatterView, subject: usize, mark: LabelMark) -> String {
+    let label = view.subjects.get(subject).and_then(|row| row.label.clone());
+    match (mark, label) {
+        (LabelMark::Normal, _) => "normal".to_owned(),
+        (LabelMark::Label(_), Some(label)) => label,
+        (LabelMark::Label(_) | LabelMark::Unlabelled, _) => "no label".to_owned(),
     }
 }
 
-fn role_count_ui(ui: &mut Ui, role: LabelRole, count: usize, wide: bool) {
-    let colours = colours(ui);
+/// Draws the entries; names are left to the hover where there is little room, and entries past the end to a last one.
+fn label_counts_ui(ui: &mut Ui, view: &ScatterView, room: f32) {
+    let entries = entries(view);
     ui.spacing_mut().item_spacing.x = space::SMALL;
-    let (mark, _) = ui.allocate_exact_size(vec2(10.0, 12.0), Sense::hover());
-    let filled = role != LabelRole::Unknown;
-    role_mark(ui, mark.center(), 4.0, role, filled);
-    let name = format!("{} {count}", role_name(role));
-    let text = if wide {
-        name.clone()
-    } else {
-        count.to_string()
-    };
+    let long = |entry: &Entry| format!("{} {}", entry.name, entry.count);
+    let short = |entry: &Entry| entry.count.to_string();
+    let width = |ui: &Ui, text: &str| ENTRY_BESIDE_TEXT + text_width(ui, text, note_font());
+    let whole: f32 = entries.iter().map(|entry| width(ui, &long(entry))).sum();
+    let mut left = room;
+    for (index, entry) in entries.iter().enumerate() {
+        let text = if whole <= room {
+            long(entry)
+        } else {
+            short(entry)
+        };
+        let last = index + 1 == entries.len();
+        left -= width(ui, &text);
+        if left < if last { 0.0 } else { MORE_WIDTH } && index > 0 {
+            let rest: Vec<String> = entries[index..].iter().map(long).collect();
+            let more = ui.label(note(format!("+{}", rest.len())));
+            more.on_hover_text(rest.join("\n"));
+            return;
+        }
+        entry_ui(ui, entry.mark, text, long(entry));
+    }
+}
+
+fn entry_ui(ui: &mut Ui, label: LabelMark, text: String, name: String) {
+    let colours = colours(ui);
+    let (mark, _) = ui.allocate_exact_size(vec2(MARK_WIDTH, 12.0), Sense::hover());
+    let filled = label != LabelMark::Unlabelled;
+    label_mark(ui, mark.center(), 4.0, label, filled);
     let galley = ui
         .painter()
         .layout_no_wrap(text, note_font(), colours.muted);
@@ -94,6 +157,9 @@ fn note_ui(ui: &mut Ui, view: &ScatterView, text: &str) {
 
 /// "stress 0.09 · 3 not on the map".
 fn trust_text(view: &ScatterView) -> String {
+    if let Some(filter) = filter_text(view) {
+        return filter;
+    }
     let rest = if view.left_out.is_empty() {
         "axes have no unit".to_owned()
     } else {
@@ -104,6 +170,13 @@ fn trust_text(view: &ScatterView) -> String {
     } else {
         format!("{} · {rest}", view.note)
     }
+}
+
+/// "6 of 23 shown" while the filter of the cohort table leaves subjects out.
+fn filter_text(view: &ScatterView) -> Option<String> {
+    let count = view.subjects.len();
+    let shown = view.subjects.iter().filter(|row| !row.filtered_out).count();
+    (shown < count).then(|| format!("{} shown", count_text(shown, count)))
 }
 
 fn left_out_text(view: &ScatterView) -> String {
@@ -153,6 +226,36 @@ fn clusters_ui(
 mod tests {
     use super::*;
     use crate::panes::scatter_map::tests::{Map, view};
+
+    #[test]
+    fn the_legend_has_an_entry_for_each_label_that_is_on_the_map() {
+        let mut map = Map::default();
+        for (subject, (mark, label)) in [
+            (LabelMark::Label(1), Some("MINF")),
+            (LabelMark::Normal, Some("NOR")),
+            (LabelMark::Label(0), Some("DCM")),
+        ]
+        .into_iter()
+        .enumerate()
+        {
+            map.subjects[subject].mark = mark;
+            map.subjects[subject].label = label.map(str::to_owned);
+        }
+        let entries = entries(&view(&map)).into_iter();
+        let shown: Vec<(String, usize)> = entries.map(|entry| (entry.name, entry.count)).collect();
+        let wanted = [("normal", 1), ("DCM", 1), ("MINF", 1)];
+        assert_eq!(shown, wanted.map(|(name, count)| (name.to_owned(), count)));
+    }
+
+    #[test]
+    fn a_filter_takes_subjects_out_of_the_legend_and_says_how_many_are_shown() {
+        let mut map = Map::default();
+        map.subjects[1].filtered_out = true;
+        let view = view(&map);
+        assert_eq!(trust_text(&view), "2 of 3 shown");
+        let count: usize = entries(&view).iter().map(|entry| entry.count).sum();
+        assert_eq!(count, 2);
+    }
 
     #[test]
     fn the_note_ends_with_who_is_missing_and_the_hover_names_twelve_of_them() {

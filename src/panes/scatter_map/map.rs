@@ -38,7 +38,7 @@ pub fn scatter_map_ui(ui: &mut Ui, view: &ScatterView, below: f32, commands: &mu
     }
     let ground = ground_ui(ui, view, LEGEND + below);
     let response = ground.response.clone();
-    let hovered = ground.nearest(view.points, response.hover_pos());
+    let hovered = ground.nearest(view, response.hover_pos());
     let on_key = keys::step(ui, view, &response, commands);
     ground.draw_grid(ui);
     if view.shows_clusters {
@@ -51,7 +51,7 @@ pub fn scatter_map_ui(ui: &mut Ui, view: &ScatterView, below: f32, commands: &mu
     let pointed = pointed_at(ui, view, &response, hovered.or(on_key));
     draw_points(ui, view, &ground, &current, pointed);
     let clicked = response.clicked().then(|| response.interact_pointer_pos());
-    let clicked = clicked.and_then(|place| ground.nearest(view.points, place));
+    let clicked = clicked.and_then(|place| ground.nearest(view, place));
     respond_ui(ui, view, &ground, response, hovered, clicked, commands);
     legend_ui(ui, view, commands);
 }

@@ -144,6 +144,17 @@ fn a_click_near_a_point_plays_its_subject_and_one_on_empty_ground_does_nothing()
 }
 
 #[test]
+fn the_pointer_passes_over_subjects_that_the_filter_leaves_out() {
+    let mut harness = harness(1, |map, _| map.subjects[0].filtered_out = true);
+    let at = place(&harness, 1);
+    click(&mut harness, at);
+    assert_eq!(*harness.state(), []);
+    let at = place(&harness, 2);
+    click(&mut harness, at);
+    assert_eq!(*harness.state(), [played(1, 0)]);
+}
+
+#[test]
 fn after_a_drag_points_are_hit_where_they_are_seen_and_a_double_click_shows_all() {
     let mut harness = plain();
     let point = place(&harness, 2);

@@ -5,7 +5,7 @@ use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::work_state::WorkState;
 use crate::picture::share_words;
-use crate::study::LabelRole;
+use crate::ui::LabelMark;
 
 use super::path::paths;
 use super::point::{PosePhase, ScatterPoint};
@@ -94,10 +94,16 @@ impl<'a> ScatterView<'a> {
         }
     }
 
-    /// The class of a subject.
-    pub fn role(&self, subject: usize) -> LabelRole {
+    /// Shape and colour of a subject.
+    pub fn mark(&self, subject: usize) -> LabelMark {
         let subject = self.subjects.get(subject);
-        subject.map(|subject| subject.role).unwrap_or_default()
+        subject.map(|subject| subject.mark).unwrap_or_default()
+    }
+
+    /// Whether the filter of the cohort table leaves a subject out: it is dimmed, and the pointer passes over it.
+    pub fn is_filtered_out(&self, subject: usize) -> bool {
+        let subject = self.subjects.get(subject);
+        subject.is_some_and(|subject| subject.filtered_out)
     }
 
     /// Whether the subject is one of the two that stand out.

@@ -27,7 +27,7 @@ pub fn draw_phase_plane(
         Stroke::new(line::THIN, colours.selection.gamma_multiply(0.5)),
     ));
     for (subject, place) in places_at(view.points, share, eye) {
-        let colour = colours.role(view.role(subject)).gamma_multiply(0.8);
+        let colour = view.mark(subject).colour(colours).gamma_multiply(0.8);
         painter.circle_filled(place, 1.8, colour);
     }
     let text = format!("{:.0} %", 100.0 * share);

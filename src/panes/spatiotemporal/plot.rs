@@ -94,7 +94,9 @@ fn turned(ui: &Ui, response: &Response) -> Turn {
 /// curves that cross there, the one in front.
 fn nearest(view: &ScatterView, eye: &Eye, place: Pos2) -> Option<usize> {
     let mut best: Option<(f32, usize)> = None;
-    for path in paths(view.points) {
+    let shown =
+        |path: &std::ops::Range<usize>| !view.is_filtered_out(view.points[path.start].subject);
+    for path in paths(view.points).filter(shown) {
         for from in path.start..(path.end - 1).max(path.start + 1) {
             let to = (from + 1).min(path.end - 1);
             let [start, end] = [from, to].map(|index| {

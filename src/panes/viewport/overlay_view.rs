@@ -8,6 +8,7 @@ use crate::document::interpolated_poses::between_words;
 use crate::document::state::State;
 use crate::document::transported::{TransportState, transported_title};
 use crate::panes::beat::between_words_of;
+use crate::panes::cohort::view::label_marks;
 use crate::panes::commands::TransportCommand;
 use crate::panes::patch::words::patch_note;
 use crate::panes::viewport::overlay::{
@@ -19,6 +20,7 @@ use crate::picture::{
 };
 use crate::render::Camera;
 use crate::study::Subject;
+use crate::ui::LabelMark;
 
 /// Names a subject; in the grid of all frames, its whole motion.
 pub fn caption(state: &State, cell: &VisiblePose) -> SubjectCaption {
@@ -34,7 +36,7 @@ pub fn caption(state: &State, cell: &VisiblePose) -> SubjectCaption {
     let count = subject.sequence.frame_count();
     let caption = SubjectCaption {
         title: subject.id.clone(),
-        role: document.study().role(subject),
+        mark: mark_of(state, cell.subject),
         badge: missing_colours(state, cell),
         patch: patch_note(state, cell.subject),
         ..SubjectCaption::default()
@@ -110,12 +112,18 @@ fn beside_its_origin(
     SubjectCaption {
         title,
         subtitle: words.join(" · "),
-        role: state.document.study().role(onto),
+        mark: mark_of(state, cell.subject),
         badge: between.badge,
         badge_note: between.note,
         leave: Some(leave),
         patch: None,
     }
+}
+
+/// Shape and colour of a subject's label.
+fn mark_of(state: &State, subject: usize) -> LabelMark {
+    let marks = label_marks(state.document.study());
+    marks.get(subject).copied().unwrap_or_default()
 }
 
 /// What lies over a subject beside its caption.

@@ -1,12 +1,10 @@
 //! Polar map of one heart's wall: its atoms on the unit disc, with values of any pose.
 
-use crate::analysis::segments::{
-    Polar, Segment, flat_map, plot_point, polar, segment_means, vertex_areas,
-};
+use crate::analysis::segments::{Polar, Segment, flat_map, polar, segment_means, vertex_areas};
 use crate::engine::SubjectThickening;
 use crate::mesh::Point3;
 use crate::picture::bulls_eye::BullsEyeQuantity;
-use crate::picture::medial::rounded;
+use crate::picture::bulls_eye::patches::{PolarPatch, polar_patch};
 use crate::study::Subject;
 
 /// The medial surface at end-diastole in the unit disc, x to the right (lateral) and y up (anterior).
@@ -16,8 +14,8 @@ pub struct PolarMap {
     pub points: Vec<[f64; 2]>,
     /// Faces over atoms.
     pub faces: Vec<[u32; 3]>,
-    /// Closed borders of each patch.
-    pub borders: Vec<Vec<Vec<[f64; 2]>>>,
+    /// The patches, in the order of their list.
+    pub patches: Vec<PolarPatch>,
     /// Whether septum and anterior wall are known, and so segments have names.
     pub oriented: bool,
     /// Area of each atom that takes part, 0 of others.
@@ -49,15 +47,10 @@ impl PolarMap {
                 *weight = 0.0;
             }
         }
-        let on_plot = |border: &Vec<u32>| {
-            let places = border.iter().filter_map(|&atom| places.get(atom as usize));
-            let corners: Vec<[f64; 2]> = places.map(|&place| plot_point(place)).collect();
-            rounded(&corners)
-        };
         let patches = wall.thickening.patches.iter();
         Some(Self {
-            borders: patches
-                .map(|patch| patch.border.iter().map(on_plot).collect())
+            patches: patches
+                .map(|patch| polar_patch(&map.points, &map.faces, &patch.atoms))
                 .collect(),
             points: map.points,
             faces: map.faces,

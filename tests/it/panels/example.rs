@@ -10,6 +10,7 @@ use cardiomorph::mesh::phantom;
 use cardiomorph::panes::*;
 use cardiomorph::picture::Quantity;
 use cardiomorph::study::{LabelRole, MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
+use cardiomorph::ui::LabelMark;
 use cardiomorph::units::LengthUnit;
 
 /// What panels show.
@@ -42,11 +43,18 @@ impl Example {
                     id: format!("P-{:03}", 41 + subject),
                     label: Some(label.to_owned()),
                     role,
+                    mark: match label {
+                        "NOR" => LabelMark::Normal,
+                        "DCM" => LabelMark::Label(0),
+                        "MINF" => LabelMark::Label(1),
+                        _ => LabelMark::Label(2),
+                    },
                     ejection_fraction,
                     verdict: Some(verdict(label, wobble)),
                     frame_count: 8,
                     warning_count: usize::from(subject == 5),
                     correspondence: 0,
+                    filtered_out: false,
                 });
                 for frame in 0..8 {
                     let turn = (1.0 - (TAU * frame as f64 / 8.0).cos()) / 2.0;

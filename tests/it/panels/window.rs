@@ -5,7 +5,7 @@ use std::sync::Arc;
 use cardiomorph::app::*;
 use cardiomorph::panes::*;
 use cardiomorph::report::SubjectRow;
-use cardiomorph::study::LabelRole;
+use cardiomorph::ui::LabelMark;
 use cardiomorph::ui::theme::colours;
 use cardiomorph::ui::*;
 use cardiomorph::units::LengthUnit;
@@ -80,7 +80,7 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
     let caption = SubjectCaption {
         title: example.rows[9].id.clone(),
         subtitle: "MINF · frame 3 of 8".to_owned(),
-        role: LabelRole::Abnormal,
+        mark: LabelMark::Label(0),
         badge: Some("interpolated"),
         badge_note: "3 poses between these frames".to_owned(),
         ..SubjectCaption::default()
@@ -183,7 +183,7 @@ pub fn time(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         end_diastole: Some(0),
         end_systole: Some(4),
         time_ms: Some(276.0),
-        rr_is_known: true,
+        cycle_ms: Some(920.0),
         between: Some("interpolated"),
         interpolated_poses: vec![2.25, 2.5, 2.75, 3.25, 3.5, 3.75],
         note: String::new(),

@@ -1,54 +1,29 @@
 //! The time bar: play, drag through the cardiac cycle, jump to end-diastole and end-systole.
 
+mod readout;
+mod values;
+
+pub use values::TimeBarView;
+
 use egui::{
     Align, Align2, Color32, EventFilter, Key, Layout, Rect, Response, Role, Sense, Stroke, Ui,
     WidgetInfo, pos2, vec2,
 };
 
 use crate::panes::commands::{BeatCommand, Command};
-use crate::panes::cycle_axis::CycleAxis;
 use crate::panes::shortcuts::hint;
-use crate::picture::share_words;
 use crate::ui::controls::{choices_ui, chooser_ui, focus_ring, icon_button_ui};
 use crate::ui::marks::{Icon, icon};
-use crate::ui::style::text_font;
-use crate::ui::text::{note_at, text_width};
+use crate::ui::text::note_at;
 use crate::ui::theme::{colours, line, space};
 
+use readout::{readout_ui, readout_width};
+
 /// Speeds on offer, relative to the recorded motion.
-pub const SPEEDS: [f32; 6] = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0];
+pub const SPEEDS: [f32; 8] = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0];
 
 /// Distance in points within which a click snaps to a frame.
 const SNAP: f32 = 6.0;
-
-/// What the time bar shows.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct TimeBarView {
-    /// Whether the motion plays.
-    pub playing: bool,
-    /// Speed relative to the recorded motion.
-    pub speed: f32,
-    /// Whether playing starts over.
-    pub looping: bool,
-    /// Position in frames, in `0..frame_count`.
-    pub position: f64,
-    /// Times of the frames within the cycle.
-    pub axis: CycleAxis,
-    /// Frame of end-diastole.
-    pub end_diastole: Option<usize>,
-    /// Frame of end-systole.
-    pub end_systole: Option<usize>,
-    /// Time after the R peak, where the study states it.
-    pub time_ms: Option<f64>,
-    /// Whether the length of the cycle is known; else frames share it evenly.
-    pub rr_is_known: bool,
-    /// What is shown between frames, such as `interpolated`; `None` on a frame.
-    pub between: Option<&'static str>,
-    /// Positions of computed poses between frames, ascending; each has a small mark.
-    pub interpolated_poses: Vec<f64>,
-    /// More about the poses between frames, for whoever points at the line; may be empty.
-    pub note: String,
-}
 
 /// Draws the buttons, the line and the readout.
 pub fn time_bar_ui(ui: &mut Ui, view: &TimeBarView, commands: &mut Vec<Command>) {
@@ -72,7 +47,7 @@ pub fn time_bar_ui(ui: &mut Ui, view: &TimeBarView, commands: &mut Vec<Command>)
         let line_width = (ui.available_width() - readout - space::LARGE).max(60.0);
         line_ui(ui, view, line_width, commands);
         ui.add_space(space::LARGE);
-        ui.add(egui::Label::new(readout_text(view)).truncate());
+        readout_ui(ui, view, commands);
     });
 }
 
@@ -138,34 +113,6 @@ fn speed_text(speed: f32) -> String {
         2
     };
     format!("{speed:.digits$}×")
-}
-
-/// Room for the longest readout, so that the line does not move while the motion plays.
-fn readout_width(ui: &Ui, view: &TimeBarView, with_between: bool) -> f32 {
-    let mut widest = share_words(1.0, view.rr_is_known);
-    if view.time_ms.is_some() {
-        widest = format!("8888 ms · {widest}");
-    }
-    if with_between {
-        widest += " · linear interpolation";
-    }
-    text_width(ui, &widest, text_font()) + space::LARGE
-}
-
-/// "412 ms · 53 % R-R · interpolated".
-fn readout_text(view: &TimeBarView) -> String {
-    if view.axis.frame_count() == 0 {
-        return "No motion".to_owned();
-    }
-    let mut text = share_words(view.axis.share_at(view.position), view.rr_is_known);
-    if let Some(time) = view.time_ms {
-        text = format!("{time:.0} ms · {text}");
-    }
-    if let Some(between) = view.between {
-        text += " · ";
-        text += between;
-    }
-    text
 }
 
 fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Command>) {

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::panes::BeatCommand;
+use crate::panes::cycle_axis::CycleAxis;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 fn harness() -> Harness<'static, Vec<Command>> {
@@ -21,7 +22,7 @@ fn harness() -> Harness<'static, Vec<Command>> {
                     end_diastole: Some(0),
                     end_systole: Some(2),
                     time_ms: Some(100.0),
-                    rr_is_known: true,
+                    cycle_ms: Some(800.0),
                     between: Some("interpolated"),
                     interpolated_poses: vec![2.25, 2.5, 2.75],
                     note: "3 interpolated poses per interval".to_owned(),
@@ -114,5 +115,68 @@ fn without_times_the_share_is_one_of_the_cycle_by_frames() {
         },
         ..TimeBarView::default()
     };
-    assert_eq!(readout_text(&view), "50 % of the cycle by frames");
+    assert_eq!(readout::readout_text(&view), "50 % of the cycle by frames");
+}
+
+#[test]
+fn a_time_is_typed_in_milliseconds_or_percent() {
+    let view = TimeBarView {
+        axis: CycleAxis {
+            frame_shares: vec![0.0, 0.25, 0.5, 0.75],
+        },
+        cycle_ms: Some(800.0),
+        ..TimeBarView::default()
+    };
+    for (text, position) in [
+        ("400 ms", Some(2.0)),
+        ("300", Some(1.5)),
+        ("37,5 % R-R", Some(1.5)),
+        ("100 %", Some(0.0)),
+        ("900 ms", None),
+        ("-1 %", None),
+        ("soon", None),
+        ("", None),
+    ] {
+        assert_eq!(readout::typed_position(&view, text), position, "{text}");
+    }
+    let unknown = TimeBarView {
+        cycle_ms: None,
+        ..view
+    };
+    assert_eq!(readout::typed_position(&unknown, "50"), Some(2.0));
+    assert_eq!(readout::typed_position(&unknown, "400 ms"), None);
+}
+
+#[test]
+fn a_click_on_the_time_makes_it_a_field_and_enter_goes_there() {
+    let mut harness = harness();
+    harness.run();
+    harness
+        .get_by_label("100 ms · 12 % R-R · interpolated")
+        .click();
+    harness.run();
+    harness.get_by_label("Time in the cycle").type_text("75 %");
+    harness.run();
+    harness.key_press(Key::Enter);
+    harness.run();
+    harness.get_by_label("100 ms · 12 % R-R · interpolated");
+    assert_eq!(
+        harness.into_state(),
+        [Command::Beat(BeatCommand::SetPosition(3.0))]
+    );
+}
+
+#[test]
+fn the_motion_plays_up_to_four_times_as_fast() {
+    let mut harness = harness();
+    harness.set_size(vec2(1000.0, 400.0));
+    harness.run();
+    harness.get_by_label("Speed: 1.0×").click();
+    harness.run();
+    harness.get_by_label("4.0×").click();
+    harness.run();
+    assert_eq!(
+        harness.into_state(),
+        [Command::Beat(BeatCommand::SetSpeed(4.0))]
+    );
 }

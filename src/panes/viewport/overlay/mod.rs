@@ -14,8 +14,7 @@ use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
 
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::Command;
-use crate::study::LabelRole;
-use crate::ui::marks::role_mark;
+use crate::ui::label_marks::{LabelMark, label_mark};
 use crate::ui::style::{note, note_font, title_font};
 use crate::ui::text::text_width;
 use crate::ui::theme::{colours, space};
@@ -28,7 +27,7 @@ pub struct SubjectCaption {
     /// "MINF · frame 1 of 2 · ES".
     pub subtitle: String,
     /// Shape beside the title.
-    pub role: LabelRole,
+    pub mark: LabelMark,
     /// Whether the picture is between two poses, or estimated, and how: `interpolated`.
     pub badge: Option<&'static str>,
     /// More about the badge, for whoever points at it; may be empty.
@@ -108,7 +107,7 @@ fn title_ui(ui: &mut Ui, inner: Rect, caption: &SubjectCaption, commands: &mut V
     corner.spacing_mut().item_spacing = vec2(space::MEDIUM, 0.0);
     corner.horizontal(|ui| {
         let (mark, _) = ui.allocate_exact_size(vec2(10.0, 24.0), egui::Sense::hover());
-        role_mark(ui, mark.center(), 5.0, caption.role, true);
+        label_mark(ui, mark.center(), 5.0, caption.mark, true);
         let title = RichText::new(&caption.title)
             .font(title_font())
             .color(strong);

@@ -107,15 +107,19 @@ pub(super) fn draw_bulls_eye(
         PatchStanding::LowThickening => FAINT,
         PatchStanding::NoVerdict | PatchStanding::Abnormal => BORDER,
     };
-    for border in flat.borders.iter().flatten() {
+    for border in flat.patches.iter().flat_map(|patch| &patch.borders) {
         let points: Vec<[f32; 2]> = border.iter().map(|&point| disc.at(point)).collect();
         pen.page.line(&points, true, 4.5 * width, BETWEEN);
         pen.page.line(&points, true, 2.6 * width, colour);
     }
     if flat.oriented {
-        let borders: Vec<[f32; 2]> = (flat.borders.iter().flatten().flatten())
-            .map(|&point| disc.at(point))
-            .collect();
+        let borders: Vec<[f32; 2]> = (flat
+            .patches
+            .iter()
+            .flat_map(|patch| &patch.borders)
+            .flatten())
+        .map(|&point| disc.at(point))
+        .collect();
         numbers(pen, &content.scale, shown, &disc, &borders);
         names_of_walls(pen, &disc);
     } else {

@@ -152,7 +152,7 @@ impl PatchContent {
         let flat = PolarMap::of(wall).map(|mut flat| {
             let values = flat.values(wall, subject, quantity, figure.shown.frame);
             if !assessed {
-                flat.borders.clear();
+                flat.patches.clear();
             }
             (flat, values)
         });
