@@ -28,9 +28,11 @@ impl LimitOptions {
         }
         if let Some(vertices) = self.max_vertices {
             let vertices = vertices as usize;
+            let usual = Limits::default();
+            let in_proportion = |count: usize| vertices.saturating_mul(count) / usual.vertices;
             limits.vertices = vertices;
-            limits.faces = vertices.saturating_mul(2);
-            limits.vertices_of_all_frames = vertices.saturating_mul(8);
+            limits.faces = in_proportion(usual.faces);
+            limits.vertices_of_all_frames = in_proportion(usual.vertices_of_all_frames);
         }
         if let Some(frames) = self.max_frames {
             limits.frames = frames as usize;

@@ -55,7 +55,9 @@ mod tests {
         let side = |kind, radii: [f64; 2]| {
             let frames = radii.map(|radius| {
                 let bowl = phantom::bowl(radius, 6, 12);
-                let points: Vec<Point3> = bowl.vertices().iter().map(|p| p + shift).collect();
+                // Oval, so that rounding does not choose among axes that are all alike.
+                let oval = |p: &Point3| Point3::new(1.3 * p.x, p.y, p.z) + shift;
+                let points: Vec<Point3> = bowl.vertices().iter().map(oval).collect();
                 TriMesh::new(points, bowl.faces().clone()).unwrap()
             });
             SurfaceSequence::new(kind, frames.to_vec()).unwrap()
@@ -95,10 +97,9 @@ mod tests {
                 places(&near, cameras[0].target),
                 places(&far, cameras[1].target),
             );
-            assert!(
-                a.iter().zip(&b).all(|(a, b)| (*a - *b).length() < 1e-4),
-                "{shift:e}"
-            );
+            let apart = a.iter().zip(&b).map(|(a, b)| (*a - *b).length());
+            let apart = apart.fold(0.0, f32::max);
+            assert!(apart < 1e-4, "{apart} at {shift:e}");
             for quantity in [Quantity::Displacement, Quantity::AreaRatio] {
                 for (a, b) in near.surfaces.iter().zip(&far.surfaces) {
                     let values =

@@ -46,6 +46,8 @@ fn measures_and_sizes_stand_in_their_columns() {
         ef: Some(6.0),
         mass_g: Some(7.0),
         phases_stated: true,
+        outside_range: "8".to_owned(),
+        notes: "9".to_owned(),
         ..SubjectRow::default()
     };
     let unit = row.unit.volume_symbol();
@@ -63,6 +65,8 @@ fn measures_and_sizes_stand_in_their_columns() {
             ("mass_g", "7"),
             ("volume_unit", unit),
             ("phase_source", "stated"),
+            ("outside_range", "8"),
+            ("notes", "9"),
         ],
     );
     let row = FrameRow {

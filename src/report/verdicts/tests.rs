@@ -69,14 +69,15 @@ fn features_stand_in_the_columns_that_scripts_rely_on() {
         (Feature::NormalSpread, "normal_spread_rad"),
         (Feature::MeanPositionDistance, "gap_sizes"),
     ];
-    assert_eq!(columns.len(), 12 + names.len());
+    assert_eq!(columns.len(), 12 + names.len() + 1);
+    assert_eq!(&columns[12 + names.len()], "outside_range");
     for (place, (feature, name)) in (12_usize..).zip(names) {
         assert_eq!(&columns[place], name);
         let told = features.get(feature).unwrap();
         assert_eq!(row[place].parse::<f64>().unwrap(), told, "{name}");
     }
     // Confidence and compactness of a round patch are both 1; all others differ.
-    let told: std::collections::HashSet<&str> = row.iter().skip(12).collect();
+    let told: std::collections::HashSet<&str> = row.iter().skip(12).take(names.len()).collect();
     assert!(told.len() + 1 >= names.len(), "{row:?}");
 }
 
