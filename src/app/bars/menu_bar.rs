@@ -222,7 +222,7 @@ mod tests {
         shown.run();
         let last = |shown: &Harness<'_, _>| shown.get_by_label("Show own motion").rect();
         assert!(last(&shown).top() > 300.0);
-        shown.hover_at(shown.get_by_label("Pose map").rect().center());
+        shown.hover_at(shown.get_by_label_contains("Playback").rect().center());
         shown.event(egui::Event::MouseWheel {
             unit: egui::MouseWheelUnit::Point,
             delta: vec2(0.0, -2000.0),

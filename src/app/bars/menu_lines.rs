@@ -28,7 +28,7 @@ const GROUPS: [(Menu, u8, &str); 4] = [
     (Menu::View, 1, "Camera"),
     (Menu::View, 2, "Surfaces and marks"),
     (Menu::Analysis, 0, "Playback"),
-    (Menu::Analysis, 1, "End-diastole and end-systole"),
+    (Menu::Analysis, 2, "Maps"),
 ];
 
 /// Titles of submenus whose actions begin alike, where the beginning alone is not one.

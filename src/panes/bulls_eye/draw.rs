@@ -241,7 +241,7 @@ mod tests {
         let clipped = shapes.map(|shape| ClippedShape {
             clip_rect: Rect::EVERYTHING,
             shape,
-            transform_after_tessellation: egui::emath::TSTransform::IDENTITY,
+            transform_after_tessellation: Default::default(),
         });
         let allowed = Rect::from_points(&points).expand(4.0);
         for drawn in ctx.tessellate(clipped.collect(), 1.0) {
