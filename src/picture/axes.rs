@@ -70,7 +70,8 @@ impl SubjectAxes {
         // The file's axis that lies squarest to the long axis, so that the choice is stable.
         let front = [Vector3::z(), Vector3::x(), Vector3::y()]
             .into_iter()
-            .min_by(|a, b| a.dot(&up).abs().total_cmp(&b.dot(&up).abs()))
+            // Of axes that are as square but for rounding the first one, wherever the subject lies.
+            .min_by_key(|axis| (1e6 * axis.dot(&up).abs()).round() as u32)
             .and_then(|axis| (axis - up * up.dot(&axis)).try_normalize(0.0))
             .unwrap_or_else(Vector3::z);
         Self {
