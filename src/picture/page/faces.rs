@@ -82,7 +82,9 @@ struct Known {
 static KNOWN: LazyLock<Mutex<Known>> = LazyLock::new(Mutex::default);
 
 /// The face that comes with the window beside Inter: Ubuntu Light, with Cyrillic, more Latin and Greek.
-const WITH_WINDOW: &[u8] = epaint_default_fonts::UBUNTU_LIGHT;
+///
+/// A static, not a constant: it is recognised by its address.
+static WITH_WINDOW: &[u8] = epaint_default_fonts::UBUNTU_LIGHT;
 
 /// The face for a letter that Inter lacks. `None` for what is part of the letter before it, and if the program is damaged.
 pub(super) fn further_face(letter: char) -> Option<FurtherFace> {
