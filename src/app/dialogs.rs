@@ -54,9 +54,11 @@ pub struct NoDialog;
 /// place is asked for: while a dialog is open, the window goes on, and another subject may be selected.
 pub type Then = Box<dyn FnOnce(&mut State, &mut Engine, Vec<PathBuf>) -> Option<Command>>;
 
+type PathJob = Job<Option<Vec<PathBuf>>, NoDialog>;
+
 /// The dialog that is open, if one is.
 pub struct Dialogs {
-    open: Option<(Job<Option<Vec<PathBuf>>, NoDialog>, Then)>,
+    open: Option<(PathJob, Then)>,
     ask_paths: AskPaths,
 }
 

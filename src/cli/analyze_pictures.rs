@@ -110,7 +110,7 @@ impl Pictured {
                 thickening: self.settings.verdicts.thickening,
             };
             let figure = studio.figure(&shot, scene, None)?;
-            let file = self.picture(&studio, &figure, format!("{name}.png"))?;
+            let file = self.picture(&studio, &figure, &format!("{name}.png"))?;
             let mut patch_file = None;
             if let Some(wall) = self.abnormal_wall(index, store, progress)? {
                 let scene = SceneSettings {
@@ -125,7 +125,7 @@ impl Pictured {
                 };
                 let figure = studio.patch_figure(&shot, scene, &wall, Some(&self.verdicts))?;
                 let name = format!("{name}_patch.png");
-                patch_file = Some(self.picture(&studio, &figure, name)?);
+                patch_file = Some(self.picture(&studio, &figure, &name)?);
                 if drawn.patches.len() < MAX_PAGES {
                     drawn.patches.push(figure.page);
                 }
@@ -143,11 +143,11 @@ impl Pictured {
         &self,
         studio: &Studio<'_>,
         figure: &Figure,
-        name: String,
+        name: &str,
     ) -> Result<String, NoFigures> {
         let bytes = PageFormat::Png.file(&figure.page, &figure.settings, &studio.fonts);
         let file = ExportFile {
-            path: self.results.path().join("figures").join(&name),
+            path: self.results.path().join("figures").join(name),
             bytes: bytes.map_err(CliError::unusable)?.into(),
         };
         let written = self.results.write(vec![file]);

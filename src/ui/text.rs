@@ -36,18 +36,6 @@ pub fn progress_text(fraction: f32, seconds_left: Option<f64>) -> String {
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn time_left_is_shown_in_seconds_or_minutes() {
-        assert_eq!(time_left_text(0.2), "1 s left");
-        assert_eq!(time_left_text(3.4), "4 s left");
-        assert_eq!(time_left_text(130.0), "2 min left");
-    }
-}
-
 /// A p-value, with three places where it is small.
 pub fn p_text(p: f64) -> String {
     if p < 0.001 {
@@ -63,4 +51,16 @@ pub fn p_text(p: f64) -> String {
 pub fn counted(count: usize, what: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{count} {what}{plural}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn time_left_is_shown_in_seconds_or_minutes() {
+        assert_eq!(time_left_text(0.2), "1 s left");
+        assert_eq!(time_left_text(3.4), "4 s left");
+        assert_eq!(time_left_text(130.0), "2 min left");
+    }
 }

@@ -247,14 +247,13 @@ mod tests {
 
     /// What a list of opaque squares draws at a place.
     fn drawn(shapes: &[ClippedShape], at: Pos2) -> Option<Color32> {
-        let covering = shapes
+        shapes
             .iter()
             .rev()
             .find_map(|clipped| match &clipped.shape {
                 Shape::Rect(rect) if rect.rect.contains(at) => Some(rect.fill),
                 _ => None,
-            });
-        covering
+            })
     }
 
     proptest! {

@@ -211,7 +211,7 @@ fn surface_and_structure(
                         uses[at] = Use::Surface;
                     }
                     Meaning::Left | Meaning::LeftBesideSurface if structure.is_none() => {
-                        left = true
+                        left = true;
                     }
                     Meaning::Other(name) | Meaning::OtherBesideSurface(name) if !left => {
                         structure = structure.or(Some(*name));

@@ -243,10 +243,9 @@ pub(super) fn existing(
     Ok(place)
 }
 
+#[cfg(unix)]
 #[cfg(test)]
 mod tests {
-    #![cfg(unix)]
-
     use super::*;
     use std::collections::BTreeMap;
     use std::os::unix::fs::symlink;

@@ -67,7 +67,7 @@ pub(super) fn group_files(files: Vec<LooseFile>, folder: &Path, whole_name: &str
         }
         if file.series.is_some() {
             // Frames are those of the list: numbers in its name are part of it.
-            name = name_of_list(&file.stem, name);
+            name = name_of_list(&file.stem, &name);
         }
         let surface = file.own_surface.or(name.surface).or(file.folder_surface);
         let kind = match (name.structure, surface) {
@@ -104,7 +104,7 @@ pub(super) fn group_files(files: Vec<LooseFile>, folder: &Path, whole_name: &str
 }
 
 /// The name of a list, of which no part is a frame.
-fn name_of_list(stem: &str, name: MeshName) -> MeshName {
+fn name_of_list(stem: &str, name: &MeshName) -> MeshName {
     let reading = Reading {
         phase: PhaseUse::Case,
         number: None,
@@ -114,7 +114,7 @@ fn name_of_list(stem: &str, name: MeshName) -> MeshName {
         case: whole.case,
         case_with_structure: whole.case_with_structure,
         frame: None,
-        ..name
+        ..name.clone()
     }
 }
 

@@ -189,7 +189,7 @@ impl Search<'_> {
                     ..surface
                 }));
         }
-        Ok(named_surface(kind, files, notices))
+        Ok(named_surface(kind, &files, notices))
     }
 
     /// A pattern may name a list of files in the place of meshes.
@@ -301,7 +301,7 @@ fn named(path: PathBuf) -> NamedFile {
 /// may be one frame.
 fn named_surface(
     kind: SurfaceKind,
-    files: Vec<NamedFile>,
+    files: &[NamedFile],
     mut notices: Vec<Notice>,
 ) -> SurfaceOrFault {
     let paths: Vec<PathBuf> = files.iter().map(|file| file.path.clone()).collect();

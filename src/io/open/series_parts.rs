@@ -37,6 +37,9 @@ pub(super) struct Part {
     pub(super) case: String,
 }
 
+/// The name of a part, and the surface and structure that its files name.
+type PartKey = (String, Option<SurfaceKind>, Option<&'static str>);
+
 /// Sorts the entries of a list into parts.
 ///
 /// # Errors
@@ -45,8 +48,7 @@ pub(super) fn parts_of(
     entries: Vec<Entry>,
     notices: &mut Vec<Notice>,
 ) -> Result<Vec<Part>, String> {
-    let mut by_name: BTreeMap<(String, Option<SurfaceKind>, Option<&str>), Vec<Entry>> =
-        BTreeMap::new();
+    let mut by_name: BTreeMap<PartKey, Vec<Entry>> = BTreeMap::new();
     for entry in once_each(entries, notices) {
         let name = name_of_entry(&entry);
         let key = (entry.part.clone(), name.surface, name.structure);

@@ -23,7 +23,7 @@ fn floats(values: &[[f32; 3]]) -> Vec<u8> {
 }
 
 /// A file with one mesh at one node, whose buffer is `bytes`; each accessor has a view of its own from the given byte on.
-fn document(bytes: &[u8], accessors: &[(usize, Value)], primitives: Value) -> Value {
+fn document(bytes: &[u8], accessors: &[(usize, Value)], primitives: &Value) -> Value {
     let views: Vec<Value> = accessors
         .iter()
         .map(|(start, _)| json!({"buffer": 0, "byteOffset": start, "byteLength": bytes.len() - start}))
@@ -77,7 +77,7 @@ fn square(corners: &[u8], mode: u32) -> Value {
     document(
         &bytes,
         &[(0, vec3(FLOAT, 4)), (48, scalar(U8, corners.len()))],
-        json!([{"attributes": {"POSITION": 0}, "indices": 1, "mode": mode}]),
+        &json!([{"attributes": {"POSITION": 0}, "indices": 1, "mode": mode}]),
     )
 }
 
@@ -145,7 +145,7 @@ fn accessors_without_a_view_are_zeros_and_sparse_ones_change_a_few() {
             (48, scalar(U8, 1)),
             (52, vec3(FLOAT, 1)),
         ],
-        json!([{
+        &json!([{
             "attributes": {"POSITION": 0}, "mode": 6, "targets": [{"POSITION": 3}, {"POSITION": 4}, {}],
         }]),
     );
@@ -188,7 +188,7 @@ fn positions_may_lie_apart_and_be_whole_numbers() {
     let mut strided = document(
         &floats(&apart),
         &[(0, vec3(FLOAT, 4))],
-        json!([{"attributes": {"POSITION": 0}, "mode": 6}]),
+        &json!([{"attributes": {"POSITION": 0}, "mode": 6}]),
     );
     strided["bufferViews"][0]["byteStride"] = json!(24);
     let expected = open(&square(&[0, 1, 2, 3], 6)).unwrap();
@@ -201,7 +201,7 @@ fn positions_may_lie_apart_and_be_whole_numbers() {
     let mut quantised = document(
         &shorts,
         &[(0, vec3(I16, 4))],
-        json!([{"attributes": {"POSITION": 0}, "mode": 6}]),
+        &json!([{"attributes": {"POSITION": 0}, "mode": 6}]),
     );
     quantised["bufferViews"][0]["byteStride"] = json!(8);
     quantised["extensionsUsed"] = json!(["KHR_mesh_quantization"]);

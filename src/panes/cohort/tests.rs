@@ -251,7 +251,7 @@ fn on_escape(search: &'static str, in_box: bool) -> Vec<Command> {
 #[test]
 fn escape_clears_the_filter_from_its_box_and_from_anywhere() {
     let clear = Command::View(ViewCommand::SetSearch(String::new()));
-    assert_eq!(on_escape("S1", true), [clear.clone()]);
+    assert_eq!(on_escape("S1", true), std::slice::from_ref(&clear));
     assert_eq!(on_escape("S1", false), [clear]);
     assert_eq!(on_escape("", true), []);
 }

@@ -30,7 +30,7 @@ pub fn metric_panel_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<C
     }
     let margin = Margin::symmetric(space::LARGE as i8, space::MEDIUM as i8);
     scrolled_ui(ui, "metric panel", margin, |ui| {
-        settings_ui(ui, view, commands)
+        settings_ui(ui, view, commands);
     });
 }
 

@@ -118,7 +118,7 @@ impl Mark {
         let mut mark = self.clone();
         match &mut mark {
             Self::Fill { corners, .. } => {
-                corners.iter_mut().for_each(|point| *point = place(*point))
+                corners.iter_mut().for_each(|point| *point = place(*point));
             }
             Self::Line { points, width, .. } => {
                 points.iter_mut().for_each(|point| *point = place(*point));

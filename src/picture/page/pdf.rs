@@ -11,6 +11,7 @@ use krilla::paint::{Fill, FillRule, LineCap, LineJoin, Paint, Stroke};
 use krilla::surface::Surface;
 use krilla::text::{Font, TextDirection};
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use crate::picture::page::FigureSettings;
 use crate::picture::page::marks::{Mark, Page};
@@ -77,13 +78,11 @@ fn typefaces(pages: &[Page]) -> Result<HashMap<Face, Font>, PdfError> {
         if let Mark::Text {
             face: Some(face), ..
         } = mark
+            && let Entry::Vacant(place) = typefaces.entry(Face::Further(face.number()))
         {
-            let key = Face::Further(face.number());
-            if !typefaces.contains_key(&key) {
-                let damaged = || PdfError("a font of this system cannot be read".to_owned());
-                let font = Font::new(face.bytes.into(), face.index);
-                typefaces.insert(key, font.ok_or_else(damaged)?);
-            }
+            let damaged = || PdfError("a font of this system cannot be read".to_owned());
+            let font = Font::new(face.bytes.into(), face.index);
+            place.insert(font.ok_or_else(damaged)?);
         }
     }
     Ok(typefaces)

@@ -82,7 +82,7 @@ mod tests {
             ball.clone(),
             relisted(&ball, |faces| faces.reverse()),
             relisted(&ball, |faces| {
-                faces.iter_mut().for_each(|f| f.rotate_left(2))
+                faces.iter_mut().for_each(|f| f.rotate_left(2));
             }),
             relisted(&ball, |faces| faces.iter_mut().for_each(|f| f.swap(0, 1))),
         ];

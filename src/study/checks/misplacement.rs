@@ -23,6 +23,9 @@ pub enum Misplacement {
     Shifted(f64),
 }
 
+/// How a misplaced point is put right.
+type Change = Box<dyn Fn(&Point3) -> Point3>;
+
 impl Misplacement {
     /// The first change that puts the endocardium into the epicardium at a frame, the likeliest first.
     pub(super) fn of(endo: &SurfaceSequence, epi: &SurfaceSequence, frame: usize) -> Option<Self> {
@@ -38,7 +41,7 @@ impl Misplacement {
         };
         let scaled =
             |x: f64, y: f64, z: f64| move |p: &Point3| Point3::new(x * p.x, y * p.y, z * p.z);
-        let mut changes: Vec<(Self, Box<dyn Fn(&Point3) -> Point3>)> = vec![
+        let mut changes: Vec<(Self, Change)> = vec![
             (Self::LpsAndRas, Box::new(scaled(-1.0, -1.0, 1.0))),
             (Self::Mirrored("x"), Box::new(scaled(-1.0, 1.0, 1.0))),
             (Self::Mirrored("y"), Box::new(scaled(1.0, -1.0, 1.0))),

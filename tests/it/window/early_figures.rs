@@ -103,7 +103,8 @@ fn between_frames_no_frame_and_no_phase_is_named() {
     harness.run();
     let between = format!("between frames {systole} and {}", systole + 1);
     assert!(shows(&harness, &between), "{between}");
-    assert!(!shows(&harness, "· ES"));
+    assert!(!shows(&harness, &format!("frame {systole} (0–7)")));
+    assert!(!shows(&harness, "(0–7) · ES"));
     let figure = FileCommand::ExportFigure(Some(path.clone()));
     give(&mut harness, Command::File(figure));
     wait(&mut harness, "the figure", |_| path.exists());
