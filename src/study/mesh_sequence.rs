@@ -144,7 +144,7 @@ impl SurfaceSequence {
 pub struct CorrespondenceKey(u64);
 
 /// Names one sequence in this run of the program: clones share it, no two that were made do. So
-/// whatever was computed of a sequence is detected again when only what is said of the subject changes.
+/// whatever was computed of a sequence is found again when only what is said of the subject changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct SequenceId(u64);
 

@@ -38,8 +38,8 @@ impl ThickeningCurve {
     /// The curve c along which the area-weighted sum of squares Σᵢ Aᵢ (xᵢ · c)² is greatest, x being
     /// centred ln r averaged over neighbourhoods: the first principal component over time.
     ///
-    /// Atoms that do not thicken have next to no weight in it, so that it is the curve of the well
-    /// wall however large the patch is. With two poses it is (−1, 1) / √2.
+    /// Atoms that do not thicken have next to no weight in it, so that it is the curve of the remote
+    /// myocardium however large the patch is. With two poses it is (−1, 1) / √2.
     pub fn new(columns: &[Vec<f64>], areas: &[f64], [ed, es]: [usize; 2]) -> Self {
         let poses = columns.len();
         let product = |s: usize, t: usize| -> f64 {

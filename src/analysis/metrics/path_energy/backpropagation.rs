@@ -7,7 +7,7 @@ use super::rows::onto_poses;
 use super::state::{Gradients, PathState, Plan};
 use crate::analysis::metrics::corner::{angle_gradient, minus};
 
-/// Turns all slopes into those along the coordinates of the poses, added to `slopes.points`.
+/// Turns all slopes into those along the coordinates of the poses, added to those of `gradients`.
 #[inline(always)]
 pub(super) fn backpropagate(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
     if plan.needs_curvature() {

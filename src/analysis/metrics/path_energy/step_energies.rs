@@ -12,7 +12,7 @@ use super::measure::points;
 use super::rows::onto_poses;
 use super::state::{Gradients, PathState, Plan};
 
-/// Energies of all steps into `along`, their direct slopes into `slopes`.
+/// Adds the energies of all steps to `state`, and their slopes along what they are made of to `gradients`.
 #[inline(always)]
 pub(super) fn add_step_energies(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
     gradients.stretch.fill([Lanes::default(); 2]);
@@ -80,7 +80,7 @@ fn lambda(plan: &Plan, state: &PathState, block: usize) -> [Lanes; 2] {
 }
 
 /// Weights are areas over the whole area, and the unit of the regulariser may be that area too: the
-/// slope of a charge along the whole area is that charge over −area, once for each.
+/// slope of an energy along the whole area is that energy over −area, once for each.
 #[inline(always)]
 fn total_area_gradients(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
     let once = |does: bool| Lanes::splat(if does { 1.0 } else { 0.0 });
