@@ -218,7 +218,7 @@ fn an_export_is_written_whole_or_not_at_all() {
 
 #[test]
 fn the_activity_list_names_files_without_their_folders() {
-    let source = OpenSource::Paths(vec![PathBuf::from("/home/Jane Doe/n01/endo_0.ply")]);
+    let source = OpenSource::Paths(vec![PathBuf::from("/elsewhere/Jane Doe/n01/endo_0.ply")]);
     assert_eq!(source.words(), "endo_0.ply");
 }
 

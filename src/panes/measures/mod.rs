@@ -11,6 +11,7 @@ use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE, ejection_f
 use crate::report::{Column, Digits, NO_VALUE, SubjectRow};
 use crate::ui::controls::{chooser_ui, no_subject_ui};
 use crate::ui::style::{medium, note, note_font, text_font, title_font};
+use crate::ui::text::text_width;
 use crate::ui::theme::{colours, space};
 use crate::units::LengthUnit;
 
@@ -75,16 +76,19 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
     line.append(&text, 0.0, format(title_font(), colours.strong));
     let percent = SubjectRow::EF.unit.symbol(row.unit);
     line.append(percent, space::SMALL, format(text_font(), colours.muted));
-    if ui.available_width() > 150.0 {
-        line.append(
-            ejection_fraction_words(row.ef),
-            space::MEDIUM,
-            format(note_font(), colours.muted),
-        );
+    let words = ejection_fraction_words(row.ef);
+    let width = text_width(ui, &text, title_font())
+        + text_width(ui, percent, text_font())
+        + text_width(ui, words, note_font())
+        + space::SMALL
+        + space::MEDIUM;
+    // Words that would wrap within themselves stand below.
+    if ui.available_width() > width.max(150.0) {
+        line.append(words, space::MEDIUM, format(note_font(), colours.muted));
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
     } else {
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
-        ui.add(egui::Label::new(note(ejection_fraction_words(row.ef))).truncate());
+        ui.add(egui::Label::new(note(words)).truncate());
     }
 }
 
