@@ -25,7 +25,7 @@ use super::times::Times;
 use super::typefaces::Typefaces;
 use super::window_picture::{self, KeepPicture};
 use crate::document::state::State;
-use crate::panes::look::{Kept, Memo};
+use crate::panes::pane_context::{Kept, Memo};
 use crate::panes::viewport::hearts::Viewport;
 use crate::panes::viewport::paint;
 use crate::panes::viewport::pictures::Pictures;

@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use crate::analysis::classification::ClassesParams;
 use crate::engine::{
-    ClassesSettings, DeformationMapSettings, FrameThickness, Measures, PoseThickness, Showing,
-    Store, ThicknessSettings, VerdictSettings, WallThickening,
+    ClassesQuery, DeformationMapQuery, FrameThickness, MeasuresQuery, PoseThicknessQuery, Showing,
+    Store, ThicknessSettings, VerdictQuery, WallThickeningQuery,
 };
 use crate::panes::Pane;
 
@@ -15,7 +15,7 @@ use crate::document::document::Document;
 use crate::document::state::State;
 use crate::document::visible_poses;
 use crate::panes::deformation_map::view::enough_subjects;
-use crate::panes::look::ask_at_rest;
+use crate::panes::pane_context::ask_at_rest;
 
 /// What of the window is looked at: work for panes that nobody sees waits.
 #[derive(Clone, Debug, Default)]
@@ -44,17 +44,17 @@ impl Asks {
         if study.subjects.is_empty() {
             return answers;
         }
-        answers.measures = Some(store.ask(study, &Measures));
+        answers.measures = Some(store.ask(study, &MeasuresQuery));
         answers.map = Some(store.ask(study, &state.document.map));
         self.motions.ask(state, store, &mut answers);
         answers.walls = walls(state, store);
         if enough_subjects(state) {
             let deformations = deformation_settings(state);
             answers.deformations = Some(store.ask(study, &deformations));
-            let classes = ClassesSettings {
+            let classes = ClassesQuery {
                 deformations,
                 classes: ClassesParams::default(),
-                ..ClassesSettings::default()
+                ..ClassesQuery::default()
             };
             answers.classes = Some(store.ask(study, &classes));
         }
@@ -68,18 +68,18 @@ impl Asks {
 }
 
 /// How whole deformations are compared and mapped.
-pub fn deformation_settings(state: &State) -> DeformationMapSettings {
-    DeformationMapSettings {
+pub fn deformation_settings(state: &State) -> DeformationMapQuery {
+    DeformationMapQuery {
         poses: state.document.map,
         map: state.document.deformation_map,
     }
 }
 
 /// How the subjects are classified.
-pub fn verdict_settings(document: &Document) -> VerdictSettings {
-    VerdictSettings {
+pub fn verdict_settings(document: &Document) -> VerdictQuery {
+    VerdictQuery {
         thickening: document.thickening,
-        ..VerdictSettings::default()
+        ..VerdictQuery::default()
     }
 }
 
@@ -91,7 +91,7 @@ fn walls(state: &State, store: &Store) -> Vec<WallAnswer> {
         .filter(|place| !place.transported)
     {
         if walls.iter().all(|wall| wall.subject != place.subject) {
-            let query = WallThickening {
+            let query = WallThickeningQuery {
                 subject: place.subject,
                 settings: state.document.thickening,
             };
@@ -108,7 +108,7 @@ fn thickness(state: &State, store: &Store) -> Vec<(usize, Showing<FrameThickness
     let study = state.document.study();
     let mut waits = false;
     let poses = thickness_poses(state).into_iter().map(|frame| {
-        let query = PoseThickness {
+        let query = PoseThicknessQuery {
             subject: state.document.subject,
             frame,
             settings: ThicknessSettings {

@@ -6,7 +6,8 @@ use std::sync::Arc;
 use crate::analysis::geodesics::GeodesicParams;
 use crate::document::ViewMode;
 use crate::engine::{
-    Contribution, InterpolatedPoses, Interval, LookedAt, MotionTransport, Showing, Store,
+    ContributionQuery, InterpolatedPosesQuery, IntervalQuery, LookedAt, MotionTransportQuery,
+    Showing, Store,
 };
 use crate::picture::{Quantity, relative_density};
 
@@ -84,7 +85,7 @@ impl MotionAsks {
         let interval = (place.position.floor().max(0.0) as usize).min(intervals - 1);
         let looked_at = self.looked_at.entry(index).or_default().clone();
         looked_at.set(interval);
-        let query = InterpolatedPoses {
+        let query = InterpolatedPosesQuery {
             subject: index,
             params,
             looked_at,
@@ -99,7 +100,7 @@ impl MotionAsks {
         } else if !state.play.playing
             && let Some(path) = store.known(
                 study,
-                &Interval {
+                &IntervalQuery {
                     subject: index,
                     interval,
                     params,
@@ -131,7 +132,7 @@ impl MotionAsks {
         };
         let study = state.document.study();
         let params = transport_params(&state.document);
-        let query = MotionTransport {
+        let query = MotionTransportQuery {
             from: motion.from,
             onto: motion.onto,
             params,
@@ -161,7 +162,7 @@ impl MotionAsks {
         let pair = coloured
             .then(|| pair_on_screen(&state.document))
             .flatten()?;
-        let query = Contribution {
+        let query = ContributionQuery {
             a: pair.a,
             b: pair.b,
             distances: pair.distances,

@@ -10,7 +10,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::ViewMode;
 use crate::engine::{
-    Engine, ExportFile, Interrupted, Store, TableSettings, ThickeningSettings, VerdictSettings,
+    Engine, ExportFile, Interrupted, Store, TableSettings, ThickeningSettings, VerdictQuery,
     distance_words, file_name, tables_of_study,
 };
 use crate::picture::figure::{
@@ -74,7 +74,7 @@ pub struct FigureExport {
     bulls_eye: BullsEyeQuantity,
     thickening: ThickeningSettings,
     /// What the verdict is asked with, for a patch figure: it may not be known yet.
-    verdict: VerdictSettings,
+    verdict: VerdictQuery,
     /// What a figure of the 3D view says of it: there is no room for more, and no reason to wait for a cohort.
     verdict_words: String,
 }

@@ -20,7 +20,7 @@ use crate::app::bars::status_view::status_bar_view;
 use crate::app::sheets::report_view::report_entries;
 use crate::document::state::State;
 use crate::panes::cohort::view::CohortData;
-use crate::panes::{Look, Memo};
+use crate::panes::{Memo, PaneContext};
 
 /// Height of the bar with the menus.
 const MENU_HEIGHT: f32 = 34.0;
@@ -106,7 +106,7 @@ fn tiles_ui(ui: &mut Ui, drawing: &mut Drawing) {
     let activities = drawing.engine.activities();
     let (framed, tabbed) = tab_containers(&drawing.layout.tree);
     let mut panes = Panes {
-        look: Look {
+        cx: PaneContext {
             state: drawing.state,
             store: drawing.engine.store(),
             memo: drawing.memo,

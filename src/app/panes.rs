@@ -9,7 +9,7 @@ use egui_tiles::{
     Tree, UiResponse,
 };
 
-use crate::panes::{Command, Header, Look, Pane, PaneSpec, spec_of};
+use crate::panes::{Command, Header, Pane, PaneContext, PaneSpec, spec_of};
 use crate::ui::theme::{colours, line, radius, space};
 use crate::ui::{medium_font, named_header_ui, pane_header_ui, tab_ui, text_width};
 
@@ -19,7 +19,7 @@ use super::layout::PaneTile;
 /// The panes of one frame, as the tiles draw them.
 pub struct Panes<'a> {
     /// What they may look at.
-    pub look: Look<'a>,
+    pub cx: PaneContext<'a>,
     /// What the user asked for.
     pub commands: &'a mut Vec<Command>,
     /// Containers of tabs, which have a border.
@@ -64,18 +64,18 @@ fn title_of(pane: Pane) -> &'static str {
 impl Panes<'_> {
     /// The header of a pane that has no tab.
     fn header_ui(&mut self, ui: &mut Ui, spec: &PaneSpec) {
-        let (look, commands) = (&self.look, &mut *self.commands);
+        let (cx, commands) = (&self.cx, &mut *self.commands);
         match spec.header {
-            Header::Always(draw) => draw(ui, look, commands),
+            Header::Always(draw) => draw(ui, cx, commands),
             Header::Named(draw) => named_header_ui(ui, spec.title, |ui| {
-                draw(ui, look, NAME_WIDTH, commands);
+                draw(ui, cx, NAME_WIDTH, commands);
             }),
             Header::Title | Header::Beside(_) => pane_header_ui(
                 ui,
                 |ui| {
                     tab_ui(ui, spec.title, true);
                 },
-                |ui| beside_ui(ui, spec, look, TITLE_WIDTH, commands),
+                |ui| beside_ui(ui, spec, cx, TITLE_WIDTH, commands),
             ),
         }
     }
@@ -85,12 +85,12 @@ impl Panes<'_> {
 fn beside_ui(
     ui: &mut Ui,
     spec: &PaneSpec,
-    look: &Look<'_>,
+    cx: &PaneContext<'_>,
     taken: f32,
     commands: &mut Vec<Command>,
 ) {
     match spec.header {
-        Header::Beside(draw) | Header::Named(draw) => draw(ui, look, taken, commands),
+        Header::Beside(draw) | Header::Named(draw) => draw(ui, cx, taken, commands),
         Header::Title | Header::Always(_) => {}
     }
 }
@@ -121,7 +121,7 @@ impl Behavior<PaneTile> for Panes<'_> {
         let rest = ui.available_rect_before_wrap();
         let mut content = ui.new_child(egui::UiBuilder::new().max_rect(rest));
         content.set_clip_rect(rest.intersect(ui.clip_rect()));
-        (spec.ui)(&mut content, &self.look, self.commands);
+        (spec.ui)(&mut content, &self.cx, self.commands);
         answer
     }
 
@@ -162,7 +162,7 @@ impl Behavior<PaneTile> for Panes<'_> {
         // What the names of the tabs need; the rest is for choosers and notes.
         let names = tabs_width(ui, tiles, &self.tabbed, tabs);
         ui.add_space(space::LARGE);
-        beside_ui(ui, spec, &self.look, names, self.commands);
+        beside_ui(ui, spec, &self.cx, names, self.commands);
     }
 
     fn is_tab_bar_visible(&self, _tile_id: TileId, tabs: &Tabs) -> bool {

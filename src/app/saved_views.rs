@@ -17,7 +17,7 @@ use crate::render::Shading;
 use super::apply::{Moment, change, is_usable};
 use super::errors::push_card;
 use crate::document::state::State;
-use crate::document::viewpoint::{Direction, Look};
+use crate::document::viewpoint::{Direction, Viewpoint};
 use crate::document::visibility::Visibility;
 
 /// Settings stand before the pixels: further into a picture there is nothing to look for.
@@ -89,7 +89,7 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
         d.select_subject_at(subject, view.position);
         d.view_mode = ViewMode::Single;
         let camera = view.camera;
-        d.look = Look {
+        d.viewpoint = Viewpoint {
             direction: Direction::Turned(Quat::from_array(camera.rotation).normalize()),
             offset: Vec3::from_array(camera.offset),
             half_height: Some(camera.half_height),
@@ -179,7 +179,7 @@ mod tests {
         assert_eq!(document.bulls_eye, BullsEyeQuantity::Ratio);
         assert_eq!(document.thickening.thickening.extent, 0.5);
         assert!(document.visibility.atoms && document.visibility.wireframe);
-        assert_eq!(document.look.half_height, Some(40.0));
+        assert_eq!(document.viewpoint.half_height, Some(40.0));
         assert!(state.errors.is_empty());
         let undone = state.history.undo(&state.document).unwrap();
         assert_eq!(undone, before);

@@ -15,7 +15,7 @@ use crate::cli::print::{on_one_line, print, print_json, say};
 use crate::cli::words::Switch;
 use crate::cli::work::run_work;
 use crate::engine::{
-    AnalysisTables, ResultFolder, TableSettings, Unassessed, VerdictSettings, columns_file,
+    AnalysisTables, ResultFolder, TableSettings, Unassessed, VerdictQuery, columns_file,
 };
 use crate::study::Study;
 
@@ -41,9 +41,9 @@ pub(super) fn analyzed(args: &AnalyzeArgs) -> Result<Value, CliError> {
     });
     let settings = TableSettings {
         deformations: args.maps.settings(&args.metric, method, &study)?,
-        verdicts: VerdictSettings {
+        verdicts: VerdictQuery {
             thickening: args.patches.settings()?,
-            ..VerdictSettings::default()
+            ..VerdictQuery::default()
         },
         distances: args.distances.into(),
     };

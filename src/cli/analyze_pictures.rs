@@ -13,8 +13,8 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::work::run_work;
 use crate::engine::{
-    ExportFile, PoseMap, ResultFolder, Store, SubjectThickening, TableSettings, WallThickening,
-    distance_words, file_names, thickening_words,
+    ExportFile, PoseMap, ResultFolder, Store, SubjectThickening, TableSettings,
+    WallThickeningQuery, distance_words, file_names, thickening_words,
 };
 use crate::picture::figure::Figure;
 use crate::picture::page::{FigureFonts, Page, PageFormat, pdf_file};
@@ -173,7 +173,7 @@ impl Pictured {
         if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
             return Ok(None);
         }
-        let query = WallThickening {
+        let query = WallThickeningQuery {
             subject,
             settings: self.settings.verdicts.thickening,
         };

@@ -14,7 +14,7 @@ use crate::cli::print::{print, print_json};
 use crate::cli::words::ViewWord;
 use crate::cli::work::run_work;
 use crate::engine::{
-    ExportFile, Store, SubjectThickening, ThickeningSettings, VerdictSettings, WallThickening,
+    ExportFile, Store, SubjectThickening, ThickeningSettings, VerdictQuery, WallThickeningQuery,
     write_files,
 };
 use crate::picture::figure::{
@@ -76,7 +76,7 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
         size,
         thickening: args.patches.settings()?,
     };
-    let look = Look::of(args);
+    let look = ChosenScene::of(args);
     let id = study.subjects[index].id.clone();
     let bytes = run_work(move |progress| -> Result<Vec<u8>, CliError> {
         progress.begin_phase("drawing", 0.0, 1.0);
@@ -140,7 +140,7 @@ fn assessed_wall(
     subject: usize,
 ) -> Result<Arc<SubjectThickening>, CliError> {
     let settings = args.patches.settings()?;
-    answered(store, study, &WallThickening { subject, settings })
+    answered(store, study, &WallThickeningQuery { subject, settings })
 }
 
 /// The verdicts of all subjects.
@@ -149,9 +149,9 @@ fn verdicts_of(
     store: &Arc<Store>,
     study: &Arc<Study>,
 ) -> Result<Arc<Verdicts>, CliError> {
-    let query = VerdictSettings {
+    let query = VerdictQuery {
         thickening: args.patches.settings()?,
-        ..VerdictSettings::default()
+        ..VerdictQuery::default()
     };
     answered(store, study, &query)
 }
@@ -176,9 +176,9 @@ fn chosen_subject(study: &Study, id: Option<&str>) -> Result<usize, CliError> {
 
 /// The part of the settings that the command line decides.
 #[derive(Clone, Copy)]
-struct Look(SceneSettings);
+struct ChosenScene(SceneSettings);
 
-impl Look {
+impl ChosenScene {
     fn of(args: &FigureArgs) -> Self {
         Self(SceneSettings {
             quantity: args.colour.into(),

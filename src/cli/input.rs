@@ -9,7 +9,7 @@ use crate::cli::print::say;
 use crate::cli::words::UnitWord;
 use crate::cli::work::run_work;
 use crate::engine::{
-    Interrupted, Measures, OpenSource, Query, Store, StoreOptions, open, reading_limits,
+    Interrupted, MeasuresQuery, OpenSource, Query, Store, StoreOptions, open, reading_limits,
 };
 use crate::io::Opened;
 use crate::progress::Stopped;
@@ -95,5 +95,5 @@ pub(super) fn measured(
     store: &Arc<Store>,
     study: &Arc<Study>,
 ) -> Result<Arc<Vec<SubjectMeasures>>, CliError> {
-    answered(store, study, &Measures)
+    answered(store, study, &MeasuresQuery)
 }

@@ -8,7 +8,7 @@ use crate::analysis::pose_distances::PoseDistanceParams;
 use crate::analysis::transport::{CohortTransportParams, Reference};
 use crate::cli::metric_options::MetricOptions;
 use crate::cli::outcome::CliError;
-use crate::engine::{DeformationMapSettings, PoseMapParams};
+use crate::engine::{DeformationMapQuery, PoseMapQuery};
 use crate::study::Study;
 
 /// How poses are transported, and how motions are compared.
@@ -44,7 +44,7 @@ impl MapOptions {
         metric: &MetricOptions,
         method: MapMethod,
         study: &Study,
-    ) -> Result<DeformationMapSettings, CliError> {
+    ) -> Result<DeformationMapQuery, CliError> {
         metric.checked()?;
         let transfer = self
             .reference(study)?
@@ -68,8 +68,8 @@ impl MapOptions {
         distances
             .check()
             .map_err(|error| CliError::Usage(error.to_string()))?;
-        Ok(DeformationMapSettings {
-            poses: PoseMapParams { distances, method },
+        Ok(DeformationMapQuery {
+            poses: PoseMapQuery { distances, method },
             map,
         })
     }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseId};
 use crate::study::Subject;
 
-use crate::document::document::{Document, nearest_frame, phase_of, position_at_phase};
+use crate::document::document::{Document, cycle_share, nearest_frame, position_at_phase};
 
 /// Which poses were compared, and how.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub fn pair_on_screen(document: &Document) -> Option<PosePair> {
     if hindrance(document).is_some() {
         return None;
     }
-    let position = position_at_phase(other, phase_of(selected, document.position));
+    let position = position_at_phase(other, cycle_share(selected, document.position));
     Some(PosePair {
         a: PoseId {
             subject: document.subject,

@@ -4,12 +4,12 @@ use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::document::ViewMode;
-use crate::engine::{PoseMapParams, ThickeningSettings};
+use crate::engine::{PoseMapQuery, ThickeningSettings};
 use crate::io::OpenError;
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
 use crate::study::{Notice, Revision, Study, Subject};
 
-use crate::document::viewpoint::Look;
+use crate::document::viewpoint::Viewpoint;
 use crate::document::visibility::Visibility;
 
 /// Poses between two frames until the user says otherwise.
@@ -51,7 +51,7 @@ pub struct Document {
     /// Poses computed between two frames; 0 blends frames straight.
     pub interpolated_poses: u16,
     /// From where subjects are looked at.
-    pub look: Look,
+    pub viewpoint: Viewpoint,
     /// Whether dragging turns about the screen's axes instead of keeping the subject upright.
     pub free_camera: bool,
     /// What is drawn.
@@ -61,7 +61,7 @@ pub struct Document {
     /// Typed limits, by quantity; quantities that are absent have their fixed range.
     pub colour_limits: Vec<(Quantity, [f64; 2])>,
     /// How poses are compared and mapped.
-    pub map: PoseMapParams,
+    pub map: PoseMapQuery,
     /// How whole deformations are mapped.
     pub deformation_map: DeformationMapParams,
     /// Whether clusters of deformations are drawn.
@@ -117,12 +117,12 @@ impl Document {
             compare_with: None,
             transported: None,
             interpolated_poses: INTERPOLATED_POSES,
-            look: Look::default(),
+            viewpoint: Viewpoint::default(),
             free_camera: false,
             visibility: Visibility::default(),
             quantity: Quantity::default(),
             colour_limits: Vec::new(),
-            map: PoseMapParams::default(),
+            map: PoseMapQuery::default(),
             deformation_map: DeformationMapParams::default(),
             shows_clusters: true,
             thickening: ThickeningSettings::default(),
@@ -240,7 +240,7 @@ impl Document {
     pub fn select_subject(&mut self, subject: usize) {
         let phase = self
             .selected()
-            .map_or(0.0, |shown| phase_of(shown, self.position));
+            .map_or(0.0, |shown| cycle_share(shown, self.position));
         self.select_subject_at(subject, 0.0);
         self.position = self
             .selected()
@@ -292,13 +292,13 @@ pub fn nearest_frame(position: f64, frame_count: usize) -> usize {
 }
 
 /// Share of the cycle at a subject's position, in `0..1`.
-pub fn phase_of(subject: &Subject, position: f64) -> f64 {
+pub fn cycle_share(subject: &Subject, position: f64) -> f64 {
     subject
         .timing
         .phase(position, subject.sequence.frame_count())
 }
 
-/// The position of a subject at a share of the cycle: the inverse of [`phase_of`].
+/// The position of a subject at a share of the cycle: the inverse of [`cycle_share`].
 ///
 /// Frames are found by bisection on the phase, which grows with the position; where several
 /// positions have one phase (before the first frame's time), the first is taken.
@@ -348,7 +348,7 @@ mod tests {
             subject.timing.rr = Some(Seconds(0.9));
             for step in 0..50 {
                 let position = f64::from(step) / 10.0;
-                let back = position_at_phase(&subject, phase_of(&subject, position));
+                let back = position_at_phase(&subject, cycle_share(&subject, position));
                 assert!(
                     (back - position).abs() < 1e-9,
                     "{position} came back as {back}"

@@ -6,7 +6,7 @@ use crate::picture::PreparedSubject;
 use crate::render::GeometryPose;
 use crate::study::Subject;
 
-use crate::document::document::{phase_of, position_at_phase};
+use crate::document::document::{cycle_share, position_at_phase};
 
 /// Length of a cycle whose input does not say it: 60 cycles a minute.
 const ASSUMED_CYCLE_S: f64 = 1.0;
@@ -46,9 +46,9 @@ impl PlayClock {
             return (position, self.playing && count >= 2);
         }
         let share = elapsed_s.max(0.0) * f64::from(self.speed) / cycle_s(subject);
-        let phase = phase_of(subject, position) + share;
+        let phase = cycle_share(subject, position) + share;
         let last = (count - 1) as f64;
-        if !self.repeat && phase >= phase_of(subject, last) {
+        if !self.repeat && phase >= cycle_share(subject, last) {
             return (last, false);
         }
         (position_at_phase(subject, phase.rem_euclid(1.0)), true)

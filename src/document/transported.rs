@@ -7,7 +7,7 @@ use crate::analysis::transport::TransportParams;
 use crate::mesh::Point3;
 use crate::study::{MeshSequence, Revision, Subject};
 
-use crate::document::document::{Document, TransportedMotion, phase_of, position_at_phase};
+use crate::document::document::{Document, TransportedMotion, cycle_share, position_at_phase};
 
 /// How the transport of a motion stands.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -85,7 +85,7 @@ pub fn transport_params(document: &Document) -> TransportParams {
 fn differences_from_own_motion(transported: &Subject, own: &Subject) -> Vec<Vec<f32>> {
     (0..transported.sequence.frame_count())
         .filter_map(|frame| {
-            let position = position_at_phase(own, phase_of(transported, frame as f64));
+            let position = position_at_phase(own, cycle_share(transported, frame as f64));
             let (there, here) = (
                 transported.sequence.pose(frame)?,
                 pose_between(own, position)?,

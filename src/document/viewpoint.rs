@@ -20,7 +20,7 @@ pub enum Direction {
 ///
 /// Sizes are in coordinates, so subjects of one cohort appear in proportion.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Look {
+pub struct Viewpoint {
     /// Which way.
     pub direction: Direction,
     /// From the subject's middle to the middle of the picture, in the subject's axes.
@@ -29,7 +29,7 @@ pub struct Look {
     pub half_height: Option<f32>,
 }
 
-impl Default for Look {
+impl Default for Viewpoint {
     fn default() -> Self {
         Self {
             direction: Direction::Home,
@@ -39,7 +39,7 @@ impl Default for Look {
     }
 }
 
-impl Look {
+impl Viewpoint {
     /// The look of a camera in the subject's axes; `None` for one that sees nothing.
     pub fn through(camera: &Camera) -> Option<Self> {
         let half_height = Some(camera.half_height).filter(|half| half.is_finite() && *half > 0.0);

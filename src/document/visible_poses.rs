@@ -1,6 +1,6 @@
 //! Which poses of which subjects the 3D view shows.
 
-use crate::document::document::{phase_of, position_at_phase};
+use crate::document::document::{cycle_share, position_at_phase};
 use crate::document::state::State;
 use crate::document::view_mode::ViewMode;
 
@@ -40,7 +40,7 @@ pub fn visible_poses(state: &State) -> Vec<VisiblePose> {
                 position: if transported {
                     document.position
                 } else {
-                    position_at_phase(other, phase_of(selected, document.position))
+                    position_at_phase(other, cycle_share(selected, document.position))
                 },
                 transported,
             });

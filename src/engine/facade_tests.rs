@@ -82,8 +82,8 @@ fn a_map_is_computed_once_and_then_found() {
     let study = opened(&mut engine, 200);
     let (mut measures, mut map) = (None, None);
     until(&mut engine, |engine| {
-        measures = engine.store().ask(&study, &Measures).ready().cloned();
-        let params = PoseMapParams::default();
+        measures = engine.store().ask(&study, &MeasuresQuery).ready().cloned();
+        let params = PoseMapQuery::default();
         map = engine.store().ask(&study, &params).ready().cloned();
         engine.store().end_frame();
         measures.is_some() && map.is_some()
@@ -107,9 +107,9 @@ fn a_map_is_computed_once_and_then_found() {
 fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
     let mut engine = engine();
     let study = opened(&mut engine, 4_000);
-    let query = PoseMapParams {
+    let query = PoseMapQuery {
         method: MapMethod::ClassicalMds,
-        ..PoseMapParams::default()
+        ..PoseMapQuery::default()
     };
     engine.store().ask(&study, &query);
     until(&mut engine, |engine| {
@@ -119,7 +119,7 @@ fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
             .is_some_and(|activity| activity.duration > Duration::ZERO)
     });
     let asked = Instant::now();
-    let topic = Topic::of::<PoseMapParams>();
+    let topic = Topic::of::<PoseMapQuery>();
     engine.cancel(topic);
     until(&mut engine, |engine| !engine.busy());
     assert!(asked.elapsed() < Duration::from_millis(500));
@@ -136,14 +136,14 @@ fn cancel_takes_effect_within_half_a_second_and_retry_begins_again() {
 fn kinds_of_analysis_stand_beside_each_other_and_are_cancelled_alone() {
     let mut engine = engine();
     let study = opened(&mut engine, 2_000);
-    let map = DeformationMapSettings::default();
-    engine.store().ask(&study, &Measures);
+    let map = DeformationMapQuery::default();
+    engine.store().ask(&study, &MeasuresQuery);
     engine.store().ask(&study, &map);
-    engine.cancel(Topic::of::<DeformationMapSettings>());
+    engine.cancel(Topic::of::<DeformationMapQuery>());
     until(&mut engine, |engine| !engine.busy());
-    assert!(engine.store().ask(&study, &Measures).ready().is_some());
+    assert!(engine.store().ask(&study, &MeasuresQuery).ready().is_some());
     assert!(engine.store().ask(&study, &map).stopped());
-    engine.retry(Topic::of::<DeformationMapSettings>());
+    engine.retry(Topic::of::<DeformationMapQuery>());
     assert!(engine.store().ask(&study, &map).computing());
 }
 
@@ -151,7 +151,7 @@ fn kinds_of_analysis_stand_beside_each_other_and_are_cancelled_alone() {
 fn kept_walls(options: StoreOptions) -> [bool; 5] {
     let mut engine = Engine::start(options).unwrap();
     let study = opened(&mut engine, 200);
-    let wall = |subject| MedialSurfaces {
+    let wall = |subject| MedialSurfacesQuery {
         subject,
         params: MedialParams::default(),
     };
@@ -184,8 +184,8 @@ fn past_the_budget_of_the_window_only_what_is_looked_at_is_kept() {
 fn closing_the_window_while_work_runs_takes_less_than_half_a_second() {
     let mut engine = engine();
     let study = opened(&mut engine, 4_000);
-    engine.store().ask(&study, &PoseMapParams::default());
-    engine.store().ask(&study, &Measures);
+    engine.store().ask(&study, &PoseMapQuery::default());
+    engine.store().ask(&study, &MeasuresQuery);
     std::thread::sleep(Duration::from_millis(50));
     let asked = Instant::now();
     drop(engine);
@@ -227,17 +227,17 @@ fn thickening_is_stopped_retried_and_follows_a_slider() {
     let mut engine = engine();
     let study = opened(&mut engine, 2_500);
     let settings = ThickeningSettings::default();
-    let mut query = WallThickening {
+    let mut query = WallThickeningQuery {
         subject: 9,
         settings,
     };
-    let topic = Topic::of::<WallThickening>();
+    let topic = Topic::of::<WallThickeningQuery>();
     engine.store().ask(&study, &query);
     engine.cancel(topic);
     until(&mut engine, |engine| !engine.busy());
     assert!(engine.store().ask(&study, &query).stopped());
     engine.retry(topic);
-    let answered = |engine: &mut Engine, query: &WallThickening| {
+    let answered = |engine: &mut Engine, query: &WallThickeningQuery| {
         let mut found = None;
         until(engine, |engine| {
             found = engine.store().ask(&study, query).ready().cloned();

@@ -13,8 +13,8 @@ use crate::analysis::medial_map::medial_map;
 use crate::analysis::verdicts::{Verdicts, verdicts};
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
 use crate::engine::queries::{
-    ClassesBy, ClassesSettings, DeformationMapSettings, Measures, PoseMap, PoseMapParams,
-    VerdictSettings, distance_words,
+    ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap, PoseMapQuery,
+    VerdictQuery, distance_words,
 };
 use crate::engine::result_folder::{clear_earlier, complete, name_in};
 use crate::engine::store::{Interrupted, Store};
@@ -60,9 +60,9 @@ impl DistanceTable {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct TableSettings {
     /// How poses and deformations are compared and mapped.
-    pub deformations: DeformationMapSettings,
+    pub deformations: DeformationMapQuery,
     /// How walls are assessed, and what a verdict is.
-    pub verdicts: VerdictSettings,
+    pub verdicts: VerdictQuery,
     /// How distances of poses are written.
     pub distances: DistanceTable,
 }
@@ -130,13 +130,13 @@ impl AnalysisTables {
         progress: &Progress,
     ) -> Result<Self, Interrupted> {
         let mut hand_over = |files: Vec<ExportFile>| deliver(files).map_err(WriteError);
-        let measures = store.answer(study, &Measures, progress)?;
+        let measures = store.answer(study, &MeasuresQuery, progress)?;
         hand_over(measure_files(study, &measures, folder))?;
         let deformations = &settings.deformations;
         let part = progress.part("comparing poses", 0.0, POSES_SHARE);
         let mut maps = Vec::new();
         for (word, method) in methods(deformations.poses.method) {
-            let query = PoseMapParams {
+            let query = PoseMapQuery {
                 method,
                 ..deformations.poses
             };
@@ -329,10 +329,10 @@ struct Classified {
 fn classified(
     store: &Store,
     study: &Arc<Study>,
-    settings: &DeformationMapSettings,
+    settings: &DeformationMapQuery,
     progress: &Progress,
 ) -> Result<Classified, Interrupted> {
-    let by = |by: ClassesBy| ClassesSettings {
+    let by = |by: ClassesBy| ClassesQuery {
         deformations: *settings,
         classes: ClassesParams::default(),
         by,

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::analysis::verdicts::{Examined, NotAssessed};
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
-use crate::engine::queries::{StudyPaths, VerdictSettings, WallThickening, examined, paths_of};
+use crate::engine::queries::{StudyPaths, VerdictQuery, WallThickeningQuery, examined, paths_of};
 use crate::engine::store::{Answered, Interrupted, Store};
 use crate::progress::Progress;
 use crate::report::{
@@ -62,11 +62,11 @@ impl WallTables {
     pub fn of(
         store: &Store,
         study: &Arc<Study>,
-        settings: &VerdictSettings,
+        settings: &VerdictQuery,
         folder: &Path,
         progress: &Progress,
     ) -> Result<Self, Interrupted> {
-        let VerdictSettings {
+        let VerdictQuery {
             thickening,
             verdicts,
         } = settings;
@@ -89,7 +89,7 @@ impl WallTables {
         for subject in 0..study.subjects.len() {
             let [from, to] = [subject, subject + 1].map(|done| done as f32 / count);
             let part = progress.part("assessing walls", from, to);
-            let wall = WallThickening {
+            let wall = WallThickeningQuery {
                 subject,
                 settings: *thickening,
             };
@@ -110,7 +110,7 @@ impl WallTables {
         &mut self,
         study: &Study,
         index: usize,
-        answer: Answered<WallThickening>,
+        answer: Answered<WallThickeningQuery>,
         progress: &Progress,
     ) -> Result<Value, Interrupted> {
         let subject = &study.subjects[index];

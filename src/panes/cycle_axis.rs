@@ -1,6 +1,6 @@
 //! Positions counted in frames, and the share of the cardiac cycle of each.
 
-use crate::document::document::phase_of;
+use crate::document::document::cycle_share;
 use crate::study::Subject;
 
 /// Times of the frames within the cardiac cycle: one share in `0..1` per frame, ascending; after the last
@@ -17,7 +17,7 @@ impl CycleAxis {
         let frames = 0..subject.sequence.frame_count();
         Self {
             frame_shares: frames
-                .map(|frame| phase_of(subject, frame as f64))
+                .map(|frame| cycle_share(subject, frame as f64))
                 .collect(),
         }
     }

@@ -1,7 +1,7 @@
 //! The panes of the window, a folder each: what a pane asks for, and how it is drawn.
 //!
 //! Begin with [`PANES`], the table of all panes, then read `measures/spec.rs` and `measures/mod.rs` as the shortest
-//! example. A pane looks at [`Look`] and pushes [`Command`]s; it changes nothing itself. `commands/` lists what can be
+//! example. A pane looks at [`PaneContext`] and pushes [`Command`]s; it changes nothing itself. `commands/` lists what can be
 //! asked for, with names, keys and menus. `scatter_map/` is the map that all panes with points share, `viewport/` the
 //! 3D view.
 
@@ -16,12 +16,12 @@ pub(crate) mod commands;
 pub(crate) mod curves;
 pub(crate) mod cycle_axis;
 pub(crate) mod deformation_map;
-pub(crate) mod look;
 pub(crate) mod measures;
 pub(crate) mod medial_map;
 pub(crate) mod metric;
 pub(crate) mod normal_ranges;
 pub(crate) mod pane;
+pub(crate) mod pane_context;
 pub(crate) mod patch;
 pub(crate) mod pose_map;
 pub(crate) mod same;
@@ -37,7 +37,7 @@ pub(crate) mod viewport;
 pub(crate) mod work_state;
 
 pub use {action_state::*, actions::*, activity::*, bulls_eye::*, buttons::*, cycle_axis::*};
-pub use {cohort::rows::*, cohort::*, commands::*, curves::*, deformation_map::*, look::*};
+pub use {cohort::rows::*, cohort::*, commands::*, curves::*, deformation_map::*, pane_context::*};
 pub use {measures::*, medial_map::*, metric::*, pane::*, patch::*, pose_map::*, scatter_map::*};
 pub use {shortcuts::*, spatiotemporal::*, subject_drag::*, table::*, thickness::*, verdict::*};
 pub use {verdict_marks::*, viewport::*, work_state::*};

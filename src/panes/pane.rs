@@ -3,10 +3,10 @@
 use egui::Ui;
 
 use super::commands::{Command, Pane};
-use super::look::Look;
+use super::pane_context::PaneContext;
 
 /// Draws a part of a pane: it may look, and push commands.
-pub type Draw = fn(&mut Ui, &Look<'_>, &mut Vec<Command>);
+pub type Draw = fn(&mut Ui, &PaneContext<'_>, &mut Vec<Command>);
 
 /// One pane. Adding one takes a folder with such a value, and a line in [`PANES`](super::PANES).
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +43,7 @@ pub enum Place {
 }
 
 /// Draws what stands right of the title or the tabs, which take so many points of the width.
-pub type DrawBeside = fn(&mut Ui, &Look<'_>, f32, &mut Vec<Command>);
+pub type DrawBeside = fn(&mut Ui, &PaneContext<'_>, f32, &mut Vec<Command>);
 
 /// What stands in the header of a pane.
 #[derive(Clone, Copy, Debug)]

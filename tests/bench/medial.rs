@@ -17,7 +17,8 @@ use cardiomorph::analysis::verdicts::{
     Examined, NotAssessed, VerdictInput, VerdictParams, examine, verdicts,
 };
 use cardiomorph::engine::{
-    Measures, MedialSurfaces, Store, StoreOptions, ThickeningSettings, WallThickening,
+    MeasuresQuery, MedialSurfacesQuery, Store, StoreOptions, ThickeningSettings,
+    WallThickeningQuery,
 };
 use cardiomorph::io::{Limits, open_paths};
 use cardiomorph::mesh::{Faces, TriMesh, phantom};
@@ -230,11 +231,11 @@ fn slider(criterion: &mut Criterion) {
                 return;
             };
             let progress = Progress::default();
-            let known = MedialSurfaces {
+            let known = MedialSurfacesQuery {
                 subject: 0,
                 params: MedialParams::default(),
             };
-            if store.answer(&study, &Measures, &progress).is_err()
+            if store.answer(&study, &MeasuresQuery, &progress).is_err()
                 || store.answer(&study, &known, &progress).is_err()
             {
                 eprintln!("{name}: no medial surface");
@@ -245,7 +246,7 @@ fn slider(criterion: &mut Criterion) {
                 let mut settings = ThickeningSettings::default();
                 // Never twice the same, so that no answer is known.
                 settings.thickening.tolerance = Some(0.05 + 1e-7 * f64::from(moved));
-                let query = WallThickening {
+                let query = WallThickeningQuery {
                     subject: 0,
                     settings,
                 };

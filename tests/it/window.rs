@@ -26,7 +26,7 @@ use std::time::{Duration, Instant};
 use cardiomorph::analysis::embedding::Embedding;
 use cardiomorph::app::{App, AppOptions};
 use cardiomorph::document::ViewMode;
-use cardiomorph::engine::{PoseMapParams, Topic};
+use cardiomorph::engine::{PoseMapQuery, Topic};
 use cardiomorph::panes::{BeatCommand, Command, MapCommand, Pane, WorkCommand};
 use cardiomorph::study::built_in::BuiltInParams;
 use egui_kittest::Harness;
@@ -244,7 +244,7 @@ fn a_point_is_shown_within_one_frame_when_its_heart_is_ready() {
 fn a_drag_turns_the_heart_and_one_undo_takes_it_back() {
     let mut harness = cohort_window();
     harness.run();
-    let before = harness.state().state().document.look;
+    let before = harness.state().state().document.viewpoint;
     let centre = harness.get_by_label("3D viewport").rect().center();
     harness.hover_at(centre);
     harness.step();
@@ -257,12 +257,12 @@ fn a_drag_turns_the_heart_and_one_undo_takes_it_back() {
     harness.drop_at(centre + egui::vec2(60.0, 20.0));
     harness.step();
     harness.step();
-    let turned = harness.state().state().document.look;
+    let turned = harness.state().state().document.viewpoint;
     assert_ne!(turned, before);
     harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::Z);
     harness.step();
     harness.step();
-    assert_eq!(harness.state().state().document.look, before);
+    assert_eq!(harness.state().state().document.viewpoint, before);
     assert!(!harness.state().state().history.can_undo());
     harness.key_press_modifiers(
         egui::Modifiers::COMMAND | egui::Modifiers::SHIFT,
@@ -270,7 +270,7 @@ fn a_drag_turns_the_heart_and_one_undo_takes_it_back() {
     );
     harness.step();
     harness.step();
-    assert_eq!(harness.state().state().document.look, turned);
+    assert_eq!(harness.state().state().document.viewpoint, turned);
 }
 
 #[test]
@@ -288,12 +288,12 @@ fn the_wheel_zooms_and_a_double_click_fits_again() {
         modifiers: egui::Modifiers::NONE,
     });
     harness.run_steps(20);
-    let zoomed = harness.state().state().document.look.half_height;
+    let zoomed = harness.state().state().document.viewpoint.half_height;
     assert!(zoomed.is_some());
     click_at(&mut harness, centre);
     click_at(&mut harness, centre);
     harness.step();
-    assert_eq!(harness.state().state().document.look.half_height, None);
+    assert_eq!(harness.state().state().document.viewpoint.half_height, None);
 }
 
 #[test]
@@ -349,13 +349,13 @@ fn a_running_map_can_be_cancelled_and_asked_for_again() {
     harness.step();
     assert!(harness.state().busy(), "other settings make another map");
     harness.state_mut().push(Command::Work(WorkCommand::Cancel(
-        Topic::of::<PoseMapParams>(),
+        Topic::of::<PoseMapQuery>(),
     )));
     wait(&mut harness, "the end of the work", |app| !app.busy());
     assert_eq!(harness.state().state().map(), Some(&before));
     assert!(harness.state().state().errors.is_empty());
     harness.state_mut().push(Command::Work(WorkCommand::Retry(
-        Topic::of::<PoseMapParams>(),
+        Topic::of::<PoseMapQuery>(),
     )));
     harness.step();
     harness.step();

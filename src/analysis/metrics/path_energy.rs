@@ -58,7 +58,7 @@ impl PathEnergy {
             blocks: (interpolated_poses + 1).div_ceil(LANES),
             // The energy squares its factors, and the weights are squares already.
             frozen: frozen.into_iter().map(f64::sqrt).collect(),
-            rest_factor: None,
+            shared_regulariser_factor: None,
             side_parts: metric.mesh.side_parts(metric.params.area_weights).collect(),
             mesh: metric.mesh.clone(),
             params: metric.params,
@@ -88,7 +88,7 @@ impl PathEnergy {
     /// two poses of its gallop then rises by 7 % with λ = 3 where it should stay.
     #[must_use]
     pub fn with_size_of_ends(mut self) -> Self {
-        self.plan.rest_factor = Some(self.factor_of_ends);
+        self.plan.shared_regulariser_factor = Some(self.factor_of_ends);
         self
     }
 

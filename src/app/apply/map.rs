@@ -2,7 +2,7 @@
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::document::state::State;
-use crate::engine::PoseMapParams;
+use crate::engine::PoseMapQuery;
 use crate::panes::MapCommand;
 
 use super::change::{Moment, change};
@@ -15,7 +15,7 @@ pub fn apply(state: &mut State, command: MapCommand, moment: &Moment) {
         MapCommand::SetMapMethod(method) => d.map.method = method,
         MapCommand::SetDeformationMap(params) => d.deformation_map = params,
         MapCommand::ResetMaps => {
-            d.map = PoseMapParams::default();
+            d.map = PoseMapQuery::default();
             d.deformation_map = DeformationMapParams::default();
         }
         MapCommand::ToggleClusters => d.shows_clusters = !d.shows_clusters,

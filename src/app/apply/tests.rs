@@ -5,7 +5,7 @@ use crate::app::export::FigureKind;
 use crate::document::ViewMode;
 use crate::document::state::State;
 use crate::document::testing::{state_of, subject_with_frames};
-use crate::engine::{PoseMapParams, Topic};
+use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::{
     BeatCommand, Command, EditCommand, FileCommand, ViewCommand, WindowCommand, WorkCommand,
 };
@@ -121,9 +121,9 @@ fn a_camera_drag_is_one_step_and_two_drags_are_two() {
         state.history.end_drag();
     }
     give(&mut state, Command::Edit(EditCommand::Undo));
-    assert_eq!(state.document.look.half_height, Some(20.0));
+    assert_eq!(state.document.viewpoint.half_height, Some(20.0));
     give(&mut state, Command::Edit(EditCommand::Undo));
-    assert_eq!(state.document.look.half_height, None);
+    assert_eq!(state.document.viewpoint.half_height, None);
     assert!(!state.history.can_undo());
 }
 
@@ -197,9 +197,9 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
     assert_eq!(
         give(
             &mut state,
-            Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>()))
+            Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapQuery>()))
         ),
-        [Effect::Stop(Topic::of::<PoseMapParams>())]
+        [Effect::Stop(Topic::of::<PoseMapQuery>())]
     );
     let picture = std::path::PathBuf::from("P07_patch.png");
     assert_eq!(

@@ -1,7 +1,7 @@
 //! Commands about transported motions and interpolated poses.
 
 use crate::document::ViewMode;
-use crate::engine::{InterpolatedPoses, MotionTransport, Topic};
+use crate::engine::{InterpolatedPosesQuery, MotionTransportQuery, Topic};
 use crate::panes::TransportCommand;
 use crate::picture::Quantity;
 
@@ -31,7 +31,7 @@ pub fn apply(state: &mut State, command: TransportCommand, moment: &Moment) -> V
                 document.interpolated_poses = count;
             });
             // Whoever chooses a number wants them, even if they were stopped before.
-            return vec![Effect::Retry(Topic::of::<InterpolatedPoses>())];
+            return vec![Effect::Retry(Topic::of::<InterpolatedPosesQuery>())];
         }
         TransportCommand::StepPose(step) => step_pose(state, moment, step),
     }
@@ -75,7 +75,7 @@ fn start_transport(state: &mut State, moment: &Moment, from: usize, onto: usize)
     });
     state.play.playing = plays;
     // Asked for once more, what was stopped begins again.
-    let retry = again.then_some(Effect::Retry(Topic::of::<MotionTransport>()));
+    let retry = again.then_some(Effect::Retry(Topic::of::<MotionTransportQuery>()));
     retry.into_iter().collect()
 }
 
@@ -166,7 +166,7 @@ mod tests {
             &mut state,
             Command::Transport(TransportCommand::TransportMotion { from: 1, onto: 0 }),
         );
-        assert_eq!(again, [Effect::Retry(Topic::of::<MotionTransport>())]);
+        assert_eq!(again, [Effect::Retry(Topic::of::<MotionTransportQuery>())]);
         give(&mut state, Command::Edit(EditCommand::Undo));
         assert_eq!(state.document, before);
         give(&mut state, Command::Edit(EditCommand::Redo));

@@ -6,7 +6,7 @@ use crate::panes::ViewCommand;
 use super::change::{Moment, change};
 use crate::document::state::State;
 use crate::document::undo::Gesture;
-use crate::document::viewpoint::{Direction, Look};
+use crate::document::viewpoint::{Direction, Viewpoint};
 
 /// Applies a command about the picture or the table.
 pub fn apply(state: &mut State, command: ViewCommand, moment: &Moment) {
@@ -30,13 +30,13 @@ pub fn apply(state: &mut State, command: ViewCommand, moment: &Moment) {
         match command {
             ViewCommand::SetViewMode(mode) => d.view_mode = mode,
             ViewCommand::SetCamera { camera, .. } => {
-                d.look = Look::through(&camera).unwrap_or(d.look);
+                d.viewpoint = Viewpoint::through(&camera).unwrap_or(d.viewpoint);
             }
-            ViewCommand::ViewFrom(side) => d.look.direction = Direction::From(side),
+            ViewCommand::ViewFrom(side) => d.viewpoint.direction = Direction::From(side),
             ViewCommand::FitView => {
-                d.look = Look {
-                    direction: d.look.direction,
-                    ..Look::default()
+                d.viewpoint = Viewpoint {
+                    direction: d.viewpoint.direction,
+                    ..Viewpoint::default()
                 }
             }
             ViewCommand::ToggleFreeCamera => d.free_camera = !d.free_camera,

@@ -6,7 +6,7 @@ use crate::panes::WallCommand;
 use super::change::{Moment, change};
 use crate::document::state::State;
 use crate::document::undo::Gesture;
-use crate::document::viewpoint::Look;
+use crate::document::viewpoint::Viewpoint;
 
 /// Applies a command about atoms, patches or the bull's-eye.
 pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
@@ -28,7 +28,7 @@ pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
             WallCommand::ShowPatch { patch, camera } => {
                 d.part = Some(crate::picture::WallPart::Patch(patch));
                 visible.patches = true;
-                d.look = Look::through(&camera).unwrap_or(d.look);
+                d.viewpoint = Viewpoint::through(&camera).unwrap_or(d.viewpoint);
             }
             WallCommand::SetBullsEye(quantity) => d.bulls_eye = quantity,
             WallCommand::NextBullsEye => d.bulls_eye = d.bulls_eye.next(),

@@ -107,7 +107,7 @@ fn job_ui(ui: &mut Ui, job: &StatusJob, more: usize, commands: &mut Vec<Command>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::PoseMapParams;
+    use crate::engine::PoseMapQuery;
     use egui_kittest::{Harness, kittest::Queryable as _};
 
     #[test]
@@ -118,7 +118,7 @@ mod tests {
                 |ui, commands: &mut Vec<Command>| {
                     let view = StatusBarView {
                         job: Some(StatusJob {
-                            topic: Topic::of::<PoseMapParams>(),
+                            topic: Topic::of::<PoseMapQuery>(),
                             text: "Quasi-conformal distances".to_owned(),
                             fraction: 0.714,
                             seconds_left: Some(3.2),
@@ -140,7 +140,7 @@ mod tests {
         assert_eq!(
             harness.into_state(),
             [
-                Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+                Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapQuery>())),
                 Command::Window(WindowCommand::ToggleLoadReport)
             ]
         );

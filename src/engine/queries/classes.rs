@@ -2,7 +2,7 @@
 
 use crate::analysis::classification::{Classes, ClassesParams, classify};
 use crate::analysis::deformations::deformation_distances;
-use crate::engine::queries::deformation_map::{DeformationMapSettings, deformation_words};
+use crate::engine::queries::deformation_map::{DeformationMapQuery, deformation_words};
 use crate::engine::store::{Context, Interrupted, Memory, Query};
 use crate::study::LabelRole;
 use crate::study::checks::Copies;
@@ -22,16 +22,16 @@ pub enum ClassesBy {
 
 /// Settings of the classification.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct ClassesSettings {
+pub struct ClassesQuery {
     /// The distances and the map that classifiers read.
-    pub deformations: DeformationMapSettings,
+    pub deformations: DeformationMapQuery,
     /// How classifiers are trained and tested.
     pub classes: ClassesParams,
     /// What is told apart.
     pub by: ClassesBy,
 }
 
-impl Query for ClassesSettings {
+impl Query for ClassesQuery {
     type Answer = Classes;
     const TITLE: &'static str = "Classes";
     const FAILURE: Option<&'static str> = Some("The subjects could not be classified");

@@ -8,7 +8,7 @@ use crate::study::Study;
 
 /// Share of each face in the squared distance of two poses, surfaces one after the other.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Contribution {
+pub struct ContributionQuery {
     /// One pose.
     pub a: PoseId,
     /// The other.
@@ -17,7 +17,7 @@ pub struct Contribution {
     pub distances: PoseDistanceParams,
 }
 
-impl Query for Contribution {
+impl Query for ContributionQuery {
     type Answer = Vec<f64>;
     const TITLE: &'static str = "Contributions to a distance";
     const FAILURE: Option<&'static str> =

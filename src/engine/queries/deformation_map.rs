@@ -1,7 +1,7 @@
 //! The map of whole deformations.
 
 use crate::analysis::deformations::{DeformationMap, DeformationMapParams, deformation_map};
-use crate::engine::queries::pose_map::{PoseMapParams, map_words};
+use crate::engine::queries::pose_map::{PoseMapQuery, map_words};
 use crate::engine::store::{Context, Interrupted, Memory, Query};
 
 /// Share of the time of a deformation map that its pose map takes.
@@ -9,14 +9,14 @@ const POSE_MAP_SHARE: f32 = 0.95;
 
 /// Settings of the map of whole deformations.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct DeformationMapSettings {
+pub struct DeformationMapQuery {
     /// The pose map on which deformations are curves.
-    pub poses: PoseMapParams,
+    pub poses: PoseMapQuery,
     /// How curves become a map.
     pub map: DeformationMapParams,
 }
 
-impl Query for DeformationMapSettings {
+impl Query for DeformationMapQuery {
     type Answer = DeformationMap;
     const TITLE: &'static str = "Deformation map";
     const FAILURE: Option<&'static str> = Some("The deformation map could not be computed");
@@ -54,7 +54,7 @@ impl Query for DeformationMapSettings {
 }
 
 /// Settings of a deformation map, as the activity list says them.
-pub(super) fn deformation_words(settings: &DeformationMapSettings) -> String {
+pub(super) fn deformation_words(settings: &DeformationMapQuery) -> String {
     let DeformationMapParams {
         time_weight,
         neighbours,

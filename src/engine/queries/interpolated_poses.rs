@@ -33,7 +33,7 @@ impl PartialEq for LookedAt {
 
 /// Poses within every interval between frames of a beat: one path per interval.
 #[derive(Clone, Debug, PartialEq)]
-pub struct InterpolatedPoses {
+pub struct InterpolatedPosesQuery {
     /// Whose beat.
     pub subject: usize,
     /// What the path minimises, and how many poses.
@@ -44,7 +44,7 @@ pub struct InterpolatedPoses {
 
 /// Poses within one interval; those of a whole beat are made of these.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Interval {
+pub struct IntervalQuery {
     /// Whose beat.
     pub subject: usize,
     /// From this frame to the next, from the last to the first.
@@ -61,7 +61,7 @@ struct NoInterval {
     frames: usize,
 }
 
-impl Query for InterpolatedPoses {
+impl Query for InterpolatedPosesQuery {
     type Answer = Vec<Arc<GeodesicPath>>;
     const TITLE: &'static str = "Interpolated poses";
     const FAILURE: Option<&'static str> = Some("The interpolated poses could not be computed");
@@ -85,7 +85,7 @@ impl Query for InterpolatedPoses {
             let Some(interval) = next else { break };
             let [from, to] = [done, done + 1].map(|done| done as f32 / count as f32);
             let part = cx.part("interpolating poses", from, to);
-            paths[interval] = Some(part.get(&Interval {
+            paths[interval] = Some(part.get(&IntervalQuery {
                 subject: self.subject,
                 interval,
                 params: self.params,
@@ -105,7 +105,7 @@ impl Query for InterpolatedPoses {
     }
 }
 
-impl Query for Interval {
+impl Query for IntervalQuery {
     type Answer = GeodesicPath;
     const TITLE: &'static str = "Interpolated poses of an interval";
 
@@ -137,7 +137,7 @@ impl Query for Interval {
     }
 }
 
-impl Interval {
+impl IntervalQuery {
     fn path(&self, cx: &Context<'_>) -> Result<GeodesicPath, Interrupted> {
         let params = self.params.check()?;
         let sequence = &subject_of(cx.study(), self.subject)?.sequence;

@@ -5,9 +5,9 @@ use crate::engine::store::{Context, Interrupted, Memory, Query};
 
 /// Clinical measures of every subject of the study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Measures;
+pub struct MeasuresQuery;
 
-impl Query for Measures {
+impl Query for MeasuresQuery {
     type Answer = Vec<SubjectMeasures>;
     const TITLE: &'static str = "Volumes and ejection fraction";
     const FAILURE: Option<&'static str> = Some("Volumes could not be computed");

@@ -7,14 +7,14 @@ use crate::study::Study;
 
 /// The medial surface of one subject's wall at every frame.
 #[derive(Clone, Debug, PartialEq)]
-pub struct MedialSurfaces {
+pub struct MedialSurfacesQuery {
     /// Whose wall.
     pub subject: usize,
     /// How medial spheres are fitted.
     pub params: MedialParams,
 }
 
-impl Query for MedialSurfaces {
+impl Query for MedialSurfacesQuery {
     type Answer = MedialBeat;
     const TITLE: &'static str = "Medial surface";
 

@@ -3,7 +3,9 @@
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::medial_map::{MedialMap, SubjectPaths, medial_map, subject_paths};
 use crate::engine::queries::pose_map::method_words;
-use crate::engine::queries::thickening::{ThickeningSettings, WallThickening, thickening_words};
+use crate::engine::queries::thickening::{
+    ThickeningSettings, WallThickeningQuery, thickening_words,
+};
 use crate::engine::store::{Answered, Context, Interrupted, Memory, Query};
 use crate::progress::Stopped;
 
@@ -12,7 +14,7 @@ const WALLS_SHARE: f32 = 0.97;
 
 /// Settings of the map, from the surfaces on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct MedialMapParams {
+pub struct MedialMapQuery {
     /// How walls are assessed, and what is akinetic.
     pub thickening: ThickeningSettings,
     /// How distances become a map.
@@ -24,12 +26,12 @@ pub type StudyPaths = Vec<Result<SubjectPaths, String>>;
 
 /// The paths of all subjects in the medial shape space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MedialPaths {
+pub struct MedialPathsQuery {
     /// How walls are assessed, and what is akinetic.
     pub thickening: ThickeningSettings,
 }
 
-impl Query for MedialPaths {
+impl Query for MedialPathsQuery {
     type Answer = StudyPaths;
     const TITLE: &'static str = "Paths of akinetic regions";
 
@@ -45,7 +47,7 @@ impl Query for MedialPaths {
                 let [from, to] = [subject, subject + 1].map(|done| done as f32 / count as f32);
                 let part = cx.part("assessing walls", from, to);
                 let settings = self.thickening;
-                paths_of(&part.get(&WallThickening { subject, settings }))
+                paths_of(&part.get(&WallThickeningQuery { subject, settings }))
             })
             .collect::<Result<_, Stopped>>()?;
         Ok(paths)
@@ -65,7 +67,7 @@ impl Query for MedialPaths {
 /// # Errors
 /// If that was stopped.
 pub fn paths_of(
-    answer: &Answered<WallThickening>,
+    answer: &Answered<WallThickeningQuery>,
 ) -> Result<Result<SubjectPaths, String>, Stopped> {
     match answer {
         Ok(wall) => {
@@ -80,7 +82,7 @@ pub fn paths_of(
     }
 }
 
-impl Query for MedialMapParams {
+impl Query for MedialMapQuery {
     type Answer = MedialMap;
     const TITLE: &'static str = "Medial map";
 
@@ -90,7 +92,7 @@ impl Query for MedialMapParams {
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<MedialMap, Interrupted> {
-        let paths = MedialPaths {
+        let paths = MedialPathsQuery {
             thickening: self.thickening,
         };
         // Another method of mapping finds the paths known.

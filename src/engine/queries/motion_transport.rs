@@ -9,7 +9,7 @@ use crate::study::{MeshSequence, Study};
 
 /// The motion of one subject on another, in the coordinates of the other.
 #[derive(Clone, Debug, PartialEq)]
-pub struct MotionTransport {
+pub struct MotionTransportQuery {
     /// Whose motion.
     pub from: usize,
     /// Onto which subject.
@@ -18,7 +18,7 @@ pub struct MotionTransport {
     pub params: TransportParams,
 }
 
-impl Query for MotionTransport {
+impl Query for MotionTransportQuery {
     type Answer = MeshSequence;
     const TITLE: &'static str = "Motion transport";
     const FAILURE: Option<&'static str> = Some("The motion could not be transported");

@@ -16,7 +16,7 @@ const MAP_DIMENSIONS: usize = 2;
 
 /// Settings of the map of all poses.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct PoseMapParams {
+pub struct PoseMapQuery {
     /// How poses are compared.
     pub distances: PoseDistanceParams,
     /// How distances become a map.
@@ -32,7 +32,7 @@ pub struct PoseMap {
     pub embedding: Embedding,
 }
 
-impl Query for PoseMapParams {
+impl Query for PoseMapQuery {
     type Answer = PoseMap;
     const TITLE: &'static str = "Pose map";
     const FAILURE: Option<&'static str> = Some("The pose map could not be computed");
@@ -67,7 +67,7 @@ impl Query for PoseMapParams {
 }
 
 /// Settings of a pose map, as the activity list says them.
-pub(super) fn map_words(params: &PoseMapParams) -> String {
+pub(super) fn map_words(params: &PoseMapQuery) -> String {
     let method = method_words(params.method);
     format!("{}, {method}", distance_words(&params.distances))
 }

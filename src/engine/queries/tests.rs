@@ -66,10 +66,10 @@ fn of_cohort(choose: impl Fn(&[Arc<Subject>]) -> Vec<Arc<Subject>>) -> Arc<Study
     })
 }
 
-fn map(method: MapMethod) -> PoseMapParams {
-    PoseMapParams {
+fn map(method: MapMethod) -> PoseMapQuery {
+    PoseMapQuery {
         method,
-        ..PoseMapParams::default()
+        ..PoseMapQuery::default()
     }
 }
 
@@ -86,13 +86,13 @@ fn another_method_of_mapping_computes_no_distance_again() {
 #[test]
 fn the_same_question_brings_the_same_answer_back() {
     let (study, store) = (study(), store());
-    let first = ask(&store, &study, &Measures);
-    assert!(Arc::ptr_eq(&first, &ask(&store, &study, &Measures)));
+    let first = ask(&store, &study, &MeasuresQuery);
+    assert!(Arc::ptr_eq(&first, &ask(&store, &study, &MeasuresQuery)));
     let edited = Arc::new(Study {
         revision: Revision(8),
         ..Study::clone(&study)
     });
-    assert!(!Arc::ptr_eq(&first, &ask(&store, &edited, &Measures)));
+    assert!(!Arc::ptr_eq(&first, &ask(&store, &edited, &MeasuresQuery)));
 }
 
 #[test]
@@ -106,7 +106,7 @@ fn settings_out_of_range_are_an_answer_in_words() {
 #[test]
 fn settings_read_as_a_person_would_say_them() {
     assert_eq!(
-        PoseMapParams::default().parameters(),
+        PoseMapQuery::default().parameters(),
         "quasi-conformal, additive form, μ = 0.001, scale-invariant corner terms, λ = 3, \
          smoothed over 0.1 √area, SMACOF"
     );
@@ -131,13 +131,13 @@ pub(super) fn edited(study: &Study, index: usize, edit: impl FnOnce(&mut Subject
     Arc::new(study.with_subject(index, subject, Revision(study.revision.0 + 1)))
 }
 
-fn classes() -> ClassesSettings {
-    ClassesSettings {
+fn classes() -> ClassesQuery {
+    ClassesQuery {
         classes: ClassesParams {
             permutations: 50,
             ..ClassesParams::default()
         },
-        ..ClassesSettings::default()
+        ..ClassesQuery::default()
     }
 }
 
@@ -149,33 +149,33 @@ fn few_interpolated_poses() -> GeodesicParams {
     }
 }
 
-fn interpolated_poses() -> InterpolatedPoses {
-    InterpolatedPoses {
+fn interpolated_poses() -> InterpolatedPosesQuery {
+    InterpolatedPosesQuery {
         subject: 1,
         params: few_interpolated_poses(),
         looked_at: LookedAt::default(),
     }
 }
 
-fn interval(interval: usize) -> Interval {
-    Interval {
+fn interval(interval: usize) -> IntervalQuery {
+    IntervalQuery {
         subject: 1,
         interval,
         params: few_interpolated_poses(),
     }
 }
 
-fn contribution() -> Contribution {
+fn contribution() -> ContributionQuery {
     let pose = |subject| PoseId { subject, frame: 3 };
-    Contribution {
+    ContributionQuery {
         a: pose(0),
         b: pose(2),
         distances: PoseDistanceParams::default(),
     }
 }
 
-fn transfer() -> MotionTransport {
-    MotionTransport {
+fn transfer() -> MotionTransportQuery {
+    MotionTransportQuery {
         from: 3,
         onto: 0,
         params: TransportParams {
@@ -188,14 +188,14 @@ fn transfer() -> MotionTransport {
 #[test]
 fn deformations_are_mapped_from_the_map_of_poses_that_is_there() {
     let (study, store) = (study(), store());
-    let settings = DeformationMapSettings::default();
+    let settings = DeformationMapQuery::default();
     let poses = ask(&store, &study, &settings.poses);
     let map = ask(&store, &study, &settings);
     assert_eq!(map.subjects, [0, 1, 2, 3]);
     assert_eq!(map.embedding.len(), 4);
     let begin = map.curves[2][0];
     assert_eq!(poses.embedding.point(16), [begin[0], begin[1]]);
-    let heavier = DeformationMapSettings {
+    let heavier = DeformationMapQuery {
         map: DeformationMapParams {
             time_weight: Some(2.0 * map.time_weight),
             ..settings.map
@@ -205,8 +205,8 @@ fn deformations_are_mapped_from_the_map_of_poses_that_is_there() {
     ask(&store, &study, &heavier);
     let kept = [
         store.answers::<PoseDistanceParams>(),
-        store.answers::<PoseMapParams>(),
-        store.answers::<DeformationMapSettings>(),
+        store.answers::<PoseMapQuery>(),
+        store.answers::<DeformationMapQuery>(),
     ];
     assert_eq!(kept, [1, 1, 2], "only the last step anew");
 }
@@ -247,7 +247,7 @@ fn the_interval_looked_at_is_found_first() {
     let query = interpolated_poses();
     query.looked_at.set(5);
     store.ask(&study, &query);
-    while store.answers::<Interval>() == 0 {
+    while store.answers::<IntervalQuery>() == 0 {
         std::thread::yield_now();
     }
     store.end_frame();
@@ -258,7 +258,7 @@ fn the_interval_looked_at_is_found_first() {
     while store.busy() {
         std::thread::yield_now();
     }
-    let done = store.answers::<Interval>();
+    let done = store.answers::<IntervalQuery>();
     assert!((1..8).contains(&done), "{done}");
 }
 
@@ -296,7 +296,7 @@ fn shares_of_faces_sum_to_the_squared_distance_of_the_matrix() {
     let params = PoseDistanceParams::default();
     let distances: Arc<PoseDistances> = ask(&store, &study, &params);
     let [a, b] = [3, 21].map(|row| distances.poses[row]);
-    let query = Contribution {
+    let query = ContributionQuery {
         a,
         b,
         distances: params,
@@ -336,11 +336,11 @@ fn distances_after_a_transfer_are_another_answer() {
 fn times_of_frames_are_read_by_deformations_and_not_by_walls() {
     let (study, store) = (study(), store());
     let (wall, map) = (
-        WallThickening {
+        WallThickeningQuery {
             subject: 1,
             settings: ThickeningSettings::default(),
         },
-        DeformationMapSettings::default(),
+        DeformationMapQuery::default(),
     );
     let before = (ask(&store, &study, &wall), ask(&store, &study, &map));
     let later = edited(&study, 1, |subject| {
@@ -357,14 +357,14 @@ fn what_is_not_there_is_named() {
     let (study, store) = (study(), store());
     let message = refusal(&store, &study, &interval(9));
     assert_eq!(message, "there is no interval 9 in a sequence of 8 frames");
-    let query = MotionTransport {
+    let query = MotionTransportQuery {
         from: 0,
         onto: 4,
         params: TransportParams::default(),
     };
     let message = refusal(&store, &study, &query);
     assert_eq!(message, "there is no subject 4 among 4");
-    let nobody = InterpolatedPoses {
+    let nobody = InterpolatedPosesQuery {
         subject: 4,
         ..interpolated_poses()
     };

@@ -10,8 +10,8 @@ use crate::analysis::medial_space::RatioForm;
 use crate::analysis::segments::{LongAxis, Polar, Segment, long_axis, polar, segment};
 use crate::analysis::thickening::{Thickening, ThickeningParams, phases, thickening};
 use crate::analysis::verdicts::{NotAssessed, VerdictInput, VerdictParams, examine, wall_in_doubt};
-use crate::engine::queries::measures::Measures;
-use crate::engine::queries::medial_beat::{MedialSurfaces, beat_bytes, medial_words};
+use crate::engine::queries::measures::MeasuresQuery;
+use crate::engine::queries::medial_beat::{MedialSurfacesQuery, beat_bytes, medial_words};
 use crate::engine::queries::subject::{NoSubject, subject_of};
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query, Urgency};
 use crate::mesh::Point3;
@@ -32,7 +32,7 @@ pub struct ThickeningSettings {
 
 /// How one subject's wall thickens, and which patches of it do not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct WallThickening {
+pub struct WallThickeningQuery {
     /// Whose wall.
     pub subject: usize,
     /// How medial spheres are fitted, and what counts as a patch.
@@ -75,7 +75,7 @@ impl SubjectThickening {
     }
 }
 
-impl Query for WallThickening {
+impl Query for WallThickeningQuery {
     type Answer = SubjectThickening;
     const TITLE: &'static str = "Thickening";
     // Thresholds are dragged while the patches are looked at.
@@ -92,7 +92,7 @@ impl Query for WallThickening {
     fn run(&self, cx: &Context<'_>) -> Result<SubjectThickening, Interrupted> {
         let params = self.settings.thickening.check()?;
         let subject = subject_of(cx.study(), self.subject)?;
-        let atoms = MedialSurfaces {
+        let atoms = MedialSurfacesQuery {
             subject: self.subject,
             params: self.settings.medial,
         };
@@ -144,10 +144,10 @@ impl Query for WallThickening {
     }
 }
 
-impl WallThickening {
+impl WallThickeningQuery {
     /// The measures of the subject: of the whole study where they are known, otherwise of it alone; both are equal.
     fn measures(&self, cx: &Context<'_>) -> Result<SubjectMeasures, NoSubject> {
-        let known = cx.known(&Measures);
+        let known = cx.known(&MeasuresQuery);
         match known.and_then(|all| all.get(self.subject).cloned()) {
             Some(measures) => Ok(measures),
             None => Ok(measure_subject(subject_of(cx.study(), self.subject)?)),

@@ -8,7 +8,7 @@ use crate::analysis::thickness_methods::{
     Agreement, CheckedThicknessParams, ThicknessError, ThicknessMethod, ThicknessParams,
     ThicknessSpread, thickness,
 };
-use crate::engine::queries::medial_beat::{MedialSurfaces, medial_words};
+use crate::engine::queries::medial_beat::{MedialSurfacesQuery, medial_words};
 use crate::engine::queries::subject::subject_of;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::progress::{Progress, Stopped};
@@ -70,7 +70,7 @@ pub struct FrameThickness {
 
 /// Thickness of one subject's wall at a frame by all methods.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PoseThickness {
+pub struct PoseThicknessQuery {
     /// Whose wall.
     pub subject: usize,
     /// At which frame.
@@ -79,7 +79,7 @@ pub struct PoseThickness {
     pub settings: ThicknessSettings,
 }
 
-impl Query for PoseThickness {
+impl Query for PoseThicknessQuery {
     type Answer = FrameThickness;
     const TITLE: &'static str = "Thickness methods";
 
@@ -154,10 +154,10 @@ struct Medial {
     seconds: f64,
 }
 
-impl PoseThickness {
+impl PoseThicknessQuery {
     fn medial(&self, subject: &Subject, cx: &Context<'_>) -> Result<Medial, Interrupted> {
         let params = self.settings.medial;
-        let surfaces = MedialSurfaces {
+        let surfaces = MedialSurfacesQuery {
             subject: self.subject,
             params,
         };

@@ -4,7 +4,9 @@ use crate::analysis::verdicts::{
     CheckedVerdictParams, Examined, NotAssessed, VerdictInput, VerdictParams, Verdicts, examine,
     verdicts,
 };
-use crate::engine::queries::thickening::{ThickeningSettings, WallThickening, thickening_words};
+use crate::engine::queries::thickening::{
+    ThickeningSettings, WallThickeningQuery, thickening_words,
+};
 use crate::engine::store::{Answered, Context, Interrupted, Memory, Query, Urgency};
 use crate::progress::Stopped;
 
@@ -13,14 +15,14 @@ const WALLS_SHARE: f32 = 0.95;
 
 /// Settings of verdicts, from the surfaces on.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct VerdictSettings {
+pub struct VerdictQuery {
     /// How walls are assessed.
     pub thickening: ThickeningSettings,
     /// How a verdict is made.
     pub verdicts: VerdictParams,
 }
 
-impl Query for VerdictSettings {
+impl Query for VerdictQuery {
     type Answer = Verdicts;
     const TITLE: &'static str = "Verdicts";
     const FAILURE: Option<&'static str> = Some("Verdicts could not be computed");
@@ -45,7 +47,7 @@ impl Query for VerdictSettings {
             .map(|subject| {
                 let share = |done: usize| WALLS_SHARE * done as f32 / count as f32;
                 let part = cx.part("assessing walls", share(subject), share(subject + 1));
-                let wall = WallThickening {
+                let wall = WallThickeningQuery {
                     subject,
                     settings: self.thickening,
                 };
@@ -70,7 +72,7 @@ impl Query for VerdictSettings {
 /// # Errors
 /// If that was stopped.
 pub fn examined(
-    answer: &Answered<WallThickening>,
+    answer: &Answered<WallThickeningQuery>,
     params: &CheckedVerdictParams,
 ) -> Result<Result<Examined, NotAssessed>, Stopped> {
     match answer {

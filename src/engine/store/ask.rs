@@ -6,13 +6,13 @@ use std::sync::Arc;
 
 use crate::engine::activity::Topic;
 use crate::engine::job::{Ending, panic_message};
-use crate::engine::store::cell::State;
 use crate::engine::store::dependencies::Dependencies;
 use crate::engine::store::interrupted::{Bug, Interrupted, SharedError};
 use crate::engine::store::query::{Context, Query};
 use crate::engine::store::queue::Urgency;
-use crate::engine::store::shelf::{CellOf, Shelf};
+use crate::engine::store::shelf::{Shelf, SlotOf};
 use crate::engine::store::shelves::{FailedWork, Shelves};
+use crate::engine::store::slot::State;
 use crate::engine::store::work::{Waiting, Work, lock};
 use crate::study::Study;
 
@@ -26,12 +26,12 @@ impl Context<'_> {
     /// # Errors
     /// What interrupted it.
     pub fn get<Q: Query>(&self, query: &Q) -> Answered<Q> {
-        let cell = self.cell(query);
+        let slot = self.slot(query);
         loop {
             if self.work.stopped() {
                 return Err(Interrupted::Stopped);
             }
-            match cell.claim() {
+            match slot.claim() {
                 Err(State::Done(answer)) => {
                     self.progress.followed();
                     return Ok(answer);
@@ -48,7 +48,7 @@ impl Context<'_> {
                     // Work that nobody else knows waits for nothing, so this closes no circle.
                     let _waiting = Waiting::begin(self.work, &work);
                     self.progress.follow(work.watch.progress());
-                    compute(&cell, &work, query, self.study, self.place, self.shelves);
+                    compute(&slot, &work, query, self.study, self.place, self.shelves);
                     let ended_by_itself = work.watch.ending() == Some(&Ending::Stopped)
                         && !work.stopped()
                         && work.below().is_none();
@@ -64,9 +64,9 @@ impl Context<'_> {
                     self.progress.follow(work.watch.progress());
                     let _aside = self.shelves.queue.wait_aside(self.place);
                     while !self.work.stopped()
-                        && matches!(cell.peek(), State::UnderWay(now) if Arc::ptr_eq(&now, &work))
+                        && matches!(slot.peek(), State::UnderWay(now) if Arc::ptr_eq(&now, &work))
                     {
-                        cell.wait_for(&work);
+                        slot.wait_for(&work);
                     }
                 }
                 // What is idle is taken.
@@ -105,12 +105,12 @@ impl Context<'_> {
         shelf::<Q>(self.shelves).entries().similar(query)
     }
 
-    fn cell<Q: Query>(&self, query: &Q) -> CellOf<Q> {
+    fn slot<Q: Query>(&self, query: &Q) -> SlotOf<Q> {
         let depends_on = query.depends_on(self.study);
         let now = self.shelves.tick();
         let shelf = shelf::<Q>(self.shelves);
         let mut entries = shelf.entries();
-        Arc::clone(&entries.of(query, &depends_on, now).cell)
+        Arc::clone(&entries.of(query, &depends_on, now).slot)
     }
 }
 
@@ -124,7 +124,7 @@ pub(super) fn known<Q: Query>(
     let shelf = shelf::<Q>(shelves);
     let mut entries = shelf.entries();
     let entry = entries.find(query, &depends_on)?;
-    match entry.cell.peek() {
+    match entry.slot.peek() {
         State::Done(answer) => {
             entry.used(shelves.tick());
             Some(answer)
@@ -139,7 +139,7 @@ pub(super) fn shelf<Q: Query>(shelves: &Shelves) -> Arc<Shelf<Q>> {
 
 /// Computes what was claimed, on this thread.
 pub(super) fn compute<Q: Query>(
-    cell: &CellOf<Q>,
+    slot: &SlotOf<Q>,
     work: &Arc<Work>,
     query: &Q,
     study: &Arc<Study>,
@@ -160,7 +160,7 @@ pub(super) fn compute<Q: Query>(
         Err(Bug::Panicked { message }.into())
     });
     let reports = Q::FAILURE.is_some() && work.is_asked();
-    let (ending, failure) = cell.finish(work, result, reports);
+    let (ending, failure) = slot.finish(work, result, reports);
     report::<Q>(failure, shelves);
     let done = ending == Ending::Done;
     work.watch.end(ending);

@@ -6,15 +6,15 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock};
 
 use crate::engine::activity::Topic;
 use crate::engine::job::JobWatch;
-use crate::engine::store::cell::{Cell, State};
 use crate::engine::store::dependencies::Dependencies;
 use crate::engine::store::memory::Memory;
 use crate::engine::store::query::Query;
 use crate::engine::store::shelves::{AnyShelf, Held};
+use crate::engine::store::slot::{Slot, State};
 use crate::engine::store::work::lock;
 
-/// The cell of a question.
-pub(super) type CellOf<Q> = Arc<Cell<<Q as Query>::Answer>>;
+/// The slot of a question.
+pub(super) type SlotOf<Q> = Arc<Slot<<Q as Query>::Answer>>;
 
 /// The questions of one type that were asked.
 pub(super) struct Shelf<Q: Query>(Mutex<Entries<Q>>);
@@ -26,7 +26,7 @@ pub(super) struct Entries<Q: Query>(Vec<Entry<Q>>);
 pub(super) struct Entry<Q: Query> {
     query: Q,
     depends_on: Dependencies,
-    pub cell: CellOf<Q>,
+    pub slot: SlotOf<Q>,
     number: u64,
     /// The frame in which a pane asked last; 0 if none did.
     frame: u64,
@@ -53,7 +53,7 @@ impl<Q: Query> Entry<Q> {
     pub fn touch(&mut self, frame: u64, now: u64) {
         self.frame = frame;
         self.used = now;
-        if let State::UnderWay(work) = self.cell.peek() {
+        if let State::UnderWay(work) = self.slot.peek() {
             work.set_asked(true);
         }
     }
@@ -69,7 +69,7 @@ impl<Q: Query> Entry<Q> {
     }
 
     fn answer(&self) -> Option<Arc<Q::Answer>> {
-        match self.cell.peek() {
+        match self.slot.peek() {
             State::Done(answer) => Some(answer),
             _ => None,
         }
@@ -90,7 +90,7 @@ impl<Q: Query> Entries<Q> {
             self.0.push(Entry {
                 query: query.clone(),
                 depends_on: depends_on.clone(),
-                cell: Arc::default(),
+                slot: Arc::default(),
                 number: now,
                 frame: 0,
                 used: 0,
@@ -126,7 +126,7 @@ impl<Q: Query> Entries<Q> {
     /// Work that a pane asked for and that this question lets finish first. It counts as asked for.
     pub fn finished_first(&mut self, query: &Q, frame: u64, now: u64) -> Option<Arc<JobWatch>> {
         self.0.iter_mut().find_map(|entry| {
-            let State::UnderWay(work) = entry.cell.peek() else {
+            let State::UnderWay(work) = entry.slot.peek() else {
                 return None;
             };
             if !work.is_asked() || !query.lets_finish(&entry.query) {
@@ -167,22 +167,22 @@ impl<Q: Query> AnyShelf for Shelf<Q> {
     fn end_frame(&self, frame: u64) {
         let mut entries = self.entries();
         for entry in entries.0.iter().filter(|entry| entry.frame < frame) {
-            if let State::UnderWay(work) = entry.cell.peek() {
+            if let State::UnderWay(work) = entry.slot.peek() {
                 work.set_asked(false);
                 work.stop_if_unwanted();
             }
         }
-        // A cell that somebody holds may be about to be computed.
+        // A slot that somebody holds may be about to be computed.
         entries.0.retain(|entry| {
             entry.frame >= frame
-                || Arc::strong_count(&entry.cell) > 1
-                || !matches!(entry.cell.peek(), State::Idle)
+                || Arc::strong_count(&entry.slot) > 1
+                || !matches!(entry.slot.peek(), State::Idle)
         });
     }
 
     fn stop_all(&self) {
         for entry in &self.entries().0 {
-            if let State::UnderWay(work) = entry.cell.peek() {
+            if let State::UnderWay(work) = entry.slot.peek() {
                 work.stop();
             }
         }
@@ -190,22 +190,22 @@ impl<Q: Query> AnyShelf for Shelf<Q> {
 
     fn cancel(&self) {
         for entry in &self.entries().0 {
-            if matches!(entry.cell.peek(), State::UnderWay(work) if work.is_asked()) {
-                entry.cell.cancel();
+            if matches!(entry.slot.peek(), State::UnderWay(work) if work.is_asked()) {
+                entry.slot.cancel();
             }
         }
     }
 
     fn retry(&self) {
         for entry in &self.entries().0 {
-            entry.cell.retry();
+            entry.slot.retry();
         }
     }
 
     fn works(&self) -> bool {
         let entries = self.entries();
-        let mut cells = entries.0.iter().map(|entry| entry.cell.peek());
-        cells.any(|seen| matches!(seen, State::UnderWay(work) if work.is_asked()))
+        let mut slots = entries.0.iter().map(|entry| entry.slot.peek());
+        slots.any(|seen| matches!(seen, State::UnderWay(work) if work.is_asked()))
     }
 
     fn held(&self, into: &mut Vec<Held>) {

@@ -5,13 +5,13 @@ use std::sync::{Arc, OnceLock};
 use crate::engine::activity::{Activity, Topic};
 use crate::engine::job::{JobWatch, Wake};
 use crate::engine::store::ask::{Answered, compute, known, report, shelf};
-use crate::engine::store::cell::State;
 use crate::engine::store::interrupted::{Interrupted, SharedError};
 use crate::engine::store::memory::default_budget;
 use crate::engine::store::query::Query;
 use crate::engine::store::queue::{Queue, Urgency};
-use crate::engine::store::shelf::CellOf;
+use crate::engine::store::shelf::SlotOf;
 use crate::engine::store::shelves::{FailedWork, Shelves};
+use crate::engine::store::slot::State;
 use crate::engine::store::work::{Pin, Work, lock};
 use crate::progress::Progress;
 use crate::study::Study;
@@ -145,7 +145,7 @@ impl Store {
     pub fn put<Q: Query>(&self, study: &Study, query: &Q, answer: Arc<Q::Answer>) {
         let (depends_on, now) = (query.depends_on(study), self.shelves.tick());
         let shelf = shelf::<Q>(&self.shelves);
-        shelf.entries().of(query, &depends_on, now).cell.set(answer);
+        shelf.entries().of(query, &depends_on, now).slot.set(answer);
         self.shelves.give_memory_back();
     }
 
@@ -162,11 +162,11 @@ impl Store {
     ) -> Answered<Q> {
         let (depends_on, now) = (query.depends_on(study), self.shelves.tick());
         let shelf = shelf::<Q>(&self.shelves);
-        let cell = Arc::clone(&shelf.entries().of(query, &depends_on, now).cell);
+        let slot = Arc::clone(&shelf.entries().of(query, &depends_on, now).slot);
         // Whoever asks so may well want what a pane was denied; each step below it may be held too.
         let mut releases = MAX_RELEASES;
         loop {
-            let under_way = match cell.peek() {
+            let under_way = match slot.peek() {
                 State::Done(answer) => {
                     progress.followed();
                     return Ok(answer);
@@ -188,7 +188,7 @@ impl Store {
                 self.enqueue(
                     study,
                     query,
-                    &cell,
+                    &slot,
                     pin.work(),
                     Q::URGENCY.max(Urgency::Visible),
                 );
@@ -196,9 +196,9 @@ impl Store {
             });
             progress.follow(pin.work().watch.progress());
             while progress.check().is_ok()
-                && matches!(cell.peek(), State::UnderWay(now) if Arc::ptr_eq(&now, pin.work()))
+                && matches!(slot.peek(), State::UnderWay(now) if Arc::ptr_eq(&now, pin.work()))
             {
-                cell.wait_for(pin.work());
+                slot.wait_for(pin.work());
             }
         }
     }
@@ -279,8 +279,8 @@ impl Store {
         let mut entries = shelf.entries();
         let entry = entries.of(query, &depends_on, now);
         entry.touch(frame, now);
-        let cell = Arc::clone(&entry.cell);
-        let seen = cell.peek();
+        let slot = Arc::clone(&entry.slot);
+        let seen = slot.peek();
         if let State::Done(answer) = seen {
             entry.show(now);
             return Showing::Ready(answer);
@@ -294,7 +294,7 @@ impl Store {
         let watch = match seen {
             State::Failed(failure, ..) => {
                 if Q::FAILURE.is_some() {
-                    report::<Q>(cell.report(), &self.shelves);
+                    report::<Q>(slot.report(), &self.shelves);
                 }
                 let why = Interrupted::Failed(failure);
                 return Showing::Interrupted { why, previous };
@@ -304,21 +304,21 @@ impl Store {
                 return Showing::Interrupted { why, previous };
             }
             State::UnderWay(work) => Some(Arc::clone(&work.watch)),
-            State::Idle if begin && first.is_none() => Some(self.begin(study, query, &cell)),
+            State::Idle if begin && first.is_none() => Some(self.begin(study, query, &slot)),
             State::Idle | State::Done(_) => first,
         };
         let watch = watch.unwrap_or_else(|| Arc::clone(self.not_begun.get_or_init(Arc::default)));
         Showing::Computing { previous, watch }
     }
 
-    fn begin<Q: Query>(&self, study: &Arc<Study>, query: &Q, cell: &CellOf<Q>) -> Arc<JobWatch> {
+    fn begin<Q: Query>(&self, study: &Arc<Study>, query: &Q, slot: &SlotOf<Q>) -> Arc<JobWatch> {
         let work = Arc::<Work>::default();
         work.set_asked(true);
         if Q::LISTED {
             let (topic, watch) = (Topic::of::<Q>(), Arc::clone(&work.watch));
             lock(&self.shelves.log).record(topic, Q::TITLE, query.parameters(), watch);
         }
-        self.enqueue(study, query, cell, &work, Q::URGENCY);
+        self.enqueue(study, query, slot, &work, Q::URGENCY);
         Arc::clone(&work.watch)
     }
 
@@ -326,22 +326,22 @@ impl Store {
         &self,
         study: &Arc<Study>,
         query: &Q,
-        cell: &CellOf<Q>,
+        slot: &SlotOf<Q>,
         work: &Arc<Work>,
         urgency: Urgency,
     ) {
-        if !cell.queue(work) {
+        if !slot.queue(work) {
             return;
         }
-        let (study, query, cell) = (Arc::clone(study), query.clone(), Arc::clone(cell));
+        let (study, query, slot) = (Arc::clone(study), query.clone(), Arc::clone(slot));
         // The queue must not keep alive the shelves that keep the queue.
         let shelves = Arc::downgrade(&self.shelves);
         let begun = Arc::clone(work);
         let run = Box::new(move || {
             if let Some(shelves) = shelves.upgrade()
-                && cell.begin(&begun)
+                && slot.begin(&begun)
             {
-                compute(&cell, &begun, &query, &study, urgency, &shelves);
+                compute(&slot, &begun, &query, &study, urgency, &shelves);
             }
         });
         self.shelves.queue.push(urgency, work, run);

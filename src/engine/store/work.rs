@@ -33,7 +33,7 @@ impl Hold {
 #[derive(Debug, Default)]
 pub(super) struct Work {
     pub watch: Arc<JobWatch>,
-    /// A thread has taken it. Changed only under the lock of its cell.
+    /// A thread has taken it. Changed only under the lock of its slot.
     running: AtomicBool,
     /// A pane asked for it in the latest frame.
     asked: AtomicBool,

@@ -45,7 +45,7 @@ fn rows(path: &Path) -> Vec<csv::StringRecord> {
 #[test]
 fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_rows() {
     let (study, folder) = (study(), tempfile::tempdir().unwrap());
-    let settings = VerdictSettings::default();
+    let settings = VerdictQuery::default();
     let tables = WallTables::of(
         &store(),
         &study,
@@ -102,7 +102,7 @@ fn a_stop_leaves_no_file() {
     let (study, folder) = (study(), tempfile::tempdir().unwrap());
     let progress = Progress::default();
     progress.stop();
-    let settings = VerdictSettings::default();
+    let settings = VerdictQuery::default();
     let stopped = WallTables::of(&store(), &study, &settings, folder.path(), &progress);
     assert!(matches!(stopped, Err(Interrupted::Stopped)));
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
@@ -113,7 +113,7 @@ fn a_folder_that_cannot_be_is_named_before_anything_is_computed() {
     let folder = tempfile::tempdir().unwrap();
     let taken = folder.path().join("taken");
     std::fs::write(&taken, "a file").unwrap();
-    let settings = VerdictSettings::default();
+    let settings = VerdictQuery::default();
     let store = store();
     let refused = WallTables::of(&store, &study(), &settings, &taken, &Progress::default());
     let Err(Interrupted::Failed(error)) = refused else {
@@ -121,5 +121,5 @@ fn a_folder_that_cannot_be_is_named_before_anything_is_computed() {
     };
     let words = error.to_string();
     assert!(words.starts_with("cannot write: "), "{words}");
-    assert_eq!(store.answers::<WallThickening>(), 0);
+    assert_eq!(store.answers::<WallThickeningQuery>(), 0);
 }

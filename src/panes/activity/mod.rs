@@ -101,14 +101,14 @@ fn duration_text(seconds: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::{PoseMapParams, Topic};
+    use crate::engine::{PoseMapQuery, Topic};
     use egui_kittest::{Harness, kittest::Queryable as _};
     use std::time::Duration;
 
     fn item(state: ActivityState) -> Activity {
         Activity {
             number: 0,
-            topic: Topic::of::<PoseMapParams>(),
+            topic: Topic::of::<PoseMapQuery>(),
             name: "Pose map".to_owned(),
             parameters: "184 poses".to_owned(),
             asked_ago: Duration::from_millis(1250),
@@ -127,17 +127,17 @@ mod tests {
                     time_left: None,
                 },
                 "Cancel",
-                Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+                Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapQuery>())),
             ),
             (
                 ActivityState::Stopped,
                 "Retry",
-                Command::Work(WorkCommand::Retry(Topic::of::<PoseMapParams>())),
+                Command::Work(WorkCommand::Retry(Topic::of::<PoseMapQuery>())),
             ),
             (
                 ActivityState::Failed("no poses".to_owned()),
                 "Retry",
-                Command::Work(WorkCommand::Retry(Topic::of::<PoseMapParams>())),
+                Command::Work(WorkCommand::Retry(Topic::of::<PoseMapQuery>())),
             ),
         ] {
             let items = [item(state)];

@@ -4,8 +4,8 @@ use egui::Ui;
 
 use super::activity_ui;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 
 impl Pane {
     /// Finished and running work.
@@ -23,6 +23,6 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    activity_ui(ui, look.activities(), commands);
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    activity_ui(ui, cx.activities(), commands);
 }

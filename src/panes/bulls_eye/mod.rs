@@ -14,7 +14,7 @@ pub use values::*;
 use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::analysis::segments::Segment;
-use crate::engine::{Topic, WallThickening};
+use crate::engine::{Topic, WallThickeningQuery};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WallCommand, WorkCommand};
 use crate::panes::work_state::WorkState;
@@ -52,7 +52,7 @@ fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>)
             });
         }
         (WorkState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
-            let retry = WorkCommand::Retry(Topic::of::<WallThickening>());
+            let retry = WorkCommand::Retry(Topic::of::<WallThickeningQuery>());
             command_button_ui(ui, "Measure wall thickness", retry, commands);
         }),
         (WorkState::Ready, Some(why)) => {

@@ -3,8 +3,8 @@
 use egui::Ui;
 
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 use crate::panes::viewport::hearts::Viewport;
 
 use super::bulls_eye_ui;
@@ -26,10 +26,10 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let data = look.memo().get::<BullsEyeData>();
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let data = cx.memo().get::<BullsEyeData>();
     let mut data = data.borrow_mut();
-    let viewport = look.memo().get::<Viewport>();
-    data.refresh(look.state(), viewport.borrow_mut().cohort_limits());
-    bulls_eye_ui(ui, &data.view(look.state()), commands);
+    let viewport = cx.memo().get::<Viewport>();
+    data.refresh(cx.state(), viewport.borrow_mut().cohort_limits());
+    bulls_eye_ui(ui, &data.view(cx.state()), commands);
 }

@@ -5,8 +5,8 @@ use egui::Ui;
 use crate::document::State;
 use crate::engine::Showing;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 use crate::panes::verdict::view::classifying;
 
 use super::cohort_table_ui;
@@ -29,16 +29,16 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn count_ui(ui: &mut Ui, look: &Look<'_>, _: f32, _: &mut Vec<Command>) {
-    let count = look.state().document.study().subjects.len();
+fn count_ui(ui: &mut Ui, cx: &PaneContext<'_>, _: f32, _: &mut Vec<Command>) {
+    let count = cx.state().document.study().subjects.len();
     if count > 0 {
-        let shown = cohort_data(look).borrow_mut().shown_count();
+        let shown = cohort_data(cx).borrow_mut().shown_count();
         ui.weak(count_text(shown, count));
     }
 }
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let (state, data) = (look.state(), cohort_data(look));
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let (state, data) = (cx.state(), cohort_data(cx));
     let coming = [measuring(state), classifying(state)];
     cohort_table_ui(ui, &data.borrow_mut().view(state, coming), commands);
 }

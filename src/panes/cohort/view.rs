@@ -6,7 +6,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::document::Sorting;
 use crate::document::state::State;
-use crate::panes::look::{Kept, Look};
+use crate::panes::pane_context::{Kept, PaneContext};
 use crate::panes::same::Same;
 use crate::panes::verdict::view::cohort_verdict;
 use crate::study::{Revision, Severity, Study, Subject};
@@ -20,9 +20,9 @@ type MadeFrom = (
 );
 
 /// The rows of this frame, which the maps and the palette show, too.
-pub fn cohort_data(look: &Look<'_>) -> Kept<CohortData> {
-    let data = look.memo().get::<CohortData>();
-    data.borrow_mut().refresh(look.state());
+pub fn cohort_data(cx: &PaneContext<'_>) -> Kept<CohortData> {
+    let data = cx.memo().get::<CohortData>();
+    data.borrow_mut().refresh(cx.state());
     data
 }
 

@@ -4,13 +4,13 @@ use super::action::{Menu, Row, row};
 use crate::analysis::deformations::DeformationMapParams;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::{METRICS, MetricKind};
-use crate::engine::PoseMapParams;
+use crate::engine::PoseMapQuery;
 
 /// Commands about metric and maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum MapCommand {
     /// How poses are compared and mapped.
-    SetPoseMap(PoseMapParams),
+    SetPoseMap(PoseMapQuery),
     /// Which metric compares poses.
     SetMetric(MetricKind),
     /// How distances become the pose map.

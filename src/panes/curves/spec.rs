@@ -5,8 +5,8 @@ use egui::Ui;
 use crate::panes::beat::curves_view;
 use crate::panes::cohort::spec::measuring;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 
 use super::curves_ui;
 
@@ -26,13 +26,13 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn unit_ui(ui: &mut Ui, look: &Look<'_>, _: f32, _: &mut Vec<Command>) {
-    if let Some(subject) = look.state().document.selected() {
+fn unit_ui(ui: &mut Ui, cx: &PaneContext<'_>, _: f32, _: &mut Vec<Command>) {
+    if let Some(subject) = cx.state().document.selected() {
         ui.weak(subject.unit.volume_symbol());
     }
 }
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let state = look.state();
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let state = cx.state();
     curves_ui(ui, &curves_view(state, measuring(state)), commands);
 }

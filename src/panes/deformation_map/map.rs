@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::engine::{DeformationMapSettings, Topic};
+use crate::engine::{DeformationMapQuery, Topic};
 use crate::panes::commands::Command;
 use crate::panes::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
 use crate::ui::style::{note, note_font};
@@ -26,7 +26,7 @@ pub struct DeformationMapView<'a> {
 
 /// The words of the map.
 pub static DEFORMATION_MAP: MapWords = MapWords {
-    job: Topic::of::<DeformationMapSettings>(),
+    job: Topic::of::<DeformationMapQuery>(),
     name: "Deformation map",
     item: "Deformation",
     empty: "No deformations",

@@ -5,8 +5,8 @@ use egui::Ui;
 use super::view::with_view;
 use super::{deformation_map_ui, deformation_note};
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 
 impl Pane {
     /// The map of whole deformations.
@@ -24,10 +24,10 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn note_ui(ui: &mut Ui, look: &Look<'_>, taken: f32, _commands: &mut Vec<Command>) {
-    with_view(ui, look, |ui, view| deformation_note(ui, view, taken));
+fn note_ui(ui: &mut Ui, cx: &PaneContext<'_>, taken: f32, _commands: &mut Vec<Command>) {
+    with_view(ui, cx, |ui, view| deformation_note(ui, view, taken));
 }
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    with_view(ui, look, |ui, view| deformation_map_ui(ui, view, commands));
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    with_view(ui, cx, |ui, view| deformation_map_ui(ui, view, commands));
 }

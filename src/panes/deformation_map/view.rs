@@ -7,9 +7,9 @@ use egui::Ui;
 use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::deformations::DeformationMap;
 use crate::document::state::State;
-use crate::engine::{DeformationMapSettings, PoseMapParams, Showing, Topic};
+use crate::engine::{DeformationMapQuery, PoseMapQuery, Showing, Topic};
 use crate::panes::cohort::view::cohort_data;
-use crate::panes::look::Look;
+use crate::panes::pane_context::PaneContext;
 use crate::panes::pose_map::view::pose_map;
 use crate::panes::same::Same;
 use crate::panes::scatter_map::from_state::{MapPoints, plane};
@@ -28,14 +28,14 @@ const NAMED_NEIGHBOURS: usize = 3;
 /// Hands what the pane shows to `draw`; asks for another picture while points walk.
 pub fn with_view(
     ui: &mut Ui,
-    look: &Look<'_>,
+    cx: &PaneContext<'_>,
     draw: impl FnOnce(&mut Ui, &DeformationMapView<'_>),
 ) {
-    let state = look.state();
-    let (poses, cohort) = (pose_map(ui, look), cohort_data(look));
+    let state = cx.state();
+    let (poses, cohort) = (pose_map(ui, cx), cohort_data(cx));
     let (poses, cohort) = (poses.borrow_mut(), cohort.borrow_mut());
     let (map, classes) = (state.deformations(), state.classes());
-    let kept = (look.memo()).get::<MapPoints<DeformationMap, Option<Same<Classes>>>>();
+    let kept = (cx.memo()).get::<MapPoints<DeformationMap, Option<Same<Classes>>>>();
     let mut kept = kept.borrow_mut();
     kept.refresh(ui, state, map, Same::of(classes), |map| {
         let classes = classes.map(Arc::as_ref);
@@ -83,7 +83,7 @@ fn classes_view<'a>(state: &State, rows: &'a [ClassifierView]) -> ClassesView<'a
 fn deformation_state(state: &State) -> (WorkState, Topic) {
     let poses = WorkState::of(state.answers.map.as_ref());
     if poses != WorkState::Ready {
-        return (poses, Topic::of::<PoseMapParams>());
+        return (poses, Topic::of::<PoseMapQuery>());
     }
     let own = if enough_subjects(state) {
         WorkState::of(state.answers.deformations.as_ref())
@@ -91,7 +91,7 @@ fn deformation_state(state: &State) -> (WorkState, Topic) {
         let why = format!("Fewer than {FEWEST_DEFORMATIONS} subjects: no deformation map");
         WorkState::Unanswerable(why)
     };
-    (own, Topic::of::<DeformationMapSettings>())
+    (own, Topic::of::<DeformationMapQuery>())
 }
 
 /// Whether the pose map holds so many subjects that their deformations can be mapped.

@@ -5,8 +5,8 @@ use egui::Ui;
 use crate::panes::beat::measures_view;
 use crate::panes::cohort::spec::measuring;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 
 use super::measures_card_ui;
 
@@ -26,7 +26,7 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let state = look.state();
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let state = cx.state();
     measures_card_ui(ui, &measures_view(state, measuring(state)), commands);
 }

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::analysis::embedding::MapMethod;
-use crate::engine::{MedialMapParams, Topic};
+use crate::engine::{MedialMapQuery, Topic};
 use crate::panes::commands::{Command, MapCommand};
 use crate::panes::metric::words::method_name;
 use crate::panes::scatter_map::{MapWords, method_choices_ui, play};
@@ -11,7 +11,7 @@ use crate::ui::controls::chooser_ui;
 
 /// The words of the map.
 pub static MEDIAL_MAP: MapWords = MapWords {
-    job: Topic::of::<MedialMapParams>(),
+    job: Topic::of::<MedialMapQuery>(),
     name: "Medial map",
     item: "Medial path",
     empty: "No poses",

@@ -5,8 +5,8 @@ use egui::Ui;
 use super::medial_map_choosers_ui;
 use super::view::medial_map_ui;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 
 impl Pane {
     /// The map of the medial shape space.
@@ -24,8 +24,8 @@ pub const PANE: PaneSpec = PaneSpec {
     ui: medial_map_ui,
 };
 
-fn choosers_ui(ui: &mut Ui, look: &Look<'_>, taken: f32, commands: &mut Vec<Command>) {
+fn choosers_ui(ui: &mut Ui, cx: &PaneContext<'_>, taken: f32, commands: &mut Vec<Command>) {
     if ui.available_width() - taken > 90.0 {
-        medial_map_choosers_ui(ui, look.state().document.map.method, commands);
+        medial_map_choosers_ui(ui, cx.state().document.map.method, commands);
     }
 }

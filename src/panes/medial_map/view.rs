@@ -3,12 +3,12 @@
 use egui::Ui;
 
 use crate::analysis::medial_map::{MedialMap, MedialPose};
-use crate::document::document::phase_of;
+use crate::document::document::cycle_share;
 use crate::document::state::State;
-use crate::engine::MedialMapParams;
+use crate::engine::MedialMapQuery;
 use crate::panes::cohort::view::cohort_data;
 use crate::panes::commands::Command;
-use crate::panes::look::Look;
+use crate::panes::pane_context::PaneContext;
 use crate::panes::scatter_map::from_state::{MapPoints, left_out, plane};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView, scatter_map_ui};
 use crate::panes::work_state::WorkState;
@@ -16,19 +16,19 @@ use crate::panes::work_state::WorkState;
 use super::{MEDIAL_MAP, medial_facts, medial_map_note};
 
 /// What the pane asks the store.
-pub fn medial_map_query(state: &State) -> MedialMapParams {
-    MedialMapParams {
+pub fn medial_map_query(state: &State) -> MedialMapQuery {
+    MedialMapQuery {
         thickening: state.document.thickening,
         method: state.document.map.method,
     }
 }
 
 /// Asks for the map and draws it.
-pub fn medial_map_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let state = look.state();
-    let showing = look.ask_at_rest(&medial_map_query(state));
+pub fn medial_map_ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let state = cx.state();
+    let showing = cx.ask_at_rest(&medial_map_query(state));
     let map = showing.latest();
-    let (kept, cohort) = (look.memo().get::<MapPoints<MedialMap>>(), cohort_data(look));
+    let (kept, cohort) = (cx.memo().get::<MapPoints<MedialMap>>(), cohort_data(cx));
     let (mut kept, cohort) = (kept.borrow_mut(), cohort.borrow_mut());
     kept.refresh(ui, state, map, (), |map| {
         let missing = map.left_out.iter().map(|(subject, why)| (*subject, why));
@@ -70,7 +70,7 @@ fn points(map: &MedialMap, state: &State) -> Vec<ScatterPoint> {
                 frames: Some([pose.step_from, pose.step_to]),
                 start_frame: pose.step_from,
                 at: plane(map.embedding.point(row)),
-                share: phase_of(subject, pose.step_from as f64),
+                share: cycle_share(subject, pose.step_from as f64),
                 rr_is_known: subject.timing.rr.is_some(),
                 phase: PosePhase::of(pose.step_from, state.phases_of(pose.subject)),
                 label: begins_path.then_some(""),

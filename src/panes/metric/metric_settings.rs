@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::analysis::metrics::Regulariser;
-use crate::engine::PoseMapParams;
+use crate::engine::PoseMapQuery;
 use crate::panes::metric::choices::{forms_ui, kinds_ui, scale_free_ui};
 use crate::panes::metric::words::{
     corners_sentence, form_name, form_sentence, has_curvature_weight, has_rings, metric_sentence,
@@ -13,7 +13,7 @@ use crate::ui::controls::choices_ui;
 use crate::ui::number_field::{Setting, whole};
 
 /// Draws kind, form and what counts; a choice goes into `wanted`.
-pub fn metric_ui(ui: &mut Ui, wanted: &mut PoseMapParams) {
+pub fn metric_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
     let metric = &mut wanted.distances.metric;
     let shown = *metric;
     let what = "Which changes of shape the metric penalises";
@@ -38,7 +38,7 @@ pub fn metric_ui(ui: &mut Ui, wanted: &mut PoseMapParams) {
         );
 }
 
-const MU: Setting<PoseMapParams> = Setting {
+const MU: Setting<PoseMapQuery> = Setting {
     name: "Curvature, μ",
     unit: "",
     what: "Weight of a change of curvature relative to a change of angles; no unit",
@@ -49,7 +49,7 @@ const MU: Setting<PoseMapParams> = Setting {
     },
 };
 
-const RINGS: Setting<PoseMapParams> = Setting {
+const RINGS: Setting<PoseMapQuery> = Setting {
     name: "Averaging",
     unit: "rings",
     what: "Rings of neighbours over which curvature is averaged, to reduce noise",
@@ -60,7 +60,7 @@ const RINGS: Setting<PoseMapParams> = Setting {
     },
 };
 
-const LAMBDA: Setting<PoseMapParams> = Setting {
+const LAMBDA: Setting<PoseMapQuery> = Setting {
     name: "Displacement, λ",
     unit: "",
     what: "Weight of displacement itself, relative to the radius of the heart; keeps every form \
@@ -72,7 +72,7 @@ const LAMBDA: Setting<PoseMapParams> = Setting {
     },
 };
 
-const SMOOTHING: Setting<PoseMapParams> = Setting {
+const SMOOTHING: Setting<PoseMapQuery> = Setting {
     name: "Smoothing",
     unit: "√area",
     what: "Poses are smoothed below this radius before they are compared, so that mesh noise has \
@@ -85,9 +85,9 @@ const SMOOTHING: Setting<PoseMapParams> = Setting {
 };
 
 /// Draws the numbers of the metric; a change goes into `wanted`.
-pub fn weights_ui(ui: &mut Ui, wanted: &mut PoseMapParams) {
+pub fn weights_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
     let metric = wanted.distances.metric;
-    let metric_is_right = |poses: &PoseMapParams| match poses.distances.metric.check() {
+    let metric_is_right = |poses: &PoseMapQuery| match poses.distances.metric.check() {
         Ok(_) => Ok(()),
         Err(error) => Err(error.to_string()),
     };

@@ -17,7 +17,7 @@ pub use values::MetricPanelView;
 use egui::{Margin, Ui};
 
 use crate::analysis::deformations::DeformationMapParams;
-use crate::engine::PoseMapParams;
+use crate::engine::PoseMapQuery;
 use crate::panes::commands::{Command, MapCommand};
 use crate::ui::controls::{empty_pane_ui, scrolled_ui};
 use crate::ui::theme::space;
@@ -51,7 +51,7 @@ fn settings_ui(ui: &mut Ui, view: &MetricPanelView, commands: &mut Vec<Command>)
         commands.push(MapCommand::SetDeformationMap(deformations).into());
     }
     ui.add_space(space::LARGE);
-    let default = view.poses == PoseMapParams::default()
+    let default = view.poses == PoseMapQuery::default()
         && view.deformations == DeformationMapParams::default();
     let reset = egui::Button::new("Reset to defaults");
     if ui.add_enabled(!default, reset).clicked() {

@@ -4,7 +4,7 @@ use egui::{ScrollArea, Ui};
 
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::transport::{CohortTransportParams, Reference};
-use crate::engine::PoseMapParams;
+use crate::engine::PoseMapQuery;
 use crate::panes::metric::words::method_name;
 use crate::panes::metric::{MetricPanelView, choice_row_ui, sentence_ui};
 use crate::panes::scatter_map::isomap;
@@ -12,12 +12,12 @@ use crate::ui::controls::choices_ui;
 use crate::ui::number_field::{Setting, whole};
 
 /// Draws reference and method; a change goes into `wanted`.
-pub fn pose_map_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
+pub fn pose_map_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapQuery) {
     reference_ui(ui, view, wanted);
     method_ui(ui, wanted);
 }
 
-fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams) {
+fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapQuery) {
     let transfer = wanted.distances.transport;
     let name = |subject: usize| {
         view.subjects
@@ -68,7 +68,7 @@ fn reference_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut PoseMapParams)
     );
 }
 
-fn method_ui(ui: &mut Ui, wanted: &mut PoseMapParams) {
+fn method_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
     let what = "Embedding of the distances between poses in the plane";
     let method = wanted.method;
     choice_row_ui(ui, "Method", what, method_name(method), true, |ui| {
@@ -84,7 +84,7 @@ fn method_ui(ui: &mut Ui, wanted: &mut PoseMapParams) {
     }
 }
 
-const NEIGHBOURS: Setting<PoseMapParams> = Setting {
+const NEIGHBOURS: Setting<PoseMapQuery> = Setting {
     name: "Neighbours",
     unit: "poses",
     what: "Number of nearest poses to which each pose is connected",

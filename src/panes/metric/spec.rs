@@ -4,8 +4,8 @@ use egui::Ui;
 
 use crate::panes::cohort::view::cohort_data;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 
 use super::{MetricPanelView, metric_panel_ui};
 
@@ -25,9 +25,9 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let (document, cohort) = (&look.state().document, cohort_data(look));
-    let (map, cohort) = (look.state().deformations(), cohort.borrow_mut());
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let (document, cohort) = (&cx.state().document, cohort_data(cx));
+    let (map, cohort) = (cx.state().deformations(), cohort.borrow_mut());
     let view = MetricPanelView {
         poses: document.map,
         deformations: document.deformation_map,

@@ -11,7 +11,7 @@ use crate::panes::cohort::rows::CohortRow;
 
 #[derive(Default)]
 struct Scene {
-    poses: PoseMapParams,
+    poses: PoseMapQuery,
     deformations: DeformationMapParams,
     commands: Vec<Command>,
 }

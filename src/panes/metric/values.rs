@@ -1,14 +1,14 @@
 //! What the pane of metric and maps shows, as plain values.
 
 use crate::analysis::deformations::DeformationMapParams;
-use crate::engine::PoseMapParams;
+use crate::engine::PoseMapQuery;
 use crate::panes::cohort::rows::CohortRow;
 
 /// What the panel shows.
 #[derive(Clone, Debug)]
 pub struct MetricPanelView<'a> {
     /// How poses are compared and mapped.
-    pub poses: PoseMapParams,
+    pub poses: PoseMapQuery,
     /// How deformations are mapped.
     pub deformations: DeformationMapParams,
     /// All subjects of the study: one may be the reference.

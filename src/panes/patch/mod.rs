@@ -13,7 +13,7 @@ pub use values::*;
 
 use egui::{Label, Margin, RichText, Ui};
 
-use crate::engine::{Topic, WallThickening};
+use crate::engine::{Topic, WallThickeningQuery};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WorkCommand};
 use crate::panes::work_state::WorkState;
@@ -62,7 +62,7 @@ fn found_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
         }
         WorkState::Stopped => {
             ui.label(note("Stopped"));
-            let retry = WorkCommand::Retry(Topic::of::<WallThickening>());
+            let retry = WorkCommand::Retry(Topic::of::<WallThickeningQuery>());
             command_button_ui(ui, "Measure again", retry, commands);
         }
         _ => {}

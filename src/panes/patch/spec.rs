@@ -3,8 +3,8 @@
 use egui::Ui;
 
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 use crate::panes::viewport::hearts::Viewport;
 
 use super::patch_panel_ui;
@@ -26,8 +26,8 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let viewport = look.memo().get::<Viewport>();
-    let view = patch_view(look.state(), viewport.borrow_mut().shown().first());
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let viewport = cx.memo().get::<Viewport>();
+    let view = patch_view(cx.state(), viewport.borrow_mut().shown().first());
     patch_panel_ui(ui, &view, commands);
 }

@@ -122,9 +122,9 @@ fn a_stopped_measurement_can_be_begun_again() {
     shown.run();
     assert_eq!(
         *shown.state(),
-        [Command::Work(WorkCommand::Retry(
-            Topic::of::<WallThickening>()
-        ))]
+        [Command::Work(WorkCommand::Retry(Topic::of::<
+            WallThickeningQuery,
+        >()))]
     );
 }
 

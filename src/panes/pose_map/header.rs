@@ -2,7 +2,7 @@
 
 use egui::Ui;
 
-use crate::engine::PoseMapParams;
+use crate::engine::PoseMapQuery;
 use crate::panes::commands::{Command, MapCommand, Pane, WindowCommand};
 use crate::panes::metric::choices::{forms_ui, kinds_ui, scale_free_ui};
 use crate::panes::metric::words::{method_name, metric_sentence};
@@ -14,7 +14,7 @@ use crate::ui::style::note;
 /// strip keeps only one chooser.
 pub fn pose_map_choosers_ui(
     ui: &mut Ui,
-    params: PoseMapParams,
+    params: PoseMapQuery,
     taken: f32,
     commands: &mut Vec<Command>,
 ) {
@@ -31,14 +31,14 @@ pub fn pose_map_choosers_ui(
     metric_ui(ui, params, !wide, commands);
 }
 
-fn methods_ui(ui: &mut Ui, params: PoseMapParams, commands: &mut Vec<Command>) {
+fn methods_ui(ui: &mut Ui, params: PoseMapQuery, commands: &mut Vec<Command>) {
     if let Some(method) = method_choices_ui(ui, params.method) {
-        commands.push(MapCommand::SetPoseMap(PoseMapParams { method, ..params }).into());
+        commands.push(MapCommand::SetPoseMap(PoseMapQuery { method, ..params }).into());
     }
 }
 
 /// The metric and its form; in a narrow pane the method, too.
-fn metric_ui(ui: &mut Ui, params: PoseMapParams, with_method: bool, commands: &mut Vec<Command>) {
+fn metric_ui(ui: &mut Ui, params: PoseMapQuery, with_method: bool, commands: &mut Vec<Command>) {
     let mut wanted = params;
     let metric = &mut wanted.distances.metric;
     let response = chooser_ui(ui, "Metric", metric.kind.words().name, |ui| {

@@ -1,11 +1,11 @@
 //! The words of the pose map.
 
-use crate::engine::{PoseMapParams, Topic};
+use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::scatter_map::{MapWords, play};
 
 /// The words of the map.
 pub static POSE_MAP: MapWords = MapWords {
-    job: Topic::of::<PoseMapParams>(),
+    job: Topic::of::<PoseMapQuery>(),
     name: "Pose map",
     item: "Poses",
     empty: "No poses",

@@ -6,8 +6,8 @@ use super::pose_map_choosers_ui;
 use super::view::pose_map;
 use crate::panes::cohort::view::cohort_data;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 use crate::panes::scatter_map::scatter_map_ui;
 
 impl Pane {
@@ -26,16 +26,16 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn choosers_ui(ui: &mut Ui, look: &Look<'_>, taken: f32, commands: &mut Vec<Command>) {
-    pose_map_choosers_ui(ui, look.state().document.map, taken, commands);
+fn choosers_ui(ui: &mut Ui, cx: &PaneContext<'_>, taken: f32, commands: &mut Vec<Command>) {
+    pose_map_choosers_ui(ui, cx.state().document.map, taken, commands);
 }
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let (points, cohort) = (pose_map(ui, look), cohort_data(look));
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let (points, cohort) = (pose_map(ui, cx), cohort_data(cx));
     let (points, cohort) = (points.borrow_mut(), cohort.borrow_mut());
     scatter_map_ui(
         ui,
-        &super::view::view(&points, look.state(), cohort.rows()),
+        &super::view::view(&points, cx.state(), cohort.rows()),
         0.0,
         commands,
     );

@@ -4,7 +4,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 use crate::analysis::embedding::MapMethod;
-use crate::engine::PoseMapParams;
+use crate::engine::PoseMapQuery;
 use crate::panes::commands::{Command, MapCommand, Pane, WindowCommand};
 use crate::panes::scatter_map::{ScatterPoint, ScatterView, scatter_map_ui};
 use crate::ui::controls::named_header_ui;
@@ -22,7 +22,7 @@ fn harness() -> Harness<'static, Vec<Command>> {
                     explanation,
                     ..ScatterView::new(&POSE_MAP, &[], &points)
                 };
-                let params = PoseMapParams::default();
+                let params = PoseMapQuery::default();
                 named_header_ui(ui, "Poses", |ui| {
                     pose_map_choosers_ui(ui, params, 56.0, commands);
                 });
@@ -41,7 +41,7 @@ fn the_method_is_chosen_in_the_header() {
     harness.run();
     harness.get_by_label("MDS").click();
     harness.run();
-    let params = PoseMapParams {
+    let params = PoseMapQuery {
         method: MapMethod::ClassicalMds,
         ..Default::default()
     };

@@ -2,11 +2,11 @@
 
 use egui::Ui;
 
-use crate::document::document::phase_of;
+use crate::document::document::cycle_share;
 use crate::document::state::State;
 use crate::engine::PoseMap;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::look::{Kept, Look};
+use crate::panes::pane_context::{Kept, PaneContext};
 use crate::panes::scatter_map::from_state::{MapPoints, left_out, plane};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
 use crate::panes::work_state::WorkState;
@@ -14,8 +14,8 @@ use crate::panes::work_state::WorkState;
 use super::{POSE_MAP, pose_map_note};
 
 /// The points of the pose map, which other panes show, too; asks for another picture while they walk.
-pub fn pose_map(ui: &Ui, look: &Look<'_>) -> Kept<MapPoints<PoseMap>> {
-    let (state, kept) = (look.state(), look.memo().get::<MapPoints<PoseMap>>());
+pub fn pose_map(ui: &Ui, cx: &PaneContext<'_>) -> Kept<MapPoints<PoseMap>> {
+    let (state, kept) = (cx.state(), cx.memo().get::<MapPoints<PoseMap>>());
     let study = state.document.study();
     kept.borrow_mut()
         .refresh(ui, state, state.map(), (), |map| {
@@ -58,7 +58,7 @@ fn points(map: &PoseMap, state: &State) -> Vec<ScatterPoint> {
                 frames: Some([pose.frame, pose.frame]),
                 start_frame: pose.frame,
                 at: plane(map.embedding.point(row)),
-                share: phase_of(subject, pose.frame as f64),
+                share: cycle_share(subject, pose.frame as f64),
                 rr_is_known: subject.timing.rr.is_some(),
                 phase,
                 label: match phase {

@@ -8,7 +8,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::document::play::pose_at;
 use crate::document::state::State;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::look::motion;
+use crate::panes::pane_context::motion;
 use crate::panes::same::Same;
 use crate::panes::scatter_map::{MapWords, ScatterData, ScatterPoint, ScatterView, places_between};
 use crate::panes::work_state::WorkState;

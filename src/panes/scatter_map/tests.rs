@@ -6,7 +6,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use super::lens::Lens;
 use super::view::play;
 use super::*;
-use crate::engine::{PoseMapParams, Topic};
+use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command, MapCommand, WorkCommand};
 use crate::panes::work_state::WorkState;
@@ -54,7 +54,7 @@ impl Default for Map {
 }
 
 static WORDS: MapWords = MapWords {
-    job: Topic::of::<PoseMapParams>(),
+    job: Topic::of::<PoseMapQuery>(),
     name: "Map",
     item: "Path",
     empty: "Nothing here",
@@ -304,7 +304,7 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
         assert_eq!(
             *computing.state(),
             [Command::Work(WorkCommand::Cancel(
-                Topic::of::<PoseMapParams>()
+                Topic::of::<PoseMapQuery>()
             ))]
         );
         let again = if with_points {
@@ -318,7 +318,7 @@ fn work_can_be_cancelled_and_begun_again_with_and_without_a_previous_map() {
         assert_eq!(
             *stopped.state(),
             [Command::Work(WorkCommand::Retry(
-                Topic::of::<PoseMapParams>()
+                Topic::of::<PoseMapQuery>()
             ))]
         );
     }

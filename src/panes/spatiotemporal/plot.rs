@@ -2,7 +2,7 @@
 
 use egui::{Color32, Pos2, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
-use crate::engine::{PoseMapParams, Topic};
+use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::commands::Command;
 use crate::panes::scatter_map::{
     MapWords, Projection, ScatterView, draw_points, key_zoom, paths, play, pointed_at,
@@ -18,7 +18,7 @@ use super::phase_plane::{draw_phase_plane, places_at};
 
 /// The words of the plot.
 pub static SPACE_TIME: MapWords = MapWords {
-    job: Topic::of::<PoseMapParams>(),
+    job: Topic::of::<PoseMapQuery>(),
     name: "Spatiotemporal plot",
     item: "Curve",
     empty: "No poses",

@@ -2,11 +2,11 @@
 
 use egui::Ui;
 
-use crate::document::document::phase_of;
+use crate::document::document::cycle_share;
 use crate::panes::cohort::view::cohort_data;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 use crate::panes::pose_map::view::pose_map;
 use crate::panes::work_state::WorkState;
 
@@ -28,15 +28,12 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let (points, cohort) = (pose_map(ui, look), cohort_data(look));
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let (points, cohort) = (pose_map(ui, cx), cohort_data(cx));
     let (points, cohort) = (points.borrow_mut(), cohort.borrow_mut());
-    let (state, work) = (
-        look.state(),
-        WorkState::of(look.state().answers.map.as_ref()),
-    );
+    let (state, work) = (cx.state(), WorkState::of(cx.state().answers.map.as_ref()));
     let map = points.view(state, &SPACE_TIME, work, cohort.rows());
     let selected = state.document.selected();
-    let share = selected.map_or(0.0, |subject| phase_of(subject, state.document.position));
+    let share = selected.map_or(0.0, |subject| cycle_share(subject, state.document.position));
     space_time_ui(ui, &map, share, commands);
 }

@@ -5,7 +5,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 use egui::{Key, Pos2, vec2};
 
 use super::*;
-use crate::engine::{PoseMapParams, Topic};
+use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command, WorkCommand};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
@@ -133,7 +133,7 @@ fn a_new_map_can_be_cancelled_while_the_old_curves_stay() {
     assert_eq!(
         *harness.state(),
         [Command::Work(WorkCommand::Cancel(
-            Topic::of::<PoseMapParams>()
+            Topic::of::<PoseMapQuery>()
         ))]
     );
 }

@@ -11,7 +11,7 @@ pub use values::*;
 
 use egui::{Label, Margin, Ui};
 
-use crate::engine::{PoseThickness, Topic};
+use crate::engine::{PoseThicknessQuery, Topic};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WorkCommand};
 use crate::panes::work_state::WorkState;
@@ -49,7 +49,7 @@ fn footnote(view: &ThicknessPanelView) -> String {
 }
 
 fn state_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut Vec<Command>) {
-    let topic = Topic::of::<PoseThickness>();
+    let topic = Topic::of::<PoseThicknessQuery>();
     match &view.state {
         WorkState::Computing {
             fraction, phase, ..

@@ -94,9 +94,9 @@ fn measuring_can_be_cancelled_and_begun_again() {
     shown.run();
     assert_eq!(
         *shown.state(),
-        [Command::Work(WorkCommand::Cancel(
-            Topic::of::<PoseThickness>()
-        ))]
+        [Command::Work(WorkCommand::Cancel(Topic::of::<
+            PoseThicknessQuery,
+        >()))]
     );
     let mut shown = harness(WorkState::Stopped, Some("P05"));
     shown.run();
@@ -104,9 +104,9 @@ fn measuring_can_be_cancelled_and_begun_again() {
     shown.run();
     assert_eq!(
         *shown.state(),
-        [Command::Work(WorkCommand::Retry(
-            Topic::of::<PoseThickness>()
-        ))]
+        [Command::Work(WorkCommand::Retry(Topic::of::<
+            PoseThicknessQuery,
+        >()))]
     );
 }
 

@@ -16,7 +16,7 @@ pub use values::*;
 
 use egui::{Label, Margin, RichText, Ui};
 
-use crate::engine::{Topic, VerdictSettings};
+use crate::engine::{Topic, VerdictQuery};
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WorkCommand};
 use crate::panes::work_state::WorkState;
@@ -55,7 +55,7 @@ fn state_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>) {
         }
         ui.add(Label::new(note(what)).wrap());
     };
-    let retry = WorkCommand::Retry(Topic::of::<VerdictSettings>());
+    let retry = WorkCommand::Retry(Topic::of::<VerdictQuery>());
     match &view.state {
         WorkState::Empty | WorkState::Ready | WorkState::Unanswerable(_) => return,
         WorkState::Waiting => lines(ui, "Not classified yet", "Starts after the maps"),
@@ -75,7 +75,7 @@ fn state_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>) {
             progress_bar_ui(ui, width, *fraction, "Classifying the subjects");
             let text = progress_text(*fraction, *seconds_left);
             ui.label(note(text)).on_hover_text(phase);
-            let cancel = WorkCommand::Cancel(Topic::of::<VerdictSettings>());
+            let cancel = WorkCommand::Cancel(Topic::of::<VerdictQuery>());
             command_button_ui(ui, "Cancel", cancel, commands).widget_info(|| {
                 egui::WidgetInfo::labeled(egui::Role::Button, true, "Cancel classification")
             });

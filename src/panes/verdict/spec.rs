@@ -5,8 +5,8 @@ use egui::Ui;
 use super::verdict_panel_ui;
 use super::view::verdict_view;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 
 impl Pane {
     /// The verdict on the selected subject, with its evidence.
@@ -24,6 +24,6 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    verdict_panel_ui(ui, &verdict_view(look.state()), commands);
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    verdict_panel_ui(ui, &verdict_view(cx.state()), commands);
 }

@@ -119,9 +119,9 @@ fn work_under_way_shows_how_far_it_is_and_can_be_cancelled() {
         shown.run();
         assert_eq!(
             shown.into_state(),
-            [Command::Work(WorkCommand::Cancel(Topic::of::<
-                VerdictSettings,
-            >()))]
+            [Command::Work(WorkCommand::Cancel(
+                Topic::of::<VerdictQuery>()
+            ))]
         );
     }
 }
@@ -138,9 +138,9 @@ fn what_was_stopped_or_failed_can_be_asked_for_again() {
         shown.run();
         assert_eq!(
             shown.into_state(),
-            [Command::Work(WorkCommand::Retry(Topic::of::<
-                VerdictSettings,
-            >()))]
+            [Command::Work(WorkCommand::Retry(
+                Topic::of::<VerdictQuery>()
+            ))]
         );
     }
 }

@@ -8,7 +8,7 @@ use crate::render::Camera;
 use crate::ui::controls::dragged_from_within;
 
 use crate::document::state::State;
-use crate::panes::viewport::shown_subject::Cell;
+use crate::panes::viewport::shown_subject::Tile;
 
 /// A drag over the shorter side of the view turns the subject by this much.
 const TURN_PER_SIDE_RAD: f32 = std::f32::consts::PI;
@@ -24,14 +24,14 @@ pub fn camera_command(
     ui: &Ui,
     response: &Response,
     state: &State,
-    cells: &[Cell],
+    tiles: &[Tile],
 ) -> Option<Command> {
     if response.dragged() {
         if !dragged_from_within(ui, response) {
             return None;
         }
         let start = ui.input(|input| input.pointer.press_origin())?;
-        let cell = cell_at(cells, start).or(cells.first())?;
+        let tile = cell_at(tiles, start).or(tiles.first())?;
         let delta = response.drag_delta();
         if delta == egui::Vec2::ZERO {
             return None;
@@ -40,11 +40,11 @@ pub fn camera_command(
             ui.input(|input| input.modifiers.shift) || !response.dragged_by(PointerButton::Primary);
         let to = response.interact_pointer_pos()?;
         let camera = if pan {
-            cell.camera.panned(vector(delta), size(cell))
+            tile.camera.panned(vector(delta), size(tile))
         } else {
-            turned(state, cell, to - delta, to)
+            turned(state, tile, to - delta, to)
         };
-        return Some(command(cell, camera, true));
+        return Some(command(tile, camera, true));
     }
     let at = response.hover_pos()?;
     let (scroll, pinch) = ui.input(|input| (input.smooth_scroll_delta().y, input.zoom_delta()));
@@ -52,39 +52,39 @@ pub fn camera_command(
     if factor == 1.0 {
         return None;
     }
-    let cell = cell_at(cells, at)?;
-    let camera = cell
+    let tile = cell_at(tiles, at)?;
+    let camera = tile
         .camera
-        .zoomed(factor, vector(at - cell.rect.min), size(cell));
+        .zoomed(factor, vector(at - tile.rect.min), size(tile));
     HALF_HEIGHTS
         .contains(&camera.half_height)
-        .then(|| command(cell, camera, false))
+        .then(|| command(tile, camera, false))
 }
 
-fn turned(state: &State, cell: &Cell, from: Pos2, to: Pos2) -> Camera {
-    let (from, to) = (vector(from - cell.rect.min), vector(to - cell.rect.min));
+fn turned(state: &State, tile: &Tile, from: Pos2, to: Pos2) -> Camera {
+    let (from, to) = (vector(from - tile.rect.min), vector(to - tile.rect.min));
     if state.document.free_camera {
-        return cell.camera.rolled(from, to, size(cell));
+        return tile.camera.rolled(from, to, size(tile));
     }
-    let up = cell.shown.placed.prepared.axes.up;
+    let up = tile.shown.placed.prepared.axes.up;
     let up = DVec3::new(up.x, up.y, up.z).as_vec3();
-    let turn = (to - from) * (TURN_PER_SIDE_RAD / size(cell).min_element());
-    cell.camera.turned(up, turn.x, turn.y)
+    let turn = (to - from) * (TURN_PER_SIDE_RAD / size(tile).min_element());
+    tile.camera.turned(up, turn.x, turn.y)
 }
 
-fn command(cell: &Cell, camera: Camera, drag: bool) -> Command {
+fn command(tile: &Tile, camera: Camera, drag: bool) -> Command {
     Command::View(ViewCommand::SetCamera {
-        camera: cell.shown.placed.frame.heart_camera(camera),
+        camera: tile.shown.placed.frame.heart_camera(camera),
         drag,
     })
 }
 
-fn cell_at<'a, 'b>(cells: &'b [Cell<'a>], at: Pos2) -> Option<&'b Cell<'a>> {
-    cells.iter().find(|cell| cell.rect.contains(at))
+fn cell_at<'a, 'b>(tiles: &'b [Tile<'a>], at: Pos2) -> Option<&'b Tile<'a>> {
+    tiles.iter().find(|tile| tile.rect.contains(at))
 }
 
-fn size(cell: &Cell) -> Vec2 {
-    vector(cell.rect.size()).max(Vec2::ONE)
+fn size(tile: &Tile) -> Vec2 {
+    vector(tile.rect.size()).max(Vec2::ONE)
 }
 
 fn vector(v: egui::Vec2) -> Vec2 {

@@ -7,7 +7,7 @@ use egui::Rect;
 use crate::document::ViewMode;
 use crate::render::Camera;
 
-use crate::document::viewpoint::Look;
+use crate::document::viewpoint::Viewpoint;
 use crate::panes::viewport::pictures::PlacedSubject;
 
 /// Room left and right, above and below a fitted subject, in points: name and scale stand there.
@@ -46,7 +46,7 @@ impl Fits {
     /// A camera for every subject in its cell. Subjects beside each other have one scale.
     pub fn cameras(
         &mut self,
-        look: &Look,
+        viewpoint: &Viewpoint,
         mode: ViewMode,
         shown: &[Arc<PlacedSubject>],
         rects: &[Rect],
@@ -55,7 +55,7 @@ impl Fits {
             .iter()
             .zip(rects)
             .map(|(subject, rect)| {
-                let rotation = look.rotation(&subject.prepared.axes);
+                let rotation = viewpoint.rotation(&subject.prepared.axes);
                 self.fitted(mode, subject, rotation, *rect)
             })
             .collect();
@@ -69,7 +69,7 @@ impl Fits {
         shown
             .iter()
             .zip(fitted)
-            .map(|(subject, fitted)| look.camera(&subject.frame, fitted))
+            .map(|(subject, fitted)| viewpoint.camera(&subject.frame, fitted))
             .collect()
     }
 

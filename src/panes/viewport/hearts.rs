@@ -29,7 +29,7 @@ use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
 use crate::panes::viewport::pictures::{Pictures, PlacedSubject};
 use crate::panes::viewport::places::places;
-use crate::panes::viewport::shown_subject::{Cell, ScalarCache, ShownSubject, shown_subject};
+use crate::panes::viewport::shown_subject::{ScalarCache, ShownSubject, Tile, shown_subject};
 
 /// The subjects on screen and what was worked out for them.
 #[derive(Default)]
@@ -99,12 +99,12 @@ impl Viewport {
 
     /// The camera of a subject on screen, as last drawn; fitted to a square where it never was.
     pub fn camera(&self, document: &Document, shown: &ShownSubject) -> Camera {
-        let look = document.look;
+        let viewpoint = document.viewpoint;
         let fitted = self.fits.latest(&shown.placed).unwrap_or_else(|| {
-            let rotation = look.rotation(&shown.placed.prepared.axes);
+            let rotation = viewpoint.rotation(&shown.placed.prepared.axes);
             shown.placed.fitted(rotation, 1.0)
         });
-        look.camera(&shown.placed.frame, fitted)
+        viewpoint.camera(&shown.placed.frame, fitted)
     }
 
     /// The fixed colour ranges of the study.
@@ -154,61 +154,61 @@ impl Viewport {
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "3D viewport"));
         let rects = places(self.mode, area, self.shown.len());
         let placed = self.placed();
-        let look = &state.document.look;
-        let cameras = self.fits.cameras(look, self.mode, &placed, &rects);
-        let cells: Vec<Cell> = self
+        let viewpoint = &state.document.viewpoint;
+        let cameras = self.fits.cameras(viewpoint, self.mode, &placed, &rects);
+        let tiles: Vec<Tile> = self
             .shown
             .iter()
             .zip(rects)
             .zip(cameras)
-            .map(|((shown, rect), camera)| Cell {
+            .map(|((shown, rect), camera)| Tile {
                 shown,
                 rect,
                 camera,
             })
             .collect();
-        commands.extend(camera_command(ui, &response, state, &cells));
+        commands.extend(camera_command(ui, &response, state, &tiles));
         // Until the first subject of another study is ready, indices of the subjects on screen mean other ones.
         let is_of_study = self.opening == state.document.study.opening;
         if is_of_study {
-            commands.extend(self.click_command(&response, &cells));
+            commands.extend(self.click_command(&response, &tiles));
         }
         let settings = self.settings(&state.document, ui.visuals().dark_mode);
-        let (hovered, clicked) = pointed(&response, state, &cells, &settings);
-        let legends = self.draw(ui, &settings, &cells, meter);
-        self.overlays_ui(ui, state, &cells, (area, legends.as_ref()), commands);
+        let (hovered, clicked) = pointed(&response, state, &tiles, &settings);
+        let legends = self.draw(ui, &settings, &tiles, meter);
+        self.overlays_ui(ui, state, &tiles, (area, legends.as_ref()), commands);
         if is_of_study {
-            targets_ui(ui, &response, state, &cells, commands);
+            targets_ui(ui, &response, state, &tiles, commands);
         }
         let quantity = state.document.bar_quantity();
         if let Some(now) = clicked.as_ref().filter(|_| is_of_study) {
-            commands.extend(part_command(state, &cells, now.as_ref()));
+            commands.extend(part_command(state, &tiles, now.as_ref()));
         }
         let pinned = match clicked {
             Some(now) => now,
             None => self.pinned.clone(),
         };
         for picked in hovered.iter().chain(&pinned) {
-            for cell in cells.iter().filter(|cell| picked.is_on(cell)) {
-                picked_ui(ui, cell, picked, quantity);
+            for tile in tiles.iter().filter(|tile| picked.is_on(tile)) {
+                picked_ui(ui, tile, picked, quantity);
             }
         }
         self.pinned = pinned;
     }
 
     /// A double click fits the subject; a click on one of all phases goes there.
-    fn click_command(&self, response: &Response, cells: &[Cell]) -> Option<Command> {
+    fn click_command(&self, response: &Response, tiles: &[Tile]) -> Option<Command> {
         if clicked_twice(response) {
             return Some(Command::View(ViewCommand::FitView));
         }
         let at = response
             .interact_pointer_pos()
             .filter(|_| response.clicked())?;
-        let cell = cells.iter().find(|cell| cell.rect.contains(at))?;
+        let tile = tiles.iter().find(|tile| tile.rect.contains(at))?;
         // The subject on screen may still be the one before.
         (self.mode == ViewMode::AllFrames).then_some(Command::Beat(BeatCommand::SelectPose {
-            subject: cell.shown.index,
-            frame: cell.shown.position as usize,
+            subject: tile.shown.index,
+            frame: tile.shown.position as usize,
             play: false,
         }))
     }
@@ -218,15 +218,15 @@ impl Viewport {
         &self,
         ui: &Ui,
         settings: &SceneSettings,
-        cells: &[Cell],
+        tiles: &[Tile],
         meter: &Arc<AtomicU64>,
     ) -> Option<(usize, SubjectScene)> {
         let mut legends = None;
-        for (place, cell) in cells.iter().enumerate() {
-            let prepared = &cell.shown.placed.prepared;
-            let pose = pose_in(prepared, cell.shown.position);
-            let settings = cell.shown.settings(settings);
-            let mut picture = scene_with_extras(prepared, cell.shown.extras(), &settings, pose);
+        for (place, tile) in tiles.iter().enumerate() {
+            let prepared = &tile.shown.placed.prepared;
+            let pose = pose_in(prepared, tile.shown.position);
+            let settings = tile.shown.settings(settings);
+            let mut picture = scene_with_extras(prepared, tile.shown.extras(), &settings, pose);
             let scene = std::mem::take(&mut picture.scene);
             if legends.is_none() && picture.legend.is_some() {
                 legends = Some((place, picture));
@@ -236,12 +236,12 @@ impl Viewport {
             }
             let paint = ScenePaint {
                 view: ViewId(place as u32),
-                views: cells.len() as u32,
+                views: tiles.len() as u32,
                 scene,
-                camera: cell.camera,
-                rect: cell.rect,
+                camera: tile.camera,
+                rect: tile.rect,
                 ctx: ui.ctx().clone(),
-                size: pixels(cell.rect, ui.pixels_per_point()),
+                size: pixels(tile.rect, ui.pixels_per_point()),
                 meter: Arc::clone(meter),
             };
             ui.painter().add(paint.shape());
@@ -253,40 +253,40 @@ impl Viewport {
         &self,
         ui: &mut Ui,
         state: &State,
-        cells: &[Cell],
+        tiles: &[Tile],
         (area, legends): (Rect, Option<&(usize, SubjectScene)>),
         commands: &mut Vec<Command>,
     ) {
         let whole_beat = self.mode == ViewMode::AllFrames;
         let shown = if whole_beat {
-            &cells[..cells.len().min(1)]
+            &tiles[..tiles.len().min(1)]
         } else {
-            cells
+            tiles
         };
-        for (place, cell) in shown.iter().enumerate() {
-            let rect = if whole_beat { area } else { cell.rect };
+        for (place, tile) in shown.iter().enumerate() {
+            let rect = if whole_beat { area } else { tile.rect };
             let last = place + 1 == shown.len();
             let legends = legends.filter(|(at, _)| *at == place || whole_beat);
             let legends = legends.map(|(_, legends)| legends);
             let view = overlay_view(
                 legends,
-                &cell.shown.placed.prepared,
-                &cell.camera,
-                cell.rect.height(),
+                &tile.shown.placed.prepared,
+                &tile.camera,
+                tile.rect.height(),
                 last,
             );
             let builder = UiBuilder::new().max_rect(rect).id_salt(("heart", place));
             let mut over = ui.new_child(builder);
             over.set_clip_rect(rect.intersect(ui.clip_rect()));
-            viewport_overlay_ui(&mut over, &cell.shown.caption, &view, commands);
+            viewport_overlay_ui(&mut over, &tile.shown.caption, &view, commands);
             if place > 0 {
                 let line = Stroke::new(line::THIN, colours(ui).line);
                 ui.painter().vline(rect.left(), rect.y_range(), line);
             }
         }
         if whole_beat {
-            for cell in cells {
-                frame_label(ui, state, cell);
+            for tile in tiles {
+                frame_label(ui, state, tile);
             }
         }
     }
@@ -297,7 +297,7 @@ fn targets_ui(
     ui: &Ui,
     response: &Response,
     state: &State,
-    cells: &[Cell],
+    tiles: &[Tile],
     commands: &mut Vec<Command>,
 ) {
     let Some(dragged) = dragged_subject(ui) else {
@@ -306,14 +306,14 @@ fn targets_ui(
     let Some(source) = state.subject(dragged.subject) else {
         return;
     };
-    for cell in cells {
-        let Some(subject) = state.subject(cell.shown.index) else {
+    for tile in tiles {
+        let Some(subject) = state.subject(tile.shown.index) else {
             continue;
         };
         let fits = subject.sequence.correspondence() == source.sequence.correspondence();
         let target = SubjectTarget {
-            rect: cell.rect,
-            subject: cell.shown.index,
+            rect: tile.rect,
+            subject: tile.shown.index,
             id: &subject.id,
             // Any other number says that they do not correspond.
             correspondence: dragged.correspondence + usize::from(!fits),
@@ -327,13 +327,13 @@ fn targets_ui(
 fn pointed(
     response: &Response,
     state: &State,
-    cells: &[Cell],
+    tiles: &[Tile],
     settings: &SceneSettings,
 ) -> (Option<Picked>, Option<Option<Picked>>) {
     let at = |place: Option<egui::Pos2>| {
         let place = place?;
-        let cell = cells.iter().find(|cell| cell.rect.contains(place))?;
-        picked(cell, settings, place)
+        let tile = tiles.iter().find(|tile| tile.rect.contains(place))?;
+        picked(tile, settings, place)
     };
     let clicked = response
         .clicked()
@@ -344,17 +344,17 @@ fn pointed(
 }
 
 /// A click on a patch of the selected subject selects it; elsewhere, lets go of what was selected.
-fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Option<Command> {
+fn part_command(state: &State, tiles: &[Tile], clicked: Option<&Picked>) -> Option<Command> {
     let document = &state.document;
     let on_patch = clicked
         .filter(|_| document.visibility.patches)
         .and_then(|picked| {
-            let mut own = cells
+            let mut own = tiles
                 .iter()
-                .filter(|cell| cell.shown.index == document.subject);
-            let cell = own.find(|cell| picked.is_on(cell))?;
-            let atom = picked.atom(cell)?;
-            let found = &cell.shown.medial.as_ref()?.wall.thickening;
+                .filter(|tile| tile.shown.index == document.subject);
+            let tile = own.find(|tile| picked.is_on(tile))?;
+            let atom = picked.atom(tile)?;
+            let found = &tile.shown.medial.as_ref()?.wall.thickening;
             let mut patches = found.patches.iter();
             patches.position(|patch| patch.atoms.binary_search(&atom).is_ok())
         });
@@ -364,26 +364,26 @@ fn part_command(state: &State, cells: &[Cell], clicked: Option<&Picked>) -> Opti
 
 /// The number of a frame over its subject in the grid of all phases; the one that the time bar
 /// stands on is marked.
-fn frame_label(ui: &Ui, state: &State, cell: &Cell) {
-    let frame = cell.shown.position as usize;
-    let phase = phase_name(state.phases_of(cell.shown.index), frame);
+fn frame_label(ui: &Ui, state: &State, tile: &Tile) {
+    let frame = tile.shown.position as usize;
+    let phase = phase_name(state.phases_of(tile.shown.index), frame);
     let text = match phase {
         Some(phase) => format!("{frame} · {phase}"),
         None => frame.to_string(),
     };
     let colours = colours(ui);
-    let here = state.document.subject == cell.shown.index && state.document.frame() == frame;
+    let here = state.document.subject == tile.shown.index && state.document.frame() == frame;
     let colour = if here {
         colours.selection
     } else {
         colours.muted
     };
-    let at = cell.rect.left_top() + egui::vec2(10.0, 4.0);
+    let at = tile.rect.left_top() + egui::vec2(10.0, 4.0);
     let font = egui::FontId::proportional(type_size::NOTE);
     ui.painter()
         .text(at, egui::Align2::LEFT_TOP, text, font, colour);
     if here {
-        let rect = cell.rect.shrink(2.0);
+        let rect = tile.rect.shrink(2.0);
         let stroke = Stroke::new(line::THIN, colours.selection);
         let radius = f32::from(radius::CONTROL);
         ui.painter()

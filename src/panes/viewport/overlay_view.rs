@@ -23,22 +23,22 @@ use crate::study::Subject;
 use crate::ui::LabelMark;
 
 /// Names a subject; in the grid of all frames, its whole motion.
-pub fn caption(state: &State, cell: &VisiblePose) -> SubjectCaption {
-    let (document, subject) = (&state.document, state.subject(cell.subject));
+pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
+    let (document, subject) = (&state.document, state.subject(tile.subject));
     let Some(subject) = subject else {
         return SubjectCaption::default();
     };
     let beside = document.visible_transport();
-    let beside = beside.filter(|motion| motion.onto == cell.subject);
+    let beside = beside.filter(|motion| motion.onto == tile.subject);
     if let Some(from) = beside.and_then(|motion| state.subject(motion.from)) {
-        return beside_its_origin(state, cell, from, subject);
+        return beside_its_origin(state, tile, from, subject);
     }
     let count = subject.sequence.frame_count();
     let caption = SubjectCaption {
         title: subject.id.clone(),
-        mark: mark_of(state, cell.subject),
-        badge: missing_colours(state, cell),
-        patch: patch_note(state, cell.subject),
+        mark: mark_of(state, tile.subject),
+        badge: missing_colours(state, tile),
+        patch: patch_note(state, tile.subject),
         ..SubjectCaption::default()
     };
     if document.view_mode == ViewMode::AllFrames {
@@ -48,9 +48,9 @@ pub fn caption(state: &State, cell: &VisiblePose) -> SubjectCaption {
             ..caption
         };
     }
-    let between = between_words_of(state, cell.subject, cell.position);
+    let between = between_words_of(state, tile.subject, tile.position);
     let words = subject.label.clone().into_iter();
-    let moment = moment_words(state, cell.subject, cell.position, count);
+    let moment = moment_words(state, tile.subject, tile.position, count);
     SubjectCaption {
         subtitle: words.chain(moment).collect::<Vec<_>>().join(" · "),
         badge: caption.badge.or(between.badge),
@@ -75,21 +75,21 @@ fn moment_words(
 /// Names the subject that plays a transported motion, or will.
 fn beside_its_origin(
     state: &State,
-    cell: &VisiblePose,
+    tile: &VisiblePose,
     from: &Subject,
     onto: &Subject,
 ) -> SubjectCaption {
     let own = ("Show own motion", TransportCommand::StopTransport.into());
     let (title, words, between, leave);
-    if cell.transported {
+    if tile.transported {
         let count = from.sequence.frame_count();
-        let moment = moment_words(state, state.document.subject, cell.position, count);
+        let moment = moment_words(state, state.document.subject, tile.position, count);
         let why = "A transported motion is interpolated linearly";
         title = transported_title(from, onto);
         words = std::iter::once("transported motion".to_owned())
             .chain(moment)
             .collect();
-        between = between_words(None, cell.position, why);
+        between = between_words(None, tile.position, why);
         leave = own;
     } else {
         let standing;
@@ -106,13 +106,13 @@ fn beside_its_origin(
             "own motion".to_owned(),
             format!("transport from {} {standing}", from.id),
         ];
-        between = between_words_of(state, cell.subject, cell.position);
+        between = between_words_of(state, tile.subject, tile.position);
     }
     let words: Vec<String> = words;
     SubjectCaption {
         title,
         subtitle: words.join(" · "),
-        mark: mark_of(state, cell.subject),
+        mark: mark_of(state, tile.subject),
         badge: between.badge,
         badge_note: between.note,
         leave: Some(leave),
@@ -146,13 +146,13 @@ pub fn overlay_view<'a>(
 }
 
 /// Why colours that were chosen are not there; said once, at the selected subject.
-fn missing_colours(state: &State, cell: &VisiblePose) -> Option<&'static str> {
+fn missing_colours(state: &State, tile: &VisiblePose) -> Option<&'static str> {
     let document = &state.document;
     if document.bar_quantity() == Quantity::ThicknessRatio || document.visibility.atoms {
-        let untold = matches!(state.wall_of(cell.subject), Some((Err(_), _)));
+        let untold = matches!(state.wall_of(tile.subject), Some((Err(_), _)));
         return untold.then_some("Thickness not assessed");
     }
-    let wanted = document.quantity == Quantity::Contribution && cell.subject == document.subject;
+    let wanted = document.quantity == Quantity::Contribution && tile.subject == document.subject;
     wanted.then(|| hindrance(document)).flatten()
 }
 

@@ -13,7 +13,7 @@ use crate::study::Subject;
 use crate::ui::theme::{colours, line, radius, space, type_size};
 
 use crate::document::play::pose_in;
-use crate::panes::viewport::shown_subject::Cell;
+use crate::panes::viewport::shown_subject::Tile;
 
 /// A vertex of a subject, named so that it stays the same while the motion plays.
 #[derive(Clone)]
@@ -24,16 +24,16 @@ pub struct Picked {
 }
 
 /// The vertex nearest to where the pointer meets the subject of a cell.
-pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked> {
-    let placed = &cell.shown.placed;
+pub fn picked(tile: &Tile, settings: &SceneSettings, at: Pos2) -> Option<Picked> {
+    let placed = &tile.shown.placed;
     let prepared = &placed.prepared;
-    let pose = pose_in(prepared, cell.shown.position);
+    let pose = pose_in(prepared, tile.shown.position);
     let scene = subject_scene(prepared, settings, pose).scene;
-    let local = at - cell.rect.min;
-    let size = cell.rect.size();
+    let local = at - tile.rect.min;
+    let size = tile.rect.size();
     let hit = pick(
         &scene,
-        &cell.camera,
+        &tile.camera,
         Vec2::new(local.x, local.y),
         Vec2::new(size.x, size.y),
     )?;
@@ -43,7 +43,7 @@ pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked>
         .iter()
         .find(|surface| Arc::ptr_eq(&surface.geometry, geometry))?;
     Some(Picked {
-        subject: Arc::clone(&cell.shown.subject),
+        subject: Arc::clone(&tile.shown.subject),
         role: surface.role,
         vertex: hit.vertex as usize,
     })
@@ -51,8 +51,8 @@ pub fn picked(cell: &Cell, settings: &SceneSettings, at: Pos2) -> Option<Picked>
 
 impl Picked {
     /// Whether the vertex belongs to the subject of a cell.
-    pub fn is_on(&self, cell: &Cell) -> bool {
-        self.belongs_to(&cell.shown.subject)
+    pub fn is_on(&self, tile: &Tile) -> bool {
+        self.belongs_to(&tile.shown.subject)
     }
 
     /// Whether the vertex is one of a subject.
@@ -61,12 +61,12 @@ impl Picked {
     }
 
     /// The atom of the medial surface that belongs to the vertex.
-    pub fn atom(&self, cell: &Cell) -> Option<u32> {
-        let surfaces = &cell.shown.placed.prepared.surfaces;
+    pub fn atom(&self, tile: &Tile) -> Option<u32> {
+        let surfaces = &tile.shown.placed.prepared.surfaces;
         let place = surfaces
             .iter()
             .position(|surface| surface.role == self.role)?;
-        let medial = cell.shown.medial.as_ref()?;
+        let medial = tile.shown.medial.as_ref()?;
         medial.prepared.atom_at(place, self.vertex)
     }
 
@@ -93,36 +93,36 @@ impl Picked {
     }
 
     /// Where the vertex is on the screen at the cell's pose.
-    fn place(&self, cell: &Cell) -> Option<Pos2> {
-        let prepared = &cell.shown.placed.prepared;
-        let pose = pose_in(prepared, cell.shown.position);
+    fn place(&self, tile: &Tile) -> Option<Pos2> {
+        let prepared = &tile.shown.placed.prepared;
+        let pose = pose_in(prepared, tile.shown.position);
         let positions = &prepared.surface(self.role)?.geometry.positions;
         let from = glam::Vec3::from(*positions.get(pose.from)?.get(self.vertex)?);
         let to = glam::Vec3::from(*positions.get(pose.to)?.get(self.vertex)?);
-        let size = cell.rect.size();
+        let size = tile.rect.size();
         let size = Vec2::new(size.x, size.y);
-        let seen = cell.camera.project(from.lerp(to, pose.blend), size)?;
-        Some(cell.rect.min + egui::vec2(seen.pixel.x, seen.pixel.y))
+        let seen = tile.camera.project(from.lerp(to, pose.blend), size)?;
+        Some(tile.rect.min + egui::vec2(seen.pixel.x, seen.pixel.y))
     }
 }
 
 /// Draws a mark on the vertex and its words beside it.
-pub fn picked_ui(ui: &Ui, cell: &Cell, picked: &Picked, quantity: Quantity) {
-    let Some(at) = picked.place(cell) else {
+pub fn picked_ui(ui: &Ui, tile: &Tile, picked: &Picked, quantity: Quantity) {
+    let Some(at) = picked.place(tile) else {
         return;
     };
     let colours = colours(ui);
-    let painter = ui.painter().with_clip_rect(cell.rect);
+    let painter = ui.painter().with_clip_rect(tile.rect);
     painter.circle(at, 3.5, colours.selection, (line::THIN, colours.window));
-    let prepared = &cell.shown.placed.prepared;
-    let pose = pose_in(prepared, cell.shown.position);
-    let words = picked.words(prepared, cell.shown.numbers.as_deref(), quantity, pose);
+    let prepared = &tile.shown.placed.prepared;
+    let pose = pose_in(prepared, tile.shown.position);
+    let words = picked.words(prepared, tile.shown.numbers.as_deref(), quantity, pose);
     let font = egui::FontId::proportional(type_size::NOTE);
     let galley = painter.layout_no_wrap(words, font, colours.text);
     let size = galley.size() + egui::vec2(2.0 * space::MEDIUM, space::MEDIUM);
     let mut corner = at + egui::vec2(10.0, -10.0 - size.y);
-    corner.x = corner.x.min(cell.rect.right() - size.x - space::SMALL);
-    corner.y = corner.y.max(cell.rect.top() + space::SMALL);
+    corner.x = corner.x.min(tile.rect.right() - size.x - space::SMALL);
+    corner.y = corner.y.max(tile.rect.top() + space::SMALL);
     let card = Rect::from_min_size(corner, size);
     painter.rect(
         card,

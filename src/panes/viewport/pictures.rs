@@ -39,13 +39,13 @@ impl PlacedSubject {
 
 /// What a subject is made from.
 #[derive(Clone, Debug, PartialEq)]
-struct SubjectPicture {
+struct SubjectPictureQuery {
     subject: Same<Subject>,
     reference_frame: usize,
     interpolated_poses: Option<Same<InterpolatedMotion>>,
 }
 
-impl Query for SubjectPicture {
+impl Query for SubjectPictureQuery {
     type Answer = PlacedSubject;
     const TITLE: &'static str = "Surfaces for the 3D view";
     const FAILURE: Option<&'static str> = Some("The surfaces could not be prepared");
@@ -83,13 +83,13 @@ impl Query for SubjectPicture {
 
 /// What a medial surface is made from.
 #[derive(Clone, Debug, PartialEq)]
-struct MedialPicture {
+struct MedialPictureQuery {
     subject: Same<Subject>,
     beat: Same<MedialBeat>,
     end_diastole: usize,
 }
 
-impl Query for MedialPicture {
+impl Query for MedialPictureQuery {
     type Answer = PreparedMedial;
     const TITLE: &'static str = "Medial surface for the 3D view";
     const FAILURE: Option<&'static str> = Some("The medial surface could not be prepared");
@@ -117,11 +117,11 @@ impl Query for MedialPicture {
 
 /// The colour ranges of a study.
 #[derive(Clone, Debug, PartialEq)]
-struct ColourRanges {
+struct ColourRangesQuery {
     reference_frames: Vec<usize>,
 }
 
-impl Query for ColourRanges {
+impl Query for ColourRangesQuery {
     type Answer = CohortLimits;
     const TITLE: &'static str = "Colour ranges";
     const FAILURE: Option<&'static str> = Some("The colour ranges could not be computed");
@@ -191,7 +191,7 @@ impl<'a> Pictures<'a> {
         subject: &Arc<Subject>,
         wall: &Arc<SubjectThickening>,
     ) -> Option<ShownMedial> {
-        let query = MedialPicture {
+        let query = MedialPictureQuery {
             subject: Same(Arc::clone(subject)),
             beat: Same(Arc::clone(&wall.beat)),
             end_diastole: wall.thickening.end_diastole,
@@ -205,7 +205,7 @@ impl<'a> Pictures<'a> {
 
     /// The fixed colour ranges of the study; the ones before while new ones are computed.
     pub fn cohort_limits(&self, reference_frames: &[usize]) -> Option<CohortLimits> {
-        let query = ColourRanges {
+        let query = ColourRangesQuery {
             reference_frames: reference_frames.to_vec(),
         };
         let showing = self.store.ask(self.study, &query);
@@ -218,7 +218,7 @@ impl<'a> Pictures<'a> {
         reference_frame: usize,
         interpolated_poses: Option<&Arc<InterpolatedMotion>>,
     ) -> Option<Arc<PlacedSubject>> {
-        let query = SubjectPicture {
+        let query = SubjectPictureQuery {
             subject: Same(Arc::clone(subject)),
             reference_frame,
             interpolated_poses: Same::of(interpolated_poses),

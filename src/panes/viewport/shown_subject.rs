@@ -65,7 +65,7 @@ impl ShownSubject {
 }
 
 /// One subject of this frame's picture.
-pub struct Cell<'a> {
+pub struct Tile<'a> {
     /// Which subject.
     pub shown: &'a ShownSubject,
     /// Where on the screen.

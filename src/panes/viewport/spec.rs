@@ -6,8 +6,8 @@ use super::empty_state::{EmptyStateView, empty_state_ui};
 use super::header::viewport_header_ui;
 use super::hearts::Viewport;
 use crate::panes::commands::{Command, Pane};
-use crate::panes::look::Look;
 use crate::panes::pane::{Header, PaneSpec, Place};
+use crate::panes::pane_context::PaneContext;
 
 impl Pane {
     /// The 3D view.
@@ -25,19 +25,19 @@ pub const PANE: PaneSpec = PaneSpec {
     ui,
 };
 
-fn header_ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    viewport_header_ui(ui, look.state(), commands);
+fn header_ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    viewport_header_ui(ui, cx.state(), commands);
 }
 
-fn ui(ui: &mut Ui, look: &Look<'_>, commands: &mut Vec<Command>) {
-    let state = look.state();
+fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
+    let state = cx.state();
     if state.document.study().subjects.is_empty() {
         let view = EmptyStateView {
             files_hover: ui.input(|input| !input.raw.hovered_files.is_empty()),
-            opening: look.is_opening(),
+            opening: cx.is_opening(),
         };
         return empty_state_ui(ui, &view, commands);
     }
-    let viewport = look.memo().get::<Viewport>();
-    viewport.borrow_mut().ui(ui, state, look.meter(), commands);
+    let viewport = cx.memo().get::<Viewport>();
+    viewport.borrow_mut().ui(ui, state, cx.meter(), commands);
 }

@@ -156,7 +156,7 @@ impl PolarMap {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::{Store, StoreOptions, ThickeningSettings, WallThickening};
+    use crate::engine::{Store, StoreOptions, ThickeningSettings, WallThickeningQuery};
     use crate::mesh::phantom;
     use crate::progress::Progress;
     use crate::study::built_in::{BuiltInParams, cohort};
@@ -170,7 +170,7 @@ mod tests {
             ..BuiltInParams::default()
         };
         let study = Arc::new(cohort(&params).unwrap().study);
-        let query = WallThickening {
+        let query = WallThickeningQuery {
             subject: 0,
             settings: ThickeningSettings::default(),
         };

@@ -3,7 +3,7 @@
 use cardiomorph::analysis::segments::Segment;
 use cardiomorph::app::App;
 use cardiomorph::document::{ThemeChoice, ViewMode};
-use cardiomorph::engine::MedialMapParams;
+use cardiomorph::engine::MedialMapQuery;
 use cardiomorph::panes::{
     BeatCommand, Command, PANES, Pane, TransportCommand, ViewCommand, WallCommand, WindowCommand,
 };
@@ -117,7 +117,7 @@ fn the_map_of_the_medial_shape_space_looks_as_it_did() {
     let size = [360.0, 320.0];
     compare_pane("medial_map", Pane::MEDIAL_MAP, size, LIGHT, &[], |app| {
         let document = &app.state().document;
-        let query = MedialMapParams {
+        let query = MedialMapQuery {
             thickening: document.thickening,
             method: document.map.method,
         };

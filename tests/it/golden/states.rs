@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use cardiomorph::app::*;
 use cardiomorph::document::ErrorCard;
-use cardiomorph::engine::{Activity, ActivityState, PoseMapParams, Topic};
+use cardiomorph::engine::{Activity, ActivityState, PoseMapQuery, Topic};
 use cardiomorph::panes::*;
 use cardiomorph::study::Notice;
 use cardiomorph::ui::*;
@@ -115,7 +115,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 view.points = &[];
             }
             named_header_ui(ui, "Poses", |ui| {
-                pose_map_choosers_ui(ui, PoseMapParams::default(), 56.0, commands);
+                pose_map_choosers_ui(ui, PoseMapQuery::default(), 56.0, commands);
             });
             scatter_map_ui(ui, &view, 0.0, commands);
         }
@@ -137,7 +137,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
         "activity" => {
             let item = |name: &str, parameters: &str, seconds, state| Activity {
                 number: 0,
-                topic: Topic::of::<PoseMapParams>(),
+                topic: Topic::of::<PoseMapQuery>(),
                 name: name.to_owned(),
                 parameters: parameters.to_owned(),
                 asked_ago: Duration::from_secs_f64(seconds),

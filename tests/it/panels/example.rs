@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use cardiomorph::analysis::deformations::DeformationMapParams;
 use cardiomorph::document::State;
-use cardiomorph::engine::PoseMapParams;
+use cardiomorph::engine::PoseMapQuery;
 use cardiomorph::mesh::phantom;
 use cardiomorph::panes::*;
 use cardiomorph::picture::Quantity;
@@ -146,7 +146,7 @@ impl Example {
 
     pub fn metric(&self) -> MetricPanelView<'_> {
         MetricPanelView {
-            poses: PoseMapParams::default(),
+            poses: PoseMapQuery::default(),
             deformations: DeformationMapParams::default(),
             subjects: &self.rows,
             selected: Some(9),

@@ -1,7 +1,7 @@
 //! Nothing overlaps and nothing is cut off: a law over all widths of all panels.
 
 use cardiomorph::app::*;
-use cardiomorph::engine::{PoseMapParams, Topic};
+use cardiomorph::engine::{PoseMapQuery, Topic};
 use cardiomorph::panes::*;
 use cardiomorph::ui::*;
 use egui::{Rect, Shape, Ui, epaint::ClippedShape};
@@ -87,7 +87,7 @@ fn bars_hold_their_text_at_every_width() {
         wrong.extend(faults(width, 36.0, |ui, _, commands| {
             let view = StatusBarView {
                 job: Some(StatusJob {
-                    topic: Topic::of::<PoseMapParams>(),
+                    topic: Topic::of::<PoseMapQuery>(),
                     text: "Quasi-conformal distances of 2500 poses of 100 subjects".to_owned(),
                     fraction: 1.0,
                     seconds_left: Some(86.0),
@@ -111,7 +111,7 @@ fn panes_hold_their_text_at_every_width() {
         wrong.extend(faults(width, 360.0, |ui, example, commands| {
             let view = example.map(WorkState::Ready);
             named_header_ui(ui, "Poses", |ui| {
-                pose_map_choosers_ui(ui, PoseMapParams::default(), 56.0, commands);
+                pose_map_choosers_ui(ui, PoseMapQuery::default(), 56.0, commands);
             });
             scatter_map_ui(ui, &view, 0.0, commands);
         }));

@@ -1,7 +1,7 @@
 //! Beats in the window: poses between frames, one heart's beat on another, where two hearts differ.
 
 use cardiomorph::document::TransportState;
-use cardiomorph::engine::{InterpolatedPoses, MotionTransport, PoseMapParams, Topic};
+use cardiomorph::engine::{InterpolatedPosesQuery, MotionTransportQuery, PoseMapQuery, Topic};
 use cardiomorph::picture::Quantity;
 
 use super::*;
@@ -121,16 +121,16 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
     wait_for_heart(&mut harness);
     give(
         &mut harness,
-        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapQuery>())),
     );
     give(&mut harness, Command::Beat(BeatCommand::SetPosition(0.5)));
     harness.step();
-    let works = |app: &App| app.works_on(Topic::of::<InterpolatedPoses>());
+    let works = |app: &App| app.works_on(Topic::of::<InterpolatedPosesQuery>());
     assert!(works(harness.state()));
     let begin = Instant::now();
     give(
         &mut harness,
-        Command::Work(WorkCommand::Cancel(Topic::of::<InterpolatedPoses>())),
+        Command::Work(WorkCommand::Cancel(Topic::of::<InterpolatedPosesQuery>())),
     );
     wait(&mut harness, "the end of the work", |app| !works(app));
     assert!(begin.elapsed() < Duration::from_secs(2));
@@ -143,7 +143,7 @@ fn stopped_poses_stay_stopped_until_they_are_asked_for() {
     assert!(shows(&harness, "linear interpolation"));
     give(
         &mut harness,
-        Command::Work(WorkCommand::Retry(Topic::of::<InterpolatedPoses>())),
+        Command::Work(WorkCommand::Retry(Topic::of::<InterpolatedPosesQuery>())),
     );
     harness.step();
     assert!(works(harness.state()));
@@ -244,7 +244,7 @@ fn a_subject_let_go_on_a_picture_plays_on_that_heart() {
     drag(&mut harness, from, picture);
     let beat = harness.state().state().document.visible_transport();
     assert_eq!(beat.map(|beat| (beat.from, beat.onto)), Some((10, 0)));
-    let look = harness.state().state().document.look;
+    let look = harness.state().state().document.viewpoint;
     assert_eq!(look, Default::default(), "the drag turned no heart");
     wait(&mut harness, "both hearts", |app| {
         app.hearts_on_screen().len() == 2
@@ -271,7 +271,7 @@ fn a_transport_can_be_stopped_and_asked_for_again() {
     wait_for_heart(&mut harness);
     give(
         &mut harness,
-        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapQuery>())),
     );
     give(
         &mut harness,
@@ -285,7 +285,7 @@ fn a_transport_can_be_stopped_and_asked_for_again() {
     assert!(harness.state().busy());
     give(
         &mut harness,
-        Command::Work(WorkCommand::Cancel(Topic::of::<MotionTransport>())),
+        Command::Work(WorkCommand::Cancel(Topic::of::<MotionTransportQuery>())),
     );
     wait(&mut harness, "the end of the work", |app| !app.busy());
     wait(&mut harness, "both hearts", |app| {

@@ -61,8 +61,8 @@ fn drag(harness: &mut Harness<'_, App>, from: egui::Pos2, onto: egui::Pos2) {
     harness.run_steps(2);
 }
 
-fn look(harness: &Harness<'_, App>) -> cardiomorph::document::Look {
-    harness.state().state().document.look
+fn look(harness: &Harness<'_, App>) -> cardiomorph::document::Viewpoint {
+    harness.state().state().document.viewpoint
 }
 
 fn opening(harness: &Harness<'_, App>) -> u64 {
@@ -83,7 +83,10 @@ fn letters_of_the_frame_of_ctrl_k_go_to_the_palette() {
     at_once(&mut harness, keys.chain(typed(egui::Key::W, "w")));
     let state = harness.state().state();
     assert!(state.sheets.palette);
-    assert_eq!(before, (state.document.look, state.document.visibility));
+    assert_eq!(
+        before,
+        (state.document.viewpoint, state.document.visibility)
+    );
     let field = harness.get_by_label("Find a command or a subject");
     assert_eq!(field.accesskit_node().value().as_deref(), Some("5w"));
 }

@@ -113,7 +113,7 @@ fn a_patch_figure_dropped_on_the_window_restores_the_view_that_it_shows() {
     assert_eq!(restored.thickening, shown.thickening);
     assert_eq!(restored.view_mode, ViewMode::Single);
     assert!(
-        restored.look.half_height.is_some(),
+        restored.viewpoint.half_height.is_some(),
         "zoomed as the picture is"
     );
     assert!(harness.state().state().errors.is_empty());

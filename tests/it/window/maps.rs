@@ -5,7 +5,7 @@ use cardiomorph::panes::{BeatCommand, EditCommand, MapCommand, WindowCommand, Wo
 
 use cardiomorph::analysis::embedding::MapMethod;
 use cardiomorph::analysis::metrics::MetricKind;
-use cardiomorph::engine::{PoseMapParams, Topic};
+use cardiomorph::engine::{PoseMapQuery, Topic};
 
 fn with_deformations() -> Harness<'static, App> {
     let mut harness = mapped_window();
@@ -262,7 +262,7 @@ fn a_stopped_map_of_poses_stops_the_map_of_deformations_and_both_come_back() {
     harness.get_by_label("Deformation of N01, normal");
     give(
         &mut harness,
-        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapParams>())),
+        Command::Work(WorkCommand::Cancel(Topic::of::<PoseMapQuery>())),
     );
     wait(&mut harness, "the end of the work", |app| !app.busy());
     harness.get_by_label("Stopped; the previous map is shown");

@@ -1,14 +1,14 @@
 //! The map of the medial shape space and the ways of measuring thickness: from a click to what every view shows.
 
 use super::*;
-use cardiomorph::engine::MedialMapParams;
+use cardiomorph::engine::MedialMapQuery;
 use cardiomorph::panes::{BeatCommand, WindowCommand, WorkCommand};
 
 use cardiomorph::analysis::medial_map::MedialMap;
 
 fn medial_map(app: &App) -> Option<Arc<MedialMap>> {
     let document = &app.state().document;
-    app.known(&MedialMapParams {
+    app.known(&MedialMapQuery {
         thickening: document.thickening,
         method: document.map.method,
     })
@@ -101,7 +101,7 @@ fn a_stopped_medial_map_stays_stopped_until_it_is_asked_for_again() {
     );
     give(
         &mut harness,
-        Command::Work(WorkCommand::Cancel(Topic::of::<MedialMapParams>())),
+        Command::Work(WorkCommand::Cancel(Topic::of::<MedialMapQuery>())),
     );
     wait(&mut harness, "rest", |app| !app.busy());
     assert!(medial_map(harness.state()).is_none());

@@ -1,7 +1,7 @@
 //! What is said of hearts in the window: the column, the pane, and what patches may be called.
 
 use super::*;
-use cardiomorph::engine::{ClassesSettings, DeformationMapSettings};
+use cardiomorph::engine::{ClassesQuery, DeformationMapQuery};
 use cardiomorph::panes::{
     BeatCommand, EditCommand, ViewCommand, WallCommand, WindowCommand, WorkCommand,
 };
@@ -220,9 +220,9 @@ fn judging_can_be_cancelled_and_asked_for_again() {
     );
     // The maps come first: nobody has to wait for them here.
     for kind in [
-        Topic::of::<PoseMapParams>(),
-        Topic::of::<DeformationMapSettings>(),
-        Topic::of::<ClassesSettings>(),
+        Topic::of::<PoseMapQuery>(),
+        Topic::of::<DeformationMapQuery>(),
+        Topic::of::<ClassesQuery>(),
     ] {
         harness
             .state_mut()

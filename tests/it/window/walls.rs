@@ -78,15 +78,15 @@ fn a_row_of_the_table_selects_its_patch_and_turns_the_heart_to_it() {
         Command::Window(WindowCommand::ShowPane(Pane::PATCH)),
     );
     harness.run_steps(2);
-    let look = harness.state().state().document.look;
+    let look = harness.state().state().document.viewpoint;
     harness.get_by_label_contains("Patch 1: ").click();
     harness.run_steps(2);
     let document = &harness.state().state().document;
     assert_eq!(document.part, Some(WallPart::Patch(0)));
-    assert_ne!(document.look, look);
+    assert_ne!(document.viewpoint, look);
     give(&mut harness, Command::Edit(EditCommand::Undo));
     let document = &harness.state().state().document;
-    assert_eq!((document.part, document.look), (None, look));
+    assert_eq!((document.part, document.viewpoint), (None, look));
 }
 
 #[test]

@@ -20,7 +20,7 @@ pub(in crate::analysis::metrics) struct Plan {
     /// |ΔK| of the two ends, per vertex; empty unless the form is frozen.
     pub frozen: Vec<f64>,
     /// Factor of the regulariser where it is the same along the whole path; `None`: that of each pose.
-    pub rest_factor: Option<f64>,
+    pub shared_regulariser_factor: Option<f64>,
     /// Part of a face's weight that each of its sides has; for the isometric metric.
     pub side_parts: Vec<[f64; 3]>,
 }
@@ -75,7 +75,7 @@ pub(in crate::analysis::metrics) struct PathState {
     /// Energy of the metric itself, where steps begin and where they end.
     pub own: Vec<[Lanes; 2]>,
     /// Energy of the regulariser, likewise.
-    pub rest: Vec<[Lanes; 2]>,
+    pub regulariser: Vec<[Lanes; 2]>,
 }
 
 /// Gradients of the energy along those measures.
@@ -121,14 +121,14 @@ impl PathState {
             stretch: vec![[Lanes::default(); 2]; edges * blocks],
             curvature_change: vec![Lanes::default(); vertices * blocks],
             own: vec![[Lanes::default(); 2]; blocks],
-            rest: vec![[Lanes::default(); 2]; blocks],
+            regulariser: vec![[Lanes::default(); 2]; blocks],
         }
     }
 
     /// Squared norms of a step where it begins and where it ends.
     pub fn norms(&self, step: usize) -> [f64; 2] {
         let (block, lane) = (step / LANES, step % LANES);
-        [0, 1].map(|side| self.own[block][side].0[lane] + self.rest[block][side].0[lane])
+        [0, 1].map(|side| self.own[block][side].0[lane] + self.regulariser[block][side].0[lane])
     }
 
     /// Keeps what was measured of pose 1 as that of pose 0.

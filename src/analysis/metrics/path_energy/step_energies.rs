@@ -33,7 +33,7 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
     let blocks = plan.blocks;
     let mu = Lanes::splat(plan.mu());
     let two = Lanes::splat(2.0);
-    state.rest.fill([Lanes::default(); 2]);
+    state.regulariser.fill([Lanes::default(); 2]);
     for v in 0..plan.mesh.vertex_count {
         let (mut area_before, mut points_before) = (0.0, [0.0; 3]);
         // From the last block back, since the first step of a block adds to the last pose of the one before.
@@ -41,9 +41,9 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
             let at = v * blocks + b;
             let areas = state.vertex_area.both(v, b);
             let of_curvature = Weights::new(state, plan.params.area_weights, b);
-            let of_rest = Weights::new(state, plan.regulariser_by_area(), b);
+            let of_regulariser = Weights::new(state, plan.regulariser_by_area(), b);
             let lambda = lambda(plan, state, b);
-            let (w, r) = (of_curvature.of(areas), of_rest.of(areas));
+            let (w, r) = (of_curvature.of(areas), of_regulariser.of(areas));
             let change = state.curvature_change[at];
             let bend = mu * change * change;
             let [before, after] = points(state, v as u32, b);
@@ -52,9 +52,9 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
             let mut along_area = [Lanes::default(); 2];
             for side in 0..2 {
                 state.own[b][side] += w[side] * bend;
-                state.rest[b][side] += lambda[side] * r[side] * length2;
-                along_area[side] =
-                    of_curvature.scale[side] * bend + lambda[side] * of_rest.scale[side] * length2;
+                state.regulariser[b][side] += lambda[side] * r[side] * length2;
+                along_area[side] = of_curvature.scale[side] * bend
+                    + lambda[side] * of_regulariser.scale[side] * length2;
             }
             gradients.vertex_area[at] = onto_poses(along_area, &mut area_before);
             gradients.curvature_change[at] += two * mu * change * (w[0] + w[1]);
@@ -72,7 +72,7 @@ fn vertices(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
 #[inline(always)]
 fn lambda(plan: &Plan, state: &PathState, block: usize) -> [Lanes; 2] {
     // Fixed at the size of the ends, or a path would be cheaper where the subject is large.
-    if let Some(factor) = plan.rest_factor {
+    if let Some(factor) = plan.shared_regulariser_factor {
         return [Lanes::splat(factor); 2];
     }
     let total = state.total_area.both(0, block);
@@ -86,15 +86,16 @@ fn total_area_gradients(plan: &Plan, state: &PathState, gradients: &mut Gradient
     let once = |does: bool| Lanes::splat(if does { 1.0 } else { 0.0 });
     let own = once(plan.params.area_weights);
     let by_area = plan.regulariser_by_area();
-    let own_unit = plan.rest_factor.is_none();
+    let own_unit = plan.shared_regulariser_factor.is_none();
     // The factor itself is per area then, and has a slope of its own.
     let relative = by_area && own_unit && plan.params.corners == Corners::ScaleFree;
     let rest = once(by_area) + once(relative);
     let mut points_before = 0.0;
     for b in (0..plan.blocks).rev() {
         let total = state.total_area.both(0, b);
-        let slope =
-            both(|side| -(own * state.own[b][side] + rest * state.rest[b][side]).over(total[side]));
+        let slope = both(|side| {
+            -(own * state.own[b][side] + rest * state.regulariser[b][side]).over(total[side])
+        });
         gradients.total_area[b] = onto_poses(slope, &mut points_before);
     }
 }

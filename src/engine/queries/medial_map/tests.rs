@@ -29,8 +29,8 @@ fn settings() -> ThickeningSettings {
     settings
 }
 
-fn query(method: MapMethod) -> MedialMapParams {
-    MedialMapParams {
+fn query(method: MapMethod) -> MedialMapQuery {
+    MedialMapQuery {
         thickening: settings(),
         method,
     }
@@ -42,7 +42,7 @@ fn another_method_assesses_no_wall_again_and_the_same_question_keeps_its_answer(
     let asked = query(MapMethod::ClassicalMds);
     let map = ask(&store, &study, &asked);
     assert!(map.left_out.is_empty(), "{:?}", map.left_out);
-    let paths = MedialPaths {
+    let paths = MedialPathsQuery {
         thickening: settings(),
     };
     assert_eq!(store.known(&study, &paths).unwrap().len(), 3);
@@ -52,8 +52,8 @@ fn another_method_assesses_no_wall_again_and_the_same_question_keeps_its_answer(
     let [classical, majorised] = [&map, &other].map(|map| map.embedding.stress.unwrap());
     assert!(majorised <= classical + 1e-9, "{majorised} {classical}");
     // Walls are answers of their own: those of hearts that an edit left alone are found again.
-    assert_eq!(store.answers::<WallThickening>(), 3);
-    assert_eq!(store.answers::<MedialPaths>(), 1);
+    assert_eq!(store.answers::<WallThickeningQuery>(), 3);
+    assert_eq!(store.answers::<MedialPathsQuery>(), 1);
 }
 
 #[test]

@@ -34,7 +34,7 @@ fn labels_are_told_apart_as_they_are_and_as_normal_and_abnormal() {
     let study = Arc::new(study);
     let by_label = ask(&store(), &study, &classes());
     assert_eq!(by_label.names, ["DCM", "MINF", "NOR", "RV"]);
-    let by_role = ClassesSettings {
+    let by_role = ClassesQuery {
         by: ClassesBy::Role,
         ..classes()
     };

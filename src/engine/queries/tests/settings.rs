@@ -19,9 +19,9 @@ fn other_distances() -> PoseDistanceParams {
     }
 }
 
-fn other_deformations() -> DeformationMapSettings {
-    DeformationMapSettings {
-        poses: PoseMapParams {
+fn other_deformations() -> DeformationMapQuery {
+    DeformationMapQuery {
+        poses: PoseMapQuery {
             distances: other_distances(),
             method: MapMethod::ClassicalMds,
         },
@@ -63,14 +63,14 @@ fn a_map_of_deformations_is_made_with_all_of_its_settings() {
 #[test]
 fn classes_are_classified_with_their_own_distances_settings_and_labels() {
     let (study, store, progress) = (with_a_stranger(), store(), Progress::default());
-    let settings = ClassesSettings {
+    let settings = ClassesQuery {
         deformations: other_deformations(),
         classes: ClassesParams {
             permutations: 30,
             seed: 5,
             ..ClassesParams::default()
         },
-        ..ClassesSettings::default()
+        ..ClassesQuery::default()
     };
     let found = ask(&store, &study, &settings);
     let map = ask(&store, &study, &settings.deformations);
@@ -99,7 +99,7 @@ fn a_motion_is_transported_with_the_settings_of_its_question() {
         nearness: Nearness::Coordinates,
         ..TransportParams::default()
     };
-    let query = MotionTransport {
+    let query = MotionTransportQuery {
         params,
         ..transfer()
     };
@@ -114,7 +114,7 @@ fn a_motion_is_transported_with_the_settings_of_its_question() {
 fn shares_of_faces_are_those_of_the_metric_and_of_both_hearts_as_they_are() {
     let (study, store) = (study(), store());
     let distances = other_distances();
-    let query = Contribution {
+    let query = ContributionQuery {
         distances,
         ..contribution()
     };

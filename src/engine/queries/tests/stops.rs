@@ -17,13 +17,9 @@ use crate::progress::Stopped;
 #[test]
 fn no_question_is_answered_once_stopped_and_nothing_is_kept() {
     let (study, store) = (study(), store());
-    assert!(is_stopped(&store, &study, &Measures));
+    assert!(is_stopped(&store, &study, &MeasuresQuery));
     assert!(is_stopped(&store, &study, &map(MapMethod::Smacof)));
-    assert!(is_stopped(
-        &store,
-        &study,
-        &DeformationMapSettings::default()
-    ));
+    assert!(is_stopped(&store, &study, &DeformationMapQuery::default()));
     assert!(is_stopped(&store, &study, &classes()));
     assert!(is_stopped(&store, &study, &interpolated_poses()));
     assert!(is_stopped(&store, &study, &interval(0)));
@@ -35,7 +31,7 @@ fn no_question_is_answered_once_stopped_and_nothing_is_kept() {
 #[test]
 fn a_stopped_path_is_no_answer() {
     let (study, store) = (study(), store());
-    let endless = Interval {
+    let endless = IntervalQuery {
         subject: 1,
         interval: 0,
         params: GeodesicParams {
@@ -58,7 +54,7 @@ fn a_stopped_path_is_no_answer() {
     while store.busy() {
         std::thread::yield_now();
     }
-    assert_eq!(store.answers::<Interval>(), 0);
+    assert_eq!(store.answers::<IntervalQuery>(), 0);
 }
 
 #[test]

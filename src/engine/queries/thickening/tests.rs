@@ -21,10 +21,10 @@ fn study() -> Arc<Study> {
     })
 }
 
-fn query(subject: usize, tolerance: Option<f64>) -> WallThickening {
+fn query(subject: usize, tolerance: Option<f64>) -> WallThickeningQuery {
     let mut settings = ThickeningSettings::default();
     settings.thickening.tolerance = tolerance;
-    WallThickening { subject, settings }
+    WallThickeningQuery { subject, settings }
 }
 
 #[test]
@@ -36,7 +36,7 @@ fn another_tolerance_or_border_fits_no_sphere_again() {
     assert_ne!(first.thickening.steps, second.thickening.steps);
     let mut settings = ThickeningSettings::default();
     settings.thickening.extent = 0.6;
-    let wider = WallThickening {
+    let wider = WallThickeningQuery {
         subject: 1,
         settings,
     };
@@ -44,7 +44,7 @@ fn another_tolerance_or_border_fits_no_sphere_again() {
     assert!(Arc::ptr_eq(&first.beat, &third.beat));
     assert!(third.thickening.patches[0].share > first.thickening.patches[0].share);
     settings.medial.smoothing = 0.0;
-    let rough = WallThickening {
+    let rough = WallThickeningQuery {
         subject: 1,
         settings,
     };
@@ -119,13 +119,13 @@ fn atoms_that_answers_share_count_once() {
 fn one_heart_alone_is_measured_as_it_is_in_its_study() {
     let study = study();
     let (alone, together) = (store(), store());
-    ask(&together, &study, &Measures);
+    ask(&together, &study, &MeasuresQuery);
     let asked = query(1, None);
     assert_eq!(
         *ask(&alone, &study, &asked),
         *ask(&together, &study, &asked)
     );
-    assert!(alone.known(&study, &Measures).is_none());
+    assert!(alone.known(&study, &MeasuresQuery).is_none());
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn stopped_and_wrongly_set_work_keeps_nothing() {
     wrong.settings.thickening.core = 2.0;
     let message = refusal(&store, &study, &wrong);
     assert!(message.contains("core"), "{message}");
-    let atoms = MedialSurfaces {
+    let atoms = MedialSurfacesQuery {
         subject: 0,
         params: MedialParams::default(),
     };

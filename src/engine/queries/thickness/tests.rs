@@ -34,8 +34,8 @@ fn of_one(subject: Subject) -> Arc<Study> {
 
 const BOTH: [SurfaceKind; 2] = [SurfaceKind::Endocardium, SurfaceKind::Epicardium];
 
-fn query(frame: usize) -> PoseThickness {
-    PoseThickness {
+fn query(frame: usize) -> PoseThicknessQuery {
+    PoseThicknessQuery {
         subject: 0,
         frame,
         settings: ThicknessSettings::default(),

@@ -8,8 +8,8 @@ use crate::engine::queries::tests::{ask, edited, store};
 use crate::study::Study;
 use crate::study::built_in::{BuiltInParams, cohort};
 
-fn settings() -> VerdictSettings {
-    let mut settings = VerdictSettings::default();
+fn settings() -> VerdictQuery {
+    let mut settings = VerdictQuery::default();
     settings.thickening.thickening.redraws = 3;
     settings.verdicts.permutations = 19;
     settings
@@ -31,12 +31,12 @@ fn a_cohort_is_classified_once_and_kept() {
     assert!(patches >= 5, "{patches}");
     assert!(Arc::ptr_eq(&found, &ask(&store, &study, &settings())));
     // Labels make the classifier: an edit of one asks for new verdicts, and for no wall.
-    let walls = store.answers::<WallThickening>();
+    let walls = store.answers::<WallThickeningQuery>();
     let relabelled = edited(&study, 0, |subject| {
         subject.label = Some("abnormal".to_owned());
     });
     assert_ne!(*ask(&store, &relabelled, &settings()), *found);
-    assert_eq!(store.answers::<WallThickening>(), walls);
+    assert_eq!(store.answers::<WallThickeningQuery>(), walls);
 }
 
 #[test]

@@ -12,7 +12,7 @@ const LOOK_AROUND: Duration = Duration::from_millis(20);
 
 /// Answer `A` of one question, or its error, from not asked to known.
 #[derive(Debug)]
-pub(super) struct Cell<A> {
+pub(super) struct Slot<A> {
     state: Mutex<State<A>>,
     changed: Condvar,
 }
@@ -30,7 +30,7 @@ pub(super) enum State<A> {
     Cancelled(Hold),
 }
 
-impl<A> Default for Cell<A> {
+impl<A> Default for Slot<A> {
     fn default() -> Self {
         Self {
             state: Mutex::new(State::Idle),
@@ -57,7 +57,7 @@ impl<A> State<A> {
     }
 }
 
-impl<A> Cell<A> {
+impl<A> Slot<A> {
     pub fn peek(&self) -> State<A> {
         lock(&self.state).seen()
     }

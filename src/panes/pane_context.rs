@@ -14,7 +14,7 @@ use crate::engine::{Activity, Query, Showing, Store};
 use crate::study::Study;
 
 /// What a pane may look at in one frame.
-pub struct Look<'a> {
+pub struct PaneContext<'a> {
     pub(crate) state: &'a State,
     pub(crate) store: &'a Store,
     pub(crate) memo: &'a Memo,
@@ -24,7 +24,7 @@ pub struct Look<'a> {
     pub(crate) meter: &'a Arc<AtomicU64>,
 }
 
-impl<'a> Look<'a> {
+impl<'a> PaneContext<'a> {
     /// Everything the window shows.
     pub fn state(&self) -> &'a State {
         self.state
