@@ -99,7 +99,13 @@ const ANALYSIS_MAY_USE: &[(&str, &[&str])] = &[
     ),
     (
         "verdicts",
-        &["thickening", "medial", "measures", "classification"],
+        &[
+            "thickening",
+            "medial",
+            "measures",
+            "segments",
+            "classification",
+        ],
     ),
     ("metrics", &[]),
     ("geodesics", &["metrics"]),

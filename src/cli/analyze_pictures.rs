@@ -112,7 +112,7 @@ impl Pictured {
             let figure = studio.figure(&shot, scene, None)?;
             let file = self.picture(&studio, &figure, &format!("{name}.png"))?;
             let mut patch_file = None;
-            if let Some(wall) = self.abnormal_wall(index, store, progress)? {
+            if let Some(wall) = self.patched_wall(index, store, progress)? {
                 let scene = SceneSettings {
                     quantity: Quantity::Tissue,
                     medial: MedialSettings::of_patch_figure(),
@@ -162,15 +162,15 @@ impl Pictured {
         measured.or(subject.end_systole).unwrap_or(last).min(last)
     }
 
-    /// The wall of a subject whose verdict is an abnormal patch.
-    fn abnormal_wall(
+    /// The wall of a subject whose verdict is a patch.
+    fn patched_wall(
         &self,
         subject: usize,
         store: &Store,
         progress: &Progress,
     ) -> Result<Option<Arc<SubjectThickening>>, CliError> {
         let assessed = self.verdicts.subjects.get(subject);
-        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding == Finding::Patch) {
+        if !matches!(assessed, Some(Ok(verdict)) if verdict.finding.is_patch()) {
             return Ok(None);
         }
         let query = WallThickeningQuery {

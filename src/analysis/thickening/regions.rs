@@ -3,6 +3,7 @@
 use super::diffusion::RegularMesh;
 use super::neighbours::Neighbours;
 use super::params::CheckedThickeningParams;
+use super::surface::Surface;
 
 /// Thickening of remote myocardium: the value that a fifth of the area exceeds. With patches of up to
 /// three fifths of the wall it is the median of what is left.
@@ -29,15 +30,21 @@ pub(super) const CORE_AREA: f64 = 0.5;
 
 /// Parts of the wall that do not thicken, by hysteresis: connected atoms that thicken by less than `extent` of what
 /// remote myocardium does, with the least area together, half of which thickens by less than `core` of it and
-/// less than `akinetic`. By falling area.
+/// less than `akinetic`. Near the edge at which the wall was cut nothing counts for either area: a patch may reach there, but
+/// is none there alone. By falling area.
 pub(super) fn akinetic_regions(
     thickening: &[f64],
     remote: f64,
-    mesh: &RegularMesh,
-    neighbours: &Neighbours,
+    surface: &Surface,
     min_share: f64,
     params: &CheckedThickeningParams,
 ) -> Vec<Vec<u32>> {
+    let Surface {
+        mesh,
+        neighbours,
+        at_edge,
+        ..
+    } = surface;
     let inside: Vec<bool> = (thickening.iter().zip(&mesh.areas))
         .map(|(&value, &area)| area > 0.0 && value <= params.extent * remote)
         .collect();
@@ -45,15 +52,18 @@ pub(super) fn akinetic_regions(
     let core = params.akinetic.min(params.core * remote);
     let area_below = |part: &[u32], limit: f64| -> f64 {
         (part.iter().map(|&atom| atom as usize))
-            .filter(|&atom| thickening[atom] <= limit)
+            .filter(|&atom| thickening[atom] <= limit && !at_edge[atom])
             .map(|atom| mesh.areas[atom])
             .sum()
     };
     let least = min_share * mesh.whole;
     let mut parts: Vec<(f64, Vec<u32>)> = (neighbours.parts(&inside).into_iter())
         .filter(|part| area_below(part, core) >= (CORE_AREA * least).max(f64::MIN_POSITIVE))
-        .map(|part| (area_below(&part, f64::INFINITY), part))
-        .filter(|(area, _)| *area >= least)
+        .filter(|part| area_below(part, f64::INFINITY) >= least)
+        .map(|part| {
+            let area: f64 = part.iter().map(|&atom| mesh.areas[atom as usize]).sum();
+            (area, part)
+        })
         .collect();
     // Largest first: features and the report speak of the first patch.
     parts.sort_by(|a, b| b.0.total_cmp(&a.0));

@@ -1,5 +1,7 @@
 //! The medial surface as far as it takes part: its mean shape, areas, neighbours and phases.
 
+use rayon::prelude::*;
+
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial::MedialBeat;
 use crate::mesh::{Point3, Vector3, bounding_box};
@@ -17,6 +19,8 @@ pub(super) struct Surface {
     /// With areas at end-diastole.
     pub at_end_diastole: RegularMesh,
     pub neighbours: Neighbours,
+    /// Atoms near the edge at which the wall was cut open, where no patch begins.
+    pub at_edge: Vec<bool>,
     /// Poses of end-diastole and end-systole.
     pub phases: [usize; 2],
     /// Largest side of the box at end-diastole.
@@ -36,6 +40,7 @@ impl Surface {
         }
         Ok(Self {
             neighbours: Neighbours::new(middle.len(), &mesh.triangles),
+            at_edge: at_edge(beat, &middle, phases[0]),
             size: bounding_box(&rest).map_or(0.0, |[low, high]| (high - low).max()),
             middle,
             mesh,
@@ -82,6 +87,33 @@ impl Surface {
             self.at_end_diastole = steady;
         }
     }
+}
+
+/// Width of the edge in wall thicknesses: 21 mm of a wall of 8.4 mm, as far as the base of a normal ventricle descends in
+/// systole (12 to 15 mm) and averaging reaches. So near to a cut, one place of the surface is different tissue at
+/// end-diastole and at end-systole, partly that of the outflow tract, and a ratio of its thicknesses is not thickening.
+///
+/// Of 25 volunteers of `mesa` 18 have what would be a patch without an edge, all at the rim; with 1, 1.5, 2, 2.5 and 3
+/// thicknesses 16, 12, 7, 4 and 4, the last four with an ejection fraction of 26 to 41 %. All 20 infarcted hearts of
+/// `acdc_walls` have a patch with any of these.
+const EDGE: f64 = 2.5;
+
+/// Which atoms lie nearer to the open edge of the medial surface than [`EDGE`] times the median thickness of the wall.
+fn at_edge(beat: &MedialBeat, middle: &[Point3], end_diastole: usize) -> Vec<bool> {
+    let rim: Vec<Point3> = (beat.faces.boundary_vertices().iter().zip(middle))
+        .filter_map(|(rim, point)| rim.then_some(*point))
+        .collect();
+    let mut radii: Vec<f64> = (beat.frames[end_diastole].atoms.iter().zip(&beat.regular))
+        .filter_map(|(atom, regular)| regular.then_some(atom.radius))
+        .collect();
+    radii.sort_by(f64::total_cmp);
+    let width = radii.get(radii.len() / 2).map_or(0.0, |r| EDGE * 2.0 * r);
+    (middle.par_iter())
+        .map(|point| {
+            rim.iter()
+                .any(|edge| (point - edge).norm_squared() < width * width)
+        })
+        .collect()
 }
 
 fn positions(beat: &MedialBeat, pose: usize) -> Vec<Point3> {

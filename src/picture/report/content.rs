@@ -39,7 +39,7 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
                 Some(Ok(verdict)) => [
                     finding,
                     probability_words(verdict.probability),
-                    if verdict.finding == Finding::Patch {
+                    if verdict.finding.is_patch() {
                         percent(verdict.patched)
                     } else {
                         none()
@@ -71,22 +71,23 @@ pub(super) fn rows(order: &ReportOrder<'_>) -> Vec<Row> {
 
 /// How many subjects have which verdict.
 pub(super) fn counts(verdicts: &Verdicts) -> String {
-    let count = |finding: Finding| {
+    let count = |finding: Finding, wall: bool| {
         let assessed = verdicts.subjects.iter().flatten();
         assessed
-            .filter(|verdict| verdict.finding == finding)
+            .filter(|verdict| verdict.finding == finding && verdict.wall == wall)
             .count()
     };
     let mut parts: Vec<String> = [
         Finding::Patch,
+        Finding::LowThickening,
         Finding::GlobalHypokinesia,
         Finding::WithoutPatch,
         Finding::Nothing,
     ]
     .into_iter()
-    .map(|finding| (finding, count(finding)))
+    .flat_map(|finding| [true, false].map(|wall| (finding.words(wall), count(finding, wall))))
     .filter(|(_, count)| *count > 0)
-    .map(|(finding, count)| format!("{}: {count}", finding.name()))
+    .map(|(words, count)| format!("{words}: {count}"))
     .collect();
     let not = verdicts
         .subjects
@@ -106,6 +107,11 @@ pub(super) fn classifier(verdicts: &Verdicts) -> String {
             return format!(
                 "Verdicts by default thresholds, since only {normal} normal and {abnormal} abnormal subjects with a \
                  label can be assessed: the number is an uncalibrated score, not a probability."
+            );
+        }
+        ClassifierSource::Rule { normal, abnormal } => {
+            return format!(
+                "Verdicts by a classifier trained on {normal} normal and {abnormal} abnormal subjects of another study."
             );
         }
         ClassifierSource::Cohort { normal, abnormal } => (normal, abnormal),

@@ -105,7 +105,7 @@ pub(super) fn draw_bulls_eye(
     }
     let colour = match content.standing {
         PatchStanding::LowThickening => FAINT,
-        PatchStanding::NoVerdict | PatchStanding::Abnormal => BORDER,
+        PatchStanding::NoVerdict | PatchStanding::Patch | PatchStanding::Abnormal => BORDER,
     };
     for border in flat.patches.iter().flat_map(|patch| &patch.borders) {
         let points: Vec<[f32; 2]> = border.iter().map(|&point| disc.at(point)).collect();
