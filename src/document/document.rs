@@ -24,11 +24,27 @@ pub struct TransportedMotion {
     pub onto: usize,
 }
 
+/// A column of the cohort table.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum CohortColumn {
+    /// Shape of the label's role.
+    Role,
+    /// Pseudonym.
+    #[default]
+    Subject,
+    /// Free label.
+    Label,
+    /// Ejection fraction.
+    EjectionFraction,
+    /// Verdict; sorted by the probability of being abnormal.
+    Verdict,
+}
+
 /// Order of the cohort table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sorting {
-    /// Column by which rows are ordered; `None` keeps the order of the input.
-    pub column: Option<usize>,
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CohortSort {
+    /// Column by which rows are ordered.
+    pub column: CohortColumn,
     /// Greatest first.
     pub descending: bool,
 }
@@ -76,8 +92,8 @@ pub struct Document {
     pub bulls_eye_segments: bool,
     /// Filter of the cohort table.
     pub search: String,
-    /// Order of the cohort table.
-    pub sorting: Sorting,
+    /// Order of the cohort table; `None` keeps the order of the study.
+    pub sorting: Option<CohortSort>,
 }
 
 /// A shared study, compared by its revision.
@@ -130,10 +146,7 @@ impl Document {
             bulls_eye: BullsEyeQuantity::default(),
             bulls_eye_segments: false,
             search: String::new(),
-            sorting: Sorting {
-                column: None,
-                descending: false,
-            },
+            sorting: None,
         }
     }
 

@@ -7,9 +7,9 @@ use cardiomorph::panes::{
 };
 
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
+use cardiomorph::document::{CohortColumn, CohortSort};
 use cardiomorph::io::{MeshFormat, write_study};
 use cardiomorph::mesh::TriMesh;
-use cardiomorph::panes::CohortColumn;
 use cardiomorph::picture::PatchStanding;
 use cardiomorph::progress::Progress;
 use cardiomorph::study::built_in::cohort;
@@ -172,14 +172,10 @@ fn the_table_is_sorted_and_searched_by_verdict() {
     harness.get_by_label("Sort by Verdict").click();
     harness.run_steps(2);
     let sorting = harness.state().state().document.sorting;
-    let column = CohortColumn::ALL
-        .iter()
-        .position(|c| *c == CohortColumn::Verdict);
-    assert_eq!((sorting.column, sorting.descending), (column, false));
-    give(
-        &mut harness,
-        Command::View(ViewCommand::SortCohort(column.unwrap())),
-    );
+    let column = CohortColumn::Verdict;
+    let descending = false;
+    assert_eq!(sorting, Some(CohortSort { column, descending }));
+    give(&mut harness, Command::View(ViewCommand::SortCohort(column)));
     harness.run_steps(2);
     // From the surest patch down: the first row is above all others.
     let rows: Vec<(f32, String)> = (harness.get_all_by_role(egui::accesskit::Role::ListBoxOption))
