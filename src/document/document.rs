@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::document::ViewMode;
+use crate::document::cohort_sort::CohortSort;
 use crate::engine::{PoseMapQuery, ThickeningSettings};
 use crate::io::OpenError;
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
@@ -22,31 +23,6 @@ pub struct TransportedMotion {
     pub from: usize,
     /// Onto whom.
     pub onto: usize,
-}
-
-/// A column of the cohort table.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum CohortColumn {
-    /// Shape of the label's role.
-    Role,
-    /// Pseudonym.
-    #[default]
-    Subject,
-    /// Free label.
-    Label,
-    /// Ejection fraction.
-    EjectionFraction,
-    /// Verdict; sorted by the probability of being abnormal.
-    Verdict,
-}
-
-/// Order of the cohort table.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct CohortSort {
-    /// Column by which rows are ordered.
-    pub column: CohortColumn,
-    /// Greatest first.
-    pub descending: bool,
 }
 
 /// Everything a user can change and take back.

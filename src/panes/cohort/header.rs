@@ -2,19 +2,18 @@
 
 use egui::{Align2, FontId, Rect, Role, Sense, Ui, WidgetInfo, pos2, vec2};
 
-use crate::document::CohortColumn;
+use crate::document::{CohortColumn, CohortSort};
 use crate::panes::commands::{Command, ViewCommand};
 use crate::ui::controls::focus_ring;
 use crate::ui::style::note_font;
 use crate::ui::theme::{colours, space};
 
-use super::CohortView;
 use super::columns::{Columns, VerdictRoom};
 use super::rows::{COLUMNS, CohortColumnSpec};
 
 pub(super) fn header_ui(
     ui: &mut Ui,
-    view: &CohortView,
+    sort: Option<CohortSort>,
     columns: &Columns,
     commands: &mut Vec<Command>,
 ) {
@@ -25,7 +24,7 @@ pub(super) fn header_ui(
             let rect = Rect::from_min_max(pos2(left, row.top()), pos2(right, row.bottom()));
             let words = spec.column != CohortColumn::Verdict || columns.room != VerdictRoom::Mark;
             let text = if words { spec.heading } else { "" };
-            heading_ui(ui, rect, spec, text, view, commands);
+            heading_ui(ui, rect, spec, text, sort, commands);
         }
     }
 }
@@ -35,13 +34,13 @@ fn heading_ui(
     rect: Rect,
     spec: &CohortColumnSpec,
     text: &str,
-    view: &CohortView,
+    sort: Option<CohortSort>,
     commands: &mut Vec<Command>,
 ) {
     let id = ui.scope_id().with(("sort", spec.sort_by));
     let response = ui.interact(rect, id, Sense::click());
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, spec.sort_by));
-    let sorted = view.sort.filter(|sort| sort.column == spec.column);
+    let sorted = sort.filter(|sort| sort.column == spec.column);
     let colour = if sorted.is_some() || response.hovered() {
         colours(ui).text
     } else {

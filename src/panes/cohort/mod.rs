@@ -65,7 +65,7 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
     search_ui(ui, view, commands);
     let labelled = view.rows.iter().any(|row| row.label.is_some());
     let columns = Columns::within(ui.available_rect_before_wrap().x_range(), labelled);
-    header_ui(ui, view, &columns, commands);
+    header_ui(ui, view.sort, &columns, commands);
     if view.visible.is_empty() {
         ui.add_space(space::LARGE);
         ui.vertical_centered(|ui| {

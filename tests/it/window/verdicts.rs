@@ -104,9 +104,9 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
         .unwrap();
     // Thresholds that take much of any wall for a patch.
     let mut settings = harness.state().state().document.thickening;
-    settings.thickening.extent = 0.9;
-    settings.thickening.core = 0.85;
-    settings.thickening.akinetic = 1.0;
+    settings.patches.extent = 0.9;
+    settings.patches.core = 0.85;
+    settings.patches.akinetic = 1.0;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),
@@ -257,8 +257,8 @@ fn other_thresholds_ask_for_other_verdicts_while_those_before_stay() {
     select(&mut harness, PATCHED);
     let before = Arc::clone(harness.state().state().verdicts().unwrap().0);
     let mut settings = harness.state().state().document.thickening;
-    settings.thickening.extent = 0.6;
-    settings.thickening.core = 0.3;
+    settings.patches.extent = 0.6;
+    settings.patches.core = 0.3;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),
