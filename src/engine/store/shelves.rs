@@ -63,7 +63,7 @@ pub(super) struct Shelves {
     pub wake: Wake,
     budget: usize,
     /// Bytes of the study on screen, which count, too.
-    pub study_bytes: AtomicUsize,
+    study_bytes: AtomicUsize,
     /// Whether answers came, or left the screen while there were too many.
     crowded: AtomicBool,
     frame: AtomicU64,
@@ -120,6 +120,12 @@ impl Shelves {
         if self.crowded.load(Ordering::SeqCst) {
             self.give_memory_back();
         }
+    }
+
+    /// The study on screen holds so much: at the end of the frame answers may have to go.
+    pub fn hold_study(&self, bytes: usize) {
+        self.study_bytes.store(bytes, Ordering::SeqCst);
+        self.crowded.store(true, Ordering::SeqCst);
     }
 
     /// Forgets the answers used longest ago, as far as all together hold more than the budget. What is on screen

@@ -1,6 +1,5 @@
 //! The store of one window or one command: what is asked is answered once, and kept while there is room.
 
-use std::sync::atomic::Ordering;
 use std::sync::{Arc, Mutex, OnceLock};
 
 use crate::engine::activity::{Activity, Topic};
@@ -239,7 +238,7 @@ impl Store {
         for shelf in self.shelves.all() {
             shelf.follow(study);
         }
-        (self.shelves.study_bytes).store(study.bytes(), Ordering::SeqCst);
+        self.shelves.hold_study(study.bytes());
     }
 
     /// Ends a frame: what no pane asked for in it is stopped, and memory past the budget is given back.

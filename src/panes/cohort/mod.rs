@@ -71,7 +71,7 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
     let labelled = view.rows.iter().any(|row| row.label.is_some());
     let columns = Columns::within(ui.available_rect_before_wrap().x_range(), labelled);
     header_ui(ui, view, &columns, commands);
-    let shown = shown_rows(view);
+    let shown = shown_rows(view.visible, view.sort, view.unread, view.search);
     if shown.is_empty() {
         ui.add_space(space::LARGE);
         ui.vertical_centered(|ui| {

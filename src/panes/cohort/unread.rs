@@ -2,9 +2,8 @@
 
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, pos2};
 
-use crate::panes::cohort::CohortView;
 use crate::panes::cohort::columns::{Columns, cell};
-use crate::panes::cohort::rows::CohortColumn;
+use crate::panes::cohort::rows::{CohortColumn, CohortSort};
 use crate::panes::commands::{Command, FileCommand};
 use crate::study::UnreadSubject;
 use crate::ui::style::text_font;
@@ -21,20 +20,23 @@ pub(super) enum ShownRow {
 
 /// All rows in the order shown: where nothing sorts them, that of the input; else what is unread comes last, as missing
 /// values do.
-pub(super) fn shown_rows(view: &CohortView) -> Vec<ShownRow> {
-    let words: Vec<String> = (view.search.split_whitespace())
-        .map(str::to_lowercase)
-        .collect();
+pub(super) fn shown_rows(
+    visible: &[usize],
+    sort: Option<CohortSort>,
+    unread: &[UnreadSubject],
+    search: &str,
+) -> Vec<ShownRow> {
+    let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
     let matches = |unread: &UnreadSubject| {
         let label = unread.label.as_deref().unwrap_or_default();
         let text = format!("{} {label}", unread.id).to_lowercase();
         words.iter().all(|word| text.contains(word))
     };
-    let unread = view.unread.iter().enumerate();
+    let unread = unread.iter().enumerate();
     let mut unread = unread.filter(|(_, unread)| matches(unread)).peekable();
     let mut shown = Vec::new();
-    for &index in view.visible {
-        while view.sort.is_none()
+    for &index in visible {
+        while sort.is_none()
             && let Some((place, _)) = unread.next_if(|(_, unread)| unread.read_before <= index)
         {
             shown.push(ShownRow::Unread(place));
@@ -102,7 +104,6 @@ pub(super) fn unread_row_ui(
 mod tests {
     use super::ShownRow::{Read, Unread};
     use super::*;
-    use crate::panes::cohort::rows::{CohortRow, CohortSort};
 
     fn unread(id: &str, read_before: usize) -> UnreadSubject {
         UnreadSubject {
@@ -114,28 +115,12 @@ mod tests {
 
     #[test]
     fn rows_stand_in_the_order_of_the_input_whether_read_or_not_and_sorted_ones_come_first() {
-        let rows = vec![CohortRow::default(); 2];
         let all = [unread("a", 0), unread("c", 1), unread("e", 2)];
-        let view = CohortView {
-            rows: &rows,
-            visible: &[0, 1],
-            unread: &all,
-            ..CohortView::default()
-        };
         let wanted = [Unread(0), Read(0), Unread(1), Read(1), Unread(2)];
-        assert_eq!(shown_rows(&view), wanted);
-        let sorted = CohortView {
-            sort: Some(CohortSort::default()),
-            visible: &[1, 0],
-            ..view.clone()
-        };
+        assert_eq!(shown_rows(&[0, 1], None, &all, ""), wanted);
         let wanted = [Read(1), Read(0), Unread(0), Unread(1), Unread(2)];
-        assert_eq!(shown_rows(&sorted), wanted);
-        let filtered = CohortView {
-            search: "dcm C",
-            visible: &[],
-            ..view
-        };
-        assert_eq!(shown_rows(&filtered), [Unread(1)]);
+        let sort = Some(CohortSort::default());
+        assert_eq!(shown_rows(&[1, 0], sort, &all, ""), wanted);
+        assert_eq!(shown_rows(&[], None, &all, "dcm C"), [Unread(1)]);
     }
 }
