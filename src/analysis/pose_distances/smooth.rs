@@ -10,6 +10,8 @@ use crate::mesh::{Faces, TriMesh};
 use crate::progress::{Progress, Stopped};
 use crate::study::{MeshSequence, Study, Subject, SurfaceSequence};
 
+use super::bands::in_waves;
+
 /// The study with every surface at every frame smoothed by itself, see [`Smoother`]; the study as it is
 /// for radius 0. Surfaces that cannot be smoothed stay as they are.
 ///
@@ -38,18 +40,19 @@ pub fn smoothed_study(study: &Study, radius: f64, progress: &Progress) -> Result
             smoothers.insert(address(faces), smoother);
         }
     }
-    let subjects = (study.subjects.par_iter())
-        .map(|subject| {
-            let sequence = smoothed_sequence(&subject.sequence, &smoothers, progress)?;
-            Ok(match sequence {
-                Some(sequence) => Arc::new(Subject {
-                    sequence,
-                    ..(**subject).clone()
-                }),
-                None => Arc::clone(subject),
-            })
+    let smoothed = |subject: &Arc<Subject>| {
+        let sequence = smoothed_sequence(&subject.sequence, &smoothers, progress)?;
+        Ok(match sequence {
+            Some(sequence) => Arc::new(Subject {
+                sequence,
+                ..(**subject).clone()
+            }),
+            None => Arc::clone(subject),
         })
-        .collect::<Result<_, Stopped>>()?;
+    };
+    let subjects = in_waves(&study.subjects, 1, |wave| {
+        wave.par_iter().map(smoothed).collect()
+    })?;
     Ok(Study {
         subjects,
         ..study.clone()

@@ -10,6 +10,7 @@ use super::plan::SubjectPlan;
 use super::read_file::{read_bytes, read_mesh_at};
 use super::read_subjects::{SubjectOrErrors, excess, join_subject};
 use crate::io::{Limits, MeshFile};
+use crate::mesh::{Faces, TriMesh};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::check_count;
 use crate::study::{ReadSubject, Study};
@@ -101,9 +102,14 @@ type Content = Result<MeshFile, String>;
 /// Reads files; one of several subjects or frames is read once, and kept until it was used for the last time.
 struct Reader<'a> {
     shared: HashMap<PathBuf, Mutex<Shared>>,
+    /// Connectivities that were read: meshes whose faces are listed alike hold them together.
+    faces: Mutex<Vec<Arc<Faces>>>,
     limits: &'a Limits,
     progress: &'a Progress,
 }
+
+/// Connectivities that are compared with: a cohort has a few, or one a subject.
+const MAX_FACES: usize = 16;
 
 struct Shared {
     uses_left: usize,
@@ -114,6 +120,7 @@ impl<'a> Reader<'a> {
     fn of(plans: &[SubjectPlan], limits: &'a Limits, progress: &'a Progress) -> Self {
         let mut reader = Self {
             shared: HashMap::new(),
+            faces: Mutex::default(),
             limits,
             progress,
         };
@@ -140,6 +147,16 @@ impl<'a> Reader<'a> {
         surfaces.iter().flat_map(|surface| &surface.files)
     }
 
+    fn share_faces(&self, mesh: &mut TriMesh) {
+        let mut known = self.faces.lock().unwrap_or_else(PoisonError::into_inner);
+        let same = known.iter().find(|known| ***known == **mesh.faces());
+        match same.map(|same| TriMesh::new(mesh.shared_vertices(), Arc::clone(same))) {
+            Some(Ok(sharing)) => *mesh = sharing,
+            None if known.len() < MAX_FACES => known.push(Arc::clone(mesh.faces())),
+            _ => {}
+        }
+    }
+
     fn subject(&self, plan: &SubjectPlan) -> Result<SubjectOrErrors, Stopped> {
         let files: Vec<&PathBuf> = self.files_of(plan).collect();
         let contents = files.into_par_iter().map(|path| {
@@ -151,8 +168,14 @@ impl<'a> Reader<'a> {
     }
 
     fn content(&self, path: &PathBuf) -> Content {
-        let read =
-            || read_bytes(path, self.limits).and_then(|b| read_mesh_at(path, &b, self.limits));
+        let read = || {
+            let bytes = read_bytes(path, self.limits)?;
+            let mut file = read_mesh_at(path, &bytes, self.limits)?;
+            for mesh in &mut file.frames {
+                self.share_faces(mesh);
+            }
+            Ok(file)
+        };
         let Some(shared) = self.shared.get(path) else {
             return read();
         };
