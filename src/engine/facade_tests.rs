@@ -326,8 +326,8 @@ fn the_surfaces_of_the_study_on_screen_count_to_the_memory() {
         ..Study::default()
     };
     assert!(study.bytes() > 400 << 10 && one.bytes() < 100 << 10);
+    let store = Arc::clone(engine.store());
     let mut kept_beside = |shown: &Study| {
-        let (mut engine, store) = (&mut engine, Arc::clone(engine.store()));
         store.follow(shown);
         until(&mut engine, |engine| {
             let asked = engine.store().ask(&study, &MeasuresQuery);

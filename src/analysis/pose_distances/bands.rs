@@ -101,7 +101,7 @@ fn prepare(
     sources: &[&Source<'_>],
     progress: &Progress,
 ) -> Result<Vec<Option<PreparedPose>>, Stopped> {
-    let ready = |source: &&Source<'_>| {
+    let ready = |source: &&Source<'_>| -> Result<Option<PreparedPose>, Stopped> {
         progress.step()?;
         Ok(metric.prepare(&source.normalised()).ok())
     };

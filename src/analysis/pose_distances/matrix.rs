@@ -218,16 +218,17 @@ fn all_pairs(
                 .flat_map(|row| blocks(column).map(move |column| [row, column]))
                 .filter(|[row, column]| row <= column)
                 .collect();
-            let pair = |(i, j): (usize, usize), scratch: &mut PairScratch| {
-                progress.step()?;
-                if let Some(distance) = known.distance(i, j) {
-                    return Ok(distance);
-                }
-                // Only a count; nothing is ordered by it.
-                computed.fetch_add(1, Ordering::Relaxed);
-                let (a, b) = (&ours[i - row * length], &theirs[j - column * length]);
-                Ok(aligned_distance(metric, a, b, scratch))
-            };
+            let pair =
+                |(i, j): (usize, usize), scratch: &mut PairScratch| -> Result<f64, Stopped> {
+                    progress.step()?;
+                    if let Some(distance) = known.distance(i, j) {
+                        return Ok(distance);
+                    }
+                    // Only a count; nothing is ordered by it.
+                    computed.fetch_add(1, Ordering::Relaxed);
+                    let (a, b) = (&ours[i - row * length], &theirs[j - column * length]);
+                    Ok(aligned_distance(metric, a, b, scratch))
+                };
             let done: Vec<Vec<f64>> = in_waves(&tasks, WAVE, |wave| {
                 (wave.par_iter())
                     .map_init(PairScratch::default, |scratch, &task| {

@@ -40,7 +40,7 @@ pub fn smoothed_study(study: &Study, radius: f64, progress: &Progress) -> Result
             smoothers.insert(address(faces), smoother);
         }
     }
-    let smoothed = |subject: &Arc<Subject>| {
+    let smoothed = |subject: &Arc<Subject>| -> Result<Arc<Subject>, Stopped> {
         let sequence = smoothed_sequence(&subject.sequence, &smoothers, progress)?;
         Ok(match sequence {
             Some(sequence) => Arc::new(Subject {
