@@ -43,6 +43,14 @@ impl Dependencies {
         all
     }
 
+    /// On everything that is read so far: for what is no result, and is made again when more is read.
+    pub fn study_as_read(study: &Study) -> Self {
+        Self {
+            cohort: false,
+            ..Self::study(study)
+        }
+    }
+
     /// On the surfaces of these subjects.
     pub fn surfaces(study: &Study, subjects: impl IntoIterator<Item = usize>) -> Self {
         Self::of(study, subjects, Reads::Surfaces)
