@@ -71,13 +71,7 @@ impl Viewport {
             self.mode = state.document.view_mode;
             self.opening = state.document.study.opening;
         } else if self.opening == state.document.study.opening {
-            // Those on screen stay there, whichever place in the study they have now.
-            for shown in &mut self.shown {
-                let id = shown.subject.sequence.id();
-                let mut subjects = study.subjects.iter();
-                let place = subjects.position(|subject| subject.sequence.id() == id);
-                shown.index = place.unwrap_or(shown.index);
-            }
+            (self.shown.iter_mut()).for_each(|shown| shown.follow(study));
         }
         // A label that a click left belongs to its subject.
         let pinned = self.pinned.take();
