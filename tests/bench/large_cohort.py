@@ -119,6 +119,10 @@ class Window:
             time.sleep(0.01)
         return None
 
+    def first(self, what):
+        """Seconds from the start until it was seen first."""
+        return self.wait(what + r" after ([\d.]+) s", 300)
+
     def peak_mb(self):
         lines = pathlib.Path(f"/proc/{self.program.pid}/status").read_text().splitlines()
         return int(next(line for line in lines if line.startswith("VmHWM")).split()[1]) / 1024
@@ -137,11 +141,11 @@ FOLLOWED = r"(\S+) on screen ([\d.]+) s after"
 
 def measure(window):
     for what in ["rows of the cohort", "first picture"]:
-        print(f"{what:<36}{window.wait(what + r' after ([\d.]+) s', 120)} s after the start", flush=True)
+        print(f"{what:<36}{window.first(what)} s after the start", flush=True)
     print(f"{'a subject that is read':<36}{window.click_row(0)}, while others are read", flush=True)
     window.do("mousemove", 120, 400, *["click", 5] * 60)
     print(f"{'a subject that is not read yet':<36}{window.click_row(12)}", flush=True)
-    print(f"{'all subjects':<36}{window.wait(r'all subjects after ([\d.]+) s', 300)} s after the start", flush=True)
+    print(f"{'all subjects':<36}{window.first('all subjects')} s after the start", flush=True)
     time.sleep(2)
     window.do("mousemove", 120, 400, *["click", 4] * 60)
     followed = []

@@ -3,7 +3,7 @@
 use crate::analysis::metrics::MetricError;
 use crate::mesh::Point3;
 
-/// Poses from one end to the other, both included, and what the way costs.
+/// Poses from one end to the other, both included, with their energy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeodesicPath {
     /// Start, interpolated poses, end.
@@ -18,8 +18,10 @@ pub struct GeodesicPath {
     pub iterations: usize,
     /// Pairs of faces that cross each other, over all interpolated poses; the method cannot exclude them.
     pub self_intersections: usize,
-    /// Whether the tolerance was met.
+    /// Whether the tolerance was met, so that the path is a geodesic to that tolerance.
     pub converged: bool,
+    /// Whether the search brought nothing below the straight line, which is then given: it is not known to be a geodesic.
+    pub fell_back: bool,
     /// Whether the computation was stopped; the path is then the best so far, and
     /// self-intersections may not all have been counted.
     pub stopped: bool,

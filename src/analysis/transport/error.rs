@@ -60,7 +60,7 @@ pub enum TransportError {
         index: usize,
         /// Subjects of the study.
         subjects: usize,
-        /// A sentence for the person who wonders.
+        /// Why, in a sentence.
         reason: String,
     },
     /// A path needs samples, a deformation poses.
@@ -84,6 +84,15 @@ pub enum TransportError {
         pose: usize,
         /// What was computed.
         norm2: f64,
+    },
+    /// Nothing cheaper than the straight line was found, which is not known to be a geodesic.
+    #[error(
+        "no geodesic was found between the subjects: nothing cheaper than the straight line of energy {energy_linear}; \
+         without interpolated poses the straight line itself is taken"
+    )]
+    NoGeodesic {
+        /// Energy of the straight line.
+        energy_linear: f64,
     },
     /// The metric refuses a pose.
     #[error(transparent)]

@@ -2,8 +2,8 @@
 
 use egui::{Align2, Rect, Role, Sense, Ui, WidgetInfo, pos2};
 
+use crate::document::{CohortColumn, CohortSort};
 use crate::panes::cohort::columns::{Columns, cell};
-use crate::panes::cohort::rows::{CohortColumn, CohortSort};
 use crate::panes::commands::{Command, FileCommand};
 use crate::study::UnreadSubject;
 use crate::ui::style::text_font;
