@@ -6,6 +6,7 @@ use rayon::prelude::*;
 
 use super::source::Source;
 use crate::analysis::metrics::{Metric, PreparedPose};
+use crate::numeric::in_waves;
 use crate::progress::{Progress, Stopped};
 
 /// Bytes that poses made ready may take. A pose of 5,000 vertices takes 0.8 MB, and making it ready as long as some 40
@@ -106,18 +107,4 @@ fn prepare(
         Ok(metric.prepare(&source.normalised()).ok())
     };
     in_waves(sources, WAVE, |wave| wave.par_iter().map(ready).collect())
-}
-
-/// Parallel work on all items in their order, so many for each thread at a time: what waits for a thread has its turn in
-/// between, so that a subject that was clicked does not wait for a map of the cohort.
-pub(super) fn in_waves<T, R>(
-    items: &[T],
-    each: usize,
-    mut work: impl FnMut(&[T]) -> Result<Vec<R>, Stopped>,
-) -> Result<Vec<R>, Stopped> {
-    let mut done = Vec::with_capacity(items.len());
-    for wave in items.chunks(each * rayon::current_num_threads()) {
-        done.append(&mut work(wave)?);
-    }
-    Ok(done)
 }

@@ -11,10 +11,11 @@ use crate::analysis::alignment::{
 use crate::analysis::metrics::{Metric, PairScratch, PreparedPose};
 use crate::analysis::transport::transport_cohort;
 use crate::mesh::Faces;
+use crate::numeric::in_waves;
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
-use super::bands::{Bands, PREPARED_BYTES, WAVE, in_waves};
+use super::bands::{Bands, PREPARED_BYTES, WAVE};
 use super::known::KnownRows;
 use super::smooth::smoothed_study;
 use super::source::{Source, own_sources, poses_of, transported_sources};

@@ -7,10 +7,9 @@ use rayon::prelude::*;
 
 use crate::analysis::metrics::Smoother;
 use crate::mesh::{Faces, TriMesh};
+use crate::numeric::in_waves;
 use crate::progress::{Progress, Stopped};
 use crate::study::{MeshSequence, Study, Subject, SurfaceSequence};
-
-use super::bands::in_waves;
 
 /// The study with every surface at every frame smoothed by itself, see [`Smoother`]; the study as it is
 /// for radius 0. Surfaces that cannot be smoothed stay as they are.
