@@ -24,6 +24,8 @@ pub struct Answers {
     pub(crate) deformations: Option<Showing<DeformationMap>>,
     pub(crate) classes: Option<Showing<Classes>>,
     pub(crate) verdicts: Option<Showing<Verdicts>>,
+    /// Of the subjects on screen, while those of the cohort are not known.
+    pub(crate) measures_of_one: Vec<(usize, Showing<SubjectMeasures>)>,
     /// Of the subjects on screen.
     pub(crate) walls: Vec<WallAnswer>,
     /// Of the motions on screen.
@@ -88,6 +90,24 @@ impl Answers {
     /// Where the poses side by side differ, once that is known.
     pub fn difference(&self) -> Option<&Arc<Vec<Vec<f32>>>> {
         self.difference.as_ref()
+    }
+
+    /// The measures of a subject on screen.
+    pub(crate) fn measures_of_one(&self, subject: usize) -> Option<&SubjectMeasures> {
+        let mut known = self.measures_of_one.iter();
+        let (_, showing) = known.find(|(index, _)| *index == subject)?;
+        showing.latest().map(|measures| &**measures)
+    }
+
+    /// Subjects have other places now.
+    pub(crate) fn follow(&mut self, index: &[usize]) {
+        let measured = self.measures_of_one.iter_mut().map(|(subject, _)| subject);
+        let walls = self.walls.iter_mut().map(|wall| &mut wall.subject);
+        let motions = self.interpolated_poses.iter_mut();
+        let motions = motions.map(|motion| &mut motion.subject);
+        for subject in measured.chain(walls).chain(motions) {
+            *subject = index.get(*subject).copied().unwrap_or(*subject);
+        }
     }
 
     /// How the wall of a subject on screen stands.

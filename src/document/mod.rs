@@ -15,6 +15,7 @@ pub(crate) mod document;
 pub(crate) mod error_card;
 pub(crate) mod interpolated_poses;
 pub(crate) mod play;
+mod reading;
 pub(crate) mod state;
 #[cfg(test)]
 pub(crate) mod testing;

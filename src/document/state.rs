@@ -59,6 +59,10 @@ pub struct State {
     /// How finely the built-in cohort is made.
     pub built_in: BuiltInParams,
     pub(crate) last_opening: u64,
+    /// The opening of the study that is being read while it is shown.
+    pub(crate) reading: Option<u64>,
+    /// The subject, by its id, that is read before the others and selected then.
+    pub awaited: Option<String>,
 }
 
 impl Default for State {
@@ -81,6 +85,8 @@ impl Default for State {
             message: String::new(),
             built_in: BuiltInParams::default(),
             last_opening: 0,
+            reading: None,
+            awaited: None,
         }
     }
 }
@@ -97,9 +103,12 @@ impl State {
         measures.is_some_and(Showing::computing)
     }
 
-    /// Measures of one subject.
+    /// Measures of one subject; of one on screen they are known before those of the whole cohort.
     pub fn measures_of(&self, subject: usize) -> Option<&SubjectMeasures> {
-        self.measures()?.get(subject)
+        match self.measures() {
+            Some(all) => all.get(subject),
+            None => (self.of_this_study(Some(&self.answers))?).measures_of_one(subject),
+        }
     }
 
     /// The map of the study on screen.

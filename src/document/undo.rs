@@ -99,6 +99,11 @@ impl History {
         !self.future.is_empty()
     }
 
+    /// All that undo and redo can bring back.
+    pub fn documents(&mut self) -> impl Iterator<Item = &mut Document> {
+        self.past.iter_mut().chain(&mut self.future)
+    }
+
     /// Lets go of studies opened before `opening`, so that a long session does not keep all
     /// that it ever read in memory.
     pub fn forget_studies_before(&mut self, opening: u64) {

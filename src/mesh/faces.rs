@@ -1,6 +1,7 @@
 //! Triangle connectivity, checked once, and the edges and boundary loops that follow from it.
 
 use std::collections::HashMap;
+use std::sync::OnceLock;
 
 use rayon::prelude::*;
 
@@ -45,11 +46,21 @@ pub enum MeshError {
 }
 
 /// Triangles over `vertex_count` vertices: indices in range, no repeated corner.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Faces {
     vertex_count: usize,
     triangles: Vec<[u32; 3]>,
+    /// Found when they are first asked for: many checks and measures of every subject ask.
+    boundary_loops: OnceLock<Vec<Vec<u32>>>,
 }
+
+impl PartialEq for Faces {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertex_count == other.vertex_count && self.triangles == other.triangles
+    }
+}
+
+impl Eq for Faces {}
 
 impl Faces {
     /// Checks every triangle.
@@ -72,6 +83,7 @@ impl Faces {
         Ok(Self {
             vertex_count,
             triangles,
+            boundary_loops: OnceLock::new(),
         })
     }
 
@@ -110,7 +122,12 @@ impl Faces {
             .directed_edges()
             .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
             .collect();
-        sides.par_sort_unstable();
+        // In parallel only where it takes long: who draws or measures one subject waits for no thread then.
+        if sides.len() < 1 << 20 {
+            sides.sort_unstable();
+        } else {
+            sides.par_sort_unstable();
+        }
         sides
             .chunk_by(|a, b| a == b)
             .map(|run| (run[0], run.len()))
@@ -136,6 +153,16 @@ impl Faces {
     /// Where a boundary vertex has several outgoing sides (a pinched boundary) the lowest unused
     /// one is followed. A chain that does not close, because winding is inconsistent, is left out.
     pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
+        if let Some(known) = self.boundary_loops.get() {
+            return known.clone();
+        }
+        // Not found within the lock: sorting in parallel may take up other work that asks for the same loops.
+        let found = self.find_boundary_loops();
+        self.boundary_loops.set(found.clone()).ok();
+        found
+    }
+
+    fn find_boundary_loops(&self) -> Vec<Vec<u32>> {
         let single: std::collections::HashSet<Edge> = self
             .edge_valences()
             .into_iter()
@@ -178,6 +205,7 @@ impl Faces {
         Self {
             vertex_count: offset as usize,
             triangles,
+            boundary_loops: OnceLock::new(),
         }
     }
 }

@@ -15,6 +15,8 @@ mod maps;
 #[cfg(test)]
 mod medial;
 #[cfg(test)]
+mod reading;
+#[cfg(test)]
 mod verdicts;
 #[cfg(test)]
 mod walls;

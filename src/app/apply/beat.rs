@@ -11,6 +11,14 @@ use crate::panes::cohort::view::visible_subjects;
 
 /// Applies a command about subjects or time.
 pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
+    if matches!(
+        command,
+        BeatCommand::SelectPose { .. }
+            | BeatCommand::SelectSubject(_)
+            | BeatCommand::StepSubject(_)
+    ) {
+        state.awaited = None;
+    }
     match command {
         BeatCommand::SelectPose {
             subject,

@@ -20,6 +20,8 @@ pub enum Effect {
     ChooseTables,
     /// Read or make a study.
     Open(OpenSource),
+    /// Read a subject of the study that is being read before the others.
+    ReadFirst(String),
     /// Write a picture.
     WriteFigure(FigureKind, PathBuf),
     /// Read the view that a picture carries.

@@ -39,6 +39,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    ..CohortView::default()
                 };
                 cohort_table_ui(ui, &view, commands);
             },
@@ -227,6 +228,7 @@ fn on_escape(search: &'static str, in_box: bool) -> Vec<Command> {
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    ..CohortView::default()
                 };
                 cohort_table_ui(ui, &view, commands);
             },

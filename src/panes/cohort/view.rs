@@ -88,6 +88,8 @@ impl CohortData {
             compared: document.compared_on_screen(),
             measuring,
             classifying,
+            unread: &document.study().unread,
+            awaited: state.awaited.as_deref(),
         }
     }
 }
@@ -100,11 +102,15 @@ pub fn visible_subjects(state: &State) -> Vec<usize> {
 
 /// Shape and colour of the label of every subject.
 pub fn label_marks(study: &Study) -> Vec<LabelMark> {
-    let labels = study.subjects.iter();
+    let read = study.subjects.iter().map(|subject| &subject.label);
+    // Shapes go by all labels of the study: they stay the same while it is read.
+    let labels = read.chain(study.unread.iter().map(|unread| &unread.label));
     let labels: Vec<_> = labels
-        .map(|subject| (subject.label.as_deref(), study.role(subject)))
+        .map(|label| (label.as_deref(), study.label_roles.role(label.as_deref())))
         .collect();
-    LabelMark::of_study(&labels)
+    let mut marks = LabelMark::of_study(&labels);
+    marks.truncate(study.subjects.len());
+    marks
 }
 
 fn cohort_rows(state: &State) -> Vec<CohortRow> {

@@ -15,6 +15,8 @@ pub enum FileCommand {
     Open(Vec<PathBuf>),
     /// Open the cohort that ships inside.
     OpenBuiltIn,
+    /// Read this subject of the study that is being read before the others, and select it then.
+    ReadFirst(String),
     /// Write a figure of the 3D view; `None` asks where.
     ExportFigure(Option<PathBuf>),
     /// Write the figure of the patch: heart, bull's-eye, table, verdict; `None` asks where.

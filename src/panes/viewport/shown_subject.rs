@@ -10,7 +10,7 @@ use crate::picture::{
     SubjectMedial, SurfaceScalars,
 };
 use crate::render::Camera;
-use crate::study::Subject;
+use crate::study::{Study, Subject};
 
 use crate::document::VisiblePose;
 use crate::document::state::State;
@@ -41,6 +41,14 @@ pub struct ShownSubject {
 }
 
 impl ShownSubject {
+    /// Whichever place it has in the study now.
+    pub fn follow(&mut self, study: &Study) {
+        let id = self.subject.sequence.id();
+        let mut subjects = study.subjects.iter();
+        let place = subjects.position(|subject| subject.sequence.id() == id);
+        self.index = place.unwrap_or(self.index);
+    }
+
     /// How it is drawn, where subjects are drawn so.
     pub fn settings(&self, settings: &SceneSettings) -> SceneSettings {
         SceneSettings {

@@ -70,6 +70,8 @@ impl Viewport {
             self.shown = ready;
             self.mode = state.document.view_mode;
             self.opening = state.document.study.opening;
+        } else if self.opening == state.document.study.opening {
+            (self.shown.iter_mut()).for_each(|shown| shown.follow(study));
         }
         // A label that a click left belongs to its subject.
         let pinned = self.pinned.take();

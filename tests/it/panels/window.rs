@@ -58,6 +58,7 @@ pub fn cohort(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         compared: None,
         measuring: false,
         classifying: false,
+        ..CohortView::default()
     };
     cohort_table_ui(ui, &view, commands);
 }
