@@ -112,11 +112,7 @@ fn sort(sorting: Sorting) -> Option<CohortSort> {
 
 /// Shape and colour of the label of every subject.
 pub fn label_marks(study: &Study) -> Vec<LabelMark> {
-    let labels = study.subjects.iter();
-    let labels: Vec<_> = labels
-        .map(|subject| (subject.label.as_deref(), study.role(subject)))
-        .collect();
-    LabelMark::of_study(&labels)
+    LabelMark::of_subjects(study)
 }
 
 fn cohort_rows(state: &State) -> Vec<CohortRow> {
