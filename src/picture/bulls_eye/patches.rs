@@ -20,7 +20,8 @@ type HatchLine = (i32, [[f64; 2]; 2]);
 pub struct PolarPatch {
     /// Closed outlines; more than one where the patch has holes or parts that the map leaves apart.
     pub borders: Vec<Vec<[f64; 2]>>,
-    /// Parallel lines over the inside, one piece a face: number of the line, counted from the middle of the disc, and ends.
+    /// Parallel lines over the inside, in pieces from edge to edge: number of the line, counted from the middle of the
+    /// disc, and ends.
     pub hatch: Vec<(i32, [[f64; 2]; 2])>,
     /// The place inside that is farthest from the outlines; `None` where no face of the map is in the patch.
     pub middle: Option<[f64; 2]>,
@@ -59,7 +60,7 @@ pub fn polar_patch(points: &[[f64; 2]], faces: &[[u32; 3]], atoms: &[u32]) -> Po
     }
     PolarPatch {
         middle: middle(faces.iter().map(corners), &outlines),
-        hatch: faces.iter().map(corners).flat_map(hatch).collect(),
+        hatch: joined(faces.iter().map(corners).flat_map(hatch).collect()),
         borders,
     }
 }
@@ -114,6 +115,31 @@ fn hatch(face: [[f64; 2]; 3]) -> Vec<HatchLine> {
     (least.ceil() as i32..=most.floor() as i32)
         .filter_map(cut)
         .collect()
+}
+
+/// Pieces that continue each other as one: a line of many pieces has a dark dot at every joint where it is translucent.
+fn joined(mut pieces: Vec<HatchLine>) -> Vec<HatchLine> {
+    // Lines run up to the right.
+    let along = |at: [f64; 2]| at[0] + at[1];
+    for (_, ends) in &mut pieces {
+        ends.sort_by(|a, b| along(*a).total_cmp(&along(*b)));
+    }
+    pieces.sort_by(|(a, [from, _]), (b, [other, _])| {
+        a.cmp(b).then(along(*from).total_cmp(&along(*other)))
+    });
+    let mut lines: Vec<HatchLine> = Vec::new();
+    for (number, [from, to]) in pieces {
+        match lines.last_mut() {
+            // Neighbouring faces share the corner of the cut up to rounding.
+            Some((last, [_, end])) if *last == number && along(from) - along(*end) < 1e-9 => {
+                if along(to) > along(*end) {
+                    *end = to;
+                }
+            }
+            _ => lines.push((number, [from, to])),
+        }
+    }
+    lines
 }
 
 #[cfg(test)]
@@ -176,6 +202,8 @@ mod tests {
         let lines: std::collections::HashSet<i32> =
             patch.hatch.iter().map(|(line, _)| *line).collect();
         assert!(lines.len() > 8, "{lines:?}");
+        // A line leaves this patch once or twice; it crosses many more faces.
+        assert!(patch.hatch.len() <= 3 * lines.len(), "{:?}", patch.hatch);
         assert!(
             patch
                 .hatch

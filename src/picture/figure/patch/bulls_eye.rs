@@ -7,12 +7,14 @@ use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues, ink_on, se
 use crate::picture::figure::patch::content::PatchContent;
 use crate::picture::figure::pen::Pen;
 use crate::picture::legend::{ColourLegend, Tick};
-use crate::picture::page::{Anchor, Weight};
+use crate::picture::page::{Anchor, Mark, Page, Weight};
 use crate::picture::patch_words::{PatchStanding, sentence};
 use crate::render::Picture;
 
 /// Lines between segments, and below borders of patches.
 const BETWEEN: [f32; 3] = [0.09, 0.10, 0.12];
+/// Of the lines of a hatch, through which the colours are still read.
+const HATCH_OPACITY: f32 = 0.6;
 /// What has no value.
 const NO_VALUE: [u8; 3] = [0x80, 0x85, 0x8c];
 /// Borders of patches: seen on pale and on deep colours, above a dark line.
@@ -107,6 +109,7 @@ pub(super) fn draw_bulls_eye(
         PatchStanding::LowThickening => FAINT,
         PatchStanding::NoVerdict | PatchStanding::Abnormal => BORDER,
     };
+    hatch(pen.page, flat, &disc, width);
     for border in flat.patches.iter().flat_map(|patch| &patch.borders) {
         let points: Vec<[f32; 2]> = border.iter().map(|&point| disc.at(point)).collect();
         pen.page.line(&points, true, 4.5 * width, BETWEEN);
@@ -138,9 +141,31 @@ pub(super) fn draw_bulls_eye(
     pen.colour_bar(&legend, &heading, [left, high[1]], bar);
 }
 
+/// Thin dark lines over the inside of patches: which side of an outline is the patch.
+fn hatch(page: &mut Page, flat: &PolarMap, disc: &Disc, width: f32) {
+    for (_, ends) in flat.patches.iter().flat_map(|patch| &patch.hatch) {
+        page.marks.push(Mark::Line {
+            points: ends.map(|end| disc.at(end)).to_vec(),
+            closed: false,
+            width: 0.8 * width,
+            colour: BETWEEN,
+            opacity: HATCH_OPACITY,
+        });
+    }
+}
+
 fn title(content: &PatchContent) -> String {
     let title = sentence(&content.scale.title(&content.heart.moment));
-    format!("{title} (grey: no value)")
+    let hatched = if flat_has_patches(content) {
+        format!("; hatched: {}", content.standing.part().to_lowercase())
+    } else {
+        String::new()
+    };
+    format!("{title} (grey: no value{hatched})")
+}
+
+fn flat_has_patches(content: &PatchContent) -> bool {
+    (content.flat.as_ref()).is_some_and(|(flat, _)| !flat.patches.is_empty())
 }
 
 /// The colours with numbers.
