@@ -8,10 +8,11 @@ use crate::panes::{Command, FileCommand};
 use crate::picture::Quantity;
 use crate::study::Subject;
 
-use super::dialogs::{AskPaths, Dialogs, PathQuestion};
+use super::dialogs::Dialogs;
 use super::errors::push_card;
-use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
-use super::saved_views::{self, SavedViews};
+use super::export::{FigureColours, FigureExport, FigureKind, NoFigure, TableExport};
+use super::path_question::{AskPaths, PathQuestion};
+use super::saved_views::SavedViews;
 use crate::document::document::Document;
 use crate::document::state::State;
 use crate::panes::pane_context::Kept;
@@ -24,10 +25,19 @@ struct WantedFigure {
     path: Option<PathBuf>,
     /// What was on screen at the command, or about to be.
     document: Document,
-    dark: bool,
+    colours: FigureColours,
 }
 
 impl WantedFigure {
+    /// Whether what the store says is about what the figure shows: in the frame in which settings change, it is still
+    /// about those before.
+    fn is_answered_by(&self, answered: &Document) -> bool {
+        Arc::ptr_eq(answered.study(), self.document.study())
+            && answered.thickening == self.document.thickening
+            && answered.bar_quantity() == self.document.bar_quantity()
+            && answered.interpolated_poses == self.document.interpolated_poses
+    }
+
     /// Why it can no longer be had once the window shows `now`; `None` as long as it can.
     fn left_behind_by(&self, now: &Document) -> Option<&'static str> {
         let needs_numbers = |document: &Document| {
@@ -67,6 +77,8 @@ pub struct ChosenFiles {
     dialogs: Dialogs,
     saved_views: SavedViews,
     waiting_figures: Vec<WantedFigure>,
+    /// The document that the store was asked for last.
+    answered: Document,
 }
 
 impl ChosenFiles {
@@ -76,7 +88,28 @@ impl ChosenFiles {
             dialogs: Dialogs::new(ask_paths),
             saved_views: SavedViews::default(),
             waiting_figures: Vec::new(),
+            answered: State::default().document,
         }
+    }
+
+    /// Says that the answers of this frame are about this document.
+    pub fn answers_are_of(&mut self, document: &Document) {
+        self.answered.clone_from(document);
+    }
+
+    /// Completes a path that is typed.
+    pub fn complete_path(&mut self, engine: &Engine, text: String) {
+        self.dialogs.typed.complete(engine, text);
+    }
+
+    /// Takes a path that was typed.
+    pub fn take_path(&mut self, engine: &Engine, text: String, replace: bool) {
+        self.dialogs.typed.take(engine, text, replace);
+    }
+
+    /// Gives up typing a path.
+    pub fn cancel_path(&mut self, state: &mut State) {
+        self.dialogs.typed.cancel(state);
     }
 
     /// Asks which files or folders to open.
@@ -85,9 +118,9 @@ impl ChosenFiles {
         self.dialogs.ask(engine, question, Box::new(open));
     }
 
-    /// Begins to read the view that a picture contains.
-    pub fn read_view(&mut self, engine: &Engine, picture: PathBuf) {
-        self.saved_views.read(engine, picture);
+    /// Begins to read the view that a picture contains; `named` says whether its study was named with it.
+    pub fn read_view(&mut self, engine: &Engine, picture: PathBuf, named: bool) {
+        self.saved_views.read(engine, picture, named);
     }
 
     /// Fixes what the tables hold at the moment they are asked for, then asks where they go if that is not known.
@@ -118,7 +151,7 @@ impl ChosenFiles {
             kind,
             path,
             document: exporting.state.document.clone(),
-            dark: exporting.dark,
+            colours: FigureColours::of(exporting.state.figure_look, exporting.dark),
         };
         self.make_figure(exporting, wanted);
     }
@@ -127,7 +160,10 @@ impl ChosenFiles {
         let state = &mut *exporting.state;
         let viewport = exporting.viewport.borrow_mut();
         let (document, kind) = (&wanted.document, wanted.kind);
-        let figure = FigureExport::of(document, state, &viewport, wanted.dark, kind);
+        let figure = match wanted.is_answered_by(&self.answered) {
+            true => FigureExport::of(document, state, &viewport, &wanted.colours, kind),
+            false => Err(NoFigure::NotYet),
+        };
         match (figure, wanted.path.take()) {
             (Ok(figure), Some(path)) => write_figure(state, exporting.engine, figure, path),
             (Ok(figure), None) => {
@@ -136,16 +172,14 @@ impl ChosenFiles {
                     suggested: figure.file_name(),
                 };
                 let write = |state: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
-                    let path = with_png_ending(paths.swap_remove(0));
-                    write_figure(state, engine, figure, path);
+                    write_figure(state, engine, figure, paths.swap_remove(0));
                     None
                 };
                 self.dialogs
                     .ask(exporting.engine, question, Box::new(write));
             }
             (Err(NoFigure::Refused(reason)), _) => {
-                let title = "There is no patch figure of this subject";
-                push_card(&mut state.errors, title, reason);
+                push_card(&mut state.errors, "There is no such figure", reason);
             }
             (Err(NoFigure::NotYet), path) => {
                 if let Some(subject) = wanted.document.selected() {
@@ -173,19 +207,8 @@ impl ChosenFiles {
     /// What dialogs and pictures have brought: commands to apply; exports with a place begin.
     pub fn poll(&mut self, state: &mut State, engine: &mut Engine) -> Vec<Command> {
         let mut commands = Vec::from_iter(self.dialogs.poll(state, engine));
-        match self.saved_views.poll() {
-            Some(Ok(command)) => commands.push(command),
-            Some(Err(reason)) => saved_views::refuse(state, reason),
-            None => {}
-        }
+        commands.extend(self.saved_views.poll(state, engine));
         commands
-    }
-}
-
-fn with_png_ending(path: PathBuf) -> PathBuf {
-    match path.extension() {
-        Some(_) => path,
-        None => path.with_extension("png"),
     }
 }
 
