@@ -32,26 +32,26 @@ impl WantedFigure {
     /// Whether what the store says is about what the figure shows: in the frame in which settings change, it is still
     /// about those before.
     fn is_answered_by(&self, answered: &Document) -> bool {
-        Arc::ptr_eq(answered.study(), self.document.study())
-            && answered.thickening == self.document.thickening
-            && answered.bar_quantity() == self.document.bar_quantity()
-            && answered.interpolated_poses == self.document.interpolated_poses
+        let same_colours = answered.bar_quantity() == self.document.bar_quantity();
+        answered.thickening == self.document.thickening && (same_colours || !self.needs_numbers())
+    }
+
+    /// Whether its colours are computed beside the subject.
+    fn needs_numbers(&self) -> bool {
+        matches!(
+            self.document.bar_quantity(),
+            Quantity::ThicknessRatio | Quantity::Contribution | Quantity::MotionDifference
+        )
     }
 
     /// Why it can no longer be had once the window shows `now`; `None` as long as it can.
     fn left_behind_by(&self, now: &Document) -> Option<&'static str> {
-        let needs_numbers = |document: &Document| {
-            matches!(
-                document.bar_quantity(),
-                Quantity::ThicknessRatio | Quantity::Contribution | Quantity::MotionDifference
-            )
-        };
         let colours_changed = now.bar_quantity() != self.document.bar_quantity();
         if self.subject() != now.selected().map(Arc::as_ptr) {
             Some("another subject was selected before this one was drawn and measured")
         } else if now.thickening != self.document.thickening {
             Some("the thresholds of patches were changed before its wall was measured")
-        } else if colours_changed && needs_numbers(&self.document) {
+        } else if colours_changed && self.needs_numbers() {
             Some("other colours were chosen before those of the figure were computed")
         } else {
             None

@@ -104,6 +104,10 @@ impl SavedViews {
         let outcome = self.seeking.as_mut().and_then(Job::poll);
         match (found, outcome) {
             (Ok(_), None) if is_named || is_new => {}
+            (_, Some(Ok(None))) if waiting.view.study == BUILT_IN_NAME && !is_named => {
+                self.seeking = None;
+                return Some(FileCommand::OpenBuiltIn.into());
+            }
             (Ok(_), Some(Ok(None) | Err(_))) => {}
             (_, Some(Ok(Some(path)))) => {
                 self.seeking = None;
@@ -123,9 +127,6 @@ impl SavedViews {
             (_, None) if waiting.sought || engine.opening() => return None,
             (_, None) => {
                 waiting.sought = true;
-                if waiting.view.study == BUILT_IN_NAME {
-                    return Some(FileCommand::OpenBuiltIn.into());
-                }
                 let (name, picture) = (waiting.view.study.clone(), self.picture.clone());
                 let recent = state.recent.clone();
                 let seek = move |_: &_| Ok(study_named(&name, &recent, &picture));

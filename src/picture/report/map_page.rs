@@ -14,8 +14,10 @@ use crate::study::Study;
 const SIDE: f32 = 640.0;
 /// Half the size of a mark.
 const MARK: f32 = 6.0;
-/// Widths of marks and of paths.
-const STROKES: [f32; 2] = [2.4, 1.0];
+/// Width of the arms of a mark, in radii.
+const ARM: f32 = 0.4;
+/// Width of paths.
+const PATH: f32 = 1.0;
 /// Size of names relative to running text.
 const NAME: f32 = 0.7;
 /// Widest name.
@@ -130,7 +132,7 @@ fn draw(pen: &mut Pen<'_>, order: &ReportOrder<'_>, plot: &Plot, marks: &[LabelM
         let colour = mark_of(marks, *subject).on_paper();
         let line: Vec<[f32; 2]> = path.iter().map(place).collect();
         let pale = colour.map(|channel| 1.0 - PALE * (1.0 - channel));
-        pen.page.line(&line, false, STROKES[1], pale);
+        pen.page.line(&line, false, PATH, pale);
     }
     write_names(pen, order, plot, place, frame);
     for (subject, path) in &plot.paths {
@@ -203,7 +205,7 @@ fn mark(page: &mut Page, label: LabelMark, [x, y]: [f32; 2], size: f32) {
         MarkShape::Square(side) => page.rectangle(at([-side; 2]), at([side; 2]), colour),
         MarkShape::Arms(arms) => {
             for ends in arms {
-                page.line(&ends.map(at), false, STROKES[0], colour);
+                page.line(&ends.map(at), false, ARM * size, colour);
             }
         }
         MarkShape::Polygons(polygons) => {

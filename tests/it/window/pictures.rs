@@ -8,6 +8,8 @@ use cardiomorph::picture::Quantity;
 /// A figure of P03 at frame 2 with its cavity coloured, exported from a study on disk; and the study.
 fn exported(name: &str) -> (tempfile::TempDir, PathBuf, PathBuf) {
     let (folder, manifest) = cohort_on_disk();
+    let text = std::fs::read_to_string(&manifest).unwrap();
+    std::fs::write(&manifest, text.replace("Built-in cohort", "Ward 3")).unwrap();
     let picture = folder.path().join(name);
     let mut harness = window(AppOptions::opening(vec![manifest.clone()]));
     wait_for_heart(&mut harness);
@@ -84,7 +86,10 @@ fn a_picture_whose_study_is_not_found_says_so_and_waits_for_it() {
         "no other study is opened"
     );
     let message = state.errors[0].message.clone();
-    assert!(message.contains("shows P03 of the study"), "{message}");
+    assert!(
+        message.contains("shows P03 of the study “Ward 3”"),
+        "{message}"
+    );
     assert!(message.contains("open that study"), "{message}");
     give(&mut harness, WorkCommand::DismissError(0).into());
     give(&mut harness, FileCommand::Open(vec![manifest]).into());
