@@ -9,7 +9,7 @@ use egui::{Context, ThemePreference, Ui};
 use crate::document::ThemeChoice;
 use crate::document::answers::Answers;
 
-use crate::engine::{OpenSource, Query, Topic, Wake};
+use crate::engine::{Query, Topic, Wake};
 use crate::panes::{Command, FileCommand};
 use crate::ui::{self};
 
@@ -22,7 +22,6 @@ use super::first_picture::FirstPicture;
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::path_question::PathQuestion;
-use super::saved_views::split_picture;
 use super::settings::Settings;
 use super::times::Times;
 use super::typefaces::Typefaces;
@@ -87,19 +86,8 @@ impl App {
             ..State::default()
         };
         let mut files = ChosenFiles::new(options.ask_paths);
-        match options.open {
-            Some(OpenSource::Paths(paths)) => {
-                let (picture, paths) = split_picture(paths);
-                if let Some(picture) = picture {
-                    files.read_view(&background.engine, picture, !paths.is_empty());
-                }
-                if !paths.is_empty() {
-                    super::settings::remember_recent(&mut state.recent, &paths);
-                    background.engine.open(OpenSource::Paths(paths));
-                }
-            }
-            Some(source @ OpenSource::BuiltIn(_)) => background.engine.open(source),
-            None => {}
+        if let Some(source) = options.open {
+            files.begin(&mut state, &mut background.engine, source);
         }
         let memo = Memo::default();
         memo.put(Viewport::new(cc.wgpu_render_state.is_some()));

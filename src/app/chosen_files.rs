@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::engine::Engine;
+use crate::engine::{Engine, OpenSource};
 use crate::panes::{Command, FileCommand};
 use crate::picture::Quantity;
 use crate::study::Subject;
@@ -12,7 +12,8 @@ use super::dialogs::Dialogs;
 use super::errors::push_card;
 use super::export::{FigureColours, FigureExport, FigureKind, NoFigure, TableExport};
 use super::path_question::{AskPaths, PathQuestion};
-use super::saved_views::SavedViews;
+use super::saved_views::{SavedViews, split_picture};
+use super::settings::remember_recent;
 use crate::document::document::Document;
 use crate::document::state::State;
 use crate::panes::pane_context::Kept;
@@ -95,6 +96,21 @@ impl ChosenFiles {
     /// Says that the answers of this frame are about this document.
     pub fn answers_are_of(&mut self, document: &Document) {
         self.answered.clone_from(document);
+    }
+
+    /// Opens what the window begins with: of paths, a picture restores its view.
+    pub fn begin(&mut self, state: &mut State, engine: &mut Engine, source: OpenSource) {
+        let OpenSource::Paths(paths) = source else {
+            return engine.open(source);
+        };
+        let (picture, paths) = split_picture(paths);
+        if let Some(picture) = picture {
+            self.read_view(engine, picture, !paths.is_empty());
+        }
+        if !paths.is_empty() {
+            remember_recent(&mut state.recent, &paths);
+            engine.open(OpenSource::Paths(paths));
+        }
     }
 
     /// Completes a path that is typed.
