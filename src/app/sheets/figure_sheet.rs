@@ -24,11 +24,11 @@ const TYPED_FROM: [u32; 2] = [2400, 1800];
 /// Draws the sheet; Esc or its cross closes it.
 pub fn figure_sheet_ui(ui: &mut Ui, look: FigureLook, commands: &mut Vec<Command>) {
     let ctx = ui.ctx().clone();
-    let size = egui::vec2(400.0, 250.0);
+    let size = egui::vec2(470.0, 250.0);
     let mut chosen = look;
     let mut exported = None;
     let closed = dialog_ui(&ctx, "Figure settings", size, false, |ui| {
-        ui.set_width(376.0);
+        ui.set_width(446.0);
         ui.spacing_mut().item_spacing.y = space::MEDIUM;
         size_ui(ui, &mut chosen);
         choices_line_ui(
@@ -85,7 +85,7 @@ fn size_ui(ui: &mut Ui, look: &mut FigureLook) {
     let shown = named.map_or("Typed", |(name, _)| name);
     ui.horizontal(|ui| {
         ui.label("Size");
-        chooser_ui(ui, "Size", shown, |ui| {
+        let chooser = chooser_ui(ui, "Size", shown, |ui| {
             for (name, size) in SIZES {
                 let pixels = size.map_or_else(
                     || "2000 × 1500, patch figures 2400 × 1800".to_owned(),
@@ -100,6 +100,10 @@ fn size_ui(ui: &mut Ui, look: &mut FigureLook) {
                 }
             }
         });
+        // Tab steps through the sheet, not through subjects.
+        if ui.memory(|memory| memory.focused().is_none()) {
+            chooser.request_focus();
+        }
     });
     for (axis, name) in ["Width", "Height"].into_iter().enumerate() {
         let field = NumberField {

@@ -1,7 +1,7 @@
 //! How figures look: size, background and theme, chosen in the window.
 
 use super::*;
-use cardiomorph::panes::{FileCommand, WallCommand, WindowCommand};
+use cardiomorph::panes::{FileCommand, WallCommand};
 use cardiomorph::picture::figure::{FigureBackground, FigureLook, FigureTheme};
 
 /// P05 has a large patch.
@@ -21,13 +21,25 @@ fn exported(harness: &mut Harness<'_, App>, command: FileCommand, path: &Path) -
 fn size_background_and_theme_of_a_figure_are_those_chosen_in_the_sheet() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = cohort_window();
-    give(&mut harness, WindowCommand::ToggleFigureSheet.into());
+    harness.key_press_modifiers(egui::Modifiers::COMMAND, egui::Key::F2);
     harness.run_steps(4);
     harness.get_by_label("Black").click();
     harness.run_steps(3);
-    let look = harness.state().state().figure_look;
-    assert_eq!(look.background, FigureBackground::Black);
-    give(&mut harness, WindowCommand::ToggleFigureSheet.into());
+    let look = |harness: &Harness<'_, App>| harness.state().state().figure_look;
+    assert_eq!(look(&harness).background, FigureBackground::Black);
+    // By the keyboard: the next choice after it.
+    harness.get_by_label("Black").focus();
+    harness.run_steps(2);
+    let subject = harness.state().state().document.subject;
+    for key in [egui::Key::Tab, egui::Key::Space] {
+        harness.key_press(key);
+        harness.run_steps(2);
+    }
+    assert_eq!(look(&harness).background, FigureBackground::Transparent);
+    assert_eq!(harness.state().state().document.subject, subject);
+    harness.key_press(egui::Key::Escape);
+    harness.run_steps(3);
+    assert!(!harness.state().state().sheets.figure);
     for (index, (background, theme, corner)) in [
         (FigureBackground::Black, FigureTheme::Window, [0, 0, 0, 255]),
         (FigureBackground::White, FigureTheme::Dark, [255; 4]),

@@ -81,7 +81,7 @@ pub(super) fn draw_bulls_eye(
     let line = pen.line_height();
     let legend = legend(&content.scale, shown);
     // Wide enough wherever the bar begins.
-    let heading_width = 0.8 * (high[0] - low[0]);
+    let heading_width = 0.6 * (high[0] - low[0]);
     let heading = (pen.fonts).wrapped(&title(content), Weight::Regular, pen.text, heading_width);
     let bar_height = (1.4 + heading.len() as f32) * line + 0.9 * pen.text;
     let names = pen.fonts.width("inferolateral", Weight::Regular, pen.text);
