@@ -28,9 +28,9 @@ use super::typefaces::Typefaces;
 use super::window_picture::{self, KeepPicture};
 use crate::document::state::State;
 use crate::panes::pane_context::{Kept, Memo};
-use crate::panes::viewport::hearts::Viewport;
 use crate::panes::viewport::paint;
-use crate::panes::viewport::pictures::Pictures;
+use crate::panes::viewport::queries::Pictures;
+use crate::panes::viewport::viewport::Viewport;
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -123,7 +123,7 @@ impl App {
 
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
-        self.background.engine.busy() || self.state.answers.thickness_is_pending()
+        self.background.engine.busy()
     }
 
     /// Whether one kind of work goes on.
@@ -325,7 +325,6 @@ impl eframe::App for App {
         files.take_waiting_figures(&mut exporting);
         self.play(ctx);
         let seen = Seen {
-            panes: self.layout.seen(),
             pointer_held: ctx.input(|input| input.pointer.any_down()),
         };
         if self.first_picture_is_ahead() {

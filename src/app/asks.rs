@@ -1,13 +1,9 @@
 //! What the window asks the store every frame, whatever is on screen: maps, measures, walls, verdicts.
 
-use std::collections::HashSet;
-
 use crate::analysis::classification::ClassesParams;
 use crate::engine::{
-    ClassesQuery, DeformationMapQuery, FrameThickness, MeasuresQuery, PoseThicknessQuery, Showing,
-    Store, ThicknessSettings, VerdictQuery, WallThickeningQuery,
+    ClassesQuery, DeformationMapQuery, MeasuresQuery, Store, VerdictQuery, WallThickeningQuery,
 };
-use crate::panes::Pane;
 
 use super::asks_motions::MotionAsks;
 use crate::document::answers::{Answers, WallAnswer};
@@ -17,11 +13,9 @@ use crate::document::visible_poses;
 use crate::panes::deformation_map::view::enough_subjects;
 use crate::panes::pane_context::ask_at_rest;
 
-/// What of the window is looked at: work for panes that nobody sees waits.
+/// What the person at the screen does.
 #[derive(Clone, Debug, Default)]
 pub struct Seen {
-    /// Panes in front of other tabs.
-    pub panes: HashSet<Pane>,
     /// Whether something may be dragged.
     pub pointer_held: bool,
 }
@@ -57,9 +51,6 @@ impl Asks {
                 ..ClassesQuery::default()
             };
             answers.classes = Some(store.ask(study, &classes));
-        }
-        if seen.panes.contains(&Pane::THICKNESS) {
-            answers.thickness = thickness(state, store);
         }
         let verdicts = verdict_settings(&state.document);
         answers.verdicts = Some(ask_at_rest(store, study, seen.pointer_held, &verdicts));
@@ -100,46 +91,4 @@ fn walls(state: &State, store: &Store) -> Vec<WallAnswer> {
         }
     }
     walls
-}
-
-/// Thickness at the poses that the pane shows, one after the other: their times are shown, and two at a time would
-/// disturb each other.
-fn thickness(state: &State, store: &Store) -> Vec<(usize, Showing<FrameThickness>)> {
-    let study = state.document.study();
-    let mut waits = false;
-    let poses = thickness_poses(state).into_iter().map(|frame| {
-        let query = PoseThicknessQuery {
-            subject: state.document.subject,
-            frame,
-            settings: ThicknessSettings {
-                medial: state.document.thickening.medial,
-                ..ThicknessSettings::default()
-            },
-        };
-        let showing = match waits {
-            true => store.watch(study, &query),
-            false => store.ask(study, &query),
-        };
-        waits |= showing.computing() || showing.stopped();
-        (frame, showing)
-    });
-    poses.collect()
-}
-
-/// End-diastole, end-systole, and the pose on screen; while the motion plays only the first two, for the third is gone
-/// before it is measured. None while the phases are not known.
-fn thickness_poses(state: &State) -> Vec<usize> {
-    let document = &state.document;
-    if state.measures().is_none() {
-        return Vec::new();
-    }
-    let (end_diastole, end_systole) = state.phases_of(document.subject);
-    let on_screen = (!state.play.playing).then(|| document.frame());
-    let mut frames: Vec<usize> = Vec::new();
-    for frame in [end_diastole, end_systole, on_screen].into_iter().flatten() {
-        if !frames.contains(&frame) {
-            frames.push(frame);
-        }
-    }
-    frames
 }

@@ -17,7 +17,7 @@ use super::settings::remember_recent;
 use crate::document::document::Document;
 use crate::document::state::State;
 use crate::panes::pane_context::Kept;
-use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::viewport::Viewport;
 
 /// A figure as it was asked for. It waits where the selected subject is not on screen yet, or its wall not measured.
 struct WantedFigure {

@@ -28,8 +28,8 @@ use super::typed_paths::with_png_ending;
 use crate::document::document::{Document, nearest_frame};
 use crate::document::play::pose_in;
 use crate::document::state::State;
-use crate::panes::viewport::hearts::Viewport;
 use crate::panes::viewport::shown_subject::ShownSubject;
+use crate::panes::viewport::viewport::Viewport;
 
 /// Which figure is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

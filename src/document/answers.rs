@@ -6,7 +6,7 @@ use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::engine::{FrameThickness, Interrupted, PoseMap, Showing, SubjectThickening};
+use crate::engine::{Interrupted, PoseMap, Showing, SubjectThickening};
 
 use crate::document::interpolated_poses::InterpolatedMotion;
 use crate::document::transported::{TransportState, TransportedSubject};
@@ -26,8 +26,6 @@ pub struct Answers {
     pub(crate) verdicts: Option<Showing<Verdicts>>,
     /// Of the subjects on screen.
     pub(crate) walls: Vec<WallAnswer>,
-    /// Of the selected subject, by frame.
-    pub(crate) thickness: Vec<(usize, Showing<FrameThickness>)>,
     /// Of the motions on screen.
     pub(crate) interpolated_poses: Vec<InterpolationAnswer>,
     pub(crate) transported: Option<TransportedSubject>,
@@ -90,12 +88,6 @@ impl Answers {
     /// Where the poses side by side differ, once that is known.
     pub fn difference(&self) -> Option<&Arc<Vec<Vec<f32>>>> {
         self.difference.as_ref()
-    }
-
-    /// Whether thickness is still to be measured at a frame: between one frame and the next nothing may run.
-    pub(crate) fn thickness_is_pending(&self) -> bool {
-        let mut poses = self.thickness.iter().map(|(_, showing)| showing);
-        poses.clone().all(|showing| !showing.stopped()) && poses.any(Showing::computing)
     }
 
     /// How the wall of a subject on screen stands.

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::document::ViewMode;
+use crate::document::cohort_sort::CohortSort;
 use crate::engine::{PoseMapQuery, ThickeningSettings};
 use crate::io::OpenError;
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
@@ -22,15 +23,6 @@ pub struct TransportedMotion {
     pub from: usize,
     /// Onto whom.
     pub onto: usize,
-}
-
-/// Order of the cohort table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sorting {
-    /// Column by which rows are ordered; `None` keeps the order of the input.
-    pub column: Option<usize>,
-    /// Greatest first.
-    pub descending: bool,
 }
 
 /// Everything a user can change and take back.
@@ -76,8 +68,8 @@ pub struct Document {
     pub bulls_eye_segments: bool,
     /// Filter of the cohort table.
     pub search: String,
-    /// Order of the cohort table.
-    pub sorting: Sorting,
+    /// Order of the cohort table; `None` keeps the order of the study.
+    pub sorting: Option<CohortSort>,
 }
 
 /// A shared study, compared by its revision.
@@ -130,10 +122,7 @@ impl Document {
             bulls_eye: BullsEyeQuantity::default(),
             bulls_eye_segments: false,
             search: String::new(),
-            sorting: Sorting {
-                column: None,
-                descending: false,
-            },
+            sorting: None,
         }
     }
 

@@ -5,6 +5,7 @@
 //! changes it.
 
 pub(crate) mod answers;
+pub(crate) mod cohort_sort;
 pub(crate) mod differences;
 #[expect(
     clippy::module_inception,
@@ -27,7 +28,9 @@ pub(crate) mod viewpoint;
 pub(crate) mod visibility;
 pub(crate) mod visible_poses;
 
-pub use path_entry::*;
-pub use {answers::*, differences::*, document::*, error_card::*, interpolated_poses::*, play::*};
+pub use {
+    answers::*, cohort_sort::*, differences::*, document::*, error_card::*, interpolated_poses::*,
+    path_entry::*, play::*,
+};
 pub use {state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
 pub use {visibility::*, visible_poses::*};

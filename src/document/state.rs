@@ -101,6 +101,12 @@ impl State {
         self.latest(self.answers.measures.as_ref())
     }
 
+    /// Whether they are being computed.
+    pub fn is_measuring(&self) -> bool {
+        let measures = self.answers.measures.as_ref();
+        measures.is_some_and(Showing::computing)
+    }
+
     /// Measures of one subject.
     pub fn measures_of(&self, subject: usize) -> Option<&SubjectMeasures> {
         self.measures()?.get(subject)
@@ -160,6 +166,20 @@ impl State {
                 .and_then(|subject| subject.end_systole)
                 .or_else(|| measured.and_then(|measures| measures.end_systole)),
         )
+    }
+
+    /// "ED" or "ES", where a frame of a subject is that phase.
+    pub fn phase_name(&self, subject: usize, frame: usize) -> Option<&'static str> {
+        let (end_diastole, end_systole) = self.phases_of(subject);
+        let named = [(end_diastole, "ED"), (end_systole, "ES")];
+        let mut named = named.into_iter();
+        named.find_map(|(phase, name)| (phase == Some(frame)).then_some(name))
+    }
+
+    /// "ED", "ES", "frame 3": a frame of a subject.
+    pub fn moment_name(&self, subject: usize, frame: usize) -> String {
+        let phase = self.phase_name(subject, frame);
+        phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
     }
 
     /// A subject of the study on screen.

@@ -249,7 +249,7 @@ fn thickening_is_stopped_retried_and_follows_a_slider() {
     let first = answered(&mut engine, &query);
     for step in 1..4 {
         let tolerance = 0.05 * f64::from(step);
-        query.settings.thickening.tolerance = Some(tolerance);
+        query.settings.patches.tolerance = Some(tolerance);
         let found = answered(&mut engine, &query);
         assert!(Arc::ptr_eq(&found.beat, &first.beat));
         assert_eq!(found.thickening.tolerance, tolerance);

@@ -28,6 +28,7 @@ mod typefaces;
 mod wall_tables;
 mod workers;
 
+pub use crate::io::mesh_format_names;
 pub use activity::{Activity, ActivityLog, ActivityState, Topic};
 pub use engine::{Engine, ExportError};
 pub use export::{ExportFile, FileBytes, PassingFile, write_files};

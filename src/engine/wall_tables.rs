@@ -99,7 +99,7 @@ impl WallTables {
             subjects.push(tables.add(study, subject, answer, &part)?);
         }
         tables.walls.summary = json!({
-            "parameters": thickening_params_json(&thickening.medial, &thickening.thickening),
+            "parameters": thickening_params_json(&thickening.medial, &thickening.patches),
             "subjects": subjects,
         });
         Ok(tables)

@@ -172,7 +172,7 @@ fn constant(frames: &[FrameMeasures]) -> bool {
     first.is_some_and(|first| volumes.all(|volume| equal(first, volume)))
 }
 
-/// A single frame is end-diastole and has no end-systole, or what the input says it is, so that no beat is made up.
+/// A single frame is end-diastole and has no end-systole, or what the input says it is, so that no motion is made up.
 fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
     let count = measured.frames.len();
     let volumes: Vec<(usize, f64)> = measured

@@ -127,7 +127,7 @@ pub fn thickening(
         averaged_share: found.share,
         averaged_noise: found.noise,
         regular_area: at_end_diastole.whole,
-        thickening: found.thickening,
+        averaged: found.thickening,
         size: surface.size,
         steps,
         patches,

@@ -109,7 +109,7 @@ impl Features {
         let VerdictInput { beat, thickening } = *heart;
         let rest = positions(beat, thickening.end_diastole);
         let areas = regular_areas(beat, &rest);
-        let values = Weighted::new(&thickening.thickening, &areas);
+        let values = Weighted::new(&thickening.averaged, &areas);
         let akinetic = AKINETIC_PT.ln();
         // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();

@@ -14,12 +14,11 @@ pub use values::*;
 use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::analysis::segments::Segment;
-use crate::engine::{Topic, WallThickeningQuery};
-use crate::panes::buttons::command_button_ui;
-use crate::panes::commands::{Command, WallCommand, WorkCommand};
+use crate::panes::commands::{Command, WallCommand};
 use crate::panes::work_state::WorkState;
+use crate::panes::work_ui::{WALL_WORK, work_pane_ui};
 use crate::picture::{BullsEyeQuantity, WallPart};
-use crate::ui::controls::{choices_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
+use crate::ui::controls::{choices_ui, chooser_ui, empty_pane_ui};
 use crate::ui::marks::distance_to;
 use crate::ui::theme::space;
 
@@ -44,21 +43,10 @@ pub fn bulls_eye_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command
 fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     let what = "Wall thickness and thickening by AHA segment are shown here";
     match (&view.state, view.without_axis) {
-        (WorkState::Unanswerable(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
-        (WorkState::Computing { fraction, .. }, _) => {
-            empty_pane_ui(ui, "Fitting medial spheres", what, |ui| {
-                let width = 180f32.min(ui.available_width());
-                progress_bar_ui(ui, width, *fraction, "Fitting medial spheres");
-            });
-        }
-        (WorkState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
-            let retry = WorkCommand::Retry(Topic::of::<WallThickeningQuery>());
-            command_button_ui(ui, "Measure wall thickness", retry, commands);
-        }),
         (WorkState::Ready, Some(why)) => {
             empty_pane_ui(ui, "The bull's-eye could not be computed", why, |_| {});
         }
-        _ => empty_pane_ui(ui, "No bull's-eye", what, |_| {}),
+        (state, _) => work_pane_ui(ui, state, &WALL_WORK, ["No bull's-eye", what], commands),
     }
 }
 

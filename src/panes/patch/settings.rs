@@ -19,7 +19,7 @@ const TOLERANCES: RangeInclusive<f64> = 1.0..=50.0;
 /// Draws the sliders; every change is one command, and a drag one step of undo.
 pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
     ui.label(medium("Thresholds"));
-    let now = view.settings.thickening;
+    let now = view.settings.patches;
     let mut wanted = now;
     let mut extent = 100.0 * now.extent;
     let what = "Thickening relative to remote myocardium below which tissue belongs to a patch; its core is \
@@ -39,7 +39,7 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     ui.add(egui::Label::new(note(tolerance_note(view, now.tolerance))).wrap());
     if wanted != now {
         let settings = ThickeningSettings {
-            thickening: wanted,
+            patches: wanted,
             ..view.settings
         };
         commands.push(WallCommand::SetThickening(settings).into());

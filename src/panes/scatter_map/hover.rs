@@ -2,7 +2,6 @@
 
 use egui::{CursorIcon, Response, RichText, Ui};
 
-use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::ui::marks::role_name;
 use crate::ui::style::note;
 
@@ -24,9 +23,8 @@ fn card_ui(ui: &mut Ui, view: &ScatterView, point: &ScatterPoint) {
     if let Some(subject) = view.subjects.get(point.subject) {
         let label = subject.label.as_deref().unwrap_or("no label");
         ui.label(format!("{label}, class {}", role_name(subject.role)));
-        if let Some(ef) = subject.ejection_fraction {
-            let range = EJECTION_FRACTION.short;
-            ui.label(format!("Ejection fraction {:.0} %, {range}", 100.0 * ef));
+        if let Some(words) = subject.ejection_fraction_in_words() {
+            ui.label(words);
         }
     }
     for fact in &point.facts {

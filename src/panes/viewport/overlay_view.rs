@@ -68,7 +68,7 @@ fn moment_words(
     count: usize,
 ) -> impl Iterator<Item = String> {
     let frame = (!is_between(position)).then(|| nearest_frame(position, count));
-    let phase = frame.and_then(|frame| phase_name(state.phases_of(subject), frame));
+    let phase = frame.and_then(|frame| state.phase_name(subject, frame));
     std::iter::once(position_words(position, count)).chain(phase.map(str::to_owned))
 }
 
@@ -154,26 +154,6 @@ fn missing_colours(state: &State, tile: &VisiblePose) -> Option<&'static str> {
     }
     let wanted = document.quantity == Quantity::Contribution && tile.subject == document.subject;
     wanted.then(|| hindrance(document)).flatten()
-}
-
-/// "ED", "ES", "frame 3": a frame of a subject.
-pub fn moment_name(state: &State, subject: usize, frame: usize) -> String {
-    let phase = phase_name(state.phases_of(subject), frame);
-    phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
-}
-
-/// ED and ES by their usual short names.
-pub fn phase_name(
-    (end_diastole, end_systole): (Option<usize>, Option<usize>),
-    frame: usize,
-) -> Option<&'static str> {
-    if end_diastole == Some(frame) {
-        Some("ED")
-    } else if end_systole == Some(frame) {
-        Some("ES")
-    } else {
-        None
-    }
 }
 
 fn colour_bar(legend: &ColourLegend) -> ColourBarView<'_> {

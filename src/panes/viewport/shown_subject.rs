@@ -17,7 +17,7 @@ use crate::document::state::State;
 use crate::panes::same::Same;
 use crate::panes::viewport::overlay::SubjectCaption;
 use crate::panes::viewport::overlay_view::caption;
-use crate::panes::viewport::pictures::{Pictures, PlacedSubject, ShownMedial};
+use crate::panes::viewport::queries::{Pictures, PlacedSubject, ShownMedial};
 
 /// A subject on screen: it stays until the next one is ready.
 #[derive(Clone)]

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use cardiomorph::app::*;
+use cardiomorph::document::{CohortColumn, CohortSort};
 use cardiomorph::panes::*;
 use cardiomorph::report::SubjectRow;
 use cardiomorph::ui::LabelMark;

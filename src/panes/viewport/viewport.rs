@@ -24,11 +24,11 @@ use crate::document::state::State;
 use crate::document::visible_poses;
 use crate::panes::viewport::camera_drag::camera_command;
 use crate::panes::viewport::fits::Fits;
-use crate::panes::viewport::overlay_view::{overlay_view, phase_name};
+use crate::panes::viewport::overlay_view::overlay_view;
 use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
-use crate::panes::viewport::pictures::{Pictures, PlacedSubject};
 use crate::panes::viewport::places::places;
+use crate::panes::viewport::queries::{Pictures, PlacedSubject};
 use crate::panes::viewport::shown_subject::{ScalarCache, ShownSubject, Tile, shown_subject};
 
 /// The subjects on screen and what was worked out for them.
@@ -371,7 +371,7 @@ fn part_command(state: &State, tiles: &[Tile], clicked: Option<&Picked>) -> Opti
 /// stands on is marked.
 fn frame_label(ui: &Ui, state: &State, tile: &Tile) {
     let frame = tile.shown.position as usize;
-    let phase = phase_name(state.phases_of(tile.shown.index), frame);
+    let phase = state.phase_name(tile.shown.index, frame);
     let text = match phase {
         Some(phase) => format!("{frame} · {phase}"),
         None => frame.to_string(),

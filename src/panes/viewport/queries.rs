@@ -1,4 +1,6 @@
-//! Subjects and walls made ready for drawing: questions to the store, like every analysis.
+//! What the 3D view asks the store: subjects and medial surfaces made ready for drawing, and colour ranges.
+//!
+//! These queries stand here and not in `engine/queries/`, for what they make is of the room `picture`, above `engine`.
 
 use std::sync::Arc;
 
