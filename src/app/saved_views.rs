@@ -1,6 +1,5 @@
 //! Views that picture files contain: read off the window's thread, restored as one step of undo.
 
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -9,10 +8,11 @@ use glam::{Quat, Vec3};
 use crate::document::ViewMode;
 use crate::engine::{Engine, Job};
 use crate::io::read_head;
-use crate::panes::{Command, ViewCommand};
+use crate::panes::{Command, FileCommand, ViewCommand};
 use crate::picture::figure::SavedView;
-use crate::picture::page::{PageFormat, VIEW_KEY, png_text};
+use crate::picture::page::{PageFormat, VIEW_KEY};
 use crate::render::Shading;
+use crate::study::built_in::BUILT_IN_NAME;
 
 use super::apply::{Moment, change, is_usable};
 use super::errors::push_card;
@@ -20,51 +20,168 @@ use crate::document::state::State;
 use crate::document::viewpoint::{Direction, Viewpoint};
 use crate::document::visibility::Visibility;
 
-/// Settings stand before the pixels: further into a picture there is nothing to look for.
+/// Settings stand before the pixels: further into a picture or drawing there is nothing to look for …
 const MAX_HEAD_BYTES: u64 = 1 << 20;
+/// … but at the end of a page for print, which is no larger than this.
+const MAX_PAGE_BYTES: u64 = 256 << 20;
+/// A manifest that names its study is no larger.
+const MAX_MANIFEST_BYTES: u64 = 4 << 20;
 
 /// What a card says where a picture gives no view.
 const FAILED: &str = "The view of the picture could not be restored";
 
+/// A view that waits until its study is open.
+struct Waiting {
+    view: Box<SavedView>,
+    /// What was on screen when it began to wait, or when a card last said that its subject is not there.
+    opening: u64,
+    /// Whether its study was looked for, or was named with the picture.
+    sought: bool,
+}
+
 /// Reads picture files, one at a time; a later one takes the place of an earlier.
 #[derive(Default)]
 pub struct SavedViews {
+    picture: PathBuf,
+    /// Whether the study of the picture was named with it.
+    named: bool,
     reading: Option<Job<SavedView, String>>,
+    waiting: Option<Waiting>,
+    /// Looks for the study of the view that waits.
+    seeking: Option<Job<Option<PathBuf>, String>>,
 }
 
-/// Whether paths are one picture, from which a view can be restored, and no study.
-pub fn is_picture(paths: &[PathBuf]) -> bool {
-    matches!(paths, [only] if PageFormat::of(only) == Some(PageFormat::Png))
+/// The one picture among paths, from which a view can be restored, and the other paths. Of several pictures none is taken.
+pub fn split_picture(mut paths: Vec<PathBuf>) -> (Option<PathBuf>, Vec<PathBuf>) {
+    let is_picture = |path: &PathBuf| PageFormat::of(path).is_some();
+    match paths.iter().filter(|path| is_picture(path)).count() {
+        1 => {
+            let picture = paths.iter().position(is_picture);
+            (picture.map(|index| paths.remove(index)), paths)
+        }
+        _ => (None, paths),
+    }
 }
 
 impl SavedViews {
-    /// Begins to read a picture.
-    pub fn read(&mut self, engine: &Engine, path: PathBuf) {
+    /// Begins to read a picture; `named` says whether its study was named with it, and so is being opened.
+    pub fn read(&mut self, engine: &Engine, picture: PathBuf, named: bool) {
+        let path = picture.clone();
         let job = engine.spawn_aside(move |_| {
             saved_view(&path).map_err(|why| {
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 format!("{name}: {why}")
             })
         });
-        self.reading = Some(job);
+        *self = Self {
+            picture,
+            named,
+            reading: Some(job),
+            ..Self::default()
+        };
     }
 
-    /// The view that was read, as a command; or why there is none.
-    pub fn poll(&mut self) -> Option<Result<Command, String>> {
-        let outcome = self.reading.as_mut()?.poll()?;
-        self.reading = None;
-        Some(match outcome {
-            Ok(view) => Ok(Command::View(ViewCommand::RestoreView(Box::new(view)))),
-            Err(error) => Err(error.to_string()),
-        })
+    /// What follows from what was read, found and opened: a view to restore, or a study to open for it.
+    pub fn poll(&mut self, state: &mut State, engine: &Engine) -> Option<Command> {
+        if let Some(outcome) = self.reading.as_mut().and_then(Job::poll) {
+            self.reading = None;
+            match outcome {
+                Ok(view) => {
+                    self.waiting = Some(Waiting {
+                        view: Box::new(view),
+                        opening: state.document.study.opening,
+                        sought: self.named,
+                    });
+                }
+                Err(error) => refuse(state, error.to_string()),
+            }
+        }
+        let waiting = self.waiting.as_mut()?;
+        let study = Arc::clone(state.document.study());
+        let found = waiting.view.find_in(&study);
+        let is_new = state.document.study.opening != waiting.opening;
+        let is_named = study.name == waiting.view.study;
+        let outcome = self.seeking.as_mut().and_then(Job::poll);
+        match (found, outcome) {
+            (Ok(_), None) if is_named || is_new => {}
+            (_, Some(Ok(None))) if waiting.view.study == BUILT_IN_NAME && !is_named => {
+                self.seeking = None;
+                return Some(FileCommand::OpenBuiltIn.into());
+            }
+            (Ok(_), Some(Ok(None) | Err(_))) => {}
+            (_, Some(Ok(Some(path)))) => {
+                self.seeking = None;
+                state.message = format!("Opening “{}” for its view", waiting.view.study);
+                return Some(FileCommand::Open(vec![path]).into());
+            }
+            (Err(error), Some(_)) => {
+                self.seeking = None;
+                refuse(state, error.to_string());
+                return None;
+            }
+            (Err(error), None) if is_new => {
+                waiting.opening = state.document.study.opening;
+                refuse(state, error.to_string());
+                return None;
+            }
+            (_, None) if waiting.sought || engine.opening() => return None,
+            (_, None) => {
+                waiting.sought = true;
+                let (name, picture) = (waiting.view.study.clone(), self.picture.clone());
+                let recent = state.recent.clone();
+                let seek = move |_: &_| Ok(study_named(&name, &recent, &picture));
+                self.seeking = Some(engine.spawn_aside(seek));
+                return None;
+            }
+        }
+        let view = self.waiting.take()?.view;
+        self.seeking = None;
+        Some(Command::View(ViewCommand::RestoreView(view)))
     }
 }
 
 fn saved_view(path: &Path) -> Result<SavedView, String> {
-    let head = read_head(path, MAX_HEAD_BYTES).map_err(|error| error.reason)?;
-    let text = png_text(Cursor::new(head), VIEW_KEY).map_err(|error| error.to_string())?;
+    let format = PageFormat::of(path).unwrap_or_default();
+    let most = match format {
+        PageFormat::Png | PageFormat::Svg => MAX_HEAD_BYTES,
+        PageFormat::Pdf => MAX_PAGE_BYTES,
+    };
+    let bytes = read_head(path, most).map_err(|error| error.reason)?;
+    let text = format.setting_in(&bytes, VIEW_KEY)?;
     let text = text.ok_or("this picture contains no view of Cardiomorph")?;
     SavedView::read(&text).map_err(|error| error.to_string())
+}
+
+/// Where a study of this name lies: among what was opened before, latest first, or around the picture. Only names are
+/// looked at; whether the subject is there shows when it is open.
+fn study_named(name: &str, recent: &[PathBuf], picture: &Path) -> Option<PathBuf> {
+    let around = picture.ancestors().skip(1).take(3).map(Path::to_owned);
+    let places = recent.iter().cloned().chain(around);
+    let mut places = places.filter(|place| place.exists());
+    places.find(|place| has_name(place, name))
+}
+
+fn has_name(place: &Path, name: &str) -> bool {
+    let manifest = if place.is_dir() {
+        place.join("study.toml")
+    } else {
+        place.to_owned()
+    };
+    let is_manifest = manifest.extension().is_some_and(|ending| ending == "toml");
+    let text = (is_manifest
+        .then(|| read_head(&manifest, MAX_MANIFEST_BYTES).ok())
+        .flatten())
+    .and_then(|bytes| String::from_utf8(bytes).ok());
+    let own = text.and_then(|text| text.parse::<toml::Table>().ok());
+    let own = own.and_then(|table| Some(table.get("name")?.as_str()?.to_owned()));
+    let last = if place.is_dir() {
+        place.file_name()
+    } else {
+        place.file_stem()
+    };
+    let last = last.unwrap_or_default().to_string_lossy().into_owned();
+    own.is_some_and(|own| own == name)
+        || !last.is_empty() && (name == last || name.ends_with(&format!("/{last}")))
 }
 
 /// Adds a card with the reason why no view is restored.
@@ -118,12 +235,25 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
         d.thickening = settings;
     });
     state.message = format!("View of {} restored", view.subject.id);
+    if view.study != study.name {
+        let message = format!(
+            "the picture was made from the study “{}”, and “{}” is open, which has a subject {} with as many frames and \
+             vertices: check that it is the same",
+            view.study, study.name, view.subject.id
+        );
+        push_card(
+            &mut state.errors,
+            "View of a study with another name",
+            message,
+        );
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::document::testing::{state_of, subject_with_frames};
+    use crate::engine::{ExportFile, write_files};
     use crate::picture::figure::SavedCamera;
     use crate::picture::{BullsEyeQuantity, Quantity, SceneSettings, WallPart};
     use crate::study::Revision;
@@ -161,7 +291,8 @@ mod tests {
         thickening.patches.extent = 0.5;
         let subject = &state.document.study().subjects[1];
         let quantity = BullsEyeQuantity::Ratio;
-        SavedView::of("study", subject, 2.5, camera, &scene, quantity, thickening)
+        let name = &state.document.study().name;
+        SavedView::of(name, subject, 2.5, camera, &scene, quantity, thickening)
     }
 
     #[test]
@@ -218,11 +349,48 @@ mod tests {
     }
 
     #[test]
-    fn only_a_single_png_is_a_picture() {
-        let paths = |names: &[&str]| names.iter().map(PathBuf::from).collect::<Vec<_>>();
-        assert!(is_picture(&paths(&["a/P07.PNG"])));
-        assert!(!is_picture(&paths(&["a/P07.png", "b"])));
-        assert!(!is_picture(&paths(&["heart.obj"])));
-        assert!(!is_picture(&[]));
+    fn a_view_of_a_study_with_another_name_is_restored_with_a_warning() {
+        let mut state = state();
+        let mut view = view(&state);
+        view.study = "Ward 3".to_owned();
+        apply(&mut state, &view, &moment());
+        assert_eq!(state.document.subject, 1);
+        assert_eq!(state.errors.len(), 1);
+        assert!(state.errors[0].message.contains("“Ward 3”"));
+    }
+
+    #[test]
+    fn the_one_picture_among_paths_is_told_from_its_study() {
+        let split = |names: &[&str]| {
+            let (picture, rest) = split_picture(names.iter().map(PathBuf::from).collect());
+            (picture, rest.len())
+        };
+        let png = || Some(PathBuf::from("a/P07.PNG"));
+        assert_eq!(split(&["a/P07.PNG"]), (png(), 0));
+        assert_eq!(split(&["b", "a/P07.PNG", "c.toml"]), (png(), 2));
+        assert_eq!(split(&["P07.pdf"]).1, 0);
+        assert_eq!(split(&["a.png", "b.svg"]), (None, 2));
+        assert_eq!(split(&["heart.obj"]), (None, 1));
+        assert_eq!(split(&[]), (None, 0));
+    }
+
+    #[test]
+    fn a_study_is_found_by_its_name_among_recent_ones_or_around_the_picture() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        let texts = [
+            ("one/study.toml", "name = \"Ward 3\"\n"),
+            ("two/study.toml", "units = \"mm\"\n"),
+            ("two/figures/P07.png", ""),
+        ];
+        let files = texts.map(|(name, text)| ExportFile::text(folder.path(), name, text.into()));
+        write_files(files.into()).unwrap();
+        let recent = [at("gone"), at("one")];
+        let picture = at("two/figures/P07.png");
+        let found = |name: &str| study_named(name, &recent, &picture);
+        assert_eq!(found("Ward 3"), Some(at("one")));
+        assert_eq!(found("two"), Some(at("two")), "around the picture");
+        assert_eq!(found("Ward 4"), None);
+        assert!(has_name(&at("one/study.toml"), "Ward 3"));
     }
 }

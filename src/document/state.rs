@@ -10,12 +10,14 @@ use crate::analysis::transport::Reference;
 use crate::document::ErrorCard;
 use crate::document::ThemeChoice;
 use crate::engine::{PoseMap, Showing};
+use crate::picture::figure::FigureLook;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Study, Subject};
 
 use crate::document::answers::{Answers, FoundWall};
 use crate::document::document::{Document, OpeningReport, StudyRef};
 use crate::document::interpolated_poses::{InterpolatedMotion, geodesic_params};
+use crate::document::path_entry::PathEntry;
 use crate::document::play::PlayClock;
 use crate::document::transported::{TransportedSubject, transport_params};
 use crate::document::undo::History;
@@ -31,6 +33,8 @@ pub struct Sheets {
     pub load_report: bool,
     /// About the program.
     pub about: bool,
+    /// How figures look.
+    pub figure: bool,
 }
 
 /// Everything the window shows.
@@ -46,6 +50,10 @@ pub struct State {
     pub sheets: Sheets,
     /// Light or dark.
     pub theme: ThemeChoice,
+    /// How figures look.
+    pub figure_look: FigureLook,
+    /// The path that is typed, where the system shows no file dialog.
+    pub path_entry: Option<PathEntry>,
     /// Whether the window fills the screen.
     pub full_screen: bool,
     /// What was opened before, latest first.
@@ -78,6 +86,8 @@ impl Default for State {
             play: PlayClock::default(),
             sheets: Sheets::default(),
             theme: ThemeChoice::default(),
+            figure_look: FigureLook::default(),
+            path_entry: None,
             full_screen: false,
             recent: Vec::new(),
             errors: Vec::new(),

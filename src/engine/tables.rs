@@ -16,7 +16,7 @@ use crate::engine::queries::{
     ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap, PoseMapQuery,
     VerdictQuery, distance_words,
 };
-use crate::engine::result_folder::{clear_earlier, complete, name_in};
+use crate::engine::result_folder::{complete, name_in};
 use crate::engine::store::{Interrupted, Store};
 use crate::engine::wall_tables::{Unassessed, WallTables, WriteError};
 use crate::progress::Progress;
@@ -213,8 +213,7 @@ pub fn columns_file(folder: &Path, names: &[String]) -> ExportFile {
     ExportFile::text(folder, "columns.md", columns_md(&names))
 }
 
-/// All tables of a study with their summary, to be written at once; what an earlier run left in the folder is removed when
-/// they are known.
+/// All tables of a study with their summary, to be put into the folder at once by [`replace_results`](crate::engine::replace_results).
 ///
 /// # Errors
 /// As [`AnalysisTables::of()`].
@@ -245,7 +244,6 @@ pub fn tables_of_study(
         "summary.json",
         pretty_json(&summary)?,
     ));
-    clear_earlier(folder);
     Ok(files)
 }
 

@@ -9,13 +9,19 @@ mod early_figures;
 #[cfg(test)]
 mod faults;
 #[cfg(test)]
+mod figure_looks;
+#[cfg(test)]
 mod figures;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod medial;
 #[cfg(test)]
+mod pictures;
+#[cfg(test)]
 mod reading;
+#[cfg(test)]
+mod typed_paths;
 #[cfg(test)]
 mod verdicts;
 #[cfg(test)]

@@ -24,8 +24,24 @@ pub enum Effect {
     ReadFirst(String),
     /// Write a picture.
     WriteFigure(FigureKind, PathBuf),
-    /// Read the view that a picture carries.
-    ReadPicture(PathBuf),
+    /// Read the view that a picture carries, and open the study that was named with it.
+    ReadPicture {
+        /// The picture.
+        picture: PathBuf,
+        /// Files and folders of its study; none where only the picture was named.
+        study: Vec<PathBuf>,
+    },
+    /// Complete a path that is typed.
+    CompletePath(String),
+    /// Take a path that was typed.
+    TakePath {
+        /// The path.
+        text: String,
+        /// Whether what lies there is replaced.
+        replace: bool,
+    },
+    /// Give up typing a path.
+    CancelPath,
     /// Write all tables.
     WriteTables(PathBuf),
     /// Stop background work.

@@ -205,9 +205,12 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
     assert_eq!(
         give(
             &mut state,
-            Command::File(FileCommand::Open(vec![picture.clone()]))
+            Command::File(FileCommand::Open(vec!["ward".into(), picture.clone()]))
         ),
-        [Effect::ReadPicture(picture)]
+        [Effect::ReadPicture {
+            picture,
+            study: vec!["ward".into()]
+        }]
     );
     assert_eq!(
         give(&mut state, Command::File(FileCommand::Open(Vec::new()))),

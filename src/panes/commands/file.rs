@@ -1,6 +1,7 @@
 //! Commands about files: what is opened and what is exported.
 
 use super::action::{CTRL, Menu, NONE, Row, SHIFT, row};
+use crate::picture::figure::FigureLook;
 use egui::Key;
 use std::path::PathBuf;
 
@@ -23,6 +24,19 @@ pub enum FileCommand {
     ExportPatchFigure(Option<PathBuf>),
     /// Write all tables; `None` asks where.
     ExportTables(Option<PathBuf>),
+    /// How figures look from now on.
+    SetFigureLook(FigureLook),
+    /// Complete a path that is typed.
+    CompletePath(String),
+    /// Take a path that was typed.
+    TakePath {
+        /// The path.
+        text: String,
+        /// Whether what lies there is replaced.
+        replace: bool,
+    },
+    /// Give up typing a path.
+    CancelPath,
     /// Leave the program.
     Quit,
 }

@@ -96,12 +96,8 @@ fn entries(view: &ScatterView) -> Vec<Entry> {
 }
 
 fn name_of(view: &ScatterView, subject: usize, mark: LabelMark) -> String {
-    let label = view.subjects.get(subject).and_then(|row| row.label.clone());
-    match (mark, label) {
-        (LabelMark::Normal, _) => "normal".to_owned(),
-        (LabelMark::Label(_), Some(label)) => label,
-        (LabelMark::Label(_) | LabelMark::Unlabelled, _) => "no label".to_owned(),
-    }
+    let row = view.subjects.get(subject);
+    mark.name(row.and_then(|row| row.label.as_deref()))
 }
 
 /// Draws the entries; names are left to the hover where there is little room, and entries past the end to a last one.
