@@ -201,6 +201,7 @@ impl App {
             Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::Open(source) => self.background.engine.open(source),
+            Effect::FollowLinks => self.background.engine.open_following_links(),
             Effect::WriteFigure(kind, path) => {
                 files.ask_for_figure(&mut exporting, kind, Some(path));
             }

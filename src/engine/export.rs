@@ -73,6 +73,11 @@ impl PassingFile {
         written.map_err(|error| cannot_write(&error, &self.place))
     }
 
+    /// Gives it another place in the same folder than it was made for.
+    pub(super) fn stand_at(&mut self, place: PathBuf) {
+        self.place = place;
+    }
+
     /// Gives it its name.
     fn finish(&mut self) -> std::io::Result<()> {
         self.file.flush()?;

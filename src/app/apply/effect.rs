@@ -20,6 +20,8 @@ pub enum Effect {
     ChooseTables,
     /// Read or make a study.
     Open(OpenSource),
+    /// Read the study that was opened last once more, with links that lead out of it.
+    FollowLinks,
     /// Write a picture.
     WriteFigure(FigureKind, PathBuf),
     /// Read the view that a picture carries.

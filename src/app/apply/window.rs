@@ -25,6 +25,7 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
             remember_recent(&mut state.recent, &paths);
             Some(Effect::Open(OpenSource::Paths(paths)))
         }
+        FileCommand::FollowLinks => Some(Effect::FollowLinks),
         FileCommand::OpenBuiltIn => Some(Effect::Open(OpenSource::BuiltIn(state.built_in))),
         FileCommand::ExportFigure(path) => figure(FigureKind::View, path, is_open),
         FileCommand::ExportPatchFigure(path) => figure(FigureKind::Patch, path, is_open),

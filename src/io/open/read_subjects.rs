@@ -10,9 +10,11 @@ use super::length_unit::length_unit;
 use super::plan::SeriesTimes;
 use super::plan::{KindPlan, StatedUnit, SubjectPlan, SurfacePlan};
 use super::read_file::{read_bytes, read_mesh_at};
+use super::seams::without_seams;
 use super::series_parts::SAME_TIME;
 use super::series_times::seconds;
 use super::sheet_by_shape::sheet_by_shape;
+use super::study_budget::StudyBudget;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
 use crate::mesh::{Point3, TriMesh};
 use crate::progress::{Progress, Stopped};
@@ -54,12 +56,15 @@ pub(super) fn read_subjects(
     }
     let checks: usize = plans.iter().map(|p| check_count(p.surfaces.len())).sum();
     progress.expect_steps(files.len() + checks);
+    let budget = StudyBudget::new(limits);
     let mut contents: Vec<Option<Result<MeshFile, String>>> = files
         .par_iter()
         .map(|path| {
             progress.step()?;
-            let content =
-                read_bytes(path, limits).and_then(|bytes| read_mesh_at(path, &bytes, limits));
+            let content = read_bytes(path, limits).and_then(|bytes| {
+                let file = read_mesh_at(path, &bytes, limits)?;
+                budget.taken(file, bytes.len())
+            });
             Ok(Some(content))
         })
         .collect::<Result<_, Stopped>>()?;
@@ -246,6 +251,11 @@ fn join_surface(
         );
         notices.push(Notice { text, ..notice });
     }
+    let (frames, joined) = without_seams(kind, frames);
+    notices.extend(joined.map(|notice| Notice {
+        text: format!("{}: {}", kind.name(), notice.text),
+        ..notice
+    }));
     notices.extend(FaceListing::of(&frames).notices(kind));
     let sequence = SurfaceSequence::new(kind, frames).map_err(|error| {
         let path = match &error {

@@ -45,7 +45,7 @@ pub use orientation::InconsistentWinding;
 pub use outward::InsideOut;
 pub use repeated_frames::RepeatedFrames;
 pub use shared_rim::SharedRim;
-pub use stated_phases::StatedPhases;
+pub use stated_phases::{StatedPhases, both_phases_at};
 pub use sudden_jumps::SuddenJumps;
 pub use unused_vertices::UnusedVertices;
 pub use volume_curve::VolumeCurve;
