@@ -97,7 +97,7 @@ pub(super) fn read_text(path: &Path, limits: &Limits) -> Result<String, String> 
 pub fn read_mesh_file(path: &Path, limits: &Limits) -> Result<MeshFile, String> {
     let bytes = read_bytes(path, limits)?;
     let mut file = read_mesh_at(path, &bytes, limits)?;
-    let (frames, joined) = without_seams(SurfaceKind::Wall, file.frames);
+    let (frames, joined) = without_seams(SurfaceKind::Other, file.frames);
     file.frames = frames;
     file.notices.extend(joined);
     Ok(file)

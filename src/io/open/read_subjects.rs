@@ -19,7 +19,7 @@ use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
 use crate::mesh::{Point3, TriMesh};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{
-    FaceListing, check_count, check_subject, frames_phrase, sort_warnings_first,
+    FaceListing, LandmarkDoubt, check_count, check_subject, frames_phrase, sort_warnings_first,
 };
 use crate::study::{
     Anatomy, MeshSequence, Notice, SequenceError, Subject, SurfaceKind, SurfaceSequence,
@@ -252,10 +252,7 @@ fn join_surface(
         notices.push(Notice { text, ..notice });
     }
     let (frames, joined) = without_seams(kind, frames);
-    notices.extend(joined.map(|notice| Notice {
-        text: format!("{}: {}", kind.name(), notice.text),
-        ..notice
-    }));
+    notices.extend(joined);
     notices.extend(FaceListing::of(&frames).notices(kind));
     let sequence = SurfaceSequence::new(kind, frames).map_err(|error| {
         let path = match &error {
@@ -390,6 +387,10 @@ fn checked(mut subject: Subject, progress: &Progress) -> Result<Subject, Stopped
     let frames = subject.sequence.frame_count();
     subject.end_diastole = subject.end_diastole.filter(|&frame| frame < frames);
     subject.end_systole = subject.end_systole.filter(|&frame| frame < frames);
+    if let Some(doubt) = LandmarkDoubt::of(&subject) {
+        subject.notices.push(doubt.notice());
+        subject.anatomy = None;
+    }
     subject.notices.extend(findings);
     subject.notices.dedup();
     sort_warnings_first(&mut subject.notices);

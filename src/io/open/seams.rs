@@ -20,14 +20,16 @@ pub(super) fn without_seams(
         return (frames, None);
     };
     let two_sheets = || frames.first().and_then(|mesh| sheets(mesh.faces()).ok());
-    if kind == SurfaceKind::Wall && two_sheets().is_some_and(|sheets| sheets.len() == 2) {
+    let may_be_wall = matches!(kind, SurfaceKind::Wall | SurfaceKind::Other);
+    if may_be_wall && two_sheets().is_some_and(|sheets| sheets.len() == 2) {
         return (frames, None);
     }
     let Some(whole) = renumbered(&frames, &joined, &kept) else {
         return (frames, None);
     };
     let text = format!(
-        "{} along seams joined with those at the same places in all frames; vertices are numbered anew",
+        "{}: {} along seams joined with those at the same places in all frames; vertices are numbered anew",
+        kind.name(),
         counted(joined.len() - kept.len(), "vertex", "vertices")
     );
     (whole, Some(Notice::info(text)))
