@@ -214,6 +214,7 @@ impl App {
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::ReadFirst(id) => self.background.engine.read_first(id),
             Effect::Open(source) => self.background.engine.open(source),
+            Effect::FollowLinks => self.background.engine.open_following_links(),
             Effect::WriteFigure(kind, path) => {
                 files.ask_for_figure(&mut exporting, kind, Some(path));
             }

@@ -130,6 +130,13 @@ impl Engine {
         }
     }
 
+    /// Opens the files that were opened last once more, with links that lead out of them.
+    pub fn open_following_links(&mut self) {
+        if let Some(OpenSource::Paths(paths)) = &self.last_opening {
+            self.open(OpenSource::PathsAndLinks(paths.clone()));
+        }
+    }
+
     /// What was opened, once; `None` while nothing new is there.
     pub fn take_opened(&mut self) -> Option<Opened> {
         self.opened.take()

@@ -162,7 +162,12 @@ impl AnalysisTables {
             ))?;
         }
         let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
-        let walls = WallTables::of(store, study, &settings.verdicts, folder, &part)?;
+        let mut walls = WallTables::new(study, folder)?;
+        if let Err(why) = walls.assess(store, study, &settings.verdicts, &part) {
+            // What is known of the subjects before stays, under names that say how many they are.
+            hand_over(walls.partial_files(folder))?;
+            return Err(why);
+        }
         let (files, walls) = walls.files(folder);
         hand_over(files.into())?;
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);

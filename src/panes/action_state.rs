@@ -39,6 +39,7 @@ impl ActionState<'_> {
             | Command::File(FileCommand::ChooseFolder)
             | Command::File(FileCommand::Open(_))
             | Command::File(FileCommand::OpenBuiltIn)
+            | Command::File(FileCommand::FollowLinks)
             | Command::Window(WindowCommand::SetTheme(_))
             | Command::Window(WindowCommand::TogglePane(_))
             | Command::Window(WindowCommand::ShowPane(_))

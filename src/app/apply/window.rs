@@ -27,6 +27,7 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
             remember_recent(&mut state.recent, &paths);
             Some(Effect::Open(OpenSource::Paths(paths)))
         }
+        FileCommand::FollowLinks => Some(Effect::FollowLinks),
         FileCommand::OpenBuiltIn => Some(Effect::Open(OpenSource::BuiltIn(state.built_in))),
         FileCommand::ReadFirst(id) => {
             state.awaited = Some(id.clone());
