@@ -77,6 +77,7 @@ impl App {
         let mut state = State {
             theme: settings.theme,
             recent: settings.recent,
+            play: settings.play,
             built_in: options.built_in,
             ..State::default()
         };
@@ -246,9 +247,9 @@ impl App {
         let state = &mut self.state;
         if let Some(subject) = state.document.selected() {
             let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
-            let (position, on) = state
-                .play
-                .advance(subject, state.document.position, elapsed_s);
+            let document = &state.document;
+            let (position, range) = (document.position, document.loop_range);
+            let (position, on) = state.play.advance(subject, position, range, elapsed_s);
             state.document.position = position;
             state.play.playing = on;
         }
@@ -344,7 +345,13 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        Settings::save(storage, self.state.theme, &self.layout, &self.state.recent);
+        let State {
+            theme,
+            recent,
+            play,
+            ..
+        } = &self.state;
+        Settings::save(storage, *theme, &self.layout, recent, play);
     }
 
     /// What egui itself would keep includes texts that were typed, so nothing of it is kept.

@@ -4,8 +4,8 @@ use std::collections::HashSet;
 
 use crate::analysis::classification::ClassesParams;
 use crate::engine::{
-    ClassesQuery, DeformationMapQuery, FrameThickness, MeasuresQuery, PoseThicknessQuery, Showing,
-    Store, ThicknessSettings, VerdictQuery, WallThickeningQuery,
+    ClassesQuery, DeformationMapQuery, EstimatedPoseQuery, FrameThickness, MeasuresQuery,
+    PoseThicknessQuery, Showing, Store, ThicknessSettings, VerdictQuery, WallThickeningQuery,
 };
 use crate::panes::Pane;
 
@@ -46,6 +46,10 @@ impl Asks {
         }
         answers.measures = Some(store.ask(study, &MeasuresQuery));
         answers.map = Some(store.ask(study, &state.document.map));
+        answers.estimate = state.estimate_at.map(|at| {
+            let map = state.document.map;
+            store.ask(study, &EstimatedPoseQuery { map, at })
+        });
         self.motions.ask(state, store, &mut answers);
         answers.walls = walls(state, store);
         if enough_subjects(state) {
@@ -54,7 +58,7 @@ impl Asks {
             let classes = ClassesQuery {
                 deformations,
                 classes: ClassesParams::default(),
-                ..ClassesQuery::default()
+                by: state.document.classes_by(),
             };
             answers.classes = Some(store.ask(study, &classes));
         }

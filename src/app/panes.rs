@@ -141,7 +141,7 @@ impl Behavior<PaneTile> for Panes<'_> {
             Some(pane) => title_of(pane.0),
             None => "Tiles",
         };
-        ui.add_space(space::LARGE);
+        ui.add_space(tab_gap(ui, tiles, &self.tabbed, tile_id));
         let shown = tab_ui(ui, title, state.active);
         // Drag and drop needs the tile's own id; the drawn tab lies below.
         ui.interact(shown.rect, id, Sense::click_and_drag())
@@ -237,12 +237,32 @@ impl Behavior<PaneTile> for Panes<'_> {
 
 /// How wide the names of the open tabs of a container are, with the air around them.
 fn tabs_width(ui: &Ui, tiles: &Tiles<PaneTile>, tabbed: &HashSet<TileId>, tabs: &Tabs) -> f32 {
+    let names = name_widths(ui, tiles, tabbed, tabs);
+    let air = space::LARGE + ui.spacing().item_spacing.x;
+    names.iter().map(|name| name + air).sum::<f32>() + space::LARGE
+}
+
+/// The width of each name.
+fn name_widths(
+    ui: &Ui,
+    tiles: &Tiles<PaneTile>,
+    tabbed: &HashSet<TileId>,
+    tabs: &Tabs,
+) -> Vec<f32> {
     let open = tabs.children.iter().filter(|child| tabbed.contains(child));
     open.filter_map(|child| tiles.get_pane(child))
-        .map(|pane| {
-            let name = text_width(ui, title_of(pane.0), medium_font());
-            name + space::LARGE + ui.spacing().item_spacing.x
-        })
-        .sum::<f32>()
-        + space::LARGE
+        .map(|pane| text_width(ui, title_of(pane.0), medium_font()))
+        .collect()
+}
+
+/// The air before the name of a tab: less in a narrow bar, so that no name is cut while all have room.
+fn tab_gap(ui: &Ui, tiles: &Tiles<PaneTile>, tabbed: &HashSet<TileId>, tile_id: TileId) -> f32 {
+    let parent = tiles.parent_of(tile_id).and_then(|id| tiles.get(id));
+    let Some(Tile::Container(Container::Tabs(tabs))) = parent else {
+        return space::LARGE;
+    };
+    let names = name_widths(ui, tiles, tabbed, tabs);
+    let bar = ui.clip_rect().width();
+    let free = (bar - names.iter().sum::<f32>()) / names.len().max(1) as f32;
+    free.floor().clamp(space::SMALL, space::LARGE)
 }

@@ -1,10 +1,11 @@
-//! What is remembered from one run to the next: theme, tiles, recent files. Nothing about subjects.
+//! What is remembered from one run to the next: theme, tiles, recent files, how motions play. Nothing about subjects.
 
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
 use crate::document::ThemeChoice;
+use crate::document::play::PlayClock;
 
 use super::layout::Layout;
 
@@ -21,6 +22,8 @@ struct SettingsV1 {
     theme: ThemeChoice,
     layout: String,
     recent: Vec<PathBuf>,
+    /// Speed, and whether the motion starts over; absent in settings of earlier versions.
+    play: Option<(f32, bool)>,
 }
 
 /// Remembered settings in use.
@@ -32,6 +35,8 @@ pub struct Settings {
     pub layout: Layout,
     /// What the user opened, latest first.
     pub recent: Vec<PathBuf>,
+    /// How motions play; the clock stands still.
+    pub play: PlayClock,
 }
 
 impl Settings {
@@ -49,8 +54,9 @@ impl Settings {
         theme: ThemeChoice,
         layout: &Layout,
         recent: &[PathBuf],
+        play: &PlayClock,
     ) {
-        if let Some(text) = to_text(theme, layout, recent) {
+        if let Some(text) = to_text(theme, layout, recent, play) {
             storage.set_string(KEY, text);
         }
     }
@@ -61,11 +67,26 @@ impl Settings {
             theme: saved.theme,
             layout: Layout::from_saved(&saved.layout),
             recent: saved.recent.into_iter().take(MAX_RECENT).collect(),
+            play: saved
+                .play
+                .map_or_else(PlayClock::default, |(speed, repeat)| {
+                    let mut play = PlayClock {
+                        repeat,
+                        ..PlayClock::default()
+                    };
+                    play.set_speed(speed);
+                    play
+                }),
         }
     }
 }
 
-fn to_text(theme: ThemeChoice, layout: &Layout, recent: &[PathBuf]) -> Option<String> {
+fn to_text(
+    theme: ThemeChoice,
+    layout: &Layout,
+    recent: &[PathBuf],
+    play: &PlayClock,
+) -> Option<String> {
     let saved = SettingsV1 {
         theme,
         layout: layout.to_saved().unwrap_or_default(),
@@ -74,6 +95,7 @@ fn to_text(theme: ThemeChoice, layout: &Layout, recent: &[PathBuf]) -> Option<St
             .filter(|path| path.to_str().is_some())
             .cloned()
             .collect(),
+        play: Some((play.speed, play.repeat)),
     };
     serde_json::to_string(&saved).ok()
 }
@@ -95,11 +117,21 @@ mod tests {
         let mut layout = Layout::default();
         layout.set_open(Pane::ACTIVITY, false);
         let recent = vec![PathBuf::from("/a"), PathBuf::from("/b")];
-        let text = to_text(ThemeChoice::Light, &layout, &recent).unwrap();
+        let play = PlayClock {
+            playing: true,
+            speed: 2.0,
+            repeat: false,
+        };
+        let text = to_text(ThemeChoice::Light, &layout, &recent, &play).unwrap();
         let back = Settings::from_text(&text);
         assert_eq!(back.theme, ThemeChoice::Light);
         assert_eq!(back.recent, recent);
         assert!(!back.layout.is_open(Pane::ACTIVITY));
+        let still = PlayClock {
+            playing: false,
+            ..play
+        };
+        assert_eq!(back.play, still, "nothing plays unasked");
     }
 
     #[cfg(unix)]
@@ -109,7 +141,8 @@ mod tests {
         use std::os::unix::ffi::OsStrExt;
         let odd = PathBuf::from(OsStr::from_bytes(b"/data/M\xfcller"));
         let recent = [odd, PathBuf::from("/b")];
-        let text = to_text(ThemeChoice::Light, &Layout::default(), &recent).unwrap();
+        let (layout, play) = (Layout::default(), PlayClock::default());
+        let text = to_text(ThemeChoice::Light, &layout, &recent, &play).unwrap();
         let back = Settings::from_text(&text);
         assert_eq!(back.theme, ThemeChoice::Light);
         assert_eq!(back.recent, [PathBuf::from("/b")]);
@@ -120,6 +153,10 @@ mod tests {
         let settings = Settings::from_text("[1, 2");
         assert_eq!(settings.theme, ThemeChoice::System);
         assert!(settings.recent.is_empty());
+        let odd = Settings::from_text(r#"{"play": [1e9, true]}"#);
+        assert_eq!(odd.play.speed, 4.0, "no faster than the window offers");
+        let earlier = Settings::from_text(r#"{"recent": ["/a"]}"#);
+        assert_eq!(earlier.play, PlayClock::default());
     }
 
     #[test]

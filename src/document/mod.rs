@@ -13,6 +13,7 @@ pub(crate) mod differences;
 pub(crate) mod document;
 pub(crate) mod error_card;
 pub(crate) mod interpolated_poses;
+pub(crate) mod loop_range;
 pub(crate) mod play;
 pub(crate) mod state;
 #[cfg(test)]
@@ -26,6 +27,9 @@ pub(crate) mod viewpoint;
 pub(crate) mod visibility;
 pub(crate) mod visible_poses;
 
-pub use {answers::*, differences::*, document::*, error_card::*, interpolated_poses::*, play::*};
+pub use {
+    answers::*, differences::*, document::*, error_card::*, interpolated_poses::*, loop_range::*,
+    play::*,
+};
 pub use {state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
 pub use {visibility::*, visible_poses::*};

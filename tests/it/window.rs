@@ -11,6 +11,8 @@ mod faults;
 #[cfg(test)]
 mod figures;
 #[cfg(test)]
+mod ground;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod medial;

@@ -332,16 +332,18 @@ fn neighbours_grow_with_the_cohort_and_never_exceed_it() {
 
 #[test]
 fn what_makes_no_map_is_said_with_its_numbers() {
-    let ways = vec![ellipse(6, 2.0, 1.0); 2];
+    let ways = vec![ellipse(6, 2.0, 1.0); 3];
     let params = DeformationMapParams::default().check().unwrap();
     let ask = |poses: &[PoseId], map: &Embedding| {
         let progress = Progress::default();
         deformation_map(&study_of(&ways), poses, map, &params, &progress).unwrap_err()
     };
     let few = ask(&poses_of(&ways), &map_of(&ways));
-    assert_eq!(few, DeformationMapError::TooFew { deformations: 2 });
+    assert_eq!(few, DeformationMapError::TooFew { deformations: 3 });
+    let words = "a deformation map needs at least 4 subjects, and there are 3";
+    assert_eq!(few.to_string(), words);
     let other = ask(&poses_of(&ways), &map_of(&ways[..1]));
-    assert_eq!(other.to_string(), "a map of 6 poses was given for 12 poses");
+    assert_eq!(other.to_string(), "a map of 6 poses was given for 18 poses");
     let wrong = |params: DeformationMapParams| params.check().unwrap_err().to_string();
     let default = DeformationMapParams::default;
     let weight = DeformationMapParams {

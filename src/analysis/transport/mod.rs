@@ -14,7 +14,7 @@ mod parallel;
 mod params;
 mod pose_path;
 
-pub use beat::transported_motion;
+pub use beat::{sequence_like, transported_motion};
 pub use cohort::{TransportedCohort, TransportedSubject, transport_cohort};
 pub use deformation::{DeformationTransport, transport_deformation};
 pub use error::TransportError;

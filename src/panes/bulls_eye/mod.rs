@@ -21,6 +21,7 @@ use crate::panes::work_state::WorkState;
 use crate::picture::{BullsEyeQuantity, WallPart};
 use crate::ui::controls::{choices_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
 use crate::ui::marks::distance_to;
+use crate::ui::named_parts::{named_part, names_are_read};
 use crate::ui::theme::space;
 
 /// Draws the pane.
@@ -100,6 +101,9 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     draw::plot(ui, view, &disc, hovered);
     draw::names(ui, view, &disc, area);
     draw::colour_bar(ui, view, bar);
+    if view.flat.oriented && names_are_read(&response) {
+        name_segments(ui, view, &disc, &response, commands);
+    }
     if response.clicked()
         && let Some(patch) = border(response.interact_pointer_pos())
     {
@@ -122,6 +126,34 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
             .on_hover_text_at_pointer(&view.patches[patch].name);
     } else if let Some(segment) = hovered {
         response.on_hover_text_at_pointer(hover_text(view, segment));
+    }
+}
+
+/// Names segments and patches for whoever does not see them; asked to click one, it is selected.
+fn name_segments(
+    ui: &Ui,
+    view: &BullsEyeView,
+    disc: &layout::Disc,
+    canvas: &egui::Response,
+    commands: &mut Vec<Command>,
+) {
+    let mut name = |id: egui::Id, at, selected, name: &str, part| {
+        let rect = egui::Rect::from_center_size(at, egui::Vec2::splat(10.0));
+        if named_part(ui, id, rect, selected, name) {
+            commands.push(WallCommand::SelectPart(Some(part)).into());
+        }
+    };
+    for segment in Segment::all() {
+        let (at, words) = (disc.middle_of(segment), hover_text(view, segment));
+        let selected = view.selected == Some(segment);
+        let part = WallPart::Segment(segment);
+        name(canvas.id.with(segment.number()), at, selected, &words, part);
+    }
+    for (index, patch) in view.patches.iter().enumerate() {
+        if let Some(middle) = patch.shape.middle {
+            let (id, at) = (canvas.id.with(("patch", index)), disc.at(middle));
+            name(id, at, patch.selected, &patch.name, WallPart::Patch(index));
+        }
     }
 }
 

@@ -6,8 +6,7 @@ pub(crate) mod spec;
 pub(crate) mod view;
 
 use egui::{
-    Align2, Key, Order, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui,
-    WidgetInfo, pos2, vec2,
+    Align2, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 
 use crate::panes::buttons::command_button_ui;
@@ -15,7 +14,7 @@ use crate::panes::cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerd
 use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand, ViewCommand};
 use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
-use crate::ui::controls::{dragged_from_within, empty_pane_ui};
+use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
 use crate::ui::marks::role_name;
 use crate::ui::style::{note, text_font};
@@ -92,16 +91,6 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
                 commands.push(ViewCommand::SetSearch(String::new()).into());
             }
         });
-}
-
-/// Whether Esc was pressed and closes nothing else, in the filter box or elsewhere in the window.
-fn escaped(ui: &Ui) -> bool {
-    let over = |order| matches!(order, Order::Middle | Order::Foreground);
-    let covered = ui.memory(|memory| {
-        let layers = memory.areas().visible_layer_ids();
-        layers.iter().any(|layer| over(layer.order))
-    });
-    !covered && ui.input(|input| input.key_pressed(Key::Escape))
 }
 
 fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {

@@ -29,7 +29,9 @@ use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
 use crate::panes::viewport::pictures::{Pictures, PlacedSubject};
 use crate::panes::viewport::places::places;
-use crate::panes::viewport::shown_subject::{ScalarCache, ShownSubject, Tile, shown_subject};
+use crate::panes::viewport::shown_subject::{
+    ScalarCache, ShownSubject, Tile, shown_estimate, shown_subject,
+};
 
 /// The subjects on screen and what was worked out for them.
 #[derive(Default)]
@@ -57,18 +59,24 @@ impl Viewport {
     /// Asks for the subjects of the state; shows them together once all are ready.
     pub fn prepare(&mut self, state: &State, pictures: Pictures<'_>, reference_frames: &[usize]) {
         let study = state.document.study();
-        let mut ready = Vec::new();
-        let mut complete = true;
-        for place in visible_poses(state) {
-            let numbers = &mut self.numbers;
-            match shown_subject(state, pictures, numbers, reference_frames, &place) {
-                Some(shown) => ready.push(shown),
-                None => complete = false,
+        let numbers = &mut self.numbers;
+        let (mode, ready): (ViewMode, Option<Vec<ShownSubject>>) = match state.estimate() {
+            Some(pose) => {
+                let shown = shown_estimate(state, pictures, pose);
+                (ViewMode::Single, shown.map(|shown| vec![shown]))
             }
-        }
-        if complete {
+            None => {
+                let places = visible_poses(state).into_iter();
+                // All are asked for, also after one that is not ready.
+                let shown: Vec<_> = places
+                    .map(|place| shown_subject(state, pictures, numbers, reference_frames, &place))
+                    .collect();
+                (state.document.view_mode, shown.into_iter().collect())
+            }
+        };
+        if let Some(ready) = ready {
             self.shown = ready;
-            self.mode = state.document.view_mode;
+            self.mode = mode;
             self.opening = state.document.study.opening;
         }
         // A label that a click left belongs to its subject.
