@@ -175,7 +175,12 @@ fn one_way_at_another_speed_differs_only_by_its_time() {
     let steady = ellipse(16, 2.0, 1.0);
     let mut hurried = steady.clone();
     hurried.times = Some((0..16).map(|i| (f64::from(i) / 16.0).powi(2)).collect());
-    let ways = [steady, hurried, ellipse(16, 1.0, 2.0)];
+    let ways = [
+        steady,
+        hurried,
+        ellipse(16, 1.0, 2.0),
+        ellipse(16, 1.0, 1.0),
+    ];
     let without_time = mapped(
         &ways,
         DeformationMapParams {
@@ -194,7 +199,12 @@ fn a_time_that_all_curves_share_counts_after_resampling_and_not_before() {
     // Both go once to the right and back; the second is fast where the first is slow.
     let slow_start = way([[0.0, 0.0], [0.1, 0.0], [1.0, 0.0], [0.1, 0.0]]);
     let fast_start = way([[0.0, 0.0], [0.9, 0.0], [1.0, 0.0], [0.9, 0.0]]);
-    let ways = [slow_start, fast_start, ellipse(4, 1.0, 1.0)];
+    let ways = [
+        slow_start,
+        fast_start,
+        ellipse(4, 1.0, 1.0),
+        ellipse(4, 2.0, 1.0),
+    ];
     let squared = |a: &[[f64; 3]], b: &[[f64; 3]]| -> f64 {
         (a.iter().flatten().zip(b.iter().flatten()))
             .map(|(a, b)| (a - b).powi(2))
@@ -302,7 +312,12 @@ fn beats_are_compared_from_end_diastole_on() {
     let shifted = between(&[begins.clone(), recorded_later.clone()]);
     assert!(shifted.get(0, 1) > 0.5);
     recorded_later.end_diastole = Some(3);
-    let ways = [begins, recorded_later, ellipse(8, 1.0, 1.0)];
+    let ways = [
+        begins,
+        recorded_later,
+        ellipse(8, 1.0, 1.0),
+        ellipse(8, 1.0, 2.0),
+    ];
     assert!(between(&ways).get(0, 1) < 1e-12);
     let map = mapped(&ways, DeformationMapParams::default());
     assert!(apart(&map.curves[0], &map.curves[1]) < 1e-12);

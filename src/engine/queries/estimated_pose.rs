@@ -14,7 +14,8 @@ use crate::study::{Study, Subject};
 
 /// The pose at a place of the pose map, estimated from the poses around it.
 ///
-/// 1. **Weights** of the nearest poses on the map by their distance from the place: [`inverse_map`].
+/// 1. **Weights** by [`inverse_map`]: on the path of a subject those of the two poses around the place, elsewhere those of
+///    the nearest poses, of one subject or of several.
 /// 2. **Alignment**: each of them is laid onto the nearest by the rigid motion of least squares over vertices, for the
 ///    map knows neither places nor directions. Sizes stay.
 /// 3. **Mean** of corresponding vertices with these weights.
@@ -83,7 +84,7 @@ impl Query for EstimatedPoseQuery {
             [0, 1].map(|axis| point.get(axis).copied().unwrap_or(f64::NAN))
         };
         let places: Vec<[f64; 2]> = (0..rows).map(place).collect();
-        let weights = match inverse_map(&places, self.at) {
+        let weights = match inverse_map(&places, &beats(&map.distances.poses), self.at) {
             Ok(weights) => weights,
             Err(why) => return Ok(Err(why.into())),
         };
@@ -135,6 +136,21 @@ impl Query for EstimatedPoseQuery {
     fn lets_finish(&self, _: &Self) -> bool {
         true
     }
+}
+
+/// Rows of poses that follow each other in a beat; after the last comes the first.
+fn beats(poses: &[PoseId]) -> Vec<[usize; 2]> {
+    let mut first = 0;
+    let mut links = Vec::with_capacity(poses.len());
+    for beat in poses.chunk_by(|a, b| a.subject == b.subject) {
+        let last = first + beat.len() - 1;
+        links.extend((first..last).map(|row| [row, row + 1]));
+        if beat.len() > 2 {
+            links.push([last, first]);
+        }
+        first = last + 1;
+    }
+    links
 }
 
 /// The mean of corresponding vertices, each pose laid onto the first; weights sum to 1.

@@ -63,16 +63,23 @@ fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>)
     }
 }
 
+/// Width of the button of segment values with its short name.
+const SHORT_BUTTON: f32 = 64.0;
+
 fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
-        chooser_ui(ui, "Bull's-eye", view.scale.quantity.name(), |ui| {
-            let quantities = BullsEyeQuantity::ALL.map(|quantity| (quantity, quantity.name()));
-            let chosen = choices_ui(ui, quantities, view.scale.quantity);
-            commands
-                .extend(chosen.map(|quantity| Command::from(WallCommand::SetBullsEye(quantity))));
-        })
-        .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
+        let room = ui.available_width() - SHORT_BUTTON;
+        ui.scope(|ui| {
+            ui.set_max_width(room.max(50.0));
+            chooser_ui(ui, "Bull's-eye", view.scale.quantity.name(), |ui| {
+                let quantities = BullsEyeQuantity::ALL.map(|quantity| (quantity, quantity.name()));
+                let chosen = choices_ui(ui, quantities, view.scale.quantity);
+                let command = chosen.map(WallCommand::SetBullsEye);
+                commands.extend(command.map(Command::from));
+            })
+            .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
+        });
         let narrow = ui.available_width() < 110.0;
         let name = if narrow { "AHA 17" } else { "Segment values" };
         let segments = egui::Button::new(name).selected(view.by_segment);

@@ -81,7 +81,7 @@ pub fn frame_label(ui: &Ui, state: &State, tile: &Tile) {
     } else {
         colours.muted
     };
-    let at = tile.rect.left_top() + egui::vec2(10.0, 4.0);
+    let at = tile.rect.left_top() + vec2(10.0, 4.0);
     let font = egui::FontId::proportional(type_size::NOTE);
     ui.painter()
         .text(at, egui::Align2::LEFT_TOP, text, font, colour);

@@ -253,7 +253,8 @@ fn classes_are_told_apart_by_label_or_by_what_the_study_calls_normal() {
 fn rows_points_segments_tabs_and_the_time_have_names() {
     let mut harness = mapped_window();
     // A row of the table, and what its verdict is.
-    harness.get_by_label("N01");
+    let row = egui::accesskit::Role::ListBoxOption;
+    harness.get_by_role_and_label(row, "N01");
     harness.get_by_label_contains("N01 · frame 0, 0 % R-R · end-diastole");
     harness.get_by_label("Position in the cardiac cycle");
     for tab in ["Cohort", "Poses", "Deformations", "Verdict", "Bull's-eye"] {

@@ -16,7 +16,7 @@ fn the_order_of_two_deformations_changes_no_distance() {
 #[test]
 fn the_weight_of_time_is_that_of_both_axes_together() {
     // The mean squares of the axes are 16 / 2 and 1 / 2.
-    let ways = [(); 3].map(|()| ellipse(8, 4.0, 1.0));
+    let ways = [(); 4].map(|()| ellipse(8, 4.0, 1.0));
     let map = mapped(&ways, DeformationMapParams::default());
     let expected = (8.5 / (63.0 / 768.0_f64)).sqrt();
     assert!((map.time_weight - expected).abs() < 1e-12);
@@ -31,7 +31,7 @@ fn uneven_times_go_on_past_the_end_of_the_recording() {
     later.places.rotate_left(2);
     later.times = Some(vec![0.0, 0.3, 0.7, 0.8]);
     later.end_diastole = Some(2);
-    let ways = [begins, later, ellipse(4, 1.0, 1.0)];
+    let ways = [begins, later, ellipse(4, 1.0, 1.0), ellipse(4, 2.0, 2.0)];
     assert!(between(&ways).get(0, 1) < 1e-7);
     let map = mapped(&ways, DeformationMapParams::default());
     assert!(apart(&map.curves[0], &map.curves[1]) < 1e-12);

@@ -29,7 +29,7 @@ fn at_a_pose_of_the_map_the_estimate_is_that_pose() {
 
 #[test]
 fn between_two_poses_of_one_beat_lies_a_pose_between_them() {
-    let (store, study) = (store(), of_cohort(|whole| whole[..1].to_vec()));
+    let (store, study) = (store(), of_cohort(|whole| whole[..4].to_vec()));
     let map = ask(&store, &study, &PoseMapQuery::default());
     let volume = |pose: &[crate::mesh::Point3]| {
         let middle = pose
@@ -41,14 +41,22 @@ fn between_two_poses_of_one_beat_lies_a_pose_between_them() {
     };
     let own = |row: usize| {
         let pose = map.distances.poses[row];
-        study.subjects[0].sequence.pose(pose.frame).unwrap()
+        study.subjects[pose.subject]
+            .sequence
+            .pose(pose.frame)
+            .unwrap()
     };
     // The two poses next to each other that lie farthest apart.
     let apart = |row: usize| {
         let (a, b) = (place(&map, row), place(&map, row + 1));
         (a[0] - b[0]).hypot(a[1] - b[1])
     };
-    let row = (0..map.embedding.len() - 1).max_by(|a, b| apart(*a).total_cmp(&apart(*b)));
+    let follows = |row: &usize| {
+        let [a, b] = [*row, row + 1].map(|row| map.distances.poses[row]);
+        a.subject == b.subject
+    };
+    let rows = (0..map.embedding.len() - 1).filter(follows);
+    let row = rows.max_by(|a, b| apart(*a).total_cmp(&apart(*b)));
     let row = row.unwrap();
     let sizes = [volume(&own(row)), volume(&own(row + 1))];
     let [a, b] = [place(&map, row), place(&map, row + 1)];
@@ -56,7 +64,16 @@ fn between_two_poses_of_one_beat_lies_a_pose_between_them() {
     for share in [0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0] {
         let at = [0, 1].map(|axis| a[axis] + share * (b[axis] - a[axis]));
         let estimated = estimate(&store, &study, at).unwrap();
-        assert!(estimated.sources.iter().all(|(pose, _)| pose.subject == 0));
+        let frames: Vec<usize> = estimated
+            .sources
+            .iter()
+            .map(|source| source.0.frame)
+            .collect();
+        let ends = [row, row + 1].map(|row| map.distances.poses[row].frame);
+        assert!(
+            frames.iter().all(|frame| ends.contains(frame)),
+            "{frames:?} of {ends:?}"
+        );
         let sum: f64 = estimated.sources.iter().map(|source| source.1).sum();
         assert!((sum - 1.0).abs() < 1e-12);
         let size = volume(&estimated.subject.sequence.pose(ESTIMATED_FRAME).unwrap());

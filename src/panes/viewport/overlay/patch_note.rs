@@ -46,7 +46,7 @@ pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
     };
     draw(heading, heading_colour);
     // In a low picture they would lie over the heart.
-    if inner.width() > 380.0 && inner.height() > 420.0 {
+    if inner.width() > 380.0 && inner.height() > 460.0 {
         for line in &note.lines {
             let mut job = egui::text::LayoutJob::simple(
                 line.clone(),
