@@ -332,20 +332,6 @@ fn times_that_make_no_beat_are_taken_as_even() {
 }
 
 #[test]
-fn neighbours_grow_with_the_cohort_and_never_exceed_it() {
-    assert_eq!(
-        [0, 1, 3, 4, 20, 23, 100].map(default_neighbours),
-        [0, 0, 2, 3, 10, 12, 50]
-    );
-    let ways = vec![ellipse(6, 2.0, 1.0); 4];
-    let asked = DeformationMapParams {
-        neighbours: Some(30),
-        ..DeformationMapParams::default()
-    };
-    assert_eq!(mapped(&ways, asked).embedding.neighbours, Some(3));
-}
-
-#[test]
 fn what_makes_no_map_is_said_with_its_numbers() {
     let ways = vec![ellipse(6, 2.0, 1.0); 3];
     let params = DeformationMapParams::default().check().unwrap();

@@ -31,14 +31,24 @@ pub fn estimate_ui(
     }
     if let Some(estimate) = &view.estimate {
         draw(ui, view, ground, estimate);
-        let anchor = PopupAnchor::Pointer;
-        let tooltip = Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), response.id, anchor);
-        tooltip.gap(16.0).show(|ui| {
-            for line in &estimate.lines {
-                ui.label(note(line));
-            }
-        });
+        words_ui(ui, response, &estimate.lines);
     }
+}
+
+/// A card at the pointer, which follows it at once.
+fn words_ui(ui: &Ui, response: &Response, lines: &[String]) {
+    if lines.is_empty() {
+        return;
+    }
+    let anchor = PopupAnchor::Pointer;
+    let tooltip = Tooltip::always_open(ui.ctx().clone(), ui.layer_id(), response.id, anchor);
+    tooltip.gap(16.0).show(|ui| {
+        // However narrow the card was before.
+        ui.set_max_width(ui.spacing().tooltip_width);
+        for line in lines {
+            ui.label(note(line));
+        }
+    });
 }
 
 fn is_looked_at(ui: &Ui, view: &ScatterView, ground: &Ground, response: &Response) -> bool {

@@ -16,11 +16,15 @@ const GROUND_HINT: &str =
 
 /// Shows a hand and, beside it, the card of the point under the pointer.
 pub fn hover_ui(response: Response, view: &ScatterView, pointed: Option<usize>) {
+    if view.estimate.is_some() {
+        // What is estimated here is said in its place.
+        return;
+    }
     if let Some(point) = pointed.and_then(|index| view.points.get(index)) {
         response
             .on_hover_cursor(CursorIcon::PointingHand)
             .on_hover_ui_at_pointer(|ui| card_ui(ui, view, point));
-    } else if view.ground.is_some() && view.estimate.is_none() {
+    } else if view.ground.is_some() {
         response.on_hover_ui_at_pointer(|ui| {
             ui.label(note(GROUND_HINT));
         });

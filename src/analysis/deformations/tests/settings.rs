@@ -68,3 +68,17 @@ fn samples_and_regularisation_are_those_asked_for() {
     assert!(few.curves.iter().all(|curve| curve.len() == 17));
     assert_ne!(few.embedding.coordinates, stiff.embedding.coordinates);
 }
+
+#[test]
+fn neighbours_grow_with_the_cohort_and_never_exceed_it() {
+    assert_eq!(
+        [0, 1, 3, 4, 20, 23, 100].map(default_neighbours),
+        [0, 0, 2, 3, 10, 12, 50]
+    );
+    let ways = vec![ellipse(6, 2.0, 1.0); 4];
+    let asked = DeformationMapParams {
+        neighbours: Some(30),
+        ..DeformationMapParams::default()
+    };
+    assert_eq!(mapped(&ways, asked).embedding.neighbours, Some(3));
+}

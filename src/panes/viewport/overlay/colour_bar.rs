@@ -107,7 +107,7 @@ fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
             ui.add(egui::Label::new(note(format!("· {}", view.note))).truncate());
         }
     });
-    inner.left() + text_width
+    inner.left() + text_width + space::LARGE
 }
 
 fn rgb([r, g, b]: [u8; 3]) -> Color32 {
