@@ -82,6 +82,7 @@ impl App {
             theme: settings.theme,
             figure_look: settings.figure,
             recent: settings.recent,
+            play: settings.play,
             built_in: options.built_in,
             ..State::default()
         };
@@ -270,9 +271,9 @@ impl App {
         let state = &mut self.state;
         if let Some(subject) = state.document.selected() {
             let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
-            let (position, on) = state
-                .play
-                .advance(subject, state.document.position, elapsed_s);
+            let document = &state.document;
+            let (position, range) = (document.position, document.loop_range);
+            let (position, on) = state.play.advance(subject, position, range, elapsed_s);
             state.document.position = position;
             state.play.playing = on;
         }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::analysis::classification::ClassesParams;
 use crate::analysis::measures::SubjectMeasures;
 use crate::engine::{
-    ClassesQuery, DeformationMapQuery, MeasuresQuery, Showing, Store, SubjectMeasuresQuery,
-    VerdictQuery, WallThickeningQuery,
+    ClassesQuery, DeformationMapQuery, EstimatedPoseQuery, MeasuresQuery, Showing, Store,
+    SubjectMeasuresQuery, VerdictQuery, WallThickeningQuery,
 };
 
 use super::asks_motions::MotionAsks;
@@ -48,6 +48,10 @@ impl Asks {
         }
         answers.measures = Some(measures);
         answers.map = Some(store.ask(study, &state.document.map));
+        answers.estimate = state.estimate_at.map(|at| {
+            let map = state.document.map;
+            store.ask(study, &EstimatedPoseQuery { map, at })
+        });
         self.motions.ask(state, store, &mut answers);
         answers.walls = walls(state, store);
         if enough_subjects(state) {
@@ -56,7 +60,7 @@ impl Asks {
             let classes = ClassesQuery {
                 deformations,
                 classes: ClassesParams::default(),
-                ..ClassesQuery::default()
+                by: state.document.classes_by(),
             };
             answers.classes = Some(store.ask(study, &classes));
         }

@@ -9,7 +9,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::transport::Reference;
 use crate::document::ErrorCard;
 use crate::document::ThemeChoice;
-use crate::engine::{PoseMap, Showing};
+use crate::engine::{EstimatedPose, NoEstimate, PoseMap, Showing};
 use crate::picture::figure::FigureLook;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Study, Subject};
@@ -44,6 +44,8 @@ pub struct State {
     pub document: Document,
     /// Undo and redo.
     pub history: History,
+    /// The place of the pose map, in the coordinates of its embedding, whose estimated pose stands in the 3D view.
+    pub estimate_at: Option<[f64; 2]>,
     /// Whether and how fast the motion plays.
     pub play: PlayClock,
     /// What lies over the window.
@@ -83,6 +85,7 @@ impl Default for State {
         Self {
             document: Document::new(nothing),
             history: History::default(),
+            estimate_at: None,
             play: PlayClock::default(),
             sheets: Sheets::default(),
             theme: ThemeChoice::default(),
@@ -124,6 +127,21 @@ impl State {
     /// The map of the study on screen.
     pub fn map(&self) -> Option<&Arc<PoseMap>> {
         self.latest(self.answers.map.as_ref())
+    }
+
+    /// The pose that is estimated at a place of the pose map, while one is looked at; the one before until it is there.
+    pub fn estimate(&self) -> Option<&EstimatedPose> {
+        (**self.estimated()?).as_ref().ok()
+    }
+
+    /// Why no pose is estimated at the place that is looked at.
+    pub fn without_estimate(&self) -> Option<&NoEstimate> {
+        (**self.estimated()?).as_ref().err()
+    }
+
+    fn estimated(&self) -> Option<&Arc<Result<EstimatedPose, NoEstimate>>> {
+        self.estimate_at?;
+        self.latest(self.answers.estimate.as_ref())
     }
 
     /// The deformation map of the study on screen.
@@ -226,6 +244,7 @@ impl State {
         }
         self.document = document;
         self.play.playing = false;
+        self.estimate_at = None;
     }
 
     /// An answer, unless it is about a study that is not on screen any more.

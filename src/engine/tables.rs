@@ -24,7 +24,7 @@ use crate::report::{
     AnalysisReport, DeformationRow, FrameRow, MedialPoseRow, PoseRow, Row, SubjectRow, VerdictRow,
     columns_md, csv, distances_csv, distances_json, named_csv, npy_header, npy_row, pretty_json,
 };
-use crate::study::{LabelRole, Study};
+use crate::study::Study;
 
 /// Share of the work until poses are mapped; the rest classifies motions …
 const POSES_SHARE: f32 = 0.75;
@@ -341,9 +341,8 @@ fn classified(
         by,
     };
     let classes = store.answer(study, &by(ClassesBy::Label), progress)?;
-    let with = |role| (study.subjects.iter()).any(|subject| study.role(subject) == role);
     // Several labels may count as abnormal: both questions are asked where the study says which.
-    let by_role = (with(LabelRole::Normal) && with(LabelRole::Abnormal))
+    let by_role = (study.has_both_classes())
         .then(|| store.answer(study, &by(ClassesBy::Role), progress))
         .transpose()?;
     // The classification has asked for the map, so it is known by now.

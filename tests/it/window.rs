@@ -13,6 +13,8 @@ mod figure_looks;
 #[cfg(test)]
 mod figures;
 #[cfg(test)]
+mod ground;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod medial;
