@@ -271,11 +271,9 @@ impl App {
         let state = &mut self.state;
         if let Some(subject) = state.document.selected() {
             let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
-            let document = &state.document;
-            let (position, range) = (document.position, document.loop_range);
-            let (position, on) = state.play.advance(subject, position, range, elapsed_s);
-            state.document.position = position;
-            state.play.playing = on;
+            let (at, range) = (state.document.position, state.document.loop_range);
+            (state.document.position, state.play.playing) =
+                state.play.advance(subject, at, range, elapsed_s);
         }
         if state.play.playing {
             ctx.request_repaint();
