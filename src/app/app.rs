@@ -82,6 +82,7 @@ impl App {
             theme: settings.theme,
             figure_look: settings.figure,
             recent: settings.recent,
+            play: settings.play,
             built_in: options.built_in,
             ..State::default()
         };
@@ -212,7 +213,9 @@ impl App {
             Effect::ChooseFolder => files.ask_to_open(exporting.engine, PathQuestion::OpenFolders),
             Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
+            Effect::ReadFirst(id) => self.background.engine.read_first(id),
             Effect::Open(source) => self.background.engine.open(source),
+            Effect::FollowLinks => self.background.engine.open_following_links(),
             Effect::WriteFigure(kind, path) => {
                 files.ask_for_figure(&mut exporting, kind, Some(path));
             }
@@ -268,9 +271,9 @@ impl App {
         let state = &mut self.state;
         if let Some(subject) = state.document.selected() {
             let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
-            let (position, on) = state
-                .play
-                .advance(subject, state.document.position, elapsed_s);
+            let document = &state.document;
+            let (position, range) = (document.position, document.loop_range);
+            let (position, on) = state.play.advance(subject, position, range, elapsed_s);
             state.document.position = position;
             state.play.playing = on;
         }
@@ -315,7 +318,12 @@ impl eframe::App for App {
         // another study, in whose table a row is another subject.
         let opening = self.state.document.study.opening;
         self.apply_queue(ctx);
+        let selected = self.state.document.subject;
         self.take_in(ctx);
+        if self.state.document.subject != selected {
+            // Another study, or subjects that were read came before it: what is dragged is named by its place.
+            egui::DragAndDrop::clear_payload(ctx);
+        }
         self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
         if self.state.document.study.opening != opening {
@@ -367,8 +375,10 @@ impl eframe::App for App {
         if !self.queue.is_empty() {
             ui.ctx().request_repaint();
         }
-        let picture = !self.viewport().borrow_mut().shown().is_empty();
-        if self.times.drawn(picture, self.state.map().is_some()) {
+        if self
+            .times
+            .drawn(&self.state, self.viewport().borrow_mut().shown())
+        {
             ui.ctx().request_repaint();
         }
         self.times.add(begin.elapsed());

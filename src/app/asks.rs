@@ -1,8 +1,12 @@
 //! What the window asks the store every frame, whatever is on screen: maps, measures, walls, verdicts.
 
+use std::sync::Arc;
+
 use crate::analysis::classification::ClassesParams;
+use crate::analysis::measures::SubjectMeasures;
 use crate::engine::{
-    ClassesQuery, DeformationMapQuery, MeasuresQuery, Store, VerdictQuery, WallThickeningQuery,
+    ClassesQuery, DeformationMapQuery, EstimatedPoseQuery, MeasuresQuery, Showing, Store,
+    SubjectMeasuresQuery, VerdictQuery, WallThickeningQuery,
 };
 
 use super::asks_motions::MotionAsks;
@@ -38,8 +42,16 @@ impl Asks {
         if study.subjects.is_empty() {
             return answers;
         }
-        answers.measures = Some(store.ask(study, &MeasuresQuery));
+        let measures = store.ask(study, &MeasuresQuery);
+        if measures.latest().is_none() {
+            answers.measures_of_one = measures_on_screen(state, store);
+        }
+        answers.measures = Some(measures);
         answers.map = Some(store.ask(study, &state.document.map));
+        answers.estimate = state.estimate_at.map(|at| {
+            let map = state.document.map;
+            store.ask(study, &EstimatedPoseQuery { map, at })
+        });
         self.motions.ask(state, store, &mut answers);
         answers.walls = walls(state, store);
         if enough_subjects(state) {
@@ -48,7 +60,7 @@ impl Asks {
             let classes = ClassesQuery {
                 deformations,
                 classes: ClassesParams::default(),
-                ..ClassesQuery::default()
+                by: state.document.classes_by(),
             };
             answers.classes = Some(store.ask(study, &classes));
         }
@@ -72,6 +84,20 @@ pub fn verdict_settings(document: &Document) -> VerdictQuery {
         thickening: document.thickening,
         ..VerdictQuery::default()
     }
+}
+
+/// The measures of the subjects on screen, each alone.
+fn measures_on_screen(state: &State, store: &Store) -> Vec<(usize, Showing<SubjectMeasures>)> {
+    let mut measures: Vec<(usize, Showing<SubjectMeasures>)> = Vec::new();
+    for place in visible_poses(state) {
+        if measures.iter().all(|(index, _)| *index != place.subject)
+            && let Some(subject) = state.subject(place.subject)
+        {
+            let query = SubjectMeasuresQuery(Arc::clone(subject));
+            measures.push((place.subject, store.ask(state.document.study(), &query)));
+        }
+    }
+    measures
 }
 
 /// The walls of the subjects on screen.

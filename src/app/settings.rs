@@ -1,10 +1,12 @@
-//! What is remembered from one run to the next: theme, tiles, look of figures, recent files. Nothing about subjects.
+//! What is remembered from one run to the next: theme, tiles, look of figures, recent files, how motions play. Nothing
+//! about subjects.
 
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
 use crate::document::ThemeChoice;
+use crate::document::play::PlayClock;
 use crate::document::state::State;
 use crate::picture::figure::FigureLook;
 
@@ -24,6 +26,8 @@ struct SettingsV1 {
     layout: String,
     recent: Vec<PathBuf>,
     figure: FigureLook,
+    /// Speed, and whether the motion starts over; absent in settings of earlier versions.
+    play: Option<(f32, bool)>,
 }
 
 /// Remembered settings in use.
@@ -37,6 +41,8 @@ pub struct Settings {
     pub recent: Vec<PathBuf>,
     /// How figures look.
     pub figure: FigureLook,
+    /// How motions play; the clock stands still.
+    pub play: PlayClock,
 }
 
 impl Settings {
@@ -62,6 +68,16 @@ impl Settings {
             layout: Layout::from_saved(&saved.layout),
             recent: saved.recent.into_iter().take(MAX_RECENT).collect(),
             figure: saved.figure.usable(),
+            play: saved
+                .play
+                .map_or_else(PlayClock::default, |(speed, repeat)| {
+                    let mut play = PlayClock {
+                        repeat,
+                        ..PlayClock::default()
+                    };
+                    play.set_speed(speed);
+                    play
+                }),
         }
     }
 }
@@ -76,6 +92,7 @@ fn to_text(state: &State, layout: &Layout) -> Option<String> {
             .filter(|path| path.to_str().is_some())
             .cloned()
             .collect(),
+        play: Some((state.play.speed, state.play.repeat)),
     };
     serde_json::to_string(&saved).ok()
 }
@@ -121,12 +138,23 @@ mod tests {
             background: FigureBackground::Black,
             theme: FigureTheme::Dark,
         };
+        state.play = PlayClock {
+            playing: true,
+            speed: 2.0,
+            repeat: false,
+        };
+        let play = state.play;
         let text = to_text(&state, &layout).unwrap();
         let back = Settings::from_text(&text);
         assert_eq!(back.theme, ThemeChoice::Light);
         assert_eq!(back.recent, state.recent);
         assert_eq!(back.figure, state.figure_look);
         assert!(!back.layout.is_open(Pane::ACTIVITY));
+        let still = PlayClock {
+            playing: false,
+            ..play
+        };
+        assert_eq!(back.play, still, "nothing plays unasked");
     }
 
     #[cfg(unix)]
@@ -147,6 +175,10 @@ mod tests {
         let settings = Settings::from_text("[1, 2");
         assert_eq!(settings.theme, ThemeChoice::System);
         assert!(settings.recent.is_empty());
+        let odd = Settings::from_text(r#"{"play": [1e9, true]}"#);
+        assert_eq!(odd.play.speed, 4.0, "no faster than the window offers");
+        let earlier = Settings::from_text(r#"{"recent": ["/a"]}"#);
+        assert_eq!(earlier.play, PlayClock::default());
     }
 
     #[test]

@@ -9,7 +9,7 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::transport::Reference;
 use crate::document::ErrorCard;
 use crate::document::ThemeChoice;
-use crate::engine::{PoseMap, Showing};
+use crate::engine::{EstimatedPose, NoEstimate, PoseMap, Showing};
 use crate::picture::figure::FigureLook;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Study, Subject};
@@ -44,6 +44,8 @@ pub struct State {
     pub document: Document,
     /// Undo and redo.
     pub history: History,
+    /// The place of the pose map, in the coordinates of its embedding, whose estimated pose stands in the 3D view.
+    pub estimate_at: Option<[f64; 2]>,
     /// Whether and how fast the motion plays.
     pub play: PlayClock,
     /// What lies over the window.
@@ -67,6 +69,10 @@ pub struct State {
     /// How finely the built-in cohort is made.
     pub built_in: BuiltInParams,
     pub(crate) last_opening: u64,
+    /// The opening of the study that is being read while it is shown.
+    pub(crate) reading: Option<u64>,
+    /// The subject, by its id, that is read before the others and selected then.
+    pub awaited: Option<String>,
 }
 
 impl Default for State {
@@ -79,6 +85,7 @@ impl Default for State {
         Self {
             document: Document::new(nothing),
             history: History::default(),
+            estimate_at: None,
             play: PlayClock::default(),
             sheets: Sheets::default(),
             theme: ThemeChoice::default(),
@@ -91,6 +98,8 @@ impl Default for State {
             message: String::new(),
             built_in: BuiltInParams::default(),
             last_opening: 0,
+            reading: None,
+            awaited: None,
         }
     }
 }
@@ -107,14 +116,32 @@ impl State {
         measures.is_some_and(Showing::computing)
     }
 
-    /// Measures of one subject.
+    /// Measures of one subject; of one on screen they are known before those of the whole cohort.
     pub fn measures_of(&self, subject: usize) -> Option<&SubjectMeasures> {
-        self.measures()?.get(subject)
+        match self.measures() {
+            Some(all) => all.get(subject),
+            None => (self.of_this_study(Some(&self.answers))?).measures_of_one(subject),
+        }
     }
 
     /// The map of the study on screen.
     pub fn map(&self) -> Option<&Arc<PoseMap>> {
         self.latest(self.answers.map.as_ref())
+    }
+
+    /// The pose that is estimated at a place of the pose map, while one is looked at; the one before until it is there.
+    pub fn estimate(&self) -> Option<&EstimatedPose> {
+        (**self.estimated()?).as_ref().ok()
+    }
+
+    /// Why no pose is estimated at the place that is looked at.
+    pub fn without_estimate(&self) -> Option<&NoEstimate> {
+        (**self.estimated()?).as_ref().err()
+    }
+
+    fn estimated(&self) -> Option<&Arc<Result<EstimatedPose, NoEstimate>>> {
+        self.estimate_at?;
+        self.latest(self.answers.estimate.as_ref())
     }
 
     /// The deformation map of the study on screen.
@@ -217,6 +244,7 @@ impl State {
         }
         self.document = document;
         self.play.playing = false;
+        self.estimate_at = None;
     }
 
     /// An answer, unless it is about a study that is not on screen any more.

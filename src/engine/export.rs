@@ -78,6 +78,11 @@ impl PassingFile {
         &self.place
     }
 
+    /// Gives it another place in the same folder than it was made for.
+    pub(super) fn stand_at(&mut self, place: PathBuf) {
+        self.place = place;
+    }
+
     /// Gives it its name.
     pub(super) fn finish(&mut self) -> std::io::Result<()> {
         self.file.flush()?;

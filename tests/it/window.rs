@@ -13,11 +13,15 @@ mod figure_looks;
 #[cfg(test)]
 mod figures;
 #[cfg(test)]
+mod ground;
+#[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod medial;
 #[cfg(test)]
 mod pictures;
+#[cfg(test)]
+mod reading;
 #[cfg(test)]
 mod typed_paths;
 #[cfg(test)]

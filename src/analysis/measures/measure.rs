@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::mesh::{Point3, bounding_box};
+use crate::numeric::in_waves;
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::WallDoubt;
 use crate::study::{Study, Subject};
@@ -39,11 +40,11 @@ pub fn measure_study(study: &Study, progress: &Progress) -> Result<Vec<SubjectMe
         .map(|subject| subject.sequence.frame_count())
         .sum();
     progress.expect_steps(frames);
-    study
-        .subjects
-        .par_iter()
-        .map(|subject| measure(subject, progress))
-        .collect()
+    in_waves(&study.subjects, 1, |wave| {
+        (wave.par_iter())
+            .map(|subject| measure(subject, progress))
+            .collect()
+    })
 }
 
 /// Why volumes of a subject are `None`.

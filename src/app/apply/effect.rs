@@ -20,6 +20,10 @@ pub enum Effect {
     ChooseTables,
     /// Read or make a study.
     Open(OpenSource),
+    /// Read a subject of the study that is being read before the others.
+    ReadFirst(String),
+    /// Read the study that was opened last once more, with links that lead out of it.
+    FollowLinks,
     /// Write a picture.
     WriteFigure(FigureKind, PathBuf),
     /// Read the view that a picture carries, and open the study that was named with it.

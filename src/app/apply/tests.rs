@@ -95,7 +95,9 @@ fn playing_leaves_no_steps_of_undo() {
     give(&mut state, Command::Beat(BeatCommand::TogglePlay));
     let subject = state.document.selected().unwrap().clone();
     for _ in 0..100 {
-        let (position, _) = state.play.advance(&subject, state.document.position, 0.016);
+        let (position, _) = state
+            .play
+            .advance(&subject, state.document.position, None, 0.016);
         state.document.position = position;
     }
     give(&mut state, Command::Beat(BeatCommand::TogglePlay));

@@ -27,7 +27,14 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
             remember_recent(&mut state.recent, &paths);
             Some(Effect::Open(OpenSource::Paths(paths)))
         }
+        FileCommand::FollowLinks => Some(Effect::FollowLinks),
         FileCommand::OpenBuiltIn => Some(Effect::Open(OpenSource::BuiltIn(state.built_in))),
+        FileCommand::ReadFirst(id) => {
+            state.awaited = Some(id.clone());
+            // It may have been read since it was clicked.
+            state.select_awaited();
+            state.awaited.is_some().then_some(Effect::ReadFirst(id))
+        }
         FileCommand::ExportFigure(path) => figure(FigureKind::View, path, is_open),
         FileCommand::ExportPatchFigure(path) => figure(FigureKind::Patch, path, is_open),
         FileCommand::ExportTables(Some(folder)) => Some(Effect::WriteTables(folder)),

@@ -109,7 +109,8 @@ fn size_ui(ui: &mut Ui, look: &mut FigureLook) {
         let field = NumberField {
             name,
             unit: "px",
-            what: "From 320 × 240, for patch figures 800 × 600, to 8192 × 8192",
+            what: "Of the whole picture; patch figures need 800 × 600",
+            range: [[320.0, 240.0][axis], 8192.0],
             value: look.size.map(|size| f64::from(size[axis])),
             automatic: Some("usual"),
             enabled: true,

@@ -136,6 +136,10 @@ impl Query for WallThickeningQuery {
         memory.own(wall.own_bytes());
     }
 
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.subject]
+    }
+
     fn replaces(&self, other: &Self) -> bool {
         self.subject == other.subject
     }

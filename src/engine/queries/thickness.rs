@@ -147,6 +147,10 @@ impl Query for PoseThicknessQuery {
         memory.own(size_of_val(&*thickness.results));
     }
 
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.subject]
+    }
+
     fn replaces(&self, other: &Self) -> bool {
         (self.subject, self.frame) == (other.subject, other.frame)
     }

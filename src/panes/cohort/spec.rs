@@ -28,8 +28,11 @@ pub const PANE: PaneSpec = PaneSpec {
 };
 
 fn count_ui(ui: &mut Ui, cx: &PaneContext<'_>, _: f32, _: &mut Vec<Command>) {
-    let count = cx.state().document.study().subjects.len();
-    if count > 0 {
+    let study = cx.state().document.study();
+    let (count, unread) = (study.subjects.len(), study.unread.len());
+    if unread > 0 {
+        ui.weak(format!("{count} of {} read", count + unread));
+    } else if count > 0 {
         let shown = cohort_data(cx).borrow_mut().shown_count();
         ui.weak(count_text(shown, count));
     }

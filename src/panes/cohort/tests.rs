@@ -3,6 +3,7 @@
 use super::columns::VerdictRoom;
 use super::*;
 use crate::panes::{BeatCommand, FileCommand, TransportCommand, ViewCommand};
+use egui::Key;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 fn rows(count: usize) -> Vec<CohortRow> {
@@ -39,6 +40,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    ..CohortView::default()
                 };
                 cohort_table_ui(ui, &view, commands);
             },
@@ -227,6 +229,7 @@ fn on_escape(search: &'static str, in_box: bool) -> Vec<Command> {
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    ..CohortView::default()
                 };
                 cohort_table_ui(ui, &view, commands);
             },

@@ -88,6 +88,8 @@ impl CohortData {
             compared: document.compared_on_screen(),
             measuring,
             classifying,
+            unread: &document.study().unread,
+            awaited: state.awaited.as_deref(),
         }
     }
 }

@@ -14,8 +14,12 @@ pub enum FileCommand {
     ChooseFolder,
     /// Open these.
     Open(Vec<PathBuf>),
+    /// Open what was opened last once more, with links that lead out of it.
+    FollowLinks,
     /// Open the cohort that ships inside.
     OpenBuiltIn,
+    /// Read this subject of the study that is being read before the others, and select it then.
+    ReadFirst(String),
     /// Write a figure of the 3D view; `None` asks where.
     ExportFigure(Option<PathBuf>),
     /// Write the figure of the patch: heart, bull's-eye, table, verdict; `None` asks where.
@@ -45,6 +49,7 @@ pub(super) static ACTIONS: &[Row<FileCommand>] = &[
     row(Menu::File, 0, "Open files…", Some((CTRL, Key::O)), FileCommand::ChooseFiles),
     row(Menu::File, 0, "Open folder…", Some((CTRL.plus(SHIFT), Key::O)), FileCommand::ChooseFolder),
     row(Menu::File, 0, "Open the built-in cohort", None, FileCommand::OpenBuiltIn),
+    row(Menu::File, 1, "Open again, following links", None, FileCommand::FollowLinks),
     row(Menu::File, 2, "Quit", Some((CTRL, Key::Q)), FileCommand::Quit),
     row(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), FileCommand::ExportPatchFigure(None)),
     row(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), FileCommand::ExportFigure(None)),

@@ -39,7 +39,18 @@ pub fn legend_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
         sides.shrink_right().truncate().show(
             &mut row,
             |ui| label_counts_ui(ui, view, room),
-            |ui| note_ui(ui, view, &trust_text(view)),
+            |ui| {
+                let (whole, short) = (trust_text(view), view.note.as_str());
+                let cut = text_width(ui, &whole, note_font()) > ui.available_width();
+                // That axes have no unit is also said on hover.
+                let unsaid = view.left_out.is_empty() && filter_text(view).is_none();
+                let text = if cut && unsaid && !short.is_empty() {
+                    short
+                } else {
+                    &whole
+                };
+                note_ui(ui, view, text);
+            },
         );
     } else {
         let wide = inner.width() > 240.0 + 34.0 * clusters.len() as f32;

@@ -40,7 +40,7 @@ pub fn ask_thickness(cx: &PaneContext<'_>) -> Vec<PoseThickness> {
 /// before it is measured. None while the phases are not known.
 fn shown_poses(state: &State) -> Vec<usize> {
     let document = &state.document;
-    if document.selected().is_none() || state.measures().is_none() {
+    if document.selected().is_none() || state.measures_of(document.subject).is_none() {
         return Vec::new();
     }
     let (end_diastole, end_systole) = state.phases_of(document.subject);

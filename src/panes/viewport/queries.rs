@@ -130,7 +130,7 @@ impl Query for ColourRangesQuery {
     const LISTED: bool = false;
 
     fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::study(study)
+        Dependencies::study_as_read(study)
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<CohortLimits, Interrupted> {
