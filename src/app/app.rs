@@ -226,9 +226,7 @@ impl App {
                 }
             }
             Effect::CompletePath(text) => files.complete_path(exporting.engine, text),
-            Effect::TakePath { text, replace } => {
-                files.take_path(exporting.engine, text, replace);
-            }
+            Effect::TakePath { text, replace } => files.take_path(exporting.engine, text, replace),
             Effect::CancelPath => files.cancel_path(exporting.state),
             Effect::WriteTables(folder) => files.ask_for_tables(&mut exporting, Some(folder)),
             Effect::Stop(topic) => self.background.engine.cancel(topic),
