@@ -314,12 +314,8 @@ impl eframe::App for App {
         // another study, in whose table a row is another subject.
         let opening = self.state.document.study.opening;
         self.apply_queue(ctx);
-        let selected = self.state.document.subject;
         self.take_in(ctx);
-        if self.state.document.subject != selected {
-            // Another study, or subjects that were read came before it: what is dragged is named by its place.
-            egui::DragAndDrop::clear_payload(ctx);
-        }
+        crate::panes::let_go_if_moved(ctx, self.state.document.study());
         self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
         if self.state.document.study.opening != opening {
