@@ -3,9 +3,10 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::engine::{Engine, StoreOptions, Wake};
+use crate::engine::{Engine, Stage, StoreOptions, Wake};
 use crate::io::Opened;
 use crate::picture::reference_frame;
+use crate::study::{Notice, Revision, Study};
 
 use super::asks::{Asks, Seen};
 use super::errors::{push_card, push_failure, push_open_errors};
@@ -17,6 +18,8 @@ pub struct Background {
     /// Opens, answers, exports.
     pub engine: Engine,
     asks: Asks,
+    /// The state of the study that the store knows of.
+    followed: Option<Revision>,
 }
 
 impl Background {
@@ -31,12 +34,16 @@ impl Background {
                 ..StoreOptions::default()
             })?,
             asks: Asks::default(),
+            followed: None,
         })
     }
 
     /// Takes in what finished since the last frame.
     pub fn poll(&mut self, state: &mut State) {
         self.engine.poll();
+        for stage in self.engine.take_stages() {
+            self.take_stage(state, stage);
+        }
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, opened);
         }
@@ -50,7 +57,37 @@ impl Background {
 
     /// Asks for what the state on screen needs, and has the state show what is known.
     pub fn ask(&mut self, state: &mut State, seen: &Seen) {
+        let study = state.document.study();
+        if self.followed != Some(study.revision) {
+            self.engine.store().follow(study);
+            self.followed = Some(study.revision);
+        }
         state.answers = self.asks.ask(state, self.engine.store(), seen);
+    }
+
+    fn take_stage(&mut self, state: &mut State, stage: Stage) {
+        let mut fresh = || self.engine.next_revision();
+        match stage {
+            Stage::Begun(study) => state.begin_reading(study),
+            Stage::Read(read) => {
+                if !state.add_read(&read, &mut fresh) {
+                    self.engine.give_up_opening();
+                }
+            }
+            Stage::Ended(opened) => {
+                push_open_errors(&mut state.errors, &opened.errors);
+                state.message = opened_words(&opened.study);
+                state.end_reading(report_of(opened).1, &mut fresh);
+            }
+            Stage::GivenUp => {
+                let stopped = Notice::warning("reading was stopped: not all subjects were read");
+                let report = OpeningReport {
+                    notices: vec![stopped],
+                    ..OpeningReport::default()
+                };
+                state.end_reading(report, &mut fresh);
+            }
+        }
     }
 }
 
@@ -67,22 +104,30 @@ fn written_words(files: &[PathBuf]) -> String {
 
 fn take_opened(state: &mut State, opened: Opened) {
     push_open_errors(&mut state.errors, &opened.errors);
-    let study = opened.study;
-    if study.subjects.is_empty() {
+    if opened.study.subjects.is_empty() {
         if opened.errors.is_empty() {
             push_card(&mut state.errors, "Nothing to open", "no mesh files found");
         }
         return;
     }
-    state.message = match study.subjects.len() {
-        1 => format!("Opened {}", study.subjects[0].id),
-        count => format!("Opened {count} subjects"),
-    };
+    state.message = opened_words(&opened.study);
+    let (study, report) = report_of(opened);
+    state.show_study(Arc::new(study), report);
+}
+
+fn opened_words(study: &Study) -> String {
+    match study.subjects.as_slice() {
+        [one] => format!("Opened {}", one.id),
+        all => format!("Opened {} subjects", all.len()),
+    }
+}
+
+fn report_of(opened: Opened) -> (Study, OpeningReport) {
     let report = OpeningReport {
         notices: opened.notices,
         errors: opened.errors,
     };
-    state.show_study(Arc::new(study), report);
+    (opened.study, report)
 }
 
 /// The frame of each subject that motion is counted from.

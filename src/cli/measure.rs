@@ -7,7 +7,7 @@ use crate::cli::input::{in_unit, measured, opened_study, store};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json, say};
 use crate::cli::tables;
-use crate::engine::write_files;
+use crate::engine::replace_results;
 use crate::report::{SubjectRow, subjects_json};
 use crate::study::{Severity, Study};
 
@@ -16,7 +16,7 @@ pub(super) fn measure(args: &MeasureArgs) -> Result<(), CliError> {
     say_warnings(&study);
     let measures = measured(&store()?, &study)?;
     let files = tables::measure_files(&study, &measures, &args.out);
-    let written = write_files(files).map_err(CliError::Unusable)?;
+    let written = replace_results(&args.out, files).map_err(CliError::Unusable)?;
     let rows = SubjectRow::of_study(&study, &measures);
     if args.json {
         let files: Vec<String> = written

@@ -5,6 +5,7 @@
 //! changes it.
 
 pub(crate) mod answers;
+pub(crate) mod cohort_sort;
 pub(crate) mod differences;
 #[expect(
     clippy::module_inception,
@@ -13,7 +14,10 @@ pub(crate) mod differences;
 pub(crate) mod document;
 pub(crate) mod error_card;
 pub(crate) mod interpolated_poses;
+pub(crate) mod loop_range;
+pub(crate) mod path_entry;
 pub(crate) mod play;
+mod reading;
 pub(crate) mod state;
 #[cfg(test)]
 pub(crate) mod testing;
@@ -26,6 +30,9 @@ pub(crate) mod viewpoint;
 pub(crate) mod visibility;
 pub(crate) mod visible_poses;
 
-pub use {answers::*, differences::*, document::*, error_card::*, interpolated_poses::*, play::*};
+pub use {
+    answers::*, cohort_sort::*, differences::*, document::*, error_card::*, interpolated_poses::*,
+    loop_range::*, path_entry::*, play::*,
+};
 pub use {state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
 pub use {visibility::*, visible_poses::*};

@@ -7,13 +7,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::engine::activity::{Activity, Topic};
 use crate::engine::export::{ExportFile, write_files};
 use crate::engine::job::{Ending, Job, JobError, Wake};
-use crate::engine::open::{OpenSource, open};
+use crate::engine::open::{OpenSource, open_in_stages};
 use crate::engine::reading_limits::reading_limits;
+use crate::engine::stages::{Feed, Stage};
 use crate::engine::store::{FailedWork, SharedError, Store, StoreOptions};
 use crate::engine::workers::Workers;
 use crate::io::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
-use crate::study::Revision;
+use crate::study::{Revision, Study};
 
 /// Why nothing was exported.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -30,8 +31,9 @@ const ASIDE: usize = 2;
 /// the engine stops its work, then joins its threads.
 pub struct Engine {
     // Jobs stand before their threads: they are dropped first, which stops what still runs.
-    opening: Option<Job<Opened, Stopped>>,
+    opening: Option<Opening>,
     opened: Option<Opened>,
+    stages: Vec<Stage>,
     /// One is made after the other.
     exports: Vec<Job<Vec<PathBuf>, ExportError>>,
     exported: Option<Vec<PathBuf>>,
@@ -45,6 +47,12 @@ pub struct Engine {
     store: Arc<Store>,
 }
 
+/// Something that is being opened.
+struct Opening {
+    job: Job<Opened, Stopped>,
+    feed: Arc<Feed>,
+}
+
 impl Engine {
     /// Starts the store, a thread that reads files, one that writes them, and those for work aside.
     ///
@@ -54,6 +62,7 @@ impl Engine {
         Ok(Self {
             opening: None,
             opened: None,
+            stages: Vec::new(),
             exports: Vec::new(),
             exported: None,
             last_opening: None,
@@ -78,20 +87,47 @@ impl Engine {
     }
 
     /// Opens something in place of what is being opened; the study in use is not touched.
-    /// What comes of it is handed out once, by [`Self::take_opened`].
+    /// What comes of it is handed out once, by [`Self::take_opened`], or of a large study by [`Self::take_stages`].
     pub fn open(&mut self, source: OpenSource) {
         let (name, words) = (source.name(), source.words());
         let (limits, revisions) = (self.limits, Arc::clone(&self.revisions));
         self.last_opening = Some(source.clone());
         let wake = Arc::clone(&self.wake);
+        self.give_up_opening();
+        let feed = Arc::new(Feed::new(Arc::clone(&wake)));
+        let listener = Arc::clone(&feed);
         let job = Job::spawn(&self.reader, wake, move |progress: &Progress| {
-            let mut opened = open(&source, &limits, progress)?;
+            let mut opened = open_in_stages(&source, &limits, progress, &*listener)?;
             opened.study.revision = next_revision(&revisions);
             Ok(opened)
         });
         (self.store).list_job(Topic::OPENING, name, words, Arc::clone(job.watch()));
+        self.store.set_reading(Arc::clone(job.watch()));
         self.opened = None;
-        self.opening = Some(job);
+        self.opening = Some(Opening { job, feed });
+    }
+
+    /// Lets go of what is being opened.
+    pub fn give_up_opening(&mut self) {
+        if self
+            .opening
+            .take()
+            .is_some_and(|opening| opening.feed.begun())
+        {
+            self.stages.push(Stage::GivenUp);
+        }
+    }
+
+    /// What came of a large study since the last call, in order.
+    pub fn take_stages(&mut self) -> Vec<Stage> {
+        std::mem::take(&mut self.stages)
+    }
+
+    /// Has a subject of the study that is being opened read before the others.
+    pub fn read_first(&self, id: String) {
+        if let Some(opening) = &self.opening {
+            opening.feed.want(id);
+        }
     }
 
     /// Opens the files that were opened last once more, with links that lead out of them.
@@ -119,13 +155,23 @@ impl Engine {
         parameters: impl Into<String>,
         make: impl FnOnce(&Progress) -> Result<Vec<ExportFile>, String> + Send + 'static,
     ) {
+        self.start_writing(name, parameters, move |progress| {
+            let files = make(progress)?;
+            progress.check().map_err(|stopped| stopped.to_string())?;
+            write_files(files)
+        });
+    }
+
+    /// Writes files with `write`, which returns their paths; they are handed out by [`Self::take_exported`].
+    pub fn start_writing(
+        &mut self,
+        name: impl Into<String>,
+        parameters: impl Into<String>,
+        write: impl FnOnce(&Progress) -> Result<Vec<PathBuf>, String> + Send + 'static,
+    ) {
         let wake = Arc::clone(&self.wake);
         let job = Job::spawn(&self.exporter, wake, move |progress: &Progress| {
-            let files = make(progress).map_err(ExportError)?;
-            progress
-                .check()
-                .map_err(|stopped| ExportError(stopped.to_string()))?;
-            write_files(files).map_err(ExportError)
+            write(progress).map_err(ExportError)
         });
         (self.store).list_job(Topic::EXPORT, name, parameters, Arc::clone(job.watch()));
         self.exports.push(job);
@@ -153,7 +199,13 @@ impl Engine {
     /// Stops work of one kind; what was on screen stays, and nothing begins again until [`Self::retry`].
     pub fn cancel(&mut self, topic: Topic) {
         match topic {
-            Topic::OPENING => self.opening = None,
+            // What was read of a large study stays: it is opened as if the rest were not there.
+            Topic::OPENING => match &self.opening {
+                Some(opening) if opening.feed.begun() && opening.feed.stop_reading() => {
+                    opening.job.watch().end(Ending::Stopped);
+                }
+                _ => self.give_up_opening(),
+            },
             Topic::EXPORT => self.exports.clear(),
             question => self.store.cancel(question),
         }
@@ -174,12 +226,7 @@ impl Engine {
 
     /// Takes in what jobs brought. Call once a frame.
     pub fn poll(&mut self) {
-        if let Some(opened) = finished(&mut self.opening) {
-            match opened {
-                Ok(opened) => self.opened = Some(opened),
-                Err(error) => self.report(Topic::OPENING, "Opening failed", Arc::new(error)),
-            }
-        }
+        self.poll_opening();
         for job in std::mem::take(&mut self.exports) {
             let mut job = Some(job);
             match finished(&mut job) {
@@ -191,6 +238,38 @@ impl Engine {
             }
             self.exports.extend(job);
         }
+    }
+
+    fn poll_opening(&mut self) {
+        let Some(opening) = &mut self.opening else {
+            return;
+        };
+        let outcome = opening.job.poll();
+        let stage = opening.feed.stage(outcome.is_some());
+        let begun = opening.feed.begun();
+        self.stages.extend(stage.map(|stage| match stage {
+            Stage::Begun(study) => Stage::Begun(Study {
+                revision: next_revision(&self.revisions),
+                ..study
+            }),
+            other => other,
+        }));
+        let Some(outcome) = outcome else {
+            return;
+        };
+        match outcome {
+            Ok(opened) if begun => self.stages.push(Stage::Ended(opened)),
+            Ok(opened) => self.opened = Some(opened),
+            Err(error) => {
+                if begun {
+                    self.stages.push(Stage::GivenUp);
+                }
+                if !matches!(error, JobError::Failed(Stopped)) {
+                    self.report(Topic::OPENING, "Opening failed", Arc::new(error));
+                }
+            }
+        }
+        self.opening = None;
     }
 
     /// What went wrong since the last call and needs a card.

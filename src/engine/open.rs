@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::io::{Limits, OpenError, Opened, open_paths};
+use crate::io::{Limits, OpenError, OpenListener, Opened, open_paths_in_stages};
 use crate::progress::{Progress, Stopped};
 use crate::study::built_in::{self, BuiltInParams};
 
@@ -57,10 +57,20 @@ impl OpenSource {
 /// # Errors
 /// Only if it was asked to stop.
 pub fn open(source: &OpenSource, limits: &Limits, progress: &Progress) -> Result<Opened, Stopped> {
+    open_in_stages(source, limits, progress, &())
+}
+
+/// The same, with subjects that are read from files handed to `listener` one by one.
+pub(crate) fn open_in_stages(
+    source: &OpenSource,
+    limits: &Limits,
+    progress: &Progress,
+    listener: &dyn OpenListener,
+) -> Result<Opened, Stopped> {
     match source {
         OpenSource::Paths(paths) => {
             progress.begin_phase("reading files", 0.0, 1.0);
-            open_paths(paths, limits, progress)
+            open_paths_in_stages(paths, limits, progress, listener)
         }
         OpenSource::PathsAndLinks(paths) => {
             let limits = Limits {

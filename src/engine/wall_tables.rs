@@ -154,7 +154,7 @@ impl WallTables {
         })?;
         self.walls.unassessed = std::mem::take(&mut self.rows.unassessed);
         self.walls.summary = json!({
-            "parameters": thickening_params_json(&thickening.medial, &thickening.thickening),
+            "parameters": thickening_params_json(&thickening.medial, &thickening.patches),
             "subjects": std::mem::take(&mut self.rows.summaries),
         });
         Ok(())

@@ -104,6 +104,10 @@ pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
 /// The line up to its comment, with the lines that a backslash at its end joins to it. A backslash in a comment joins
 /// nothing, nor does one before a line that says by its keyword what it is: `mtllib D:\hearts\` above a vertex is a path.
 fn whole_line<'a>(text: &'a [u8], lines: &mut TextLines<'a>) -> Cow<'a, [u8]> {
+    // Nearly all lines.
+    if !text.iter().any(|byte| matches!(byte, b'#' | b'\\')) {
+        return text.into();
+    }
     let continued = |text: &[u8]| {
         without_comment(text).len() == text.len() && text.trim_ascii_end().ends_with(b"\\")
     };
@@ -155,6 +159,12 @@ fn check_rest_of_vertex<'a>(
 fn vertex_index(word: &[u8], defined: usize, place: Place) -> Result<u32, ReadMeshError> {
     let mut parts = word.split(|&b| b == b'/');
     let number = whole_number(parts.next().unwrap_or_default(), place)?;
+    if number > 0
+        && parts.clone().next().is_none()
+        && let Ok(index) = u32::try_from(number - 1)
+    {
+        return Ok(index);
+    }
     let whole_or_none = |part: &[u8]| part.iter().all(|b| b.is_ascii_digit() || *b == b'-');
     if parts.clone().count() > 2 || !parts.all(whole_or_none) {
         return Err(place.error(format!("{} is not the corner of a face", shown(word))));

@@ -148,6 +148,10 @@ pub(super) fn number(word: &[u8], place: Place) -> Result<f64, ReadMeshError> {
 
 /// A word as a whole number, also as programs write it that know numbers of one type alone: `1.0`, `1.000e+00`.
 pub(super) fn whole_number(word: &[u8], place: Place) -> Result<i64, ReadMeshError> {
+    // Nearly all words: a few digits, which no sum of them overflows.
+    if matches!(word.len(), 1..=9) && word.iter().all(u8::is_ascii_digit) {
+        return Ok((word.iter()).fold(0, |number, digit| 10 * number + i64::from(digit - b'0')));
+    }
     std::str::from_utf8(word)
         .ok()
         .and_then(|text| text.parse().ok().or_else(|| whole(text)))

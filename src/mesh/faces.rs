@@ -2,8 +2,6 @@
 
 use std::sync::OnceLock;
 
-use rayon::prelude::*;
-
 use super::borders::{Borders, Edge};
 
 /// Why positions and faces do not make a mesh.
@@ -114,7 +112,7 @@ impl Faces {
     /// manifold, more where sheets branch.
     pub fn edge_valences(&self) -> Vec<(Edge, usize)> {
         let mut sides: Vec<Edge> = self.directed_edges().map(undirected).collect();
-        sides.par_sort_unstable();
+        sides.sort_unstable();
         sides
             .chunk_by(|a, b| a == b)
             .map(|run| (run[0], run.len()))

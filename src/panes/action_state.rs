@@ -29,6 +29,10 @@ impl ActionState<'_> {
             Command::Transport(TransportCommand::StopTransport) => {
                 document.visible_transport().is_some()
             }
+            Command::Beat(BeatCommand::SetLoopRange(None)) => document.loop_range.is_some(),
+            Command::Map(MapCommand::SetClassesBy(by)) => {
+                document.classes_by() == *by || document.study().has_other_classes_than_labels()
+            }
             Command::View(ViewCommand::SetQuantity(Quantity::Contribution)) => {
                 document.compared_on_screen().is_some()
             }
@@ -92,6 +96,7 @@ pub fn is_on(state: &State, command: &Command) -> Option<bool> {
         Command::Map(MapCommand::SetMapMethod(method)) => {
             discriminant(&document.map.method) == discriminant(method)
         }
+        Command::Map(MapCommand::SetClassesBy(by)) => document.classes_by() == *by,
         Command::Map(MapCommand::ToggleClusters) => document.shows_clusters,
         Command::Beat(BeatCommand::ToggleLoop) => state.play.repeat,
         Command::Window(WindowCommand::SetTheme(theme)) => state.theme == *theme,

@@ -21,5 +21,5 @@ pub use mesh_sequence::{
     CorrespondenceKey, MeshSequence, SequenceError, SequenceId, SurfaceKind, SurfaceSequence,
 };
 pub use notice::{Notice, Severity};
-pub use study::{Revision, Study};
+pub use study::{ReadSubject, Revision, Study, UnreadSubject};
 pub use subject::{ShapeKey, Subject};

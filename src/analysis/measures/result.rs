@@ -72,7 +72,7 @@ pub struct SubjectMeasures {
     pub unit: LengthUnit,
     /// One per frame.
     pub frames: Vec<FrameMeasures>,
-    /// Frame of the greatest filling; `None` where no volume can be told.
+    /// Frame of the greatest filling; `None` where no volume is known.
     pub end_diastole: Option<usize>,
     /// Frame of the least filling.
     pub end_systole: Option<usize>,

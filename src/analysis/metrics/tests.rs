@@ -1,5 +1,7 @@
 //! Laws of the metrics, on bowls and spheres bent at random.
 
+mod shares;
+
 use nalgebra::{Matrix3, Rotation3};
 use proptest::prelude::*;
 

@@ -2,9 +2,9 @@
 
 use super::{Effect, Moment, apply};
 use crate::app::export::FigureKind;
-use crate::document::ViewMode;
 use crate::document::state::State;
 use crate::document::testing::{state_of, subject_with_frames};
+use crate::document::{CohortColumn, ViewMode};
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::{
     BeatCommand, Command, EditCommand, FileCommand, ViewCommand, WindowCommand, WorkCommand,
@@ -95,7 +95,9 @@ fn playing_leaves_no_steps_of_undo() {
     give(&mut state, Command::Beat(BeatCommand::TogglePlay));
     let subject = state.document.selected().unwrap().clone();
     for _ in 0..100 {
-        let (position, _) = state.play.advance(&subject, state.document.position, 0.016);
+        let (position, _) = state
+            .play
+            .advance(&subject, state.document.position, None, 0.016);
         state.document.position = position;
     }
     give(&mut state, Command::Beat(BeatCommand::TogglePlay));
@@ -154,7 +156,7 @@ fn hundred_changes_of_many_kinds_are_taken_back_one_by_one() {
             0 => Command::View(ViewCommand::ToggleWireframe),
             1 => Command::View(ViewCommand::NextQuantity),
             2 => Command::Beat(BeatCommand::SelectSubject((step / 5 + 1) % 2)),
-            3 => Command::View(ViewCommand::SortCohort(1)),
+            3 => Command::View(ViewCommand::SortCohort(CohortColumn::Subject)),
             _ => Command::View(ViewCommand::SetViewMode(if (step / 5) % 2 == 0 {
                 ViewMode::AllFrames
             } else {
@@ -205,9 +207,12 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
     assert_eq!(
         give(
             &mut state,
-            Command::File(FileCommand::Open(vec![picture.clone()]))
+            Command::File(FileCommand::Open(vec!["ward".into(), picture.clone()]))
         ),
-        [Effect::ReadPicture(picture)]
+        [Effect::ReadPicture {
+            picture,
+            study: vec!["ward".into()]
+        }]
     );
     assert_eq!(
         give(&mut state, Command::File(FileCommand::Open(Vec::new()))),
@@ -256,7 +261,10 @@ fn stepping_through_subjects_follows_the_table() {
         subject_with_frames("a", 3),
         subject_with_frames("b", 3),
     ]);
-    give(&mut state, Command::View(ViewCommand::SortCohort(1)));
+    give(
+        &mut state,
+        Command::View(ViewCommand::SortCohort(CohortColumn::Subject)),
+    );
     for expected in [1, 2, 0] {
         give(&mut state, Command::Beat(BeatCommand::StepSubject(1)));
         assert_eq!(state.document.subject, expected);

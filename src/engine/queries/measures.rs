@@ -1,7 +1,10 @@
 //! Volumes and ejection fraction of every subject.
 
-use crate::analysis::measures::{SubjectMeasures, measure_study};
-use crate::engine::store::{Context, Interrupted, Memory, Query};
+use std::sync::Arc;
+
+use crate::analysis::measures::{SubjectMeasures, measure_study, measure_subject};
+use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query, Urgency};
+use crate::study::{Study, Subject};
 
 /// Clinical measures of every subject of the study.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,5 +29,38 @@ impl Query for MeasuresQuery {
 
     fn replaces(&self, _: &Self) -> bool {
         true
+    }
+}
+
+/// Clinical measures of one subject, for what is on screen before those of all are known; both are equal.
+#[derive(Clone, Debug)]
+pub struct SubjectMeasuresQuery(pub Arc<Subject>);
+
+impl PartialEq for SubjectMeasuresQuery {
+    fn eq(&self, other: &Self) -> bool {
+        Arc::ptr_eq(&self.0, &other.0)
+    }
+}
+
+impl Query for SubjectMeasuresQuery {
+    type Answer = SubjectMeasures;
+    const TITLE: &'static str = "Volumes and ejection fraction of a subject";
+    const URGENCY: Urgency = Urgency::Interactive;
+    const LISTED: bool = false;
+
+    fn depends_on(&self, _: &Study) -> Dependencies {
+        Dependencies::nothing()
+    }
+
+    fn run(&self, _: &Context<'_>) -> Result<SubjectMeasures, Interrupted> {
+        Ok(measure_subject(&self.0))
+    }
+
+    fn memory(subject: &SubjectMeasures, memory: &mut Memory) {
+        memory.own(size_of_val(&*subject.frames));
+    }
+
+    fn replaces(&self, other: &Self) -> bool {
+        self.0.sequence.id() == other.0.sequence.id()
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Paths become a plan (which files make which surface of which subject: [`find_sequences`],
 //! [`study_toml`], [`group_files`]); the plan's files are read in parallel and joined
-//! ([`read_subjects`]); what was assumed and found stands with each subject.
+//! ([`read_subjects`]), subject by subject ([`stages`]); what was assumed and found stands with each subject.
 
 mod copies;
 mod file_name;
@@ -33,6 +33,7 @@ mod series_parts;
 mod series_times;
 mod sheet_by_shape;
 mod sheet_folders;
+mod stages;
 mod study_budget;
 mod study_toml;
 mod subject_ids;
@@ -48,12 +49,13 @@ pub use find_sequences::looks_openable;
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{AlignedCohort, Copies, all_of, counted};
-use crate::study::{Notice, Study, Subject};
+use crate::study::{Notice, Study, Subject, UnreadSubject};
 use find_sequences::Search;
 use folder_contents::folder_name;
 use group_files::stem;
 use labels::unite_labels;
 pub use read_file::{read_head, read_mesh_file};
+pub use stages::OpenListener;
 use subject_ids::make_ids_unique;
 
 /// Opens studies, folders, series and mesh files, together as one study.
@@ -68,6 +70,20 @@ pub fn open_paths(
     paths: &[PathBuf],
     limits: &Limits,
     progress: &Progress,
+) -> Result<Opened, Stopped> {
+    open_paths_in_stages(paths, limits, progress, &())
+}
+
+/// The same, with each subject handed to `listener` as soon as it is read. If that has enough before all are read, what
+/// was read is opened, and a note says how many were not.
+///
+/// # Errors
+/// Only [`Stopped`].
+pub fn open_paths_in_stages(
+    paths: &[PathBuf],
+    limits: &Limits,
+    progress: &Progress,
+    listener: &dyn OpenListener,
 ) -> Result<Opened, Stopped> {
     let mut search = Search::new(paths, limits, progress);
     search.paths(paths)?;
@@ -85,11 +101,30 @@ pub fn open_paths(
         errors: plan.errors,
         notices: plan.notices,
     };
-    for outcome in read_subjects::read_subjects(plan.subjects, limits, progress)? {
+    let unread = plan.subjects.iter().map(|subject| UnreadSubject {
+        id: subject.id.clone(),
+        label: subject.stated.label.clone(),
+        read_before: 0,
+    });
+    let planned = Study {
+        unread: unread.collect(),
+        ..opened.study.clone()
+    };
+    let count = plan.subjects.len();
+    listener.planned(planned, stages::bytes_of(&plan.subjects));
+    let outcomes = stages::read_subjects(plan.subjects, limits, progress, listener)?;
+    let mut left = 0;
+    for outcome in outcomes {
         match outcome {
-            Ok(subject) => opened.study.subjects.push(Arc::new(subject)),
-            Err(errors) => opened.errors.extend(errors),
+            Some(Ok(subject)) => opened.study.subjects.push(subject),
+            Some(Err(errors)) => opened.errors.extend(errors),
+            None => left += 1,
         }
+    }
+    if left > 0 {
+        opened.notices.push(Notice::warning(format!(
+            "reading was stopped: {left} of {count} subjects were not read"
+        )));
     }
     opened
         .notices

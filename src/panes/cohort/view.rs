@@ -1,10 +1,10 @@
 //! The cohort table: rows from subjects and measures, kept until one of them changes.
 
 use super::CohortView;
-use super::rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
+use super::rows::{CohortRow, visible_rows};
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::document::document::Sorting;
+use crate::document::CohortSort;
 use crate::document::state::State;
 use crate::panes::pane_context::{Kept, PaneContext};
 use crate::panes::same::Same;
@@ -31,7 +31,7 @@ pub fn cohort_data(cx: &PaneContext<'_>) -> Kept<CohortData> {
 pub struct CohortData {
     made_from: Option<MadeFrom>,
     rows: Vec<CohortRow>,
-    filtered_by: Option<(String, Sorting)>,
+    filtered_by: Option<(String, Option<CohortSort>)>,
     visible: Vec<usize>,
 }
 
@@ -49,7 +49,7 @@ impl CohortData {
         let document = &state.document;
         let filter = (&document.search, document.sorting);
         if self.filtered_by.as_ref().map(|(s, o)| (s, *o)) != Some(filter) {
-            self.visible = visible_rows(&self.rows, &document.search, sort(document.sorting));
+            self.visible = visible_rows(&self.rows, &document.search, document.sorting);
             for row in &mut self.rows {
                 row.filtered_out = true;
             }
@@ -83,11 +83,13 @@ impl CohortData {
             rows: &self.rows,
             visible: &self.visible,
             search: &document.search,
-            sort: sort(document.sorting),
+            sort: document.sorting,
             selected: document.selected_index(),
             compared: document.compared_on_screen(),
             measuring,
             classifying,
+            unread: &document.study().unread,
+            awaited: state.awaited.as_deref(),
         }
     }
 }
@@ -95,28 +97,12 @@ impl CohortData {
 /// Indices of the subjects that the table shows, in its order.
 pub fn visible_subjects(state: &State) -> Vec<usize> {
     let document = &state.document;
-    visible_rows(
-        &cohort_rows(state),
-        &document.search,
-        sort(document.sorting),
-    )
-}
-
-fn sort(sorting: Sorting) -> Option<CohortSort> {
-    let column = *CohortColumn::ALL.get(sorting.column?)?;
-    Some(CohortSort {
-        column,
-        descending: sorting.descending,
-    })
+    visible_rows(&cohort_rows(state), &document.search, document.sorting)
 }
 
 /// Shape and colour of the label of every subject.
 pub fn label_marks(study: &Study) -> Vec<LabelMark> {
-    let labels = study.subjects.iter();
-    let labels: Vec<_> = labels
-        .map(|subject| (subject.label.as_deref(), study.role(subject)))
-        .collect();
-    LabelMark::of_study(&labels)
+    LabelMark::of_subjects(study)
 }
 
 fn cohort_rows(state: &State) -> Vec<CohortRow> {

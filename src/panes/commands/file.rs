@@ -1,6 +1,7 @@
 //! Commands about files: what is opened and what is exported.
 
 use super::action::{CTRL, Menu, NONE, Row, SHIFT, row};
+use crate::picture::figure::FigureLook;
 use egui::Key;
 use std::path::PathBuf;
 
@@ -17,12 +18,27 @@ pub enum FileCommand {
     FollowLinks,
     /// Open the cohort that ships inside.
     OpenBuiltIn,
+    /// Read this subject of the study that is being read before the others, and select it then.
+    ReadFirst(String),
     /// Write a figure of the 3D view; `None` asks where.
     ExportFigure(Option<PathBuf>),
     /// Write the figure of the patch: heart, bull's-eye, table, verdict; `None` asks where.
     ExportPatchFigure(Option<PathBuf>),
     /// Write all tables; `None` asks where.
     ExportTables(Option<PathBuf>),
+    /// How figures look from now on.
+    SetFigureLook(FigureLook),
+    /// Complete a path that is typed.
+    CompletePath(String),
+    /// Take a path that was typed.
+    TakePath {
+        /// The path.
+        text: String,
+        /// Whether what lies there is replaced.
+        replace: bool,
+    },
+    /// Give up typing a path.
+    CancelPath,
     /// Leave the program.
     Quit,
 }

@@ -348,3 +348,22 @@ fn a_success_without_a_session_says_nothing_of_it() {
         said(&output)
     );
 }
+
+#[test]
+fn measure_into_the_folder_of_an_analysis_leaves_no_summary_of_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = study_of(folder.path(), &[("A", "x"), ("B", "y")]);
+    let out = folder.path().join("out");
+    assert_eq!(code(&analyze(&study, &out, &["--figures", "off"])), 0);
+    fs::write(out.join("notes.csv"), "mine").unwrap();
+    assert!(out.join("summary.json").exists() && out.join("verdicts.csv").exists());
+    let output = cardiomorph(&["measure", text(&study), "--out", text(&out)]);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let entries = fs::read_dir(&out).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let expected = ["columns.md", "frames.csv", "notes.csv", "subjects.csv"];
+    assert_eq!(names, expected);
+}
