@@ -7,6 +7,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::io::{Limits, Opened, open_paths};
 use crate::mesh::{Point3, TriMesh, phantom};
+use crate::study::checks::LandmarkDoubt;
 use crate::study::{LabelRoles, SurfaceSequence};
 use crate::units::Seconds;
 
@@ -86,6 +87,10 @@ prop_compose! {
         subject.height_cm = sizes.map(|(height, _)| height);
         subject.weight_kg = sizes.map(|(_, weight)| weight);
         subject.anatomy = anatomy.flatten();
+        // Landmarks that cannot be those of the surfaces are not read back.
+        if LandmarkDoubt::of(&subject).is_some() {
+            subject.anatomy = None;
+        }
         subject
     }
 }

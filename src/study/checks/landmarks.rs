@@ -8,6 +8,9 @@ const LENGTH: std::ops::RangeInclusive<f64> = 0.2..=1.5;
 /// Share of the diagonal by which a landmark may lie outside the box.
 const OUTSIDE: f64 = 0.25;
 
+/// An opening is at the apex where it is by this factor nearer to it than to the base.
+const NEARER: f64 = 0.5;
+
 /// Why orientation landmarks cannot be those of a subject.
 ///
 /// Why it matters: they make the long axis, and the names of all segments follow from it. Landmarks in another unit, of
@@ -18,7 +21,7 @@ pub enum LandmarkDoubt {
     Length(f64),
     /// A landmark lies outside the surfaces.
     Outside,
-    /// The opening lies at the apex, and the tip at the base.
+    /// The opening lies at the apex.
     Exchanged,
 }
 
@@ -55,15 +58,14 @@ impl LandmarkDoubt {
                 "apex or base lies outside the surfaces; are they in other coordinates?".to_owned()
             }
             Self::Exchanged => {
-                "the surface is open at the apex and closed at the base; are the two exchanged?"
-                    .to_owned()
+                "the surface is open at the apex; are apex and base exchanged?".to_owned()
             }
         };
         Notice::warning(format!("the orientation landmarks are not used: {why}"))
     }
 }
 
-/// Whether the largest opening lies nearer to the apex than to the base, and what is farthest from it nearer to the base.
+/// Whether the largest opening lies far nearer to the apex than to the base.
 fn exchanged(subject: &Subject, apex: Point3, base: Point3) -> bool {
     let open = [
         SurfaceKind::Endocardium,
@@ -83,13 +85,7 @@ fn exchanged(subject: &Subject, apex: Point3, base: Point3) -> bool {
         .map(|&vertex| vertices[vertex as usize].coords)
         .sum();
     let centre = Point3::from(sum / rim.len() as f64);
-    let from_centre = |point: &Point3| (point - centre).norm();
-    let tip = (vertices.iter()).max_by(|a, b| from_centre(a).total_cmp(&from_centre(b)));
-    tip.is_some_and(|tip| {
-        let nearer =
-            |point: &Point3, to: Point3, than: Point3| (point - to).norm() < (point - than).norm();
-        nearer(&centre, apex, base) && nearer(tip, base, apex)
-    })
+    (centre - apex).norm() < NEARER * (centre - base).norm()
 }
 
 #[cfg(test)]
