@@ -98,5 +98,5 @@ fn a_file_of_several_subjects_is_read_for_each() {
     assert_eq!(radii(&opened, 8), [40.0]);
     // What lists its faces alike holds them once.
     let faces = |subject: usize| opened.study.subjects[subject].sequence.surfaces()[0].faces();
-    assert!(std::sync::Arc::ptr_eq(faces(0), faces(8)));
+    assert!(Arc::ptr_eq(faces(0), faces(8)));
 }
