@@ -9,19 +9,18 @@ use egui::{Context, ThemePreference, Ui};
 use crate::document::ThemeChoice;
 use crate::document::answers::Answers;
 
-use crate::engine::{OpenSource, Query, Topic, Wake};
+use crate::engine::{Query, Topic, Wake};
 use crate::panes::{Command, FileCommand};
 use crate::ui::{self};
 
 use super::app_options::AppOptions;
 use super::apply::{Effect, Moment, apply};
-use super::asks::Seen;
 use super::background::{Background, reference_frames};
 use super::chosen_files::{ChosenFiles, Exporting};
-use super::dialogs::PathQuestion;
 use super::first_picture::FirstPicture;
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
+use super::path_question::PathQuestion;
 use super::settings::Settings;
 use super::times::Times;
 use super::typefaces::Typefaces;
@@ -80,22 +79,22 @@ impl App {
         let mut background = Background::start(&wake)?;
         let mut state = State {
             theme: settings.theme,
+            figure_look: settings.figure,
             recent: settings.recent,
+            play: settings.play,
             built_in: options.built_in,
             ..State::default()
         };
+        let mut files = ChosenFiles::new(options.ask_paths);
         if let Some(source) = options.open {
-            if let OpenSource::Paths(paths) = &source {
-                super::settings::remember_recent(&mut state.recent, paths);
-            }
-            background.engine.open(source);
+            files.begin(&mut state, &mut background.engine, source);
         }
         let memo = Memo::default();
         memo.put(Viewport::new(cc.wgpu_render_state.is_some()));
         Ok(Self {
             state,
             layout: settings.layout,
-            files: ChosenFiles::new(options.ask_paths),
+            files,
             typefaces: Typefaces::default(),
             background,
             memo,
@@ -215,10 +214,19 @@ impl App {
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::ReadFirst(id) => self.background.engine.read_first(id),
             Effect::Open(source) => self.background.engine.open(source),
+            Effect::FollowLinks => self.background.engine.open_following_links(),
             Effect::WriteFigure(kind, path) => {
                 files.ask_for_figure(&mut exporting, kind, Some(path));
             }
-            Effect::ReadPicture(path) => files.read_view(exporting.engine, path),
+            Effect::ReadPicture { picture, study } => {
+                files.read_view(exporting.engine, picture, !study.is_empty());
+                if !study.is_empty() {
+                    self.queue.push(FileCommand::Open(study).into());
+                }
+            }
+            Effect::CompletePath(text) => files.complete_path(exporting.engine, text),
+            Effect::TakePath { text, replace } => files.take_path(exporting.engine, text, replace),
+            Effect::CancelPath => files.cancel_path(exporting.state),
             Effect::WriteTables(folder) => files.ask_for_tables(&mut exporting, Some(folder)),
             Effect::Stop(topic) => self.background.engine.cancel(topic),
             Effect::Retry(topic) => self.background.engine.retry(topic),
@@ -260,11 +268,9 @@ impl App {
         let state = &mut self.state;
         if let Some(subject) = state.document.selected() {
             let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
-            let (position, on) = state
-                .play
-                .advance(subject, state.document.position, elapsed_s);
-            state.document.position = position;
-            state.play.playing = on;
+            let (at, range) = (state.document.position, state.document.loop_range);
+            (state.document.position, state.play.playing) =
+                state.play.advance(subject, at, range, elapsed_s);
         }
         if state.play.playing {
             ctx.request_repaint();
@@ -317,9 +323,6 @@ impl eframe::App for App {
         let (files, mut exporting) = self.exporting(ctx);
         files.take_waiting_figures(&mut exporting);
         self.play(ctx);
-        let seen = Seen {
-            pointer_held: ctx.input(|input| input.pointer.any_down()),
-        };
         if self.first_picture_is_ahead() {
             self.state.answers = Answers {
                 opening: self.state.document.study.opening,
@@ -328,8 +331,10 @@ impl eframe::App for App {
             // Nothing else wakes the window once the picture is there.
             ctx.request_repaint();
         } else {
-            self.background.ask(&mut self.state, &seen);
+            let pointer_held = ctx.input(|input| input.pointer.any_down());
+            self.background.ask(&mut self.state, pointer_held);
         }
+        self.files.answers_are_of(&self.state.document);
         let reference_frames = reference_frames(&self.state);
         let store = self.background.engine.store();
         let pictures = Pictures::new(store, self.state.document.study());
@@ -369,7 +374,7 @@ impl eframe::App for App {
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        Settings::save(storage, self.state.theme, &self.layout, &self.state.recent);
+        Settings::save(storage, &self.state, &self.layout);
     }
 
     /// What egui itself would keep includes texts that were typed, so nothing of it is kept.

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use crate::analysis::classification::ClassesParams;
 use crate::analysis::measures::SubjectMeasures;
 use crate::engine::{
-    ClassesQuery, DeformationMapQuery, MeasuresQuery, Showing, Store, SubjectMeasuresQuery,
-    VerdictQuery, WallThickeningQuery,
+    ClassesQuery, DeformationMapQuery, EstimatedPoseQuery, MeasuresQuery, Showing, Store,
+    SubjectMeasuresQuery, VerdictQuery, WallThickeningQuery,
 };
 
 use super::asks_motions::MotionAsks;
@@ -17,13 +17,6 @@ use crate::document::visible_poses;
 use crate::panes::deformation_map::view::enough_subjects;
 use crate::panes::pane_context::ask_at_rest;
 
-/// What the person at the screen does.
-#[derive(Clone, Debug, Default)]
-pub struct Seen {
-    /// Whether something may be dragged.
-    pub pointer_held: bool,
-}
-
 /// Asks, with what is made of answers once and kept as long as the answer stays the same.
 #[derive(Debug, Default)]
 pub struct Asks {
@@ -31,8 +24,8 @@ pub struct Asks {
 }
 
 impl Asks {
-    /// The answers to what the state on screen needs.
-    pub fn ask(&mut self, state: &State, store: &Store, seen: &Seen) -> Answers {
+    /// The answers to what the state on screen needs; `pointer_held` says whether something may be dragged.
+    pub fn ask(&mut self, state: &State, store: &Store, pointer_held: bool) -> Answers {
         let study = state.document.study();
         let opening = state.document.study.opening;
         let mut answers = Answers {
@@ -48,6 +41,10 @@ impl Asks {
         }
         answers.measures = Some(measures);
         answers.map = Some(store.ask(study, &state.document.map));
+        answers.estimate = state.estimate_at.map(|at| {
+            let map = state.document.map;
+            store.ask(study, &EstimatedPoseQuery { map, at })
+        });
         self.motions.ask(state, store, &mut answers);
         answers.walls = walls(state, store);
         if enough_subjects(state) {
@@ -56,12 +53,12 @@ impl Asks {
             let classes = ClassesQuery {
                 deformations,
                 classes: ClassesParams::default(),
-                ..ClassesQuery::default()
+                by: state.document.classes_by(),
             };
             answers.classes = Some(store.ask(study, &classes));
         }
         let verdicts = verdict_settings(&state.document);
-        answers.verdicts = Some(ask_at_rest(store, study, seen.pointer_held, &verdicts));
+        answers.verdicts = Some(ask_at_rest(store, study, pointer_held, &verdicts));
         answers
     }
 }

@@ -132,6 +132,12 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &crate::panes::ActionS
     if state.sheets.about {
         sheets::about_ui(ui, drawing.adapter, commands);
     }
+    if state.sheets.figure {
+        sheets::figure_sheet_ui(ui, state.figure_look, commands);
+    }
+    if let Some(entry) = &state.path_entry {
+        sheets::path_sheet_ui(ui, entry, commands);
+    }
     if state.sheets.shortcuts {
         sheets::shortcut_sheet_ui(ui, commands);
     }

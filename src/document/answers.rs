@@ -6,7 +6,7 @@ use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::engine::{Interrupted, PoseMap, Showing, SubjectThickening};
+use crate::engine::{EstimatedPose, Interrupted, NoEstimate, PoseMap, Showing, SubjectThickening};
 
 use crate::document::interpolated_poses::InterpolatedMotion;
 use crate::document::transported::{TransportState, TransportedSubject};
@@ -21,6 +21,8 @@ pub struct Answers {
     pub(crate) opening: u64,
     pub(crate) measures: Option<Showing<Vec<SubjectMeasures>>>,
     pub(crate) map: Option<Showing<PoseMap>>,
+    /// The pose at a place of the map, while one is looked at.
+    pub(crate) estimate: Option<Showing<Result<EstimatedPose, NoEstimate>>>,
     pub(crate) deformations: Option<Showing<DeformationMap>>,
     pub(crate) classes: Option<Showing<Classes>>,
     pub(crate) verdicts: Option<Showing<Verdicts>>,

@@ -5,11 +5,12 @@ use std::sync::Arc;
 use crate::analysis::deformations::DeformationMapParams;
 use crate::document::ViewMode;
 use crate::document::cohort_sort::CohortSort;
-use crate::engine::{PoseMapQuery, ThickeningSettings};
+use crate::engine::{ClassesBy, PoseMapQuery, ThickeningSettings};
 use crate::io::OpenError;
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
 use crate::study::{Notice, Revision, Study, Subject};
 
+use crate::document::loop_range::LoopRange;
 use crate::document::viewpoint::Viewpoint;
 use crate::document::visibility::Visibility;
 
@@ -34,6 +35,8 @@ pub struct Document {
     pub subject: usize,
     /// Place in the cycle, counted in frames; fractions lie between poses.
     pub position: f64,
+    /// The part of the cycle that plays; `None` plays all of it.
+    pub loop_range: Option<LoopRange>,
     /// One subject, two or all phases.
     pub view_mode: ViewMode,
     /// The second subject of the side-by-side view; `None` lets the program choose.
@@ -56,6 +59,8 @@ pub struct Document {
     pub map: PoseMapQuery,
     /// How whole deformations are mapped.
     pub deformation_map: DeformationMapParams,
+    /// What subjects are told apart by, where the study offers both; see [`Self::classes_by`].
+    pub chosen_classes: ClassesBy,
     /// Whether clusters of deformations are drawn.
     pub shows_clusters: bool,
     /// What is akinetic, and what is a patch.
@@ -105,6 +110,7 @@ impl Document {
             study,
             subject: 0,
             position: 0.0,
+            loop_range: None,
             view_mode: ViewMode::default(),
             compare_with: None,
             transported: None,
@@ -116,6 +122,7 @@ impl Document {
             colour_limits: Vec::new(),
             map: PoseMapQuery::default(),
             deformation_map: DeformationMapParams::default(),
+            chosen_classes: ClassesBy::default(),
             shows_clusters: true,
             thickening: ThickeningSettings::default(),
             part: None,
@@ -146,6 +153,19 @@ impl Document {
         match self.part {
             Some(WallPart::Patch(patch)) => Some(patch),
             Some(WallPart::Segment(_)) | None => None,
+        }
+    }
+
+    /// First and last frame of the part of the cycle that plays, for the selected subject; `None` where all of it does.
+    pub fn loop_frames(&self) -> Option<[usize; 2]> {
+        self.loop_range?.frames_of(self.selected()?)
+    }
+
+    /// What subjects are told apart by: labels, unless the study offers both and the user chose their classes.
+    pub fn classes_by(&self) -> ClassesBy {
+        match self.study().has_other_classes_than_labels() {
+            true => self.chosen_classes,
+            false => ClassesBy::Label,
         }
     }
 
@@ -324,66 +344,4 @@ pub fn position_at_phase(subject: &Subject, phase: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::document::testing::{study_of, study_ref, subject_with_frames};
-    use crate::units::Seconds;
-
-    #[test]
-    fn a_position_comes_back_from_its_phase() {
-        let mut subject = subject_with_frames("a", 5);
-        for times in [None, Some(vec![0.0, 0.1, 0.3, 0.6, 0.7])] {
-            subject.timing.frame_times_s = times;
-            subject.timing.rr = Some(Seconds(0.9));
-            for step in 0..50 {
-                let position = f64::from(step) / 10.0;
-                let back = position_at_phase(&subject, cycle_share(&subject, position));
-                assert!(
-                    (back - position).abs() < 1e-9,
-                    "{position} came back as {back}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn selecting_another_heart_keeps_the_phase() {
-        let study = study_of(vec![
-            subject_with_frames("a", 8),
-            subject_with_frames("b", 4),
-        ]);
-        let mut document = Document::new(study_ref(study));
-        document.position = 4.0;
-        document.select_subject(1);
-        assert!((document.position - 2.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn past_the_last_half_frame_the_first_pose_is_nearest() {
-        assert_eq!(nearest_frame(7.4, 8), 7);
-        assert_eq!(nearest_frame(7.6, 8), 0);
-        assert_eq!(nearest_frame(0.2, 1), 0);
-    }
-
-    #[test]
-    fn an_edit_makes_another_revision_and_leaves_the_old_study_alone() {
-        let study = study_of(vec![subject_with_frames("a", 3)]);
-        let mut document = Document::new(study_ref(Arc::clone(&study)));
-        let before = document.clone();
-        document.edit_subject(Revision(77), |subject| subject.end_systole = Some(2));
-        assert_ne!(document, before);
-        assert_eq!(document.study().subjects[0].end_systole, Some(2));
-        assert_eq!(study.subjects[0].end_systole, None);
-    }
-
-    #[test]
-    fn typed_limits_belong_to_their_quantity() {
-        let mut document = Document::new(study_ref(study_of(vec![subject_with_frames("a", 3)])));
-        document.quantity = Quantity::Displacement;
-        document.set_limits(Some([0.0, 5.0]));
-        document.quantity = Quantity::AreaRatio;
-        assert_eq!(document.limits(), None);
-        document.quantity = Quantity::Displacement;
-        assert_eq!(document.limits(), Some([0.0, 5.0]));
-    }
-}
+mod tests;

@@ -14,6 +14,8 @@ pub(crate) mod differences;
 pub(crate) mod document;
 pub(crate) mod error_card;
 pub(crate) mod interpolated_poses;
+pub(crate) mod loop_range;
+pub(crate) mod path_entry;
 pub(crate) mod play;
 mod reading;
 pub(crate) mod state;
@@ -30,7 +32,7 @@ pub(crate) mod visible_poses;
 
 pub use {
     answers::*, cohort_sort::*, differences::*, document::*, error_card::*, interpolated_poses::*,
-    play::*,
+    loop_range::*, path_entry::*, play::*,
 };
 pub use {state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
 pub use {visibility::*, visible_poses::*};

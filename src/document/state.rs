@@ -9,13 +9,15 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::transport::Reference;
 use crate::document::ErrorCard;
 use crate::document::ThemeChoice;
-use crate::engine::{PoseMap, Showing};
+use crate::engine::{EstimatedPose, NoEstimate, PoseMap, Showing};
+use crate::picture::figure::FigureLook;
 use crate::study::built_in::BuiltInParams;
 use crate::study::{Study, Subject};
 
 use crate::document::answers::{Answers, FoundWall};
 use crate::document::document::{Document, OpeningReport, StudyRef};
 use crate::document::interpolated_poses::{InterpolatedMotion, geodesic_params};
+use crate::document::path_entry::PathEntry;
 use crate::document::play::PlayClock;
 use crate::document::transported::{TransportedSubject, transport_params};
 use crate::document::undo::History;
@@ -31,6 +33,8 @@ pub struct Sheets {
     pub load_report: bool,
     /// About the program.
     pub about: bool,
+    /// How figures look.
+    pub figure: bool,
 }
 
 /// Everything the window shows.
@@ -40,12 +44,18 @@ pub struct State {
     pub document: Document,
     /// Undo and redo.
     pub history: History,
+    /// The place of the pose map, in the coordinates of its embedding, whose estimated pose stands in the 3D view.
+    pub estimate_at: Option<[f64; 2]>,
     /// Whether and how fast the motion plays.
     pub play: PlayClock,
     /// What lies over the window.
     pub sheets: Sheets,
     /// Light or dark.
     pub theme: ThemeChoice,
+    /// How figures look.
+    pub figure_look: FigureLook,
+    /// The path that is typed, where the system shows no file dialog.
+    pub path_entry: Option<PathEntry>,
     /// Whether the window fills the screen.
     pub full_screen: bool,
     /// What was opened before, latest first.
@@ -75,9 +85,12 @@ impl Default for State {
         Self {
             document: Document::new(nothing),
             history: History::default(),
+            estimate_at: None,
             play: PlayClock::default(),
             sheets: Sheets::default(),
             theme: ThemeChoice::default(),
+            figure_look: FigureLook::default(),
+            path_entry: None,
             full_screen: false,
             recent: Vec::new(),
             errors: Vec::new(),
@@ -114,6 +127,21 @@ impl State {
     /// The map of the study on screen.
     pub fn map(&self) -> Option<&Arc<PoseMap>> {
         self.latest(self.answers.map.as_ref())
+    }
+
+    /// The pose that is estimated at a place of the pose map, while one is looked at; the one before until it is there.
+    pub fn estimate(&self) -> Option<&EstimatedPose> {
+        (**self.estimated()?).as_ref().ok()
+    }
+
+    /// Why no pose is estimated at the place that is looked at.
+    pub fn without_estimate(&self) -> Option<&NoEstimate> {
+        (**self.estimated()?).as_ref().err()
+    }
+
+    fn estimated(&self) -> Option<&Arc<Result<EstimatedPose, NoEstimate>>> {
+        self.estimate_at?;
+        self.latest(self.answers.estimate.as_ref())
     }
 
     /// The deformation map of the study on screen.
@@ -216,6 +244,7 @@ impl State {
         }
         self.document = document;
         self.play.playing = false;
+        self.estimate_at = None;
     }
 
     /// An answer, unless it is about a study that is not on screen any more.

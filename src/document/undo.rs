@@ -22,6 +22,8 @@ pub enum Gesture {
     Search,
     /// Typing colour limits.
     Limits,
+    /// Dragging the ends of the part of the cycle that plays.
+    LoopRange,
     /// Dragging a threshold of patches.
     Threshold,
 }
@@ -67,7 +69,10 @@ impl History {
     pub fn end_drag(&mut self) {
         if matches!(
             self.open_gesture,
-            Some((Gesture::Camera | Gesture::Time | Gesture::Threshold, _))
+            Some((
+                Gesture::Camera | Gesture::Time | Gesture::LoopRange | Gesture::Threshold,
+                _
+            ))
         ) {
             self.open_gesture = None;
         }

@@ -130,6 +130,13 @@ impl Engine {
         }
     }
 
+    /// Opens the files that were opened last once more, with links that lead out of them.
+    pub fn open_following_links(&mut self) {
+        if let Some(OpenSource::Paths(paths)) = &self.last_opening {
+            self.open(OpenSource::PathsAndLinks(paths.clone()));
+        }
+    }
+
     /// What was opened, once; `None` while nothing new is there.
     pub fn take_opened(&mut self) -> Option<Opened> {
         self.opened.take()
@@ -148,13 +155,23 @@ impl Engine {
         parameters: impl Into<String>,
         make: impl FnOnce(&Progress) -> Result<Vec<ExportFile>, String> + Send + 'static,
     ) {
+        self.start_writing(name, parameters, move |progress| {
+            let files = make(progress)?;
+            progress.check().map_err(|stopped| stopped.to_string())?;
+            write_files(files)
+        });
+    }
+
+    /// Writes files with `write`, which returns their paths; they are handed out by [`Self::take_exported`].
+    pub fn start_writing(
+        &mut self,
+        name: impl Into<String>,
+        parameters: impl Into<String>,
+        write: impl FnOnce(&Progress) -> Result<Vec<PathBuf>, String> + Send + 'static,
+    ) {
         let wake = Arc::clone(&self.wake);
         let job = Job::spawn(&self.exporter, wake, move |progress: &Progress| {
-            let files = make(progress).map_err(ExportError)?;
-            progress
-                .check()
-                .map_err(|stopped| ExportError(stopped.to_string()))?;
-            write_files(files).map_err(ExportError)
+            write(progress).map_err(ExportError)
         });
         (self.store).list_job(Topic::EXPORT, name, parameters, Arc::clone(job.watch()));
         self.exports.push(job);

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 
 use super::mesh_draft::{MeshDraft, Place, missing_vertex};
-use super::text_lines::{TextLines, shown, three_numbers, whole_number, words};
+use super::text_lines::{TextLines, shown, three_numbers, whole_number, without_end_mark, words};
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::mesh::TriMesh;
 use crate::study::Notice;
@@ -49,21 +49,26 @@ const WITHOUT_SHAPE: &[&[u8]] = &[
     b"con",
 ];
 
+/// How programs begin remarks that do not know the format's own `#`.
+const REMARKS: &[&[u8]] = &[b"//", b"%", b";"];
+
 /// Keywords of curves and curved surfaces, which are left out.
 const CURVED: &[&[u8]] = &[b"curv", b"curv2", b"surf"];
 
-/// Reads all faces of all objects and groups as one surface.
+/// Reads all faces of all objects and groups as one surface. Keywords may be in any case.
 pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
     let mut draft = MeshDraft::new(limits, 1);
     let mut corners = Vec::new();
     let (mut objects, mut curved) = (0, 0);
-    let mut lines = TextLines::new(bytes);
+    let mut lines = TextLines::new(without_end_mark(bytes));
     while let Some((line, text)) = lines.next() {
         let text = whole_line(text, &mut lines);
         let place = Place::Line(line);
         let mut words = words(&text);
-        match words.next() {
+        let keyword = words.next().map(<[u8]>::to_ascii_lowercase);
+        match keyword.as_deref() {
             None => {}
+            Some(word) if REMARKS.iter().any(|sign| word.starts_with(sign)) => {}
             Some(b"v") => {
                 draft.point(three_numbers(&mut words, place)?, place)?;
                 check_rest_of_vertex(words, place)?;
@@ -126,7 +131,8 @@ fn whole_line<'a>(text: &'a [u8], lines: &mut TextLines<'a>) -> Cow<'a, [u8]> {
 }
 
 fn has_keyword(line: &[u8]) -> bool {
-    let first = words(line).next().unwrap_or_default();
+    let first = words(line).next().unwrap_or_default().to_ascii_lowercase();
+    let first = first.as_slice();
     SHAPE.contains(&first) || WITHOUT_SHAPE.contains(&first) || CURVED.contains(&first)
 }
 

@@ -29,6 +29,10 @@ impl ActionState<'_> {
             Command::Transport(TransportCommand::StopTransport) => {
                 document.visible_transport().is_some()
             }
+            Command::Beat(BeatCommand::SetLoopRange(None)) => document.loop_range.is_some(),
+            Command::Map(MapCommand::SetClassesBy(by)) => {
+                document.classes_by() == *by || document.study().has_other_classes_than_labels()
+            }
             Command::View(ViewCommand::SetQuantity(Quantity::Contribution)) => {
                 document.compared_on_screen().is_some()
             }
@@ -39,6 +43,7 @@ impl ActionState<'_> {
             | Command::File(FileCommand::ChooseFolder)
             | Command::File(FileCommand::Open(_))
             | Command::File(FileCommand::OpenBuiltIn)
+            | Command::File(FileCommand::FollowLinks)
             | Command::Window(WindowCommand::SetTheme(_))
             | Command::Window(WindowCommand::TogglePane(_))
             | Command::Window(WindowCommand::ShowPane(_))
@@ -91,6 +96,7 @@ pub fn is_on(state: &State, command: &Command) -> Option<bool> {
         Command::Map(MapCommand::SetMapMethod(method)) => {
             discriminant(&document.map.method) == discriminant(method)
         }
+        Command::Map(MapCommand::SetClassesBy(by)) => document.classes_by() == *by,
         Command::Map(MapCommand::ToggleClusters) => document.shows_clusters,
         Command::Beat(BeatCommand::ToggleLoop) => state.play.repeat,
         Command::Window(WindowCommand::SetTheme(theme)) => state.theme == *theme,

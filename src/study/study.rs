@@ -1,7 +1,9 @@
 //! The cohort as one immutable value; an edit makes another with the next revision.
 
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use super::label::plain_label;
 use super::{LabelRole, LabelRoles, Subject};
 
 /// Names one state of one study in this run of the program; results are keyed by it.
@@ -44,6 +46,24 @@ impl Study {
     /// The role of a subject's label.
     pub fn role(&self, subject: &Subject) -> LabelRole {
         self.label_roles.role(subject.label.as_deref())
+    }
+
+    /// Whether telling normal from abnormal subjects is another question than telling their labels apart: subjects of
+    /// both classes are there, under more than two labels.
+    pub fn has_other_classes_than_labels(&self) -> bool {
+        let labels = self.subjects.iter().filter_map(|s| s.label.as_deref());
+        let labels: BTreeSet<String> = labels.map(plain_label).collect();
+        self.has_both_classes() && labels.len() > 2
+    }
+
+    /// Whether there are subjects of class normal and of class abnormal.
+    pub fn has_both_classes(&self) -> bool {
+        let has = |role| {
+            self.subjects
+                .iter()
+                .any(|subject| self.role(subject) == role)
+        };
+        has(LabelRole::Normal) && has(LabelRole::Abnormal)
     }
 
     /// Index of the subject with this id.

@@ -33,7 +33,7 @@ pub enum Feature {
     TenthPercentile,
     /// Thickening of remote myocardium, ln PT.
     Remote,
-    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall fails, large where
+    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall is hypokinetic, large where
     /// a part does or none.
     UpperRange,
     /// Share of the wall in patches, each times its confidence.

@@ -4,7 +4,7 @@ use crate::panes::BeatCommand;
 
 use super::change::{Moment, change};
 use crate::document::document::position_at_phase;
-use crate::document::play::SPEEDS;
+use crate::document::loop_range::LoopRange;
 use crate::document::state::State;
 use crate::document::undo::Gesture;
 use crate::panes::cohort::view::visible_subjects;
@@ -48,12 +48,21 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
         BeatCommand::StateEndDiastole(frame) => state_phase(state, moment, frame, true),
         BeatCommand::StateEndSystole(frame) => state_phase(state, moment, frame, false),
         BeatCommand::TogglePlay => toggle_play(state),
-        BeatCommand::SetSpeed(speed) => {
-            if speed.is_finite() {
-                state.play.speed = speed.clamp(*SPEEDS.start(), *SPEEDS.end());
-            }
-        }
+        BeatCommand::SetSpeed(speed) => state.play.set_speed(speed),
         BeatCommand::ToggleLoop => state.play.repeat = !state.play.repeat,
+        BeatCommand::SetLoopRange(frames) => set_loop_range(state, moment, frames),
+        BeatCommand::LoopFromHere | BeatCommand::LoopToHere => {
+            let document = &state.document;
+            let (here, count) = (document.frame(), document.frame_count());
+            let [from, to] = document.loop_frames().unwrap_or([0, count]);
+            let frames = match command {
+                BeatCommand::LoopFromHere => [here, if to > here { to } else { count }],
+                // The first frame is also the end of the cycle.
+                _ if here == 0 => [from, count],
+                _ => [if from < here { from } else { 0 }, here],
+            };
+            set_loop_range(state, moment, Some(frames));
+        }
     }
 }
 
@@ -112,6 +121,18 @@ fn move_to(state: &mut State, moment: &Moment, position: f64) {
     }
 }
 
+/// Frames that make no range of the selected subject change nothing.
+fn set_loop_range(state: &mut State, moment: &Moment, frames: Option<[usize; 2]>) {
+    let range = frames
+        .zip(state.document.selected())
+        .and_then(|(frames, subject)| LoopRange::of_frames(subject, frames));
+    if range.is_some() || frames.is_none() {
+        change(state, moment, Some(Gesture::LoopRange), |document| {
+            document.loop_range = range;
+        });
+    }
+}
+
 fn state_phase(state: &mut State, moment: &Moment, frame: Option<usize>, diastole: bool) {
     let count = state.document.frame_count();
     if frame.is_some_and(|frame| frame >= count) {
@@ -144,8 +165,13 @@ fn toggle_play(state: &mut State) {
     };
     let count = subject.sequence.frame_count();
     state.play.playing = !state.play.playing && count > 1;
-    let at_end = state.document.position >= (count - 1) as f64;
+    let last = count.saturating_sub(1);
+    let [from, to] = state.document.loop_frames().unwrap_or([0, last]);
+    let at_end = state.document.position >= to.min(last) as f64;
     if state.play.playing && !state.play.repeat && at_end {
-        state.document.position = position_at_phase(subject, 0.0);
+        state.document.position = match from {
+            0 => position_at_phase(subject, 0.0),
+            frame => frame as f64,
+        };
     }
 }

@@ -22,6 +22,8 @@ use crate::document::state::State;
 
 /// Applies one command; what reaches beyond the state comes back as effects.
 pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> {
+    // An estimated pose is looked at and no more: whatever is asked for concerns the subjects themselves.
+    state.estimate_at = None;
     match command {
         Command::Edit(EditCommand::Undo) => {
             let step = state.history.undo(&state.document);

@@ -95,7 +95,9 @@ fn playing_leaves_no_steps_of_undo() {
     give(&mut state, Command::Beat(BeatCommand::TogglePlay));
     let subject = state.document.selected().unwrap().clone();
     for _ in 0..100 {
-        let (position, _) = state.play.advance(&subject, state.document.position, 0.016);
+        let (position, _) = state
+            .play
+            .advance(&subject, state.document.position, None, 0.016);
         state.document.position = position;
     }
     give(&mut state, Command::Beat(BeatCommand::TogglePlay));
@@ -205,9 +207,12 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
     assert_eq!(
         give(
             &mut state,
-            Command::File(FileCommand::Open(vec![picture.clone()]))
+            Command::File(FileCommand::Open(vec!["ward".into(), picture.clone()]))
         ),
-        [Effect::ReadPicture(picture)]
+        [Effect::ReadPicture {
+            picture,
+            study: vec!["ward".into()]
+        }]
     );
     assert_eq!(
         give(&mut state, Command::File(FileCommand::Open(Vec::new()))),

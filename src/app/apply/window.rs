@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::app::export::FigureKind;
-use crate::app::saved_views::is_picture;
+use crate::app::saved_views::split_picture;
 use crate::app::settings::remember_recent;
 use crate::document::state::{Sheets, State};
 use crate::engine::OpenSource;
@@ -18,13 +18,16 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         FileCommand::ChooseFiles => Some(Effect::ChooseFiles),
         FileCommand::ChooseFolder => Some(Effect::ChooseFolder),
         FileCommand::Open(paths) if paths.is_empty() => None,
-        FileCommand::Open(mut paths) => {
-            if is_picture(&paths) {
-                return paths.pop().map(Effect::ReadPicture);
+        FileCommand::Open(paths) => {
+            let (picture, paths) = split_picture(paths);
+            if let Some(picture) = picture {
+                let study = paths;
+                return Some(Effect::ReadPicture { picture, study });
             }
             remember_recent(&mut state.recent, &paths);
             Some(Effect::Open(OpenSource::Paths(paths)))
         }
+        FileCommand::FollowLinks => Some(Effect::FollowLinks),
         FileCommand::OpenBuiltIn => Some(Effect::Open(OpenSource::BuiltIn(state.built_in))),
         FileCommand::ReadFirst(id) => {
             state.awaited = Some(id.clone());
@@ -36,6 +39,13 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         FileCommand::ExportPatchFigure(path) => figure(FigureKind::Patch, path, is_open),
         FileCommand::ExportTables(Some(folder)) => Some(Effect::WriteTables(folder)),
         FileCommand::ExportTables(None) => is_open.then_some(Effect::ChooseTables),
+        FileCommand::SetFigureLook(look) => {
+            state.figure_look = look;
+            None
+        }
+        FileCommand::CompletePath(text) => Some(Effect::CompletePath(text)),
+        FileCommand::TakePath { text, replace } => Some(Effect::TakePath { text, replace }),
+        FileCommand::CancelPath => Some(Effect::CancelPath),
         FileCommand::Quit => Some(Effect::Quit),
     }
 }
@@ -82,6 +92,7 @@ pub fn apply_window(state: &mut State, command: WindowCommand) -> Option<Effect>
         WindowCommand::TogglePalette => sheets.palette = !before.palette,
         WindowCommand::ToggleShortcuts => sheets.shortcuts = !before.shortcuts,
         WindowCommand::ToggleLoadReport => sheets.load_report = !before.load_report,
+        WindowCommand::ToggleFigureSheet => sheets.figure = !before.figure,
         WindowCommand::ToggleAbout => sheets.about = !before.about,
     }
     state.sheets = sheets;

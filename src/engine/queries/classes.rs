@@ -21,6 +21,16 @@ pub enum ClassesBy {
     Role,
 }
 
+impl ClassesBy {
+    /// The words on screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Label => "by label",
+            Self::Role => "normal and abnormal",
+        }
+    }
+}
+
 /// Settings of the classification.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ClassesQuery {

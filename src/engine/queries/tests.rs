@@ -17,6 +17,7 @@ use crate::study::{Revision, Study, Subject};
 use crate::units::Seconds;
 
 mod copies;
+mod estimated;
 mod settings;
 mod stops;
 

@@ -6,13 +6,16 @@ use std::sync::Arc;
 use super::length_unit::length_unit;
 use super::plan::SeriesTimes;
 use super::plan::{KindPlan, StatedUnit, SubjectPlan, SurfacePlan};
+use super::seams::without_seams;
 use super::series_parts::SAME_TIME;
 use super::series_times::seconds;
 use super::sheet_by_shape::sheet_by_shape;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
 use crate::mesh::{Point3, TriMesh};
 use crate::progress::{Progress, Stopped};
-use crate::study::checks::{FaceListing, check_subject, frames_phrase, sort_warnings_first};
+use crate::study::checks::{
+    FaceListing, LandmarkDoubt, check_subject, frames_phrase, sort_warnings_first,
+};
 use crate::study::{
     Anatomy, MeshSequence, Notice, SequenceError, Subject, SurfaceKind, SurfaceSequence,
 };
@@ -171,6 +174,8 @@ fn join_surface(
         );
         notices.push(Notice { text, ..notice });
     }
+    let (frames, joined) = without_seams(kind, frames);
+    notices.extend(joined);
     notices.extend(FaceListing::of(&frames).notices(kind));
     let sequence = SurfaceSequence::new(kind, frames).map_err(|error| {
         let path = match &error {
@@ -305,6 +310,10 @@ fn checked(mut subject: Subject, progress: &Progress) -> Result<Subject, Stopped
     let frames = subject.sequence.frame_count();
     subject.end_diastole = subject.end_diastole.filter(|&frame| frame < frames);
     subject.end_systole = subject.end_systole.filter(|&frame| frame < frames);
+    if let Some(doubt) = LandmarkDoubt::of(&subject) {
+        subject.notices.push(doubt.notice());
+        subject.anatomy = None;
+    }
     subject.notices.extend(findings);
     subject.notices.dedup();
     sort_warnings_first(&mut subject.notices);

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::plan::SubjectPlan;
 use super::read_file::{read_bytes, read_mesh_at};
 use super::read_subjects::{SubjectOrErrors, excess, join_subject};
+use super::study_budget::StudyBudget;
 use crate::io::{Limits, MeshFile};
 use crate::mesh::{Faces, TriMesh};
 use crate::progress::{Progress, Stopped};
@@ -104,6 +105,7 @@ struct Reader<'a> {
     shared: HashMap<PathBuf, Mutex<Shared>>,
     /// Connectivities that were read: meshes whose faces are listed alike hold them together.
     faces: Mutex<Vec<Arc<Faces>>>,
+    budget: StudyBudget,
     limits: &'a Limits,
     progress: &'a Progress,
 }
@@ -121,6 +123,7 @@ impl<'a> Reader<'a> {
         let mut reader = Self {
             shared: HashMap::new(),
             faces: Mutex::default(),
+            budget: StudyBudget::new(limits),
             limits,
             progress,
         };
@@ -170,7 +173,8 @@ impl<'a> Reader<'a> {
     fn content(&self, path: &PathBuf) -> Content {
         let read = || {
             let bytes = read_bytes(path, self.limits)?;
-            let mut file = read_mesh_at(path, &bytes, self.limits)?;
+            let file = read_mesh_at(path, &bytes, self.limits)?;
+            let mut file = self.budget.taken(file, bytes.len())?;
             for mesh in &mut file.frames {
                 self.share_faces(mesh);
             }

@@ -179,8 +179,9 @@ pub(super) fn cell(
     ui.painter().galley(at, galley, colour);
 }
 
-/// First letters of a name that stay when its middle is left out.
+/// First letters of a name that stay when its middle is left out, and how many last ones go before them.
 const HEAD: usize = 3;
+const TAIL: usize = 8;
 
 /// A name with as little left out of its middle as makes it fit.
 fn without_middle(name: &str, fits: impl Fn(&str) -> bool) -> String {
@@ -188,10 +189,17 @@ fn without_middle(name: &str, fits: impl Fn(&str) -> bool) -> String {
     if letters.len() <= HEAD + 2 || fits(name) {
         return name.to_owned();
     }
-    let head: String = letters[..HEAD].iter().collect();
-    let shown = |from: usize| format!("{head}…{}", letters[from..].iter().collect::<String>());
-    let from = (HEAD + 1..letters.len() - 1).find(|&from| fits(&shown(from)));
-    shown(from.unwrap_or(letters.len() - 1))
+    let part = |letters: &[char]| letters.iter().collect::<String>();
+    let fitting = |head: usize| {
+        let shown = |from: usize| format!("{}…{}", part(&letters[..head]), part(&letters[from..]));
+        let mut from = head + 1..letters.len() - 1;
+        let found = from.find(|&from| fits(&shown(from)));
+        let from = found.unwrap_or(letters.len() - 1);
+        (letters.len() - from, shown(from))
+    };
+    let (tail, shown) = fitting(HEAD);
+    // Names of one study begin alike: its letters say less than the last ones.
+    if tail >= TAIL { shown } else { fitting(1).1 }
 }
 
 #[cfg(test)]
@@ -224,8 +232,11 @@ mod tests {
     fn a_name_keeps_its_beginning_and_its_end() {
         let fits = |max: usize| move |shown: &str| shown.chars().count() <= max;
         assert_eq!(without_middle("patient015", fits(10)), "patient015");
-        assert_eq!(without_middle("patient015", fits(8)), "pat…t015");
-        assert_eq!(without_middle("patient015", fits(2)), "pat…5");
+        assert_eq!(without_middle("patient015", fits(8)), "p…ent015");
+        assert_eq!(without_middle("patient015", fits(2)), "p…5");
+        let long = "Patient000151_stress";
+        assert_eq!(without_middle(long, fits(14)), "Pat…151_stress");
+        assert_eq!(without_middle(long, fits(9)), "P…_stress");
         assert_eq!(without_middle("P03", fits(1)), "P03");
         assert_eq!(without_middle("", fits(0)), "");
     }

@@ -8,8 +8,7 @@ mod unread;
 pub(crate) mod view;
 
 use egui::{
-    Key, Order, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2,
-    vec2,
+    Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 
 use crate::document::{CohortColumn, CohortSort};
@@ -18,7 +17,7 @@ use crate::panes::cohort::rows::{CohortRow, CohortVerdict};
 use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand, ViewCommand};
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
 use crate::study::UnreadSubject;
-use crate::ui::controls::{dragged_from_within, empty_pane_ui};
+use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
 use crate::ui::marks::role_name;
 use crate::ui::style::note;
@@ -102,16 +101,6 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
                 commands.push(ViewCommand::SetSearch(String::new()).into());
             }
         });
-}
-
-/// Whether Esc was pressed and closes nothing else, in the filter box or elsewhere in the window.
-fn escaped(ui: &Ui) -> bool {
-    let over = |order| matches!(order, Order::Middle | Order::Foreground);
-    let covered = ui.memory(|memory| {
-        let layers = memory.areas().visible_layer_ids();
-        layers.iter().any(|layer| over(layer.order))
-    });
-    !covered && ui.input(|input| input.key_pressed(Key::Escape))
 }
 
 fn rows_ui(

@@ -3,6 +3,7 @@
 use super::columns::VerdictRoom;
 use super::*;
 use crate::panes::{BeatCommand, FileCommand, TransportCommand, ViewCommand};
+use egui::Key;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 fn rows(count: usize) -> Vec<CohortRow> {

@@ -102,15 +102,7 @@ pub fn visible_subjects(state: &State) -> Vec<usize> {
 
 /// Shape and colour of the label of every subject.
 pub fn label_marks(study: &Study) -> Vec<LabelMark> {
-    let read = study.subjects.iter().map(|subject| &subject.label);
-    // Shapes go by all labels of the study: they stay the same while it is read.
-    let labels = read.chain(study.unread.iter().map(|unread| &unread.label));
-    let labels: Vec<_> = labels
-        .map(|label| (label.as_deref(), study.label_roles.role(label.as_deref())))
-        .collect();
-    let mut marks = LabelMark::of_study(&labels);
-    marks.truncate(study.subjects.len());
-    marks
+    LabelMark::of_subjects(study)
 }
 
 fn cohort_rows(state: &State) -> Vec<CohortRow> {

@@ -10,7 +10,7 @@ use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE, ejection_fraction_words};
 use crate::report::{Column, Digits, NO_VALUE, SubjectRow};
 use crate::ui::controls::{chooser_ui, no_subject_ui};
-use crate::ui::style::{medium, note, note_font, text_font, title_font};
+use crate::ui::style::{medium, medium_font, note, note_font, text_font, title_font};
 use crate::ui::text::text_width;
 use crate::ui::theme::{colours, space};
 use crate::units::LengthUnit;
@@ -46,7 +46,15 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
                 let heading = volumes.each_ref().map(|column| column.heading).join(" · ");
                 let [edv, esv, sv] = volume_texts(row);
                 let unit = row.unit.volume_symbol();
-                value_ui(ui, &heading, &format!("{edv} · {esv}"), unit);
+                let both = format!("{edv} · {esv}");
+                let width =
+                    text_width(ui, &both, medium_font()) + text_width(ui, unit, text_font());
+                if width + space::SMALL <= ui.available_width() {
+                    value_ui(ui, &heading, &both, unit);
+                } else {
+                    value_ui(ui, SubjectRow::EDV.heading, &edv, unit);
+                    value_ui(ui, SubjectRow::ESV.heading, &esv, unit);
+                }
                 value_ui(ui, SubjectRow::SV.heading, &sv, unit);
                 // A mass needs a volume in ml.
                 if row.unit == LengthUnit::Millimetre {
@@ -88,7 +96,7 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
     } else {
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
-        ui.add(egui::Label::new(note(words)).truncate());
+        ui.add(egui::Label::new(note(words)).wrap());
     }
 }
 
@@ -135,7 +143,7 @@ fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str) {
     })
     .response
     .on_hover_text(NO_VOLUME_RANGE);
-    ui.add_space(6.0);
+    ui.add_space(3.0);
 }
 
 fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {

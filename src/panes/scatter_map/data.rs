@@ -83,6 +83,11 @@ impl<M: PartialEq, D: PartialEq> ScatterData<M, D> {
         moves
     }
 
+    /// How the map is turned onto the screen; `None` while points are on their way.
+    pub fn turn(&self) -> Option<Turn> {
+        (!self.morph.is_under_way()).then_some(self.turn)
+    }
+
     /// All points, where they are now.
     pub fn points(&self) -> &[ScatterPoint] {
         &self.points

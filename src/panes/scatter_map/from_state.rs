@@ -10,7 +10,9 @@ use crate::document::state::State;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::pane_context::motion;
 use crate::panes::same::Same;
-use crate::panes::scatter_map::{MapWords, ScatterData, ScatterPoint, ScatterView, places_between};
+use crate::panes::scatter_map::{
+    MapWords, ScatterData, ScatterPoint, ScatterView, Turn, places_between,
+};
 use crate::panes::work_state::WorkState;
 use crate::study::{Revision, Study};
 
@@ -56,6 +58,16 @@ impl<M, D: PartialEq> MapPoints<M, D> {
         if self.data.advance(now_s) {
             ui.ctx().request_repaint();
         }
+    }
+
+    /// All points, where they are now.
+    pub fn points(&self) -> &[ScatterPoint] {
+        self.data.points()
+    }
+
+    /// How the map is turned onto the screen; `None` while points are on their way.
+    pub fn turn(&self) -> Option<Turn> {
+        self.data.turn()
     }
 
     /// Who is not on the map, and why.

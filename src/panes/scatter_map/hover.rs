@@ -9,12 +9,24 @@ use super::clusters::cluster_name;
 use super::point::ScatterPoint;
 use super::view::ScatterView;
 
+/// What the pointer does on empty ground.
+const GROUND_HINT: &str =
+    "Hold Shift, or press and hold, to see the pose that the map implies here (estimated)";
+
 /// Shows a hand and, beside it, the card of the point under the pointer.
 pub fn hover_ui(response: Response, view: &ScatterView, pointed: Option<usize>) {
+    if view.estimate.is_some() {
+        // What is estimated here is said in its place.
+        return;
+    }
     if let Some(point) = pointed.and_then(|index| view.points.get(index)) {
         response
             .on_hover_cursor(CursorIcon::PointingHand)
             .on_hover_ui_at_pointer(|ui| card_ui(ui, view, point));
+    } else if view.ground.is_some() {
+        response.on_hover_ui_at_pointer(|ui| {
+            ui.label(note(GROUND_HINT));
+        });
     }
 }
 

@@ -1,5 +1,8 @@
 //! What lies over a subject in the 3D view: its name, colour bar, scale bar and orientation cube.
 
+use std::borrow::Cow;
+
+use crate::analysis::pose_distances::PoseId;
 use crate::document::ViewMode;
 use crate::document::VisiblePose;
 use crate::document::differences::hindrance;
@@ -7,6 +10,7 @@ use crate::document::document::{TransportedMotion, nearest_frame};
 use crate::document::interpolated_poses::between_words;
 use crate::document::state::State;
 use crate::document::transported::{TransportState, transported_title};
+use crate::engine::EstimatedPose;
 use crate::panes::beat::between_words_of;
 use crate::panes::cohort::view::label_marks;
 use crate::panes::commands::TransportCommand;
@@ -21,6 +25,7 @@ use crate::picture::{
 use crate::render::Camera;
 use crate::study::Subject;
 use crate::ui::LabelMark;
+use crate::ui::text::counted;
 
 /// Names a subject; in the grid of all frames, its whole motion.
 pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
@@ -37,7 +42,7 @@ pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
     let caption = SubjectCaption {
         title: subject.id.clone(),
         mark: mark_of(state, tile.subject),
-        badge: missing_colours(state, tile),
+        badge: missing_colours(state, tile).map(Cow::Borrowed),
         patch: patch_note(state, tile.subject),
         ..SubjectCaption::default()
     };
@@ -53,7 +58,7 @@ pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
     let moment = moment_words(state, tile.subject, tile.position, count);
     SubjectCaption {
         subtitle: words.chain(moment).collect::<Vec<_>>().join(" · "),
-        badge: caption.badge.or(between.badge),
+        badge: caption.badge.or(between.badge.map(Cow::Borrowed)),
         badge_note: between.note,
         ..caption
     }
@@ -113,11 +118,45 @@ fn beside_its_origin(
         title,
         subtitle: words.join(" · "),
         mark: mark_of(state, tile.subject),
-        badge: between.badge,
+        badge: between.badge.map(Cow::Borrowed),
         badge_note: between.note,
         leave: Some(leave),
         patch: None,
     }
+}
+
+/// Names a pose that is estimated at a place of the pose map, with what it is estimated from.
+pub fn estimated_caption(state: &State, pose: &EstimatedPose) -> SubjectCaption {
+    let words = source_words(state, pose);
+    SubjectCaption {
+        title: pose.subject.id.clone(),
+        subtitle: words.join(" · "),
+        badge: Some(estimated_words(pose).into()),
+        badge_note: format!(
+            "The pose that the map implies at this place: the mean of the nearest poses, aligned, weighted by their \
+             distance on the map. Nothing is measured on it.\n\n{}",
+            words.join("\n")
+        ),
+        ..SubjectCaption::default()
+    }
+}
+
+/// "estimated from 4 poses".
+pub fn estimated_words(pose: &EstimatedPose) -> String {
+    format!("estimated from {}", counted(pose.sources.len(), "pose"))
+}
+
+/// "P05 frame 3: 42 %", for each pose that another one is estimated from.
+pub fn source_words(state: &State, pose: &EstimatedPose) -> Vec<String> {
+    let words = |(source, weight): &(PoseId, f64)| {
+        let id = &state.subject(source.subject)?.id;
+        Some(format!(
+            "{id} frame {}: {:.0} %",
+            source.frame,
+            100.0 * weight
+        ))
+    };
+    pose.sources.iter().filter_map(words).collect()
 }
 
 /// Shape and colour of a subject's label.

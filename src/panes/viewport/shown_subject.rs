@@ -14,9 +14,10 @@ use crate::study::{Study, Subject};
 
 use crate::document::VisiblePose;
 use crate::document::state::State;
+use crate::engine::{ESTIMATED_FRAME, EstimatedPose};
 use crate::panes::same::Same;
 use crate::panes::viewport::overlay::SubjectCaption;
-use crate::panes::viewport::overlay_view::caption;
+use crate::panes::viewport::overlay_view::{caption, estimated_caption};
 use crate::panes::viewport::queries::{Pictures, PlacedSubject, ShownMedial};
 
 /// A subject on screen: it stays until the next one is ready.
@@ -34,6 +35,8 @@ pub struct ShownSubject {
     pub numbers: Option<Arc<SurfaceScalars>>,
     /// The middle of its wall.
     pub medial: Option<ShownMedial>,
+    /// Whether it is no pose of any subject: no number is drawn on it.
+    pub estimated: bool,
     /// How the borders of its patches look.
     pub patch_look: PatchLook,
     /// What is said over it.
@@ -52,6 +55,10 @@ impl ShownSubject {
     /// How it is drawn, where subjects are drawn so.
     pub fn settings(&self, settings: &SceneSettings) -> SceneSettings {
         SceneSettings {
+            quantity: match self.estimated {
+                true => Quantity::Tissue,
+                false => settings.quantity,
+            },
             medial: MedialSettings {
                 patch_look: self.patch_look,
                 ..settings.medial
@@ -121,8 +128,28 @@ pub fn shown_subject(
         numbers: numbers.of(state, place, &placed, medial.as_ref()),
         medial,
         placed,
+        estimated: false,
         patch_look: state.patch_look(place.subject),
         caption: caption(state, place),
+    })
+}
+
+/// A pose that is estimated, in place of the subjects, once it is ready.
+pub fn shown_estimate(
+    state: &State,
+    pictures: Pictures<'_>,
+    pose: &EstimatedPose,
+) -> Option<ShownSubject> {
+    Some(ShownSubject {
+        index: state.document.subject,
+        subject: Arc::clone(&pose.subject),
+        position: ESTIMATED_FRAME as f64,
+        placed: pictures.placed(&pose.subject, 0)?,
+        numbers: None,
+        medial: None,
+        estimated: true,
+        patch_look: PatchLook::default(),
+        caption: estimated_caption(state, pose),
     })
 }
 

@@ -16,7 +16,7 @@ use crate::picture::{
 };
 use crate::render::{Camera, ViewId};
 use crate::ui::controls::clicked_twice;
-use crate::ui::theme::{colours, line, radius, type_size};
+use crate::ui::theme::{colours, line};
 
 use crate::document::document::Document;
 use crate::document::play::pose_in;
@@ -27,9 +27,11 @@ use crate::panes::viewport::fits::Fits;
 use crate::panes::viewport::overlay_view::overlay_view;
 use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
-use crate::panes::viewport::places::places;
+use crate::panes::viewport::places::{frame_label, places};
 use crate::panes::viewport::queries::{Pictures, PlacedSubject};
-use crate::panes::viewport::shown_subject::{ScalarCache, ShownSubject, Tile, shown_subject};
+use crate::panes::viewport::shown_subject::{
+    ScalarCache, ShownSubject, Tile, shown_estimate, shown_subject,
+};
 
 /// The subjects on screen and what was worked out for them.
 #[derive(Default)]
@@ -57,18 +59,24 @@ impl Viewport {
     /// Asks for the subjects of the state; shows them together once all are ready.
     pub fn prepare(&mut self, state: &State, pictures: Pictures<'_>, reference_frames: &[usize]) {
         let study = state.document.study();
-        let mut ready = Vec::new();
-        let mut complete = true;
-        for place in visible_poses(state) {
-            let numbers = &mut self.numbers;
-            match shown_subject(state, pictures, numbers, reference_frames, &place) {
-                Some(shown) => ready.push(shown),
-                None => complete = false,
+        let numbers = &mut self.numbers;
+        let (mode, ready): (ViewMode, Option<Vec<ShownSubject>>) = match state.estimate() {
+            Some(pose) => {
+                let shown = shown_estimate(state, pictures, pose);
+                (ViewMode::Single, shown.map(|shown| vec![shown]))
             }
-        }
-        if complete {
+            None => {
+                let places = visible_poses(state).into_iter();
+                // All are asked for, also after one that is not ready.
+                let shown: Vec<_> = places
+                    .map(|place| shown_subject(state, pictures, numbers, reference_frames, &place))
+                    .collect();
+                (state.document.view_mode, shown.into_iter().collect())
+            }
+        };
+        if let Some(ready) = ready {
             self.shown = ready;
-            self.mode = state.document.view_mode;
+            self.mode = mode;
             self.opening = state.document.study.opening;
         } else if self.opening == state.document.study.opening {
             (self.shown.iter_mut()).for_each(|shown| shown.follow(study));
@@ -367,33 +375,4 @@ fn part_command(state: &State, tiles: &[Tile], clicked: Option<&Picked>) -> Opti
         });
     let part = on_patch.map(WallPart::Patch);
     (part != document.part).then_some(Command::Wall(WallCommand::SelectPart(part)))
-}
-
-/// The number of a frame over its subject in the grid of all phases; the one that the time bar
-/// stands on is marked.
-fn frame_label(ui: &Ui, state: &State, tile: &Tile) {
-    let frame = tile.shown.position as usize;
-    let phase = state.phase_name(tile.shown.index, frame);
-    let text = match phase {
-        Some(phase) => format!("{frame} · {phase}"),
-        None => frame.to_string(),
-    };
-    let colours = colours(ui);
-    let here = state.document.subject == tile.shown.index && state.document.frame() == frame;
-    let colour = if here {
-        colours.selection
-    } else {
-        colours.muted
-    };
-    let at = tile.rect.left_top() + egui::vec2(10.0, 4.0);
-    let font = egui::FontId::proportional(type_size::NOTE);
-    ui.painter()
-        .text(at, egui::Align2::LEFT_TOP, text, font, colour);
-    if here {
-        let rect = tile.rect.shrink(2.0);
-        let stroke = Stroke::new(line::THIN, colours.selection);
-        let radius = f32::from(radius::CONTROL);
-        ui.painter()
-            .rect_stroke(rect, radius, stroke, egui::StrokeKind::Inside);
-    }
 }

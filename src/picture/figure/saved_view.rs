@@ -119,7 +119,8 @@ pub enum SavedViewError {
     NotFinite,
     /// The heart is not open.
     #[error(
-        "the picture shows {id} of the study “{study}” ({frames} frames of {vertices} vertices): open that study first"
+        "the picture shows {id} of the study “{study}” ({frames} frames of {vertices} vertices): open that study, and the \
+         view is restored"
     )]
     NotOpen {
         /// Pseudonym.

@@ -127,6 +127,7 @@ impl Example {
             reconstruction_error: Some(0.0123),
             time_weight: Some(1.42),
             classes: ClassesView::Ready(&self.classifiers),
+            classes_by: None,
         }
     }
 
