@@ -50,6 +50,8 @@ pub struct App {
     times: Times,
     queue: Vec<Command>,
     played_at_s: Option<f64>,
+    /// Whether the window closes, whatever was not exported.
+    leaves: bool,
     /// What the driver refused, so that it has one card.
     refused: Option<String>,
 }
@@ -103,6 +105,7 @@ impl App {
             times: Times::new(options.started),
             queue: Vec::new(),
             played_at_s: None,
+            leaves: false,
             refused: None,
         })
     }
@@ -164,7 +167,17 @@ impl App {
             files.map(|file| file.path().to_owned()).collect()
         });
         if !dropped.is_empty() {
-            self.queue.push(Command::File(FileCommand::Open(dropped)));
+            // With Shift they are added to the study.
+            self.queue
+                .push(match ctx.input(|input| input.modifiers.shift) {
+                    true => FileCommand::Add(dropped).into(),
+                    false => FileCommand::Open(dropped).into(),
+                });
+        }
+        let closes = ctx.input(|input| input.viewport().close_requested());
+        if closes && !self.leaves && self.state.is_edited() {
+            ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
+            self.queue.push(FileCommand::Quit.into());
         }
         self.queue.extend(crate::panes::pressed_commands(ctx));
     }
@@ -198,6 +211,14 @@ impl App {
         match effect {
             Effect::ChooseFiles => files.ask_to_open(exporting.engine, PathQuestion::OpenFiles),
             Effect::ChooseFolder => files.ask_to_open(exporting.engine, PathQuestion::OpenFolders),
+            Effect::ChooseFilesToAdd => {
+                files.ask_to_add(&exporting, PathQuestion::OpenFiles);
+            }
+            Effect::ChooseFolderToAdd => {
+                files.ask_to_add(&exporting, PathQuestion::OpenFolders);
+            }
+            Effect::Add(paths) => self.background.add(&self.state, paths),
+            Effect::ExportStudy(folder) => files.ask_for_study(&mut exporting, folder),
             Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::Open(source) => self.background.engine.open(source),
@@ -219,7 +240,10 @@ impl App {
             Effect::SetFullScreen(full) => {
                 ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(full));
             }
-            Effect::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+            Effect::Quit => {
+                self.leaves = true;
+                ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+            }
         }
     }
 
@@ -267,7 +291,7 @@ fn choose_theme(ctx: &Context, choice: ThemeChoice) {
     });
 }
 
-/// Another study is on screen, opened or brought back by undo: what the pointer holds, what an open menu is about and
+/// Another list of subjects is on screen, opened, edited or brought back by undo: what the pointer holds, what an open menu is about and
 /// where a map was looked at belong to the one before.
 fn let_go_of_study(ctx: &Context) {
     egui::DragAndDrop::clear_payload(ctx);
@@ -291,12 +315,12 @@ impl eframe::App for App {
         let begin = Instant::now();
         // What was clicked concerns what was drawn: it comes before anything that finished since, such as
         // another study, in whose table a row is another subject.
-        let opening = self.state.document.study.opening;
+        let listing = self.state.document.study.listing;
         self.apply_queue(ctx);
         self.take_in(ctx);
         self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
-        if self.state.document.study.opening != opening {
+        if self.state.document.study.listing != listing {
             let_go_of_study(ctx);
         }
         let (files, mut exporting) = self.exporting(ctx);

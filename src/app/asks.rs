@@ -36,9 +36,8 @@ impl Asks {
     /// The answers to what the state on screen needs.
     pub fn ask(&mut self, state: &State, store: &Store, seen: &Seen) -> Answers {
         let study = state.document.study();
-        let opening = state.document.study.opening;
         let mut answers = Answers {
-            opening,
+            listing: state.document.study.listing,
             ..Answers::default()
         };
         if study.subjects.is_empty() {

@@ -37,6 +37,8 @@ pub enum PathQuestion {
     },
     /// A folder for tables.
     SaveTables,
+    /// An empty folder for a study.
+    SaveStudy,
 }
 
 /// Answers questions about paths: the dialogs of the operating system, or a test. `None` if nothing was chosen.
@@ -121,6 +123,9 @@ pub fn system_dialogs() -> AskPaths {
                 .add_filter("SVG drawing", &["svg"])
                 .add_filter("PDF page", &["pdf"])
                 .save_file()),
+            PathQuestion::SaveStudy => one(dialog
+                .set_title("Save the study into an empty folder")
+                .pick_folder()),
             PathQuestion::SaveTables => one(dialog
                 .set_title("Save all tables into a folder")
                 .pick_folder()),

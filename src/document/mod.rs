@@ -11,9 +11,11 @@ pub(crate) mod differences;
     reason = "the room's main type carries the room's name"
 )]
 pub(crate) mod document;
+pub(crate) mod editing;
 pub(crate) mod error_card;
 pub(crate) mod interpolated_poses;
 pub(crate) mod play;
+pub(crate) mod relisting;
 pub(crate) mod state;
 #[cfg(test)]
 pub(crate) mod testing;
@@ -27,5 +29,7 @@ pub(crate) mod visibility;
 pub(crate) mod visible_poses;
 
 pub use {answers::*, differences::*, document::*, error_card::*, interpolated_poses::*, play::*};
-pub use {state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
+pub use {
+    editing::*, state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*,
+};
 pub use {visibility::*, visible_poses::*};

@@ -32,6 +32,9 @@ pub struct Engine {
     // Jobs stand before their threads: they are dropped first, which stops what still runs.
     opening: Option<Job<Opened, Stopped>>,
     opened: Option<Opened>,
+    /// What is read to be added to a study.
+    adding: Option<Job<Opened, Stopped>>,
+    added: Option<Opened>,
     /// One is made after the other.
     exports: Vec<Job<Vec<PathBuf>, ExportError>>,
     exported: Option<Vec<PathBuf>>,
@@ -54,6 +57,8 @@ impl Engine {
         Ok(Self {
             opening: None,
             opened: None,
+            adding: None,
+            added: None,
             exports: Vec::new(),
             exported: None,
             last_opening: None,
@@ -80,9 +85,20 @@ impl Engine {
     /// Opens something in place of what is being opened; the study in use is not touched.
     /// What comes of it is handed out once, by [`Self::take_opened`].
     pub fn open(&mut self, source: OpenSource) {
+        self.last_opening = Some(source.clone());
+        self.opened = None;
+        self.opening = Some(self.read(source));
+    }
+
+    /// Reads something that is to be added to a study. What comes of it is handed out once, by [`Self::take_added`].
+    pub fn add(&mut self, source: OpenSource) {
+        self.added = None;
+        self.adding = Some(self.read(source));
+    }
+
+    fn read(&self, source: OpenSource) -> Job<Opened, Stopped> {
         let (name, words) = (source.name(), source.words());
         let (limits, revisions) = (self.limits, Arc::clone(&self.revisions));
-        self.last_opening = Some(source.clone());
         let wake = Arc::clone(&self.wake);
         let job = Job::spawn(&self.reader, wake, move |progress: &Progress| {
             let mut opened = open(&source, &limits, progress)?;
@@ -90,8 +106,12 @@ impl Engine {
             Ok(opened)
         });
         (self.store).list_job(Topic::OPENING, name, words, Arc::clone(job.watch()));
-        self.opened = None;
-        self.opening = Some(job);
+        job
+    }
+
+    /// What was read to be added, once; `None` while nothing new is there.
+    pub fn take_added(&mut self) -> Option<Opened> {
+        self.added.take()
     }
 
     /// What was opened, once; `None` while nothing new is there.
@@ -112,13 +132,23 @@ impl Engine {
         parameters: impl Into<String>,
         make: impl FnOnce(&Progress) -> Result<Vec<ExportFile>, String> + Send + 'static,
     ) {
+        self.start_writing(name, parameters, move |progress| {
+            let files = make(progress)?;
+            progress.check().map_err(|stopped| stopped.to_string())?;
+            write_files(files)
+        });
+    }
+
+    /// Writes files with `write`, which returns their paths; they are handed out by [`Self::take_exported`].
+    pub fn start_writing(
+        &mut self,
+        name: impl Into<String>,
+        parameters: impl Into<String>,
+        write: impl FnOnce(&Progress) -> Result<Vec<PathBuf>, String> + Send + 'static,
+    ) {
         let wake = Arc::clone(&self.wake);
         let job = Job::spawn(&self.exporter, wake, move |progress: &Progress| {
-            let files = make(progress).map_err(ExportError)?;
-            progress
-                .check()
-                .map_err(|stopped| ExportError(stopped.to_string()))?;
-            write_files(files).map_err(ExportError)
+            write(progress).map_err(ExportError)
         });
         (self.store).list_job(Topic::EXPORT, name, parameters, Arc::clone(job.watch()));
         self.exports.push(job);
@@ -146,7 +176,7 @@ impl Engine {
     /// Stops work of one kind; what was on screen stays, and nothing begins again until [`Self::retry`].
     pub fn cancel(&mut self, topic: Topic) {
         match topic {
-            Topic::OPENING => self.opening = None,
+            Topic::OPENING => (self.opening, self.adding) = (None, None),
             Topic::EXPORT => self.exports.clear(),
             question => self.store.cancel(question),
         }
@@ -173,10 +203,16 @@ impl Engine {
                 Err(error) => self.report(Topic::OPENING, "Opening failed", Arc::new(error)),
             }
         }
+        if let Some(added) = finished(&mut self.adding) {
+            match added {
+                Ok(added) => self.added = Some(added),
+                Err(error) => self.report(Topic::OPENING, "Adding failed", Arc::new(error)),
+            }
+        }
         for job in std::mem::take(&mut self.exports) {
             let mut job = Some(job);
             match finished(&mut job) {
-                Some(Ok(files)) => self.exported = Some(files),
+                Some(Ok(files)) => self.exported.get_or_insert_default().extend(files),
                 Some(Err(error)) => {
                     self.report(Topic::EXPORT, "Nothing was exported", Arc::new(error));
                 }
@@ -193,7 +229,10 @@ impl Engine {
 
     /// Whether anything runs; while it does, its bar moves.
     pub fn busy(&self) -> bool {
-        self.opening.is_some() || !self.exports.is_empty() || self.store.busy()
+        self.opening.is_some()
+            || self.adding.is_some()
+            || !self.exports.is_empty()
+            || self.store.busy()
     }
 
     /// All work of this run, newest first.

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::app::export::FigureKind;
 use crate::app::saved_views::is_picture;
 use crate::app::settings::remember_recent;
+use crate::document::Leaving;
 use crate::document::state::{Sheets, State};
 use crate::engine::OpenSource;
 use crate::panes::{FileCommand, WindowCommand, WorkCommand};
@@ -22,16 +23,52 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
             if is_picture(&paths) {
                 return paths.pop().map(Effect::ReadPicture);
             }
-            remember_recent(&mut state.recent, &paths);
-            Some(Effect::Open(OpenSource::Paths(paths)))
+            leave(state, Leaving::Open(OpenSource::Paths(paths)))
         }
-        FileCommand::OpenBuiltIn => Some(Effect::Open(OpenSource::BuiltIn(state.built_in))),
+        FileCommand::OpenBuiltIn => {
+            let source = OpenSource::BuiltIn(state.built_in);
+            leave(state, Leaving::Open(source))
+        }
+        FileCommand::ChooseFilesToAdd => is_open.then_some(Effect::ChooseFilesToAdd),
+        FileCommand::ChooseFolderToAdd => is_open.then_some(Effect::ChooseFolderToAdd),
+        FileCommand::Add(paths) if !is_open => apply_file(state, FileCommand::Open(paths)),
+        FileCommand::Add(paths) => (!paths.is_empty()).then_some(Effect::Add(paths)),
+        FileCommand::ExportStudy(folder) => is_open.then_some(Effect::ExportStudy(folder)),
+        FileCommand::Leave => {
+            let leaving = state.leaving.take()?;
+            left(state, leaving)
+        }
+        FileCommand::Stay => {
+            state.leaving = None;
+            None
+        }
         FileCommand::ExportFigure(path) => figure(FigureKind::View, path, is_open),
         FileCommand::ExportPatchFigure(path) => figure(FigureKind::Patch, path, is_open),
         FileCommand::ExportTables(Some(folder)) => Some(Effect::WriteTables(folder)),
         FileCommand::ExportTables(None) => is_open.then_some(Effect::ChooseTables),
-        FileCommand::Quit => Some(Effect::Quit),
+        FileCommand::Quit => leave(state, Leaving::Quit),
     }
+}
+
+/// Leaves the study on screen, unless it has edits that are not exported: then the person at the screen is asked.
+fn leave(state: &mut State, leaving: Leaving) -> Option<Effect> {
+    if state.is_edited() {
+        state.leaving = Some(leaving);
+        return None;
+    }
+    left(state, leaving)
+}
+
+fn left(state: &mut State, leaving: Leaving) -> Option<Effect> {
+    Some(match leaving {
+        Leaving::Quit => Effect::Quit,
+        Leaving::Open(source) => {
+            if let OpenSource::Paths(paths) = &source {
+                remember_recent(&mut state.recent, paths);
+            }
+            Effect::Open(source)
+        }
+    })
 }
 
 fn figure(kind: FigureKind, path: Option<PathBuf>, is_open: bool) -> Option<Effect> {

@@ -3,8 +3,11 @@
 mod about;
 mod command_palette;
 mod error_cards;
+mod leaving;
 mod load_report;
 pub(crate) mod report_view;
 mod shortcut_sheet;
 
-pub use {about::*, command_palette::*, error_cards::*, load_report::*, shortcut_sheet::*};
+pub use {
+    about::*, command_palette::*, error_cards::*, leaving::*, load_report::*, shortcut_sheet::*,
+};

@@ -45,7 +45,7 @@ pub use find_sequences::looks_openable;
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{AlignedCohort, Copies, all_of, counted};
-use crate::study::{Notice, Study, Subject};
+use crate::study::{ExcludedSubject, Notice, Study, Subject};
 use find_sequences::Search;
 use folder_contents::folder_name;
 use group_files::stem;
@@ -82,11 +82,24 @@ pub fn open_paths(
         errors: plan.errors,
         notices: plan.notices,
     };
-    for outcome in read_subjects::read_subjects(plan.subjects, limits, progress)? {
-        match outcome {
-            Ok(subject) => opened.study.subjects.push(Arc::new(subject)),
+    let excluded: Vec<bool> = plan.subjects.iter().map(|s| s.stated.excluded).collect();
+    let outcomes = read_subjects::read_subjects(plan.subjects, limits, progress)?;
+    for (outcome, excluded) in outcomes.into_iter().zip(excluded) {
+        let study = &mut opened.study;
+        match outcome.map(Arc::new) {
+            Ok(subject) if excluded => study.excluded.push(ExcludedSubject {
+                place: study.count(),
+                subject,
+            }),
+            Ok(subject) => study.subjects.push(subject),
             Err(errors) => opened.errors.extend(errors),
         }
+    }
+    if opened.study.subjects.is_empty() && !opened.study.excluded.is_empty() {
+        let all = std::mem::take(&mut opened.study.excluded).into_iter();
+        opened.study.subjects = all.map(|excluded| excluded.subject).collect();
+        let text = "study.toml excludes all subjects, which leaves no cohort: none is excluded";
+        opened.notices.push(Notice::warning(text));
     }
     opened
         .notices

@@ -57,6 +57,10 @@ pub struct CohortRow {
     pub warning_count: usize,
     /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
+    /// Whether no analysis of the cohort counts it.
+    pub excluded: bool,
+    /// Its place in the order of the input.
+    pub place: usize,
     /// Whether the filter of the table leaves it out; maps then dim it.
     pub filtered_out: bool,
 }
@@ -109,6 +113,7 @@ pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) 
             words.iter().all(|word| text.contains(word.as_str()))
         })
         .collect();
+    visible.sort_by_key(|index| rows[*index].place);
     if let Some(sort) = sort {
         visible.sort_by(|a, b| compare(&rows[*a], &rows[*b], sort));
     }
@@ -132,7 +137,8 @@ fn searchable(row: &CohortRow) -> String {
     let label = row.label.as_deref().unwrap_or_default();
     let verdict = row.verdict.as_ref().map(CohortVerdict::text);
     let verdict = verdict.unwrap_or_default();
-    format!("{} {label} {role} {percent} {verdict}", row.id).to_lowercase()
+    let excluded = if row.excluded { "excluded" } else { "" };
+    format!("{} {label} {role} {percent} {verdict} {excluded}", row.id).to_lowercase()
 }
 
 fn compare(a: &CohortRow, b: &CohortRow, sort: CohortSort) -> Ordering {

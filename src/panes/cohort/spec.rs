@@ -30,7 +30,7 @@ pub const PANE: PaneSpec = PaneSpec {
 };
 
 fn count_ui(ui: &mut Ui, cx: &PaneContext<'_>, _: f32, _: &mut Vec<Command>) {
-    let count = cx.state().document.study().subjects.len();
+    let count = cx.state().document.study().count();
     if count > 0 {
         let shown = cohort_data(cx).borrow_mut().shown_count();
         ui.weak(count_text(shown, count));

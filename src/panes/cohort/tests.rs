@@ -38,6 +38,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    edits: CohortEdits::default(),
                 };
                 cohort_table_ui(ui, &view, commands);
             },
@@ -233,6 +234,7 @@ fn on_escape(search: &'static str, in_box: bool) -> Vec<Command> {
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    edits: CohortEdits::default(),
                 };
                 cohort_table_ui(ui, &view, commands);
             },

@@ -13,6 +13,12 @@ pub enum FileCommand {
     ChooseFolder,
     /// Open these.
     Open(Vec<PathBuf>),
+    /// Ask for files whose subjects are added to the study.
+    ChooseFilesToAdd,
+    /// Ask for a folder whose subjects are added to the study.
+    ChooseFolderToAdd,
+    /// Add the subjects of these to the study.
+    Add(Vec<PathBuf>),
     /// Open the cohort that ships inside.
     OpenBuiltIn,
     /// Write a figure of the 3D view; `None` asks where.
@@ -21,6 +27,12 @@ pub enum FileCommand {
     ExportPatchFigure(Option<PathBuf>),
     /// Write all tables; `None` asks where.
     ExportTables(Option<PathBuf>),
+    /// Write the study with its edits, to be opened again; `None` asks where.
+    ExportStudy(Option<PathBuf>),
+    /// Leave a study with edits that are not exported.
+    Leave,
+    /// Stay with it.
+    Stay,
     /// Leave the program.
     Quit,
 }
@@ -31,8 +43,11 @@ pub(super) static ACTIONS: &[Row<FileCommand>] = &[
     row(Menu::File, 0, "Open files…", Some((CTRL, Key::O)), FileCommand::ChooseFiles),
     row(Menu::File, 0, "Open folder…", Some((CTRL.plus(SHIFT), Key::O)), FileCommand::ChooseFolder),
     row(Menu::File, 0, "Open the built-in cohort", None, FileCommand::OpenBuiltIn),
-    row(Menu::File, 2, "Quit", Some((CTRL, Key::Q)), FileCommand::Quit),
+    row(Menu::File, 1, "Add files to the study…", None, FileCommand::ChooseFilesToAdd),
+    row(Menu::File, 1, "Add folder to the study…", None, FileCommand::ChooseFolderToAdd),
+    row(Menu::File, 3, "Quit", Some((CTRL, Key::Q)), FileCommand::Quit),
     row(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), FileCommand::ExportPatchFigure(None)),
     row(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), FileCommand::ExportFigure(None)),
     row(Menu::Export, 0, "Tables…", Some((CTRL, Key::E)), FileCommand::ExportTables(None)),
+    row(Menu::Export, 0, "Study…", Some((CTRL, Key::S)), FileCommand::ExportStudy(None)),
 ];

@@ -31,7 +31,7 @@ pub enum WindowCommand {
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
 pub(super) static ACTIONS: &[Row<WindowCommand>] = &[
-    row(Menu::File, 1, "Load report", Some((CTRL, Key::L)), WindowCommand::ToggleLoadReport),
+    row(Menu::File, 2, "Load report", Some((CTRL, Key::L)), WindowCommand::ToggleLoadReport),
     row(Menu::View, 4, "Theme: system", None, WindowCommand::SetTheme(ThemeChoice::System)),
     row(Menu::View, 4, "Theme: dark", None, WindowCommand::SetTheme(ThemeChoice::Dark)),
     row(Menu::View, 4, "Theme: light", None, WindowCommand::SetTheme(ThemeChoice::Light)),

@@ -7,7 +7,7 @@ use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
 use crate::document::ViewMode;
 use crate::panes::{
-    BeatCommand, Command, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
+    BeatCommand, Command, EditCommand, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
     subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
@@ -15,6 +15,7 @@ use crate::picture::{
     WallPart, scene_with_extras,
 };
 use crate::render::{Camera, ViewId};
+use crate::study::Revision;
 use crate::ui::controls::clicked_twice;
 use crate::ui::theme::{colours, line, radius, type_size};
 
@@ -36,8 +37,8 @@ use crate::panes::viewport::shown_subject::{ScalarCache, ShownSubject, Tile, sho
 pub struct Viewport {
     shown: Vec<ShownSubject>,
     mode: ViewMode,
-    /// Which opening of a study the subjects on screen are of.
-    opening: u64,
+    /// Which list of subjects those on screen are of.
+    listing: Revision,
     limits: CohortLimits,
     fits: Fits,
     numbers: ScalarCache,
@@ -69,7 +70,7 @@ impl Viewport {
         if complete {
             self.shown = ready;
             self.mode = state.document.view_mode;
-            self.opening = state.document.study.opening;
+            self.listing = state.document.study.listing;
         }
         // A label that a click left belongs to its subject.
         let pinned = self.pinned.take();
@@ -168,8 +169,8 @@ impl Viewport {
             })
             .collect();
         commands.extend(camera_command(ui, &response, state, &tiles));
-        // Until the first subject of another study is ready, indices of the subjects on screen mean other ones.
-        let is_of_study = self.opening == state.document.study.opening;
+        // Until the first subject of another list is ready, indices of the subjects on screen mean other ones.
+        let is_of_study = self.listing == state.document.study.listing;
         if is_of_study {
             commands.extend(self.click_command(&response, &tiles));
         }
@@ -183,6 +184,10 @@ impl Viewport {
         let quantity = state.document.bar_quantity();
         if let Some(now) = clicked.as_ref().filter(|_| is_of_study) {
             commands.extend(part_command(state, &tiles, now.as_ref()));
+        }
+        if let Some(now) = clicked.as_ref().filter(|_| is_of_study) {
+            let point = now.as_ref().and_then(|picked| picked.point(&tiles));
+            commands.push(EditCommand::Pick(point).into());
         }
         let pinned = match clicked {
             Some(now) => now,

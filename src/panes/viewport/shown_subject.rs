@@ -26,6 +26,8 @@ pub struct ShownSubject {
     pub index: usize,
     /// Whose it is; with a transported motion, a subject of its own.
     pub subject: Arc<Subject>,
+    /// Whether it plays a transported motion.
+    pub transported: bool,
     /// Place in its cycle.
     pub position: f64,
     /// Its geometry.
@@ -109,6 +111,7 @@ pub fn shown_subject(
     Some(ShownSubject {
         index: place.subject,
         subject: Arc::clone(subject),
+        transported: place.transported,
         position: place.position,
         numbers: numbers.of(state, place, &placed, medial.as_ref()),
         medial,

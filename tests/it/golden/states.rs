@@ -196,6 +196,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 compared: None,
                 measuring: true,
                 classifying: true,
+                edits: CohortEdits::default(),
             };
             cohort_table_ui(ui, &view, commands);
         }

@@ -57,6 +57,7 @@ pub fn cohort(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         compared: None,
         measuring: false,
         classifying: false,
+        edits: CohortEdits::default(),
     };
     cohort_table_ui(ui, &view, commands);
 }
