@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 use egui::{Context, ThemePreference, Ui};
 
 use crate::document::ThemeChoice;
+use crate::document::answers::Answers;
 
 use crate::engine::{OpenSource, Query, Topic, Wake};
 use crate::panes::{Command, FileCommand};
@@ -18,6 +19,7 @@ use super::asks::Seen;
 use super::background::{Background, reference_frames};
 use super::chosen_files::{ChosenFiles, Exporting};
 use super::dialogs::PathQuestion;
+use super::first_picture::FirstPicture;
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
 use super::settings::Settings;
@@ -48,6 +50,8 @@ pub struct App {
     memo: Memo,
     adapter: String,
     times: Times,
+    /// Where somebody looks on: a picture comes before analyses.
+    first_picture: Option<FirstPicture>,
     queue: Vec<Command>,
     played_at_s: Option<f64>,
     /// Whether the window closes, whatever was not exported.
@@ -103,6 +107,7 @@ impl App {
                 .map(paint::adapter_name)
                 .unwrap_or_default(),
             times: Times::new(options.started),
+            first_picture: options.live.then(FirstPicture::default),
             queue: Vec::new(),
             played_at_s: None,
             leaves: false,
@@ -147,6 +152,14 @@ impl App {
     /// The 3D view, which its pane draws.
     fn viewport(&self) -> Kept<Viewport> {
         self.memo.get()
+    }
+
+    /// Whether what is asked whatever is on screen waits for the first picture of the study.
+    fn first_picture_is_ahead(&mut self) -> bool {
+        let drawn = self.viewport().borrow_mut().shown_opening();
+        let first = self.first_picture.as_mut();
+        let opening = self.state.document.study.opening;
+        first.is_some_and(|first| first.holds_back(opening, drawn, Instant::now()))
     }
 
     fn report_refusal(&mut self, refused: Option<String>) {
@@ -330,7 +343,16 @@ impl eframe::App for App {
             panes: self.layout.seen(),
             pointer_held: ctx.input(|input| input.pointer.any_down()),
         };
-        self.background.ask(&mut self.state, &seen);
+        if self.first_picture_is_ahead() {
+            self.state.answers = Answers {
+                opening: self.state.document.study.opening,
+                ..Answers::default()
+            };
+            // Nothing else wakes the window once the picture is there.
+            ctx.request_repaint();
+        } else {
+            self.background.ask(&mut self.state, &seen);
+        }
         let reference_frames = reference_frames(&self.state);
         let store = self.background.engine.store();
         let pictures = Pictures::new(store, self.state.document.study());

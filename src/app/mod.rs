@@ -20,6 +20,7 @@ mod corners;
 mod dialogs;
 mod errors;
 mod export;
+mod first_picture;
 mod frame_ui;
 mod layout;
 mod panes;

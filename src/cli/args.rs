@@ -225,9 +225,12 @@ pub struct TransferArgs {
     /// For which displacements of the sequence a geodesic is computed
     #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
     pub geodesics: GeodesicsWord,
-    /// Compute geodesics on a mesh decimated to about N vertices; 0: on the mesh itself
+    /// Begin the search for geodesics on a mesh decimated to about N vertices; 0: on the mesh itself [default: the window's]
     #[arg(long, value_name = "N")]
     pub coarse_vertices: Option<u32>,
+    /// Relative decrease of energy per step at which the search for geodesics ends [default: the window's]
+    #[arg(long, value_name = "T")]
+    pub tolerance: Option<f64>,
     /// Whether transport keeps the norm
     #[arg(long, value_enum, default_value_t = Switch::On)]
     pub keep_norm: Switch,

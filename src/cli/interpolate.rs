@@ -56,6 +56,7 @@ fn report(path: &GeodesicPath, args: &InterpolateArgs) -> Result<(), CliError> {
             "self_intersections": path.self_intersections,
             "step_lengths": path.step_lengths,
             "converged": path.converged,
+            "straight_line": path.fell_back,
         }));
     }
     print(&format!(
@@ -63,10 +64,10 @@ fn report(path: &GeodesicPath, args: &InterpolateArgs) -> Result<(), CliError> {
         path.energy,
         path.energy_linear,
         path.iterations,
-        if path.converged {
-            ""
-        } else {
-            ", not converged"
+        match (path.converged, path.fell_back) {
+            (true, _) => "",
+            (false, true) => ", nothing cheaper found: the straight line, not a geodesic",
+            (false, false) => ", not converged",
         },
         path.self_intersections,
         args.out.display()

@@ -2,7 +2,7 @@
 
 use serde_json::json;
 
-use crate::analysis::metrics::{Metric, PairNorms, PairScratch};
+use crate::analysis::metrics::{EnergyShares, Metric, PairNorms, PairScratch};
 use crate::cli::args::MetricArgs;
 use crate::cli::corresponding::{aligned, read_pair};
 use crate::cli::outcome::CliError;
@@ -24,7 +24,9 @@ pub(super) fn metric(args: &MetricArgs) -> Result<(), CliError> {
     let metric = Metric::new(a.faces(), params);
     let pose_a = metric.prepare(a.vertices()).map_err(CliError::unusable)?;
     let pose_b = metric.prepare(&moved).map_err(CliError::unusable)?;
-    let norms = metric.pair(&pose_a, &pose_b, &mut PairScratch::default());
+    let scratch = &mut PairScratch::default();
+    let norms = metric.pair(&pose_a, &pose_b, scratch);
+    let shares = metric.shares(&pose_a, &pose_b, scratch);
     let numbers = [
         norms.norm2_a,
         norms.norm2_b,
@@ -38,20 +40,38 @@ pub(super) fn metric(args: &MetricArgs) -> Result<(), CliError> {
             args.b.display()
         )));
     }
-    report(norms, args.json)
+    report(norms, shares, params.kind.words().term, args.json)
 }
 
-fn report(norms: PairNorms, as_json: bool) -> Result<(), CliError> {
+fn report(
+    norms: PairNorms,
+    shares: Option<EnergyShares>,
+    own_term: &str,
+    as_json: bool,
+) -> Result<(), CliError> {
     if as_json {
         return print_json(&json!({
             "norm2_a": norms.norm2_a,
             "norm2_b": norms.norm2_b,
             "energy": norms.energy(),
             "distance": norms.distance(),
+            "shares": shares.map(|shares| json!({
+                "own_term": own_term,
+                "own": shares.own,
+                "curvature": shares.curvature,
+                "displacement": shares.displacement,
+            })),
         }));
     }
+    let shares = shares.map_or_else(String::new, |shares| {
+        let [own, curvature, displacement] =
+            [shares.own, shares.curvature, shares.displacement].map(|share| 100.0 * share);
+        format!(
+            "\nof the energy: {own_term} {own:.1} %, change of curvature {curvature:.1} %, displacement {displacement:.1} %"
+        )
+    });
     print(&format!(
-        "norm2_a {}\nnorm2_b {}\nenergy {}\ndistance {}",
+        "norm2_a {}\nnorm2_b {}\nenergy {}\ndistance {}{shares}",
         norms.norm2_a,
         norms.norm2_b,
         norms.energy(),

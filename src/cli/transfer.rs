@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use serde_json::json;
 
-use crate::analysis::transport::{CheckedTransportParams, TransportParams, transport_deformation};
+use crate::analysis::transport::{
+    CheckedTransportParams, FoundPath, TransportAccount, TransportParams, transport_deformation,
+};
 use crate::cli::args::TransferArgs;
 use crate::cli::corresponding::{laying, read};
 use crate::cli::input::opened_study;
@@ -31,20 +33,24 @@ pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
         *point = lay(point);
     }
     let (work_faces, work_onto) = (Arc::clone(&faces), onto);
-    let poses = run_work(move |progress| {
+    let transported = run_work(move |progress| {
         progress.begin_phase("transporting the motion", 0.0, 1.0);
         transport_deformation(&work_faces, &source, &work_onto, &params, progress)
     })?;
-    write_files(pose_files(&faces, &poses, &args.out)?).map_err(CliError::Unusable)?;
+    let (poses, account) = (&transported.poses, &transported.account);
+    write_files(pose_files(&faces, poses, &args.out)?).map_err(CliError::Unusable)?;
     if args.json {
         return print_json(&json!({
             "poses": poses.len(),
             "vertices": faces.vertex_count(),
             "align": align_word(args.align),
+            "geodesics": account.paths.iter().map(path_json).collect::<Vec<_>>(),
+            "norm_change": account.norm_change(),
+            "product_change": account.product_change(),
         }));
     }
     print(&format!(
-        "{} poses, the sequence {}: {}",
+        "{} poses, the sequence {}, {}; norms changed by at most {:.1e}, products with the direction by {:.1e}: {}",
         poses.len(),
         match args.align {
             AlignWord::None => "not aligned with the mesh",
@@ -52,8 +58,37 @@ pub(super) fn transfer(args: &TransferArgs) -> Result<(), CliError> {
             AlignWord::Similarity =>
                 "aligned with the mesh by the best similarity of its first pose, scale included (--align none or rigid for another)",
         },
+        path_words(account),
+        account.norm_change(),
+        account.product_change(),
         args.out.display()
     ))
+}
+
+/// `along the geodesic, whose energy is 0.913 of the straight line's`.
+fn path_words(account: &TransportAccount) -> String {
+    let shares = account.paths.iter().map(FoundPath::energy_share);
+    let words = match account.paths.len() {
+        0 => return "along the straight line, as asked for".to_owned(),
+        1 => "along the geodesic, whose energy is".to_owned(),
+        count => format!("along {count} geodesics, whose energies are on average"),
+    };
+    let mean = shares.sum::<f64>() / account.paths.len() as f64;
+    let unfinished = account.paths.iter().filter(|path| !path.converged).count();
+    let unfinished = match unfinished {
+        0 => String::new(),
+        count => format!(" ({count} not converged)"),
+    };
+    format!("{words} {mean:.3} of the straight line's{unfinished}")
+}
+
+fn path_json(path: &FoundPath) -> serde_json::Value {
+    json!({
+        "energy": path.energy,
+        "energy_linear": path.energy_linear,
+        "iterations": path.iterations,
+        "converged": path.converged,
+    })
 }
 
 fn align_word(align: AlignWord) -> &'static str {
@@ -77,6 +112,7 @@ fn checked(args: &TransferArgs) -> Result<CheckedTransportParams, CliError> {
             Some(vertices) => Some(vertices).filter(|&vertices| vertices > 0),
             None => default.max_vertices,
         },
+        tolerance: args.tolerance.unwrap_or(default.tolerance),
         ..default
     };
     let checked = params.check();

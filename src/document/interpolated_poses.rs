@@ -227,6 +227,7 @@ pub(crate) mod tests {
                 iterations: 3,
                 self_intersections: 0,
                 converged: true,
+                fell_back: false,
                 stopped: false,
             })
         };

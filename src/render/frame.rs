@@ -19,6 +19,9 @@ use super::targets::{Capabilities, Scratch};
 /// Layers taken at most; what lies behind eight translucent layers adds less than one step of eight-bit colour at opacity 0.5.
 const MAX_LAYERS: usize = 8;
 
+/// Called with a pass's name once it is recorded: a bench submits it alone and takes its time.
+pub type AfterPass = dyn Fn(&'static str, &mut wgpu::CommandEncoder) + Send + Sync;
+
 /// All that the passes of one picture need.
 pub(super) struct Frame<'a> {
     pub device: &'a wgpu::Device,
@@ -35,6 +38,8 @@ pub(super) struct Frame<'a> {
     pub drawn: &'a [Drawn],
     /// Occlusion of the whole picture found before, in the place of this tile's own.
     pub kept_occlusion: Option<&'a wgpu::TextureView>,
+    /// Hears of every pass that is recorded.
+    pub after_pass: Option<&'a AfterPass>,
 }
 
 /// Layers worth taking: those that a ray usually meets, and one more for folds where wanted.
@@ -57,15 +62,18 @@ impl Frame<'_> {
         let mut draws = 0;
         let opaque_surface = |drawn: &Drawn| drawn.is_surface() && !drawn.translucent;
         draws += self.depth(encoder, &scratch.depth, Some(0.0), opaque_surface);
+        self.passed(encoder, "depth of opaque surfaces");
         if let Some(occlusion) = self.occlusion
             && draws > 0
             && self.kept_occlusion.is_none()
         {
             occlusion.encode(self.device, encoder, self.view, scratch);
+            self.passed(encoder, "ambient occlusion");
         }
         draws += self.depth(encoder, &scratch.depth, None, |drawn| {
             !drawn.is_surface() && !drawn.translucent
         });
+        self.passed(encoder, "depth of lines and points");
         let layers = layer_count(self.drawn, self.folds);
         draws += match self.capabilities {
             _ if layers == 0 => 0,
@@ -73,7 +81,14 @@ impl Frame<'_> {
             Capabilities::Plain => self.translucent_surfaces(encoder, scratch),
         };
         draws += self.opaque(encoder, scratch, resolved, layers == 0);
+        self.passed(encoder, "light of opaque things, average of samples");
         draws
+    }
+
+    fn passed(&self, encoder: &mut wgpu::CommandEncoder, name: &'static str) {
+        if let Some(after_pass) = self.after_pass {
+            after_pass(name, encoder);
+        }
     }
 
     /// One pass with one sample a pixel, for a picture that another follows at once: translucent surfaces lie over what
@@ -106,8 +121,11 @@ impl Frame<'_> {
             ..wgpu::RenderPassDescriptor::default()
         });
         pass.set_bind_group(0, self.view, &[]);
-        self.draw(&mut pass, Stage::Moving, |drawn| !drawn.translucent)
-            + self.draw(&mut pass, Stage::MovingFilm, |drawn| drawn.translucent)
+        let draws = self.draw(&mut pass, Stage::Moving, |drawn| !drawn.translucent)
+            + self.draw(&mut pass, Stage::MovingFilm, |drawn| drawn.translucent);
+        drop(pass);
+        self.passed(encoder, "the one pass of a moving picture");
+        draws
     }
 
     fn depth(
@@ -165,9 +183,12 @@ impl Frame<'_> {
             };
             draws += self.draw(&mut pass, stage, |drawn| drawn.translucent);
             drop(pass);
+            self.passed(encoder, "depth of translucent layers");
             let mut pass = self.colour_pass(encoder, &scratch.colour, depth, layer == 0, None);
             pass.set_bind_group(2, &occlusion, &[]);
             draws += self.draw(&mut pass, Stage::Colour, |drawn| drawn.translucent);
+            drop(pass);
+            self.passed(encoder, "light of translucent layers");
         }
         draws
     }

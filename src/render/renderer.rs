@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::blit_pass::BlitPass;
 use super::drawn::Drawn;
 use super::error_scope::ErrorScope;
-use super::frame::Frame;
+use super::frame::{AfterPass, Frame};
 use super::identity::same_scene;
 use super::occlusion_pass::OcclusionPass;
 use super::pipelines::{Layouts, Pipelines, Stage};
@@ -56,6 +56,7 @@ pub struct Renderer {
     kept_occlusion: Option<wgpu::TextureView>,
     redraws: u64,
     draws: u64,
+    after_pass: Option<Box<AfterPass>>,
 }
 
 impl Renderer {
@@ -88,6 +89,7 @@ impl Renderer {
             kept_occlusion: None,
             redraws: 0,
             draws: 0,
+            after_pass: None,
             layouts,
         }
     }
@@ -131,6 +133,11 @@ impl Renderer {
         let gpu = Gpu { device, queue };
         self.failure = self.draw(gpu, encoder, view, (scene, camera), shot).err();
         self.failure.is_none()
+    }
+
+    /// Has every pass told as soon as it is recorded.
+    pub fn tell_passes(&mut self, after_pass: Box<AfterPass>) {
+        self.after_pass = Some(after_pass);
     }
 
     /// What the driver said when it refused the last picture that was to be prepared.
@@ -255,6 +262,7 @@ impl Renderer {
                 .kept_occlusion
                 .as_ref()
                 .filter(|_| shot.occlusion_of.is_some()),
+            after_pass: self.after_pass.as_deref(),
         };
         let resolved = &finished.resolved.view;
         self.draws += match (&mut scratch, depth) {

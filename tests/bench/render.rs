@@ -1,7 +1,8 @@
 //! What a picture costs: sending 8 poses × 40,962 vertices, recording the draws while they play, and drawing in software.
 
 use std::hint::black_box;
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
+use std::time::Instant;
 
 use cardiomorph::mesh::{phantom, vertex_normals};
 use cardiomorph::render::{
@@ -181,5 +182,75 @@ fn picture(criterion: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, render, picture);
+/// Where the time of one picture goes: every pass submitted alone and waited for, the median of eleven pictures.
+fn passes(_: &mut Criterion) {
+    let headless = match Headless::new() {
+        Ok(headless) => headless,
+        Err(error) => {
+            eprintln!("skipped: {error}");
+            return;
+        }
+    };
+    println!("1280 × 800 on {}, ms a picture:", headless.adapter_name());
+    let (device, queue) = headless.into_gpu();
+    let scene = wall();
+    let level = Camera::default().look_from(glam::Vec3::new(0.0, 1.0, 0.3), glam::Vec3::Z);
+    let Some(bounds) = Bounds::of_scene(&scene) else {
+        return;
+    };
+    let full = Resolution::full([1280, 800], 1.0);
+    for (name, resolution) in [("at rest", full), ("moving", full.moving(1.0))] {
+        let taken = Arc::new(Mutex::new((Instant::now(), Vec::new())));
+        let mut renderer = Renderer::new(&device, wgpu::TextureFormat::Rgba8Unorm);
+        let (own, its) = ((device.clone(), queue.clone()), Arc::clone(&taken));
+        renderer.tell_passes(Box::new(move |pass, encoder| {
+            let next = own.0.create_command_encoder(&Default::default());
+            own.1.submit([std::mem::replace(encoder, next).finish()]);
+            own.0.poll(wgpu::PollType::wait_indefinitely()).ok();
+            let mut taken = its.lock().unwrap();
+            let ms = 1e3 * taken.0.elapsed().as_secs_f64();
+            taken.1.push((pass, ms));
+            taken.0 = Instant::now();
+        }));
+        let mut by_pass: Vec<(&str, Vec<f64>)> = Vec::new();
+        for picture in 0..12 {
+            let turn = 0.01 * f64::from(picture) as f32;
+            let camera = level.turned(glam::Vec3::Z, turn, 0.0).fitted(&bounds, 1.6);
+            let mut encoder = device.create_command_encoder(&Default::default());
+            taken.lock().unwrap().0 = Instant::now();
+            let view = ViewId(0);
+            renderer.prepare(
+                &device,
+                &queue,
+                &mut encoder,
+                view,
+                &scene,
+                &camera,
+                resolution,
+            );
+            queue.submit([encoder.finish()]);
+            let mut sums: Vec<(&str, f64)> = Vec::new();
+            for (pass, ms) in taken.lock().unwrap().1.drain(..) {
+                match sums.iter_mut().find(|(known, _)| *known == pass) {
+                    Some((_, sum)) => *sum += ms,
+                    None => sums.push((pass, ms)),
+                }
+            }
+            // The first picture makes pipelines and sends the surfaces.
+            for (pass, ms) in sums.into_iter().filter(|_| picture > 0) {
+                match by_pass.iter_mut().find(|(known, _)| *known == pass) {
+                    Some((_, all)) => all.push(ms),
+                    None => by_pass.push((pass, vec![ms])),
+                }
+            }
+        }
+        println!("  {name}");
+        for (pass, mut all) in by_pass {
+            all.sort_by(f64::total_cmp);
+            println!("    {pass:<45} {:6.1}", all[all.len() / 2]);
+        }
+    }
+}
+
+criterion_group!(benches, render, picture, passes);
 criterion_main!(benches);

@@ -271,6 +271,13 @@ fn a_distance_is_zero_to_itself_symmetric_and_blind_to_rigid_motion_where_asked(
     assert!((number(&there, "distance") - (number(&there, "energy") / 2.0).sqrt()).abs() < 1e-12);
     assert!((number(&there, "distance") - number(&back, "distance")).abs() < 1e-9);
     assert_eq!(number(&distance(&a, &a, &[]), "distance"), 0.0);
+    assert_eq!(distance(&a, &a, &[])["shares"], Value::Null);
+    let shares = ["own", "curvature", "displacement"].map(|part| number(&there["shares"], part));
+    assert!(
+        (shares.iter().sum::<f64>() - 1.0).abs() < 1e-12,
+        "{shares:?}"
+    );
+    assert!(shares.iter().all(|share| *share > 0.0), "{shares:?}");
     // Frames of one heart lie almost aligned: alignment can only bring the displacement down.
     let rigid = ["--metric", "rigid"];
     let aligned = ["--metric", "rigid", "--align", "rigid"];

@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
+use cardiomorph::analysis::alignment::rigid_motion;
 use cardiomorph::analysis::geodesics::{GeodesicParams, GeodesicPath, geodesic};
+use cardiomorph::analysis::transport::{TransportParams, transport_deformation};
 use cardiomorph::mesh::{CappedSheet, Faces, Point3, sheets};
 use cardiomorph::progress::Progress;
 use cardiomorph::study::{SurfaceKind, SurfaceSequence};
@@ -103,5 +105,60 @@ fn the_way_of_a_galloping_horse_does_not_collapse() {
         [0, 5],
         GeodesicParams::default().tolerance,
         0.02,
+    );
+}
+
+/// Of the endocardium of one subject onto that of another, from end-diastole on.
+#[test]
+#[cfg_attr(
+    not(shared_data),
+    ignore = "needs the folder shared beside the checkout"
+)]
+fn interpolated_poses_change_a_real_transfer_and_more_of_them_change_it_less() {
+    let endocardium = |folder| surface(shared_data(folder), SurfaceKind::Endocardium);
+    let from = endocardium("cine_mri/bivme_patient1");
+    let onto = endocardium("cine_mri/bivme_testpatient2_EDES");
+    let onto = onto.frames()[0].vertices();
+    let laid = rigid_motion(from.frames()[0].vertices(), onto).unwrap();
+    let source: Vec<Vec<Point3>> = (from.frames().iter())
+        .map(|frame| frame.vertices().iter().map(|p| laid.apply(p)).collect())
+        .collect();
+    let transported = [0, 1, 3, 7].map(|interpolated_poses| {
+        let params = TransportParams {
+            interpolated_poses,
+            ..TransportParams::default()
+        };
+        let (params, progress) = (params.check().unwrap(), Progress::default());
+        let found = transport_deformation(from.faces(), &source, onto, &params, &progress).unwrap();
+        let account = &found.account;
+        assert_eq!(account.steps.len(), source.len() - 1);
+        assert!(account.norm_change() < 1e-9 && account.product_change() < 1e-9);
+        for path in &account.paths {
+            assert!(
+                path.converged && path.energy < 0.98 * path.energy_linear,
+                "{path:?}"
+            );
+        }
+        assert_eq!(account.paths.len(), usize::from(interpolated_poses > 0));
+        found.poses
+    });
+    // Root mean square over vertices, of the frame where it is largest.
+    let apart = |a: &[Vec<Point3>], b: &[Vec<Point3>]| {
+        let frames = a.iter().zip(b).map(|(a, b)| {
+            let squares = a.iter().zip(b).map(|(p, q)| (p - q).norm_squared());
+            (squares.sum::<f64>() / a.len() as f64).sqrt()
+        });
+        frames.fold(0.0, f64::max)
+    };
+    let still = vec![onto.to_vec(); source.len()];
+    let moved = apart(&transported[0], &still);
+    let changes: Vec<f64> = (transported.windows(2))
+        .map(|pair| apart(&pair[0], &pair[1]) / moved)
+        .collect();
+    println!("changes, as shares of the motion: {changes:.4?}");
+    assert!(changes[0] > 0.03, "{changes:?}");
+    assert!(
+        changes[1] < changes[0] && changes[2] < changes[1],
+        "{changes:?}"
     );
 }

@@ -140,7 +140,7 @@ fn transported(
         TransportError::Stopped(stopped) => stopped.into(),
         other => step("transporting a motion", &other),
     })?;
-    let last = result.last().cloned().unwrap_or_default();
+    let last = result.poses.last().cloned().unwrap_or_default();
     let Difference {
         relative_error,
         cosine,

@@ -14,12 +14,9 @@ pub struct GeodesicParams {
     pub tolerance: f64,
     /// Stop after so many iterations of each search.
     pub max_iterations: u32,
-    /// Find the path on a decimated mesh of at most so many vertices, and prolong its offsets from the
-    /// straight line to the whole; `None`: on the mesh as it is.
-    ///
-    /// Offsets are smooth where limbs do not turn: on subjects such a path has a part of the gain in energy, less
-    /// the fewer vertices it is found on. Where limbs turn, as a horse's legs do, a prolonged path may cost more
-    /// than the straight line, which is then given.
+    /// Find the path on a decimated mesh of at most so many vertices first, prolong its offsets from the straight line
+    /// to the whole, and go on there; `None`: on the mesh as it is. It changes how long the search takes, not what is
+    /// searched for.
     pub max_vertices: Option<u32>,
 }
 

@@ -18,8 +18,10 @@ pub struct GeodesicPath {
     pub iterations: usize,
     /// Pairs of faces that cross each other, over all interpolated poses; the method cannot exclude them.
     pub self_intersections: usize,
-    /// Whether the tolerance was met.
+    /// Whether the tolerance was met, so that the path is a geodesic to that tolerance.
     pub converged: bool,
+    /// Whether the search brought nothing below the straight line, which is then given: it is not known to be a geodesic.
+    pub fell_back: bool,
     /// Whether the computation was stopped; the path is then the best so far, and
     /// self-intersections may not all have been counted.
     pub stopped: bool,

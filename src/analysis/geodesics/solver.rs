@@ -6,7 +6,7 @@ use crate::progress::Progress;
 
 use super::coarse::prolonged;
 use super::ends::{check_ends, flat};
-use super::minimise::{Content, Inner, cheapest, resampled, time_levels};
+use super::minimise::{Content, Inner, cheapest, improve, resampled, time_levels};
 use super::stiffness::Stiffness;
 use super::{CheckedGeodesicParams, GeodesicError, GeodesicPath};
 
@@ -56,8 +56,7 @@ impl GeodesicSolver {
             faces: faces.clone(),
             metric: Metric::new(faces, params.metric),
             params: *params,
-            // The coarse solver has its own; this one would be factorised and never used.
-            stiffness: stiffness.filter(|_| coarse.is_none()),
+            stiffness,
             coarse,
         })
     }
@@ -138,9 +137,10 @@ impl GeodesicSolver {
         };
         let mut found = energy.energy(&inner.coordinates);
         // Stopped early, an unfinished path of few poses may be worse than none.
-        // This also catches a prolonged coarse path where limbs turn.
-        if found.is_nan() || found > energy_linear {
+        let fell_back = found.is_nan() || found > energy_linear;
+        if fell_back {
             inner.coordinates = straight;
+            inner.converged = false;
             found = energy.energy(&inner.coordinates);
         }
         let mut stopped = inner.stopped;
@@ -172,6 +172,7 @@ impl GeodesicSolver {
             iterations: inner.iterations,
             self_intersections,
             converged: inner.converged,
+            fell_back,
             stopped,
         })
     }
@@ -185,19 +186,18 @@ impl GeodesicSolver {
     ) -> Result<Inner, GeodesicError> {
         if let Some(coarse) = &self.coarse {
             let Coarse { decimation, solver } = &**coarse;
+            let poses = [start, end];
             let [start, end] = [start, end].map(|pose| decimation.restricted(pose));
             let few = [flat(&start), flat(&end)];
             let few = [few[0].as_slice(), few[1].as_slice()];
             let mut inner = solver.search(&start, &end, few, go_on)?;
             let count = usize::from(self.params.interpolated_poses);
             inner.coordinates = prolonged(decimation, &inner.coordinates, few, ends, count);
+            self.relax(poses, ends, &mut inner, go_on)?;
             return Ok(inner);
         }
         let own = self.own_stiffness(start, end)?;
-        let content = Content {
-            tolerance: self.params.tolerance,
-            max_iterations: self.params.max_iterations as usize,
-        };
+        let content = self.content();
         let count = usize::from(self.params.interpolated_poses);
         let from = |levels: &[usize], stiffness: Option<&Stiffness>| {
             cheapest(
@@ -234,6 +234,45 @@ impl GeodesicSolver {
             (best.iterations, best.stopped) = (iterations, stopped);
         }
         Ok(best)
+    }
+
+    fn content(&self) -> Content {
+        Content {
+            tolerance: self.params.tolerance,
+            max_iterations: self.params.max_iterations as usize,
+        }
+    }
+
+    /// Goes on from a prolonged path on all vertices: coarse offsets bend what the coarse mesh does not have, and alone
+    /// cost more than the straight line on most subjects.
+    fn relax(
+        &self,
+        [start, end]: [&[Point3]; 2],
+        ends: [&[f64]; 2],
+        inner: &mut Inner,
+        go_on: &dyn Fn() -> bool,
+    ) -> Result<(), GeodesicError> {
+        if inner.stopped {
+            return Ok(());
+        }
+        let count = usize::from(self.params.interpolated_poses);
+        let mut energy = self.path_energy(start, end, count)?;
+        let straight = resampled(ends[0], &[], ends[1], count);
+        // The search is best begun low; the straight line is among the starts, so that the end is never above it.
+        let mut least = energy.energy(&straight);
+        let whole = std::mem::replace(&mut inner.coordinates, straight.clone());
+        for share in [0.25, 0.5, 1.0] {
+            let between = straight.iter().zip(&whole);
+            let bent: Vec<f64> = between.map(|(s, w)| s + share * (w - s)).collect();
+            let found = energy.energy(&bent);
+            if found < least {
+                (least, inner.coordinates) = (found, bent);
+            }
+        }
+        let own = self.own_stiffness(start, end)?;
+        let stiffness = own.as_ref().or(self.stiffness.as_ref());
+        improve(&mut energy, stiffness, inner, &self.content(), go_on);
+        Ok(())
     }
 
     /// For forms with curvature change as a factor: about (ΔK / steps)², which a step has.

@@ -187,7 +187,7 @@ fn every_metric_finds_a_path_that_is_no_dearer() {
 }
 
 #[test]
-fn a_path_found_on_few_vertices_is_close_to_that_of_all() {
+fn a_path_begun_on_few_vertices_is_that_of_all() {
     let ball = phantom::sphere(3, 1.0);
     let end = bent(ball.vertices(), 0.3, 1.0);
     let whole = found(ball.faces(), ball.vertices(), &end, exact());
@@ -196,24 +196,9 @@ fn a_path_found_on_few_vertices_is_close_to_that_of_all() {
         ..exact()
     };
     let few = found(ball.faces(), ball.vertices(), &end, params);
-    let gain = (few.energy_linear - few.energy) / (whole.energy_linear - whole.energy);
-    // Half of the vertices keep a quarter of the gain here; on subjects they keep more.
-    assert!(gain > 0.2 && gain <= 1.0, "{gain}");
-    let bow = whole.poses.iter().enumerate().map(|(k, pose)| {
-        let t = k as f64 / 4.0;
-        let straight = ball
-            .vertices()
-            .iter()
-            .zip(&end)
-            .map(|(a, b)| a + (b - a) * t);
-        straight
-            .zip(pose)
-            .map(|(s, p)| (s - p).norm())
-            .fold(0.0, f64::max)
-    });
-    let bow = bow.fold(0.0, f64::max);
-    let apart = farthest(&few.poses, &whole.poses);
-    assert!(apart < 0.7 * bow, "{apart} of {bow}");
+    assert!(few.converged && !few.fell_back && few.energy < 0.999 * few.energy_linear);
+    assert!((few.energy / whole.energy - 1.0).abs() < 1e-9);
+    assert!(farthest(&few.poses, &whole.poses) < 1e-4);
 }
 
 #[test]

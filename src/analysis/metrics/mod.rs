@@ -39,6 +39,7 @@ mod params;
 mod path_energy;
 mod pose;
 mod rigid;
+mod shares;
 mod smoothing;
 
 pub use kind::{METRICS, MetricKind};
@@ -50,6 +51,7 @@ pub use params::{
 pub use path_energy::PathEnergy;
 pub use pose::PreparedPose;
 pub use rigid::{RigidField, rigid_part};
+pub use shares::EnergyShares;
 pub use smoothing::Smoother;
 
 #[cfg(test)]

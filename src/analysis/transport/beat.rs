@@ -40,7 +40,7 @@ pub fn transported_motion(
     let beat = source.beat_laid_onto(from, &target.pose);
     let faces = onto.sequence.joined_faces();
     let transported = transport_deformation(&faces, &beat, &target.pose, params, progress)?;
-    let restored: Vec<Vec<Point3>> = (transported.iter())
+    let restored: Vec<Vec<Point3>> = (transported.poses.iter())
         .map(|pose| pose.iter().map(|p| target.scale.restored(p)).collect())
         .collect();
     let mut frames = in_order_of_frames(restored, source.frame);

@@ -11,7 +11,9 @@ use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
 use super::beat::{Rest, in_order_of_frames};
-use super::{CohortTransportParams, DeformationTransport, Reference, TransportError};
+use super::{
+    CohortTransportParams, DeformationTransport, Reference, TransportAccount, TransportError,
+};
 
 /// All deformations at one place of the space of poses.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -35,6 +37,8 @@ pub struct TransportedSubject {
     pub scale: SizeScale,
     /// One pose per frame, sizes normalised, all surfaces one after the other.
     pub poses: Vec<Vec<Point3>>,
+    /// How they were made.
+    pub account: TransportAccount,
 }
 
 /// Transports every usable subject's deformation onto the reference.
@@ -81,12 +85,13 @@ pub fn transport_cohort(
         .zip(&rests)
         .map(|(member, rest)| {
             let beat = rest.beat_laid_onto(member.subject, &reference);
-            let poses = transport.transport(&beat, &reference, progress)?;
+            let moved = transport.transport(&beat, &reference, progress)?;
             Ok(TransportedSubject {
                 subject: member.index,
                 end_diastole: rest.frame,
                 scale: rest.scale,
-                poses: in_order_of_frames(poses, rest.frame),
+                poses: in_order_of_frames(moved.poses, rest.frame),
+                account: moved.account,
             })
         })
         .collect();

@@ -6,7 +6,10 @@ use crate::mesh::{Faces, Point3, Vector3};
 use crate::progress::{Progress, Stopped};
 
 use super::pose_path::transport_nearest;
-use super::{CheckedTransportParams, Geodesics, TransportError};
+use super::{
+    CheckedTransportParams, FoundPath, Geodesics, TransportAccount, TransportError,
+    TransportedPoses,
+};
 
 /// Transports many deformations on one connectivity: what does not depend on the subjects is computed once.
 #[derive(Clone, Debug)]
@@ -54,7 +57,7 @@ impl DeformationTransport {
         source: &[Vec<Point3>],
         onto: &[Point3],
         progress: &Progress,
-    ) -> Result<Vec<Vec<Point3>>, TransportError> {
+    ) -> Result<TransportedPoses, TransportError> {
         let first = source.first().ok_or(TransportError::NoPoses)?;
         // Checked once, so that no step can read past a pose.
         for pose in source.iter().map(Vec::as_slice).chain([onto]) {
@@ -65,9 +68,11 @@ impl DeformationTransport {
                 });
             }
         }
+        let mut account = TransportAccount::default();
+        let found = &mut account.paths;
         let bend = match self.params.geodesics {
             // Computed once: paths of later steps bend alike, and on real meshes their differences are noise.
-            Geodesics::First if source.len() > 1 => self.bend(first, onto, progress)?,
+            Geodesics::First if source.len() > 1 => self.bend(first, onto, found, progress)?,
             _ => Vec::new(),
         };
         let mut transported = vec![onto.to_vec()];
@@ -77,23 +82,27 @@ impl DeformationTransport {
             let path = match self.params.geodesics {
                 Geodesics::First => bent_line(&pair[0], &here, &bend),
                 // Between the poses reached so far, as the text has it; the cost is a geodesic for every frame.
-                Geodesics::EveryStep => self.path(&pair[0], &here, progress)?,
+                Geodesics::EveryStep => self.path(&pair[0], &here, &mut account.paths, progress)?,
             };
             let field = difference(&pair[0], &pair[1]);
             let (nearness, keep_norm) = (self.params.nearness, self.params.keep_norm);
             let moved = transport_nearest(&self.metric, &path, &field, nearness, keep_norm);
-            let moved = moved.map_err(|error| match error {
+            let (moved, kept) = moved.map_err(|error| match error {
                 TransportError::NotFinite { norm2, .. } => {
                     TransportError::NotFinite { pose, norm2 }
                 }
                 other => other,
             })?;
+            account.steps.push(kept);
             for (point, x) in here.iter_mut().zip(&moved) {
                 *point += x;
             }
             transported.push(here.clone());
         }
-        Ok(transported)
+        Ok(TransportedPoses {
+            poses: transported,
+            account,
+        })
     }
 
     /// How far each interpolated pose of the geodesic lies from the straight line.
@@ -101,9 +110,10 @@ impl DeformationTransport {
         &self,
         start: &[Point3],
         end: &[Point3],
+        found: &mut Vec<FoundPath>,
         progress: &Progress,
     ) -> Result<Vec<Vec<Vector3>>, TransportError> {
-        let path = self.path(start, end, progress)?;
+        let path = self.path(start, end, found, progress)?;
         // Only how the path bends is kept; where it begins and ends is another matter in every step.
         let straight = bent_line(start, end, &vec![Vec::new(); path.len().saturating_sub(2)]);
         let inner = 1..path.len().saturating_sub(1);
@@ -114,6 +124,7 @@ impl DeformationTransport {
         &self,
         start: &[Point3],
         end: &[Point3],
+        found: &mut Vec<FoundPath>,
         progress: &Progress,
     ) -> Result<Vec<Vec<Point3>>, TransportError> {
         let Some(solver) = &self.solver else {
@@ -123,6 +134,13 @@ impl DeformationTransport {
         if path.stopped {
             return Err(Stopped.into());
         }
+        if path.fell_back {
+            // The straight line given out as a geodesic would hide that none was found.
+            return Err(TransportError::NoGeodesic {
+                energy_linear: path.energy_linear,
+            });
+        }
+        found.push(FoundPath::of(&path));
         Ok(path.poses)
     }
 }
@@ -159,7 +177,7 @@ pub fn transport_deformation(
     onto: &[Point3],
     params: &CheckedTransportParams,
     progress: &Progress,
-) -> Result<Vec<Vec<Point3>>, TransportError> {
+) -> Result<TransportedPoses, TransportError> {
     progress.expect_steps(source.len().saturating_sub(1));
     DeformationTransport::new(faces, onto, params)?.transport(source, onto, progress)
 }

@@ -85,6 +85,15 @@ pub enum TransportError {
         /// What was computed.
         norm2: f64,
     },
+    /// Nothing cheaper than the straight line was found, which is not known to be a geodesic.
+    #[error(
+        "no geodesic was found between the subjects: nothing cheaper than the straight line of energy {energy_linear}; \
+         without interpolated poses the straight line itself is taken"
+    )]
+    NoGeodesic {
+        /// Energy of the straight line.
+        energy_linear: f64,
+    },
     /// The metric refuses a pose.
     #[error(transparent)]
     Metric(#[from] MetricError),

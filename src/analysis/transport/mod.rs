@@ -6,6 +6,7 @@
 //!
 //! Source: V. Taimouri, *Shape Analysis in Shape Space*, section 3.3.2.
 
+mod account;
 mod beat;
 mod cohort;
 mod deformation;
@@ -14,6 +15,7 @@ mod parallel;
 mod params;
 mod pose_path;
 
+pub use account::{FoundPath, TransportAccount, TransportedPoses, TransportedStep};
 pub use beat::transported_motion;
 pub use cohort::{TransportedCohort, TransportedSubject, transport_cohort};
 pub use deformation::{DeformationTransport, transport_deformation};

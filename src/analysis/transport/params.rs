@@ -24,6 +24,13 @@ pub enum Nearness {
     Coordinates,
 }
 
+/// Where searches for geodesics end. From the endocardium of one subject in cine MRI to that of another, with 3
+/// interpolated poses, 1e-3 takes 35 iterations and leaves 0.961 of the straight line's energy, 1e-6 takes 1,000 and
+/// leaves 0.951 (`cardiomorph transfer --from A --onto B --tolerance T --json`). What is won beyond is wrinkles below
+/// the scale at which the default metric penalises curvature: transported poses differ by 2.6 % of the motion, and more
+/// interpolated poses bring them no nearer to each other.
+const TOLERANCE: f64 = 1e-3;
+
 /// Settings of a transport from one subject to another; [`TransportParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TransportParams {
@@ -38,8 +45,10 @@ pub struct TransportParams {
     pub nearness: Nearness,
     /// For which displacements a geodesic is computed.
     pub geodesics: Geodesics,
-    /// Find geodesics on a decimated mesh of about so many vertices; `None`: on the mesh as it is.
+    /// Begin the search for geodesics on a decimated mesh of about so many vertices; `None`: on the mesh as it is.
     pub max_vertices: Option<u32>,
+    /// Relative decrease of energy at which the search for geodesics ends, as in [`GeodesicParams`].
+    pub tolerance: f64,
 }
 
 impl Default for TransportParams {
@@ -76,22 +85,17 @@ pub struct CohortTransportParams {
 }
 
 impl Default for CohortTransportParams {
-    /// What a transport needs, and no more: so few interpolated poses and a coarse mesh do, and one geodesic per
-    /// subject, since those of later steps bend alike, and on meshes of real subjects they follow noise. What is
-    /// left out changes where a transported pose lies by far less than it moved on smooth subjects, but takes several
-    /// times as long. Nor does it tell more of patients: on gated SPECT 16 of 20 sequences have the same
-    /// patient's other one nearer than the median of the others, and 7 have it nearest, for 1, 3 and 7
-    /// interpolated poses and for linear interpolation, on 200, 500 and all vertices, and for geodesics at every step with 1
-    /// interpolated pose (`cardiomorph experiment partners STUDY --in-betweens K --geodesics WORD
-    /// --coarse-vertices N --out DIR`; what that means is said at
-    /// [`partner_study`](crate::analysis::experiments::partner_study)).
+    /// What a transport needs, and no more: few interpolated poses, and one geodesic per subject, since those of later
+    /// steps bend alike. From one subject in cine MRI to another, transported poses differ by 9 % of the motion between
+    /// the straight line and 1 interpolated pose, by 5 % between 1 and 3, and by 2.4 % between 3 and 7 (root mean square
+    /// over vertices, largest of all frames; endocardium of 1,572 vertices).
     fn default() -> Self {
         Self {
             reference: Reference::Mean,
             interpolated_poses: 3,
             keep_norm: true,
             geodesics: Geodesics::First,
-            max_vertices: Some(500),
+            max_vertices: None,
         }
     }
 }
@@ -106,6 +110,7 @@ impl CohortTransportParams {
             nearness: Nearness::Metric,
             geodesics: self.geodesics,
             max_vertices: self.max_vertices,
+            tolerance: TOLERANCE,
         }
     }
 }
@@ -141,8 +146,7 @@ impl TransportParams {
             metric: self.metric,
             interpolated_poses: self.interpolated_poses,
             max_vertices: self.max_vertices,
-            // Ways of neighbouring steps must differ by their ends alone, not by where a search ended.
-            tolerance: 1e-6,
+            tolerance: self.tolerance,
             ..GeodesicParams::default()
         };
         let geodesic = geodesic.check()?;

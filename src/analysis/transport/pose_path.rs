@@ -3,7 +3,7 @@
 use crate::analysis::metrics::{Metric, PreparedPose};
 use crate::mesh::{Point3, Vector3};
 
-use super::{Nearness, Products, SampledPath, TransportError, parallel_transport};
+use super::{Nearness, Products, SampledPath, TransportError, TransportedStep, parallel_transport};
 
 /// Poses nearer than this, relative to their largest coordinate, differ by round-off of an alignment:
 /// the direction from one to the other would be noise.
@@ -49,6 +49,30 @@ impl<'a> PosePath<'a> {
             poses,
             velocities,
         })
+    }
+
+    /// Norms and products with the path's direction of a field at the first sample and of another at the last.
+    fn step(&self, first: &[Vector3], last: &[Vector3]) -> TransportedStep {
+        let mut step = TransportedStep {
+            norms: [0.0; 2],
+            products: [0.0; 2],
+        };
+        let end = self.poses.len() - 1;
+        for (place, (sample, field)) in [(0, first), (end, last)].into_iter().enumerate() {
+            let norm2 = match self.velocities.is_empty() {
+                // A path of one sample has no direction.
+                true => self.metric.inner_product(&self.poses[sample], field, field),
+                false => {
+                    let products = self.products(sample, field);
+                    if products.velocity > 0.0 {
+                        step.products[place] = products.mixed / products.velocity.sqrt();
+                    }
+                    products.field
+                }
+            };
+            step.norms[place] = norm2.max(0.0).sqrt();
+        }
+        step
     }
 }
 
@@ -109,16 +133,18 @@ pub fn transport_along(
     field: &[Vector3],
     keep_norm: bool,
 ) -> Result<Vec<Vector3>, TransportError> {
-    transport_nearest(metric, path, field, Nearness::Metric, keep_norm)
+    let (transported, _) = transport_nearest(metric, path, field, Nearness::Metric, keep_norm)?;
+    Ok(transported)
 }
 
+/// The same, with what was kept.
 pub(super) fn transport_nearest(
     metric: &Metric,
     path: &[Vec<Point3>],
     field: &[Vector3],
     nearness: Nearness,
     keep_norm: bool,
-) -> Result<Vec<Vector3>, TransportError> {
+) -> Result<(Vec<Vector3>, TransportedStep), TransportError> {
     let start = path.first().ok_or(TransportError::NoPoses)?;
     if field.len() != start.len() {
         return Err(TransportError::FieldLength {
@@ -132,5 +158,6 @@ pub(super) fn transport_nearest(
     if !norm2.is_finite() {
         return Err(TransportError::NotFinite { pose: 0, norm2 });
     }
-    Ok(transported)
+    let step = path.step(field, &transported);
+    Ok((transported, step))
 }

@@ -98,6 +98,11 @@ impl Viewport {
         &self.shown
     }
 
+    /// The opening of the study whose subjects are on screen.
+    pub fn shown_opening(&self) -> Option<u64> {
+        (!self.shown.is_empty()).then_some(self.opening)
+    }
+
     /// The camera of a subject on screen, as last drawn; fitted to a square where it never was.
     pub fn camera(&self, document: &Document, shown: &ShownSubject) -> Camera {
         let viewpoint = document.viewpoint;

@@ -71,8 +71,9 @@ impl Pace {
         }
     }
 
+    /// The first picture counts as slow: it is there sooner on any machine, and the full one follows and is timed.
     fn is_slow(&self, pixels: f64) -> bool {
-        self.full_ns.is_some_and(|ns| is_over(ns * pixels))
+        self.full_ns.is_none_or(|ns| is_over(ns * pixels))
     }
 
     /// Keeps the scale until another fits clearly better, so that pictures do not change their sharpness while playing.
@@ -131,6 +132,12 @@ mod tests {
         assert_eq!(pace.of_change(full(), 1, Instant::now()), full());
         assert!(!pace.asks_time(full()));
         assert!(Pace::default().asks_time(full()));
+    }
+
+    #[test]
+    fn the_first_picture_of_an_unknown_machine_is_drawn_as_one_that_moves() {
+        let first = Pace::default().of_change(full(), 1, Instant::now());
+        assert_eq!(first.quality, Quality::Moving);
     }
 
     #[test]

@@ -22,6 +22,7 @@ impl MetricTerms for AnglePreserving {
             summary: "Change of angles",
             ignores: "position, rotation and uniform scaling",
             penalises: "changes of angles",
+            term: "change of angles",
             forms: &[
                 ("angle-preserving", Form::Additive),
                 ("angle-preserving, printed", Form::Printed),

@@ -25,6 +25,7 @@ impl MetricTerms for Isometric {
             summary: "Change of edge lengths",
             ignores: "position, rotation and bending without stretch",
             penalises: "changes of lengths on the surface",
+            term: "change of lengths",
             forms: &[("isometric", Form::Additive)],
         }
     }

@@ -25,6 +25,8 @@ pub struct MetricWords {
     pub ignores: &'static str,
     /// Changes that cost something.
     pub penalises: &'static str,
+    /// What its own term is: neither that of change of curvature nor the regulariser.
+    pub term: &'static str,
     /// The forms that differ, the default first, by the names that they have in a comparison of metrics.
     pub forms: &'static [(&'static str, Form)],
 }

@@ -22,6 +22,7 @@ impl MetricTerms for QuasiConformal {
             summary: "Change of angles and of Gaussian curvature",
             ignores: "position, rotation and uniform scaling",
             penalises: "changes of angles and of curvature",
+            term: "change of angles",
             forms: &[
                 ("default: quasi-conformal, additive", Form::Additive),
                 ("quasi-conformal, frozen", Form::Frozen),

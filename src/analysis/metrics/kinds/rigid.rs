@@ -24,6 +24,7 @@ impl MetricTerms for Rigid {
             summary: "Displacement that no rigid motion explains",
             ignores: "position and rotation",
             penalises: "every other displacement",
+            term: "displacement beyond a rigid motion",
             forms: &[("rigid", Form::Additive)],
         }
     }

@@ -71,7 +71,8 @@ fn nearness_by_coordinates_keeps_the_product_with_the_direction_too() {
     let metric = metric(mesh.faces(), MetricKind::QuasiConformal);
     let path = bent_path(mesh.vertices(), 3.0, 6);
     let field = wave(mesh.vertices(), 5.0, 0.1);
-    let there = transport_nearest(&metric, &path, &field, Nearness::Coordinates, false).unwrap();
+    let (there, _) =
+        transport_nearest(&metric, &path, &field, Nearness::Coordinates, false).unwrap();
     let product = |k: usize, field: &[Vector3], step: usize| {
         let ends = path[step].iter().zip(&path[step + 1]);
         let velocity: Vec<Vector3> = ends.map(|(a, b)| b - a).collect();
@@ -105,10 +106,17 @@ fn a_transfer_keeps_the_norm_only_if_it_is_told_to() {
         let progress = Progress::default();
         let beat =
             transport_deformation(mesh.faces(), &source, &onto, &checked, &progress).unwrap();
-        let found: Vec<Vector3> = (beat[1].iter().zip(&onto)).map(|(b, a)| b - a).collect();
+        let found: Vec<Vector3> = (beat.poses[1].iter().zip(&onto))
+            .map(|(b, a)| b - a)
+            .collect();
         let metric = Metric::new(mesh.faces(), params.metric.check().unwrap());
-        let alone = transport_nearest(&metric, &ends, &field, params.nearness, keep_norm).unwrap();
+        let (alone, kept) =
+            transport_nearest(&metric, &ends, &field, params.nearness, keep_norm).unwrap();
         assert!(apart(&found, &alone) < 1e-12);
+        assert_eq!(beat.account.steps, [kept]);
+        assert!(beat.account.paths.is_empty(), "straight, as asked for");
+        assert!(beat.account.product_change() < 1e-12);
+        assert_eq!(beat.account.norm_change() < 1e-12, keep_norm);
         alone
     });
     assert!(apart(&transported[0], &transported[1]) > 1e-6);

@@ -1,0 +1,79 @@
+//! How a motion was transported: which paths were found, and what was kept on the way.
+
+use crate::analysis::geodesics::GeodesicPath;
+use crate::mesh::Point3;
+
+/// A deformation transported to another subject.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TransportedPoses {
+    /// As many poses as the source has, the first of which is the pose transported onto.
+    pub poses: Vec<Vec<Point3>>,
+    /// How they were made.
+    pub account: TransportAccount,
+}
+
+/// How a deformation was transported.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct TransportAccount {
+    /// The geodesics along which it went: one, or one a displacement; none where the straight line was asked for.
+    pub paths: Vec<FoundPath>,
+    /// One for each displacement.
+    pub steps: Vec<TransportedStep>,
+}
+
+/// A geodesic between two subjects.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FoundPath {
+    /// Energy of the path, in units of the metric.
+    pub energy: f64,
+    /// Energy of the straight line with as many poses.
+    pub energy_linear: f64,
+    /// Iterations of the search.
+    pub iterations: usize,
+    /// Whether the search met its tolerance.
+    pub converged: bool,
+}
+
+/// A displacement before and after its transport, in units of the metric: parallel transport keeps both.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TransportedStep {
+    /// ‖X‖ at the source and ‖X̄‖ at the pose transported onto.
+    pub norms: [f64; 2],
+    /// ⟨⟨X, γ'⟩⟩ with the unit direction γ' of the path, there and here; 0 where the metric sees no movement.
+    pub products: [f64; 2],
+}
+
+impl FoundPath {
+    pub(super) fn of(path: &GeodesicPath) -> Self {
+        Self {
+            energy: path.energy,
+            energy_linear: path.energy_linear,
+            iterations: path.iterations,
+            converged: path.converged,
+        }
+    }
+
+    /// Energy as a share of the straight line's.
+    pub fn energy_share(&self) -> f64 {
+        self.energy / self.energy_linear
+    }
+}
+
+impl TransportAccount {
+    /// The largest change of a norm, relative to that norm.
+    pub fn norm_change(&self) -> f64 {
+        self.largest_change(|step| step.norms)
+    }
+
+    /// The largest change of a product with the direction of the path, relative to the norm of its displacement.
+    pub fn product_change(&self) -> f64 {
+        self.largest_change(|step| step.products)
+    }
+
+    fn largest_change(&self, of: impl Fn(&TransportedStep) -> [f64; 2]) -> f64 {
+        let changes = (self.steps.iter())
+            .filter(|step| step.norms[0] > 0.0)
+            .map(|step| (of(step)[1] - of(step)[0]).abs() / step.norms[0]);
+        changes.fold(0.0, f64::max)
+    }
+}
