@@ -22,6 +22,7 @@ use super::dialogs::PathQuestion;
 use super::first_picture::FirstPicture;
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
+use super::let_go::{give_keyboard_back, let_go_of_study};
 use super::settings::Settings;
 use super::times::Times;
 use super::typefaces::Typefaces;
@@ -302,24 +303,6 @@ fn choose_theme(ctx: &Context, choice: ThemeChoice) {
         ThemeChoice::Dark => ThemePreference::Dark,
         ThemeChoice::Light => ThemePreference::Light,
     });
-}
-
-/// Another list of subjects is on screen, opened, edited or brought back by undo: what the pointer holds, what an open menu is about and
-/// where a map was looked at belong to the one before.
-fn let_go_of_study(ctx: &Context) {
-    egui::DragAndDrop::clear_payload(ctx);
-    egui::Popup::close_all(ctx);
-    crate::panes::leave_study(ctx);
-}
-
-/// After a click the keys belong to the window again, unless the click went into a text: Space
-/// plays and arrows step frames whatever was clicked before.
-fn give_keyboard_back(ctx: &Context) {
-    if !ctx.text_edit_focused()
-        && let Some(focused) = ctx.memory(|memory| memory.focused())
-    {
-        ctx.memory_mut(|memory| memory.surrender_focus(focused));
-    }
 }
 
 impl eframe::App for App {

@@ -189,8 +189,6 @@ impl Viewport {
         let quantity = state.document.bar_quantity();
         if let Some(now) = clicked.as_ref().filter(|_| is_of_study) {
             commands.extend(part_command(state, &tiles, now.as_ref()));
-        }
-        if let Some(now) = clicked.as_ref().filter(|_| is_of_study) {
             let point = now.as_ref().and_then(|picked| picked.point(&tiles));
             commands.push(EditCommand::Pick(point).into());
         }
