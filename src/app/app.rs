@@ -328,7 +328,7 @@ impl eframe::App for App {
         };
         if self.first_picture_is_ahead() {
             self.state.answers = Answers {
-                opening: self.state.document.study.opening,
+                listing: self.state.document.study.listing,
                 ..Answers::default()
             };
             // Nothing else wakes the window once the picture is there.

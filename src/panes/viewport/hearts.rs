@@ -37,8 +37,8 @@ use crate::panes::viewport::shown_subject::{ScalarCache, ShownSubject, Tile, sho
 pub struct Viewport {
     shown: Vec<ShownSubject>,
     mode: ViewMode,
-    /// Which list of subjects those on screen are of.
-    listing: Revision,
+    /// Which opening of a study and which list the subjects on screen are of.
+    of: (u64, Revision),
     limits: CohortLimits,
     fits: Fits,
     numbers: ScalarCache,
@@ -57,7 +57,7 @@ impl Viewport {
 
     /// Asks for the subjects of the state; shows them together once all are ready.
     pub fn prepare(&mut self, state: &State, pictures: Pictures<'_>, reference_frames: &[usize]) {
-        let study = state.document.study();
+        let open = &state.document.study;
         let mut ready = Vec::new();
         let mut complete = true;
         for place in visible_poses(state) {
@@ -70,7 +70,7 @@ impl Viewport {
         if complete {
             self.shown = ready;
             self.mode = state.document.view_mode;
-            self.listing = state.document.study.listing;
+            self.of = (open.opening, open.listing);
         }
         // A label that a click left belongs to its subject.
         let pinned = self.pinned.take();
@@ -78,7 +78,7 @@ impl Viewport {
             let mut shown = self.shown.iter();
             shown.any(|shown| picked.belongs_to(&shown.subject))
         });
-        if !study.subjects.is_empty()
+        if !open.study.subjects.is_empty()
             && let Some(limits) = pictures.cohort_limits(reference_frames)
         {
             self.limits = limits;
@@ -100,7 +100,7 @@ impl Viewport {
 
     /// The opening of the study whose subjects are on screen.
     pub fn shown_opening(&self) -> Option<u64> {
-        (!self.shown.is_empty()).then_some(self.opening)
+        (!self.shown.is_empty()).then_some(self.of.0)
     }
 
     /// The camera of a subject on screen, as last drawn; fitted to a square where it never was.
@@ -175,7 +175,7 @@ impl Viewport {
             .collect();
         commands.extend(camera_command(ui, &response, state, &tiles));
         // Until the first subject of another list is ready, indices of the subjects on screen mean other ones.
-        let is_of_study = self.listing == state.document.study.listing;
+        let is_of_study = self.of.1 == state.document.study.listing;
         if is_of_study {
             commands.extend(self.click_command(&response, &tiles));
         }
