@@ -82,7 +82,8 @@ pub(super) fn typing_ui(
     if escape || (left && !pressed_offer && refused.is_some()) {
         commands.push(EditCommand::StopTyping.into());
     } else if chosen.is_some() || ends || (left && !pressed_offer) {
-        commands.push(taken(study, typing, chosen.unwrap_or(typed.text.clone())));
+        let text = chosen.unwrap_or(typed.text.clone());
+        commands.push(taken(study, typing, text, left));
     } else {
         if left || (enter && refused.is_some()) {
             response.request_focus();
@@ -104,9 +105,11 @@ fn before(study: &Study, typing: &Typing) -> String {
     text.unwrap_or_default()
 }
 
-/// The command that takes what was typed; none is needed where nothing was changed.
-fn taken(study: &Study, typing: &Typing, text: String) -> Command {
-    let same = text.trim() == before(study, typing) && typing.subjects.len() == 1;
+/// The command that takes what was typed. Where nothing was changed none is needed; many subjects get the label of the row
+/// all the same, unless the field was left for something else.
+fn taken(study: &Study, typing: &Typing, text: String, left: bool) -> Command {
+    let unchanged = text.trim() == before(study, typing);
+    let same = unchanged && (left || typing.subjects.len() == 1);
     let command = match typing.field {
         _ if same => EditCommand::StopTyping,
         TypedField::Label => EditCommand::SetLabel {
