@@ -21,12 +21,20 @@ pub fn subject<'a>(harness: &'a Harness<'_, App>, id: &str) -> &'a Subject {
     study.subject(study.index_of(id).unwrap()).unwrap()
 }
 
-/// Opens the menu of a row and chooses a line of it.
+/// The row of a subject; its id stands elsewhere, too.
+pub fn row<'a>(harness: &'a Harness<'_, App>, id: &'a str) -> egui_kittest::Node<'a> {
+    harness.get_by_role_and_label(egui::accesskit::Role::ListBoxOption, id)
+}
+
+/// Opens the menu of a row and chooses a line of it; a submenu by the beginning of its name.
 pub fn choose(harness: &mut Harness<'_, App>, id: &str, lines: &[&str]) {
-    harness.get_by_label(id).click_secondary();
+    row(harness, id).click_secondary();
     harness.run_steps(3);
     for line in lines {
-        harness.get_by_label(line).click();
+        match harness.query_by_label(line) {
+            Some(line) => line.click(),
+            None => harness.get_by_label_contains(line).click(),
+        }
         harness.run_steps(3);
     }
 }
@@ -150,7 +158,7 @@ fn the_class_of_a_label_is_chosen_in_the_menu_of_a_row() {
     choose(
         &mut harness,
         "P01",
-        &[&format!("Class of the label {label} ⏵"), "Normal"],
+        &[&format!("Class of the label {label}"), "Normal"],
     );
     assert_eq!(role(&harness), LabelRole::Normal);
     undo(&mut harness);
@@ -212,17 +220,21 @@ fn a_deleted_subject_comes_back_with_its_row_selection_and_results() {
 #[test]
 fn the_menu_is_of_its_row_whoever_is_selected_meanwhile() {
     let mut harness = cohort_window();
-    harness.get_by_label("N04").click_secondary();
+    row(&harness, "N04").click_secondary();
     harness.run_steps(3);
     give(&mut harness, BeatCommand::SelectSubject(7).into());
-    give(&mut harness, ViewCommand::SortCohort(1).into());
-    give(&mut harness, ViewCommand::SortCohort(1).into());
+    give(
+        &mut harness,
+        ViewCommand::SetSearch("N04".to_owned()).into(),
+    );
     harness.run_steps(2);
     harness.get_by_label("Exclude from the cohort").click();
     harness.run_steps(3);
     assert!(!ids(&harness).contains(&"N04".to_owned()));
     assert_eq!(study(&harness).excluded[0].subject.id, "N04");
     // The keyboard opens the menu of the selected row.
+    give(&mut harness, ViewCommand::SetSearch(String::new()).into());
+    harness.run_steps(2);
     key(&mut harness, Key::Menu);
     harness.get_by_label("Rename subject…").click();
     harness.run_steps(3);
