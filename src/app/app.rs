@@ -20,6 +20,7 @@ use super::chosen_files::{ChosenFiles, Exporting};
 use super::first_picture::FirstPicture;
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
+use super::let_go::{give_keyboard_back, let_go_of_study};
 use super::path_question::PathQuestion;
 use super::settings::Settings;
 use super::times::Times;
@@ -53,6 +54,8 @@ pub struct App {
     first_picture: Option<FirstPicture>,
     queue: Vec<Command>,
     played_at_s: Option<f64>,
+    /// Whether the window closes, whatever was not exported.
+    leaves: bool,
     /// What the driver refused, so that it has one card.
     refused: Option<String>,
 }
@@ -107,6 +110,7 @@ impl App {
             first_picture: options.live.then(FirstPicture::default),
             queue: Vec::new(),
             played_at_s: None,
+            leaves: false,
             refused: None,
         })
     }
@@ -176,7 +180,17 @@ impl App {
             files.map(|file| file.path().to_owned()).collect()
         });
         if !dropped.is_empty() {
-            self.queue.push(Command::File(FileCommand::Open(dropped)));
+            // With Shift they are added to the study.
+            self.queue
+                .push(match ctx.input(|input| input.modifiers.shift) {
+                    true => FileCommand::Add(dropped).into(),
+                    false => FileCommand::Open(dropped).into(),
+                });
+        }
+        let closes = ctx.input(|input| input.viewport().close_requested());
+        if closes && !self.leaves && self.state.is_edited() {
+            ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
+            self.queue.push(FileCommand::Quit.into());
         }
         self.queue.extend(crate::panes::pressed_commands(ctx));
     }
@@ -210,6 +224,14 @@ impl App {
         match effect {
             Effect::ChooseFiles => files.ask_to_open(exporting.engine, PathQuestion::OpenFiles),
             Effect::ChooseFolder => files.ask_to_open(exporting.engine, PathQuestion::OpenFolders),
+            Effect::ChooseFilesToAdd => {
+                files.ask_to_add(&exporting, PathQuestion::OpenFiles);
+            }
+            Effect::ChooseFolderToAdd => {
+                files.ask_to_add(&exporting, PathQuestion::OpenFolders);
+            }
+            Effect::Add(paths) => self.background.add(&self.state, paths),
+            Effect::ExportStudy(folder) => files.ask_for_study(&mut exporting, folder),
             Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
             Effect::ReadFirst(id) => self.background.engine.read_first(id),
@@ -241,7 +263,10 @@ impl App {
             Effect::SetFullScreen(full) => {
                 ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(full));
             }
-            Effect::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+            Effect::Quit => {
+                self.leaves = true;
+                ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+            }
         }
     }
 
@@ -287,37 +312,19 @@ fn choose_theme(ctx: &Context, choice: ThemeChoice) {
     });
 }
 
-/// Another study is on screen, opened or brought back by undo: what the pointer holds, what an open menu is about and
-/// where a map was looked at belong to the one before.
-fn let_go_of_study(ctx: &Context) {
-    egui::DragAndDrop::clear_payload(ctx);
-    egui::Popup::close_all(ctx);
-    crate::panes::leave_study(ctx);
-}
-
-/// After a click the keys belong to the window again, unless the click went into a text: Space
-/// plays and arrows step frames whatever was clicked before.
-fn give_keyboard_back(ctx: &Context) {
-    if !ctx.text_edit_focused()
-        && let Some(focused) = ctx.memory(|memory| memory.focused())
-    {
-        ctx.memory_mut(|memory| memory.surrender_focus(focused));
-    }
-}
-
 impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.times.begin_frame(self.state.play.playing);
         let begin = Instant::now();
         // What was clicked concerns what was drawn: it comes before anything that finished since, such as
         // another study, in whose table a row is another subject.
-        let opening = self.state.document.study.opening;
+        let listing = self.state.document.study.listing;
         self.apply_queue(ctx);
         self.take_in(ctx);
         crate::panes::let_go_if_moved(ctx, self.state.document.study());
         self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
-        if self.state.document.study.opening != opening {
+        if self.state.document.study.listing != listing {
             let_go_of_study(ctx);
         }
         let (files, mut exporting) = self.exporting(ctx);
@@ -325,7 +332,7 @@ impl eframe::App for App {
         self.play(ctx);
         if self.first_picture_is_ahead() {
             self.state.answers = Answers {
-                opening: self.state.document.study.opening,
+                listing: self.state.document.study.listing,
                 ..Answers::default()
             };
             // Nothing else wakes the window once the picture is there.

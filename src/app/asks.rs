@@ -27,9 +27,8 @@ impl Asks {
     /// The answers to what the state on screen needs; `pointer_held` says whether something may be dragged.
     pub fn ask(&mut self, state: &State, store: &Store, pointer_held: bool) -> Answers {
         let study = state.document.study();
-        let opening = state.document.study.opening;
         let mut answers = Answers {
-            opening,
+            listing: state.document.study.listing,
             ..Answers::default()
         };
         if study.subjects.is_empty() {

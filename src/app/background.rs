@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::engine::{Engine, Stage, StoreOptions, Wake};
+use crate::engine::{Engine, OpenSource, Stage, StoreOptions, Wake};
 use crate::io::Opened;
 use crate::picture::reference_frame;
 use crate::study::{Notice, Revision, Study};
+use crate::ui::text::counted;
 
+use super::apply::{Moment, change};
 use super::asks::Asks;
 use super::errors::{push_card, push_failure, push_open_errors};
 use crate::document::document::OpeningReport;
@@ -20,6 +22,8 @@ pub struct Background {
     asks: Asks,
     /// The state of the study that the store knows of.
     followed: Option<Revision>,
+    /// Which opening of a study is added to.
+    added_to: u64,
 }
 
 impl Background {
@@ -35,6 +39,7 @@ impl Background {
             })?,
             asks: Asks::default(),
             followed: None,
+            added_to: 0,
         })
     }
 
@@ -47,12 +52,29 @@ impl Background {
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, opened);
         }
+        if let Some(added) = self.engine.take_added() {
+            let moment = Moment {
+                now_s: 0.0,
+                pointer_held: false,
+                fresh_revision: self.engine.next_revision(),
+            };
+            take_added(state, added, self.added_to, &moment);
+        }
         if let Some(files) = self.engine.take_exported() {
+            let written = |export: &(PathBuf, Revision)| files.contains(&export.0);
+            let kept = state.exports.extract_if(.., |export| written(export));
+            state.kept.extend(kept.map(|(_, revision)| revision));
             state.message = written_words(&files);
         }
         for failure in self.engine.take_failures() {
             push_failure(&mut state.errors, &failure);
         }
+    }
+
+    /// Begins to read what is to be added to the study on screen.
+    pub fn add(&mut self, state: &State, paths: Vec<PathBuf>) {
+        self.added_to = state.document.study.opening;
+        self.engine.add(OpenSource::Paths(paths));
     }
 
     /// Asks for what the state on screen needs, and has the state show what is known.
@@ -130,10 +152,42 @@ fn report_of(opened: Opened) -> (Study, OpeningReport) {
     (opened.study, report)
 }
 
+/// Adds what was read to the study that it was asked for, as one step of undo; the load report tells of both.
+fn take_added(state: &mut State, added: Opened, added_to: u64, moment: &Moment) {
+    let refused = if state.document.study.opening != added_to {
+        Some("another study was opened meanwhile")
+    } else if !state.document.study().unread.is_empty() {
+        Some("the study on screen is still being read")
+    } else if added.study.subjects.is_empty() {
+        Some("no mesh files that can be read were found")
+    } else {
+        None
+    };
+    push_open_errors(&mut state.errors, &added.errors);
+    if let Some(why) = refused {
+        return push_card(&mut state.errors, "Nothing was added", why);
+    }
+    let study = (state.document.study()).adding(&added.study, moment.fresh_revision);
+    let mut report = OpeningReport::clone(&state.document.study.report);
+    report
+        .notices
+        .extend(added.notices.into_iter().map(|notice| Notice {
+            text: format!("{}, added: {}", added.study.name, notice.text),
+            ..notice
+        }));
+    report.errors.extend(added.errors);
+    change(state, moment, None, |document| {
+        document.show_relisted(study);
+        document.study.report = Arc::new(report);
+    });
+    state.leave_listing();
+    state.message = format!("Added {}", counted(added.study.count(), "subject"));
+}
+
 /// The frame of each subject that motion is counted from.
 pub fn reference_frames(state: &State) -> Vec<usize> {
     let study = state.document.study();
-    (0..study.subjects.len())
-        .map(|index| reference_frame(&study.subjects[index], state.measures_of(index)))
+    (study.all().enumerate())
+        .map(|(index, subject)| reference_frame(subject, state.measures_of(index)))
         .collect()
 }

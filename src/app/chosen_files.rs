@@ -10,7 +10,9 @@ use crate::study::Subject;
 
 use super::dialogs::Dialogs;
 use super::errors::push_card;
-use super::export::{FigureColours, FigureExport, FigureKind, NoFigure, TableExport};
+use super::export::{
+    FigureColours, FigureExport, FigureKind, NoFigure, TableExport, write_study_into,
+};
 use super::path_question::{AskPaths, PathQuestion};
 use super::saved_views::{SavedViews, split_picture};
 use super::settings::remember_recent;
@@ -132,6 +134,35 @@ impl ChosenFiles {
     pub fn ask_to_open(&mut self, engine: &Engine, question: PathQuestion) {
         let open = |_: &mut State, _: &mut Engine, paths| Some(FileCommand::Open(paths).into());
         self.dialogs.ask(engine, question, Box::new(open));
+    }
+
+    /// Asks which files or folders are added to the study on screen.
+    pub fn ask_to_add(&mut self, exporting: &Exporting<'_>, question: PathQuestion) {
+        let opening = exporting.state.document.study.opening;
+        let add = move |state: &mut State, _: &mut Engine, paths| {
+            let same = state.document.study.opening == opening;
+            if !same {
+                let why = "another study was opened before they were chosen";
+                push_card(&mut state.errors, "Nothing was added", why);
+            }
+            same.then(|| FileCommand::Add(paths).into())
+        };
+        self.dialogs.ask(exporting.engine, question, Box::new(add));
+    }
+
+    /// Fixes the study at the moment it is asked for, then asks where it goes if that is not known.
+    pub fn ask_for_study(&mut self, exporting: &mut Exporting<'_>, folder: Option<PathBuf>) {
+        let study = Arc::clone(exporting.state.document.study());
+        if let Some(folder) = folder {
+            return write_study_into(exporting.state, exporting.engine, study, &folder);
+        }
+        let write = |state: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
+            write_study_into(state, engine, study, &paths.swap_remove(0));
+            None
+        };
+        let question = PathQuestion::SaveStudy;
+        self.dialogs
+            .ask(exporting.engine, question, Box::new(write));
     }
 
     /// Begins to read the view that a picture contains; `named` says whether its study was named with it.

@@ -105,7 +105,7 @@ pub fn system_dialogs() -> AskPaths {
                 .add_filter("SVG drawing", &["svg"])
                 .add_filter("PDF page", &["pdf"])
                 .save_file()),
-            PathQuestion::SaveTables => one(dialog.pick_folder()),
+            PathQuestion::SaveStudy | PathQuestion::SaveTables => one(dialog.pick_folder()),
         }
     })
 }

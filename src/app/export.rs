@@ -3,7 +3,7 @@
 //! What an export holds is fixed when it is asked for. Its place is chosen later, while the window goes on:
 //! whatever is selected or opened in the meantime changes neither the name nor the content.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
@@ -13,6 +13,7 @@ use crate::engine::{
     Engine, ExportFile, Interrupted, Store, TableSettings, ThickeningSettings, VerdictQuery,
     distance_words, file_name, replace_results, tables_of_study,
 };
+use crate::io::{MeshFormat, write_study};
 use crate::picture::figure::{
     FigureLook, FigureOrder, FigureSubject, FigureView, PatchOrder, check_figure_size,
     rendered_figure, rendered_patch_figure,
@@ -22,6 +23,7 @@ use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings, frames_aroun
 use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
+use crate::ui::text::counted;
 
 use super::asks::{deformation_settings, verdict_settings};
 use super::typed_paths::with_png_ending;
@@ -253,6 +255,9 @@ fn verdict_words(state: &State, subject: usize) -> String {
     match (verdict, state.wall_of(subject)) {
         (Some(Ok(verdict)), _) => sentence(verdict.finding.name()),
         (Some(Err(_)), _) | (None, Some((Err(_), true))) => "Not assessed".to_owned(),
+        (None, _) if state.document.study().is_excluded(subject) => {
+            "Not assessed: excluded from the cohort".to_owned()
+        }
         (None, _) => "Not yet assessed".to_owned(),
     }
 }
@@ -357,4 +362,25 @@ impl TableExport {
             replace_results(&folder, tables)
         });
     }
+}
+
+/// Writes a study with its edits into a folder, off the window's thread. A folder that holds a study is refused: its
+/// meshes would be written over.
+pub fn write_study_into(state: &mut State, engine: &mut Engine, study: Arc<Study>, folder: &Path) {
+    let manifest = folder.join("study.toml");
+    state.exports.push((manifest.clone(), study.revision));
+    let folder = folder.to_owned();
+    let words = counted(study.count(), "subject");
+    engine.start_writing("Study", words, move |progress| {
+        if manifest.exists() {
+            return Err(format!(
+                "a study is in this folder already; choose an empty one: {}",
+                folder.display()
+            ));
+        }
+        let format = MeshFormat::of_extension("ply").ok_or("meshes cannot be written")?;
+        progress.begin_phase("writing meshes", 0.0, 1.0);
+        write_study(&study, &folder, format, progress).map_err(|error| error.to_string())?;
+        Ok(vec![manifest])
+    });
 }

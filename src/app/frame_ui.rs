@@ -147,9 +147,12 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &crate::panes::ActionS
         cohort.refresh(state);
         let view = CommandPaletteView {
             actions,
-            subjects: cohort.rows(),
+            subjects: cohort.all_rows(),
         };
         sheets::command_palette_ui(ui, &view, commands);
+    }
+    if let Some(leaving) = &state.leaving {
+        sheets::leaving_ui(ui, leaving, commands);
     }
     files_hover_ui(ui, state);
     crate::panes::dragged_subject_ui(ui);
@@ -175,7 +178,7 @@ fn files_hover_ui(ui: &Ui, state: &State) {
     painter.text(
         area.center(),
         egui::Align2::CENTER_CENTER,
-        "Drop to open",
+        "Drop to open, with Shift to add to the study",
         egui::FontId::proportional(ui::theme::type_size::TITLE),
         colours.strong,
     );

@@ -23,6 +23,7 @@ mod export;
 mod first_picture;
 mod frame_ui;
 mod layout;
+mod let_go;
 mod panes;
 mod path_question;
 mod saved_views;

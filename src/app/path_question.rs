@@ -23,6 +23,8 @@ pub enum PathQuestion {
     },
     /// A folder for tables.
     SaveTables,
+    /// An empty folder for a study.
+    SaveStudy,
 }
 
 impl PathQuestion {
@@ -33,6 +35,7 @@ impl PathQuestion {
             Self::OpenFolders => "Open a folder of meshes",
             Self::SaveFigure { title, .. } => title,
             Self::SaveTables => "Save all tables into a folder",
+            Self::SaveStudy => "Save the study into an empty folder",
         }
     }
 
@@ -40,7 +43,7 @@ impl PathQuestion {
     pub fn verb(&self) -> &'static str {
         match self {
             Self::OpenFiles | Self::OpenFolders => "Open",
-            Self::SaveFigure { .. } | Self::SaveTables => "Save",
+            Self::SaveFigure { .. } | Self::SaveTables | Self::SaveStudy => "Save",
         }
     }
 
@@ -49,6 +52,7 @@ impl PathQuestion {
         match self {
             Self::SaveFigure { suggested, .. } => suggested,
             Self::SaveTables => "cardiomorph-tables",
+            Self::SaveStudy => "cardiomorph-study",
             Self::OpenFiles | Self::OpenFolders => "",
         }
     }

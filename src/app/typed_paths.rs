@@ -134,7 +134,7 @@ fn checked(question: &PathQuestion, text: &str, replace: bool) -> Result<Reply, 
             }
             return Ok(Reply::Taken(vec![path]));
         }
-        PathQuestion::SaveTables => {
+        PathQuestion::SaveTables | PathQuestion::SaveStudy => {
             if path.is_file() {
                 return Err(format!("this is a file, not a folder: {shown}"));
             }

@@ -7,6 +7,7 @@ use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::engine::{EstimatedPose, Interrupted, NoEstimate, PoseMap, Showing, SubjectThickening};
+use crate::study::Revision;
 
 use crate::document::interpolated_poses::InterpolatedMotion;
 use crate::document::transported::{TransportState, TransportedSubject};
@@ -17,8 +18,8 @@ pub type FoundWall = Result<Arc<SubjectThickening>, String>;
 /// The answers of one frame; made anew in the next. `None` where nothing is asked.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
-    /// Which opening of a study they are about; subjects' indices mean the same within one.
-    pub(crate) opening: u64,
+    /// Which list of subjects they are about; indices mean the same within one.
+    pub(crate) listing: Revision,
     pub(crate) measures: Option<Showing<Vec<SubjectMeasures>>>,
     pub(crate) map: Option<Showing<PoseMap>>,
     /// The pose at a place of the map, while one is looked at.

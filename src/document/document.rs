@@ -84,6 +84,8 @@ pub struct StudyRef {
     pub study: Arc<Study>,
     /// Counts what was opened in this run; edits of one study share the number.
     pub opening: u64,
+    /// The state in which the list of subjects became what it is: indices mean the same subjects as long as it stays.
+    pub listing: Revision,
     /// What came of reading it.
     pub report: Arc<OpeningReport>,
 }
@@ -140,7 +142,7 @@ impl Document {
 
     /// The selected subject; `None` where nothing is open.
     pub fn selected(&self) -> Option<&Arc<Subject>> {
-        self.study().subjects.get(self.subject)
+        self.study().subject(self.subject)
     }
 
     /// Index of the selected subject; `None` where nothing is open.
@@ -215,12 +217,13 @@ impl Document {
         }
     }
 
-    /// The subject beside the selected one: the chosen one, else the next of the study.
+    /// The subject beside the selected one: the chosen one, else the next of the cohort.
     pub fn compared(&self) -> Option<usize> {
-        let count = self.study().subjects.len();
-        self.compare_with
-            .filter(|index| *index < count && *index != self.subject)
-            .or_else(|| (count > 1).then(|| (self.subject + 1) % count))
+        let study = self.study();
+        let next = (self.subject + 1) % study.subjects.len().max(1);
+        let chosen = self.compare_with.filter(|index| *index < study.count());
+        let other = |index: &usize| *index != self.subject;
+        (chosen.filter(other)).or((!study.subjects.is_empty()).then_some(next).filter(other))
     }
 
     /// The subject beside the selected one, where two are shown.
@@ -266,7 +269,7 @@ impl Document {
     }
 
     /// A patch belongs to its subject; a segment is one of every subject.
-    fn let_patch_go(&mut self) {
+    pub(super) fn let_patch_go(&mut self) {
         if self.selected_patch().is_some() {
             self.part = None;
         }
@@ -279,18 +282,6 @@ impl Document {
         if !position.is_nan() {
             self.position = position.clamp(0.0, end);
         }
-    }
-
-    /// Replaces the selected subject by an edited copy in a study of another revision.
-    pub fn edit_subject(&mut self, revision: Revision, edit: impl FnOnce(&mut Subject)) {
-        let Some(subject) = self.selected() else {
-            return;
-        };
-        let mut edited = Subject::clone(subject);
-        edit(&mut edited);
-        self.study.study = Arc::new(self.study().with_subject(self.subject, edited, revision));
-        // Its patches are found anew and counted in another order.
-        self.let_patch_go();
     }
 }
 

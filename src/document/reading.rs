@@ -70,6 +70,7 @@ impl State {
         };
         // Steps of undo share a study, and share what it becomes.
         let mut grown: Vec<(Arc<Study>, Arc<Study>, Vec<usize>)> = Vec::new();
+        let kept = &mut self.kept;
         let mut grow_in = |document: &mut Document| {
             if document.study.opening != opening {
                 return None;
@@ -80,6 +81,10 @@ impl State {
                 .position(|(known, ..)| Arc::ptr_eq(known, before));
             let place = known.unwrap_or_else(|| {
                 let (after, index) = grow(before);
+                // What is read since is no edit.
+                if kept.contains(&before.revision) {
+                    kept.insert(after.revision);
+                }
                 grown.push((Arc::clone(before), Arc::new(after), index));
                 grown.len() - 1
             });
@@ -98,6 +103,9 @@ impl State {
         }
         if let Some(index) = on_screen {
             self.answers.follow(&index);
+            if index.iter().enumerate().any(|(before, now)| before != *now) {
+                self.leave_listing();
+            }
         }
         found
     }
@@ -181,9 +189,8 @@ mod tests {
         state
             .history
             .record(state.document.clone(), None, false, 0.0);
-        state
-            .document
-            .edit_subject(fresh(), |subject| subject.label = Some("MINF".to_owned()));
+        let edited = state.document.study().labelling(&[0], "MINF", fresh());
+        state.document.show_edited(edited);
         state.add_read(&[read("a")], &mut fresh);
         state
             .history

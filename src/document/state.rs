@@ -1,5 +1,6 @@
 //! Everything the window shows, as plain values; `apply` alone changes it.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -12,10 +13,11 @@ use crate::document::ThemeChoice;
 use crate::engine::{EstimatedPose, NoEstimate, PoseMap, Showing};
 use crate::picture::figure::FigureLook;
 use crate::study::built_in::BuiltInParams;
-use crate::study::{Study, Subject};
+use crate::study::{Revision, Study, Subject};
 
 use crate::document::answers::{Answers, FoundWall};
 use crate::document::document::{Document, OpeningReport, StudyRef};
+use crate::document::editing::{Leaving, PickedPoint, Typing};
 use crate::document::interpolated_poses::{InterpolatedMotion, geodesic_params};
 use crate::document::path_entry::PathEntry;
 use crate::document::play::PlayClock;
@@ -68,6 +70,16 @@ pub struct State {
     pub message: String,
     /// How finely the built-in cohort is made.
     pub built_in: BuiltInParams,
+    /// The cell of the cohort table that is typed into.
+    pub typing: Option<Typing>,
+    /// The point of a surface that was clicked last.
+    pub picked: Option<PickedPoint>,
+    /// What waits for an answer about edits that are not exported.
+    pub leaving: Option<Leaving>,
+    /// Studies that are being written: the file that is there at the end, and which state it holds.
+    pub(crate) exports: Vec<(PathBuf, Revision)>,
+    /// States of studies that stand in files, or can be made again.
+    pub(crate) kept: HashSet<Revision>,
     pub(crate) last_opening: u64,
     /// The opening of the study that is being read while it is shown.
     pub(crate) reading: Option<u64>,
@@ -80,6 +92,7 @@ impl Default for State {
         let nothing = StudyRef {
             study: Arc::default(),
             opening: 0,
+            listing: Revision::default(),
             report: Arc::default(),
         };
         Self {
@@ -97,6 +110,11 @@ impl Default for State {
             answers: Answers::default(),
             message: String::new(),
             built_in: BuiltInParams::default(),
+            typing: None,
+            picked: None,
+            leaving: None,
+            exports: Vec::new(),
+            kept: HashSet::from([Revision::default()]),
             last_opening: 0,
             reading: None,
             awaited: None,
@@ -211,7 +229,7 @@ impl State {
 
     /// A subject of the study on screen.
     pub fn subject(&self, index: usize) -> Option<&Arc<Subject>> {
-        self.document.study().subjects.get(index)
+        self.document.study().subject(index)
     }
 
     /// Shows a newly read study; the old one can be had back by undo.
@@ -219,7 +237,9 @@ impl State {
         self.last_opening += 1;
         let opening = self.last_opening;
         let before = self.document.clone();
+        self.kept.insert(study.revision);
         let mut document = Document::new(StudyRef {
+            listing: study.revision,
             study,
             opening,
             report: Arc::new(report),
@@ -245,11 +265,23 @@ impl State {
         self.document = document;
         self.play.playing = false;
         self.estimate_at = None;
+        self.leave_listing();
+    }
+
+    /// Lets go of what names a subject by its index and is no part of the document: another list is on screen.
+    pub fn leave_listing(&mut self) {
+        self.typing = None;
+        self.picked = None;
+    }
+
+    /// Whether the study on screen has edits that were not exported.
+    pub fn is_edited(&self) -> bool {
+        !self.kept.contains(&self.document.study().revision)
     }
 
     /// An answer, unless it is about a study that is not on screen any more.
     pub(crate) fn of_this_study<'a, T>(&self, answer: Option<&'a T>) -> Option<&'a T> {
-        answer.filter(|_| self.answers.opening == self.document.study.opening)
+        answer.filter(|_| self.answers.listing == self.document.study.listing)
     }
 
     fn latest<'a, T>(&self, showing: Option<&'a Showing<T>>) -> Option<&'a Arc<T>> {

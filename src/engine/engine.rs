@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::engine::activity::{Activity, Topic};
 use crate::engine::export::{ExportFile, write_files};
 use crate::engine::job::{Ending, Job, JobError, Wake};
-use crate::engine::open::{OpenSource, open_in_stages};
+use crate::engine::open::{OpenSource, open, open_in_stages};
 use crate::engine::reading_limits::reading_limits;
 use crate::engine::stages::{Feed, Stage};
 use crate::engine::store::{FailedWork, SharedError, Store, StoreOptions};
@@ -34,6 +34,9 @@ pub struct Engine {
     opening: Option<Opening>,
     opened: Option<Opened>,
     stages: Vec<Stage>,
+    /// What is read to be added to a study.
+    adding: Option<Job<Opened, Stopped>>,
+    added: Option<Opened>,
     /// One is made after the other.
     exports: Vec<Job<Vec<PathBuf>, ExportError>>,
     exported: Option<Vec<PathBuf>>,
@@ -63,6 +66,8 @@ impl Engine {
             opening: None,
             opened: None,
             stages: Vec::new(),
+            adding: None,
+            added: None,
             exports: Vec::new(),
             exported: None,
             last_opening: None,
@@ -89,9 +94,9 @@ impl Engine {
     /// Opens something in place of what is being opened; the study in use is not touched.
     /// What comes of it is handed out once, by [`Self::take_opened`], or of a large study by [`Self::take_stages`].
     pub fn open(&mut self, source: OpenSource) {
+        self.last_opening = Some(source.clone());
         let (name, words) = (source.name(), source.words());
         let (limits, revisions) = (self.limits, Arc::clone(&self.revisions));
-        self.last_opening = Some(source.clone());
         let wake = Arc::clone(&self.wake);
         self.give_up_opening();
         let feed = Arc::new(Feed::new(Arc::clone(&wake)));
@@ -105,6 +110,26 @@ impl Engine {
         self.store.set_reading(Arc::clone(job.watch()));
         self.opened = None;
         self.opening = Some(Opening { job, feed });
+    }
+
+    /// Reads something that is to be added to a study. What comes of it is handed out once, by [`Self::take_added`].
+    pub fn add(&mut self, source: OpenSource) {
+        let (name, words) = (source.name(), source.words());
+        let (limits, revisions) = (self.limits, Arc::clone(&self.revisions));
+        let wake = Arc::clone(&self.wake);
+        let job = Job::spawn(&self.reader, wake, move |progress: &Progress| {
+            let mut opened = open(&source, &limits, progress)?;
+            opened.study.revision = next_revision(&revisions);
+            Ok(opened)
+        });
+        (self.store).list_job(Topic::OPENING, name, words, Arc::clone(job.watch()));
+        self.added = None;
+        self.adding = Some(job);
+    }
+
+    /// What was read to be added, once; `None` while nothing new is there.
+    pub fn take_added(&mut self) -> Option<Opened> {
+        self.added.take()
     }
 
     /// Lets go of what is being opened.
@@ -199,13 +224,16 @@ impl Engine {
     /// Stops work of one kind; what was on screen stays, and nothing begins again until [`Self::retry`].
     pub fn cancel(&mut self, topic: Topic) {
         match topic {
-            // What was read of a large study stays: it is opened as if the rest were not there.
-            Topic::OPENING => match &self.opening {
-                Some(opening) if opening.feed.begun() && opening.feed.stop_reading() => {
-                    opening.job.watch().end(Ending::Stopped);
+            Topic::OPENING => {
+                self.adding = None;
+                match &self.opening {
+                    // What was read of a large study stays: it is opened as if the rest were not there.
+                    Some(opening) if opening.feed.begun() && opening.feed.stop_reading() => {
+                        opening.job.watch().end(Ending::Stopped);
+                    }
+                    _ => self.give_up_opening(),
                 }
-                _ => self.give_up_opening(),
-            },
+            }
             Topic::EXPORT => self.exports.clear(),
             question => self.store.cancel(question),
         }
@@ -227,10 +255,16 @@ impl Engine {
     /// Takes in what jobs brought. Call once a frame.
     pub fn poll(&mut self) {
         self.poll_opening();
+        if let Some(added) = finished(&mut self.adding) {
+            match added {
+                Ok(added) => self.added = Some(added),
+                Err(error) => self.report(Topic::OPENING, "Adding failed", Arc::new(error)),
+            }
+        }
         for job in std::mem::take(&mut self.exports) {
             let mut job = Some(job);
             match finished(&mut job) {
-                Some(Ok(files)) => self.exported = Some(files),
+                Some(Ok(files)) => self.exported.get_or_insert_default().extend(files),
                 Some(Err(error)) => {
                     self.report(Topic::EXPORT, "Nothing was exported", Arc::new(error));
                 }
@@ -279,7 +313,10 @@ impl Engine {
 
     /// Whether anything runs; while it does, its bar moves.
     pub fn busy(&self) -> bool {
-        self.opening.is_some() || !self.exports.is_empty() || self.store.busy()
+        self.opening.is_some()
+            || self.adding.is_some()
+            || !self.exports.is_empty()
+            || self.store.busy()
     }
 
     /// All work of this run, newest first.

@@ -45,14 +45,14 @@ impl LabelMark {
     /// The mark of every subject of a study. Labels other than normal are counted in alphabetical order whatever their
     /// case, so that the order of subjects changes no mark.
     pub fn of_subjects(study: &Study) -> Vec<Self> {
-        let read = study.subjects.iter().map(|subject| &subject.label);
+        let read = study.all().map(|subject| &subject.label);
         // Shapes go by all labels of the study: they stay the same while it is read.
         let labels = read.chain(study.unread.iter().map(|unread| &unread.label));
         let labels: Vec<_> = labels
             .map(|label| (label.as_deref(), study.label_roles.role(label.as_deref())))
             .collect();
         let mut marks = Self::of_study(&labels);
-        marks.truncate(study.subjects.len());
+        marks.truncate(study.count());
         marks
     }
 

@@ -13,6 +13,8 @@ use super::{LabelRole, LabelRoles, Subject};
 pub struct Revision(pub u64);
 
 /// Subjects and the roles of their labels. Shared as `Arc<Study>`, never changed.
+///
+/// An index of a subject counts those of the cohort first, then those excluded from it.
 #[derive(Clone, Debug, Default)]
 pub struct Study {
     /// What the window's title bar says.
@@ -22,6 +24,8 @@ pub struct Study {
     /// Those still to be read, in the order of the input: apart, so that no analysis takes one for a subject without
     /// surfaces. What is asked of the whole cohort has no answer while there are any.
     pub unread: Vec<UnreadSubject>,
+    /// Subjects that no analysis of the cohort counts, in the order of the input.
+    pub excluded: Vec<ExcludedSubject>,
     /// What labels count as.
     pub label_roles: LabelRoles,
     /// Which edit this is.
@@ -41,6 +45,15 @@ pub struct UnreadSubject {
 
 /// What came of one that was to be read; `None` where its files cannot be read.
 pub type ReadSubject = (String, Option<Arc<Subject>>);
+
+/// A subject that stays in the study and that no analysis of the cohort counts.
+#[derive(Clone, Debug)]
+pub struct ExcludedSubject {
+    /// Its place among all subjects in the order of the input.
+    pub place: usize,
+    /// Who.
+    pub subject: Arc<Subject>,
+}
 
 impl Study {
     /// The role of a subject's label.
@@ -68,20 +81,41 @@ impl Study {
 
     /// Index of the subject with this id.
     pub fn index_of(&self, id: &str) -> Option<usize> {
-        self.subjects.iter().position(|subject| subject.id == id)
+        self.all().position(|subject| subject.id == id)
     }
 
-    /// The same study with one subject changed, as another revision.
-    pub fn with_subject(&self, index: usize, subject: Subject, revision: Revision) -> Self {
-        let mut subjects = self.subjects.clone();
-        if let Some(place) = subjects.get_mut(index) {
-            *place = Arc::new(subject);
+    /// A subject by its index, excluded ones included.
+    pub fn subject(&self, index: usize) -> Option<&Arc<Subject>> {
+        let excluded = || {
+            let excluded = self.excluded.get(index.checked_sub(self.subjects.len())?)?;
+            Some(&excluded.subject)
+        };
+        self.subjects.get(index).or_else(excluded)
+    }
+
+    /// All subjects by their indices: those of the cohort, then those excluded from it.
+    pub fn all(&self) -> impl Iterator<Item = &Arc<Subject>> {
+        let excluded = self.excluded.iter().map(|excluded| &excluded.subject);
+        self.subjects.iter().chain(excluded)
+    }
+
+    /// Number of all subjects, excluded ones included.
+    pub fn count(&self) -> usize {
+        self.subjects.len() + self.excluded.len()
+    }
+
+    /// Whether no analysis of the cohort counts the subject of an index.
+    pub fn is_excluded(&self, index: usize) -> bool {
+        index >= self.subjects.len()
+    }
+
+    /// The indices of all subjects in the order of the input.
+    pub fn in_order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.subjects.len()).collect();
+        for (index, excluded) in (self.subjects.len()..).zip(&self.excluded) {
+            order.insert(excluded.place.min(order.len()), index);
         }
-        Self {
-            subjects,
-            revision,
-            ..self.clone()
-        }
+        order
     }
 
     /// The same study with subjects that were read since, in their places, as another revision; and for each subject of

@@ -7,6 +7,10 @@ mod beats;
 #[cfg(test)]
 mod early_figures;
 #[cfg(test)]
+mod edited_studies;
+#[cfg(test)]
+mod editing;
+#[cfg(test)]
 mod faults;
 #[cfg(test)]
 mod figure_looks;

@@ -26,7 +26,7 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
             play,
         } => select_pose(state, moment, subject, frame, play),
         BeatCommand::SelectSubject(subject) => {
-            if subject < state.document.study().subjects.len() {
+            if subject < state.document.study().count() {
                 change(state, moment, None, |d| d.select_subject(subject));
             }
         }
@@ -45,8 +45,6 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
         BeatCommand::GoToEndSystole => {
             go_to(state, moment, state.phases_of(state.document.subject).1);
         }
-        BeatCommand::StateEndDiastole(frame) => state_phase(state, moment, frame, true),
-        BeatCommand::StateEndSystole(frame) => state_phase(state, moment, frame, false),
         BeatCommand::TogglePlay => toggle_play(state),
         BeatCommand::SetSpeed(speed) => state.play.set_speed(speed),
         BeatCommand::ToggleLoop => state.play.repeat = !state.play.repeat,
@@ -131,32 +129,6 @@ fn set_loop_range(state: &mut State, moment: &Moment, frames: Option<[usize; 2]>
             document.loop_range = range;
         });
     }
-}
-
-fn state_phase(state: &mut State, moment: &Moment, frame: Option<usize>, diastole: bool) {
-    let count = state.document.frame_count();
-    if frame.is_some_and(|frame| frame >= count) {
-        return;
-    }
-    let stated = state.document.selected().map(|s| {
-        if diastole {
-            s.end_diastole
-        } else {
-            s.end_systole
-        }
-    });
-    if stated.is_none_or(|stated| stated == frame) {
-        return;
-    }
-    change(state, moment, None, |document| {
-        document.edit_subject(moment.fresh_revision, |subject| {
-            if diastole {
-                subject.end_diastole = frame;
-            } else {
-                subject.end_systole = frame;
-            }
-        });
-    });
 }
 
 fn toggle_play(state: &mut State) {

@@ -14,6 +14,14 @@ pub enum Effect {
     ChooseFiles,
     /// Ask for a folder.
     ChooseFolder,
+    /// Ask for files to add to the study.
+    ChooseFilesToAdd,
+    /// Ask for a folder to add to the study.
+    ChooseFolderToAdd,
+    /// Add the subjects of these to the study.
+    Add(Vec<PathBuf>),
+    /// Write the study as files; asks where if `None`.
+    ExportStudy(Option<PathBuf>),
     /// Ask where a picture goes.
     ChooseFigure(FigureKind),
     /// Ask where tables go.

@@ -7,7 +7,8 @@ use crate::document::testing::{state_of, subject_with_frames};
 use crate::document::{CohortColumn, ViewMode};
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::{
-    BeatCommand, Command, EditCommand, FileCommand, ViewCommand, WindowCommand, WorkCommand,
+    BeatCommand, Command, EditCommand, FileCommand, Phase, PhaseFrame, ViewCommand, Whose,
+    WindowCommand, WorkCommand,
 };
 use crate::picture::Quantity;
 use crate::render::Camera;
@@ -67,7 +68,11 @@ fn a_pose_that_does_not_exist_changes_nothing() {
     );
     give(
         &mut state,
-        Command::Beat(BeatCommand::StateEndSystole(Some(99))),
+        Command::Edit(EditCommand::SetPhase(
+            Whose::Selected,
+            Phase::EndSystole,
+            PhaseFrame::Frame(99),
+        )),
     );
     assert_eq!(state.document, before);
     assert!(!state.history.can_undo());
@@ -135,7 +140,11 @@ fn a_stated_phase_is_an_edit_that_can_be_taken_back() {
     let before = state.document.study().revision;
     give(
         &mut state,
-        Command::Beat(BeatCommand::StateEndSystole(Some(5))),
+        Command::Edit(EditCommand::SetPhase(
+            Whose::Selected,
+            Phase::EndSystole,
+            PhaseFrame::Frame(5),
+        )),
     );
     assert_eq!(state.phases_of(0).1, Some(5));
     assert_ne!(state.document.study().revision, before);

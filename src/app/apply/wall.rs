@@ -48,7 +48,7 @@ mod tests {
     use crate::analysis::segments::Segment;
     use crate::app::apply::apply;
     use crate::document::testing::{state_of, subject_with_frames};
-    use crate::panes::{BeatCommand, Command, EditCommand};
+    use crate::panes::{BeatCommand, Command, EditCommand, Phase, PhaseFrame, Whose};
     use crate::picture::WallPart;
     use crate::study::Revision;
 
@@ -140,7 +140,11 @@ mod tests {
         );
         give(
             &mut state,
-            Command::Beat(BeatCommand::StateEndDiastole(Some(1))),
+            Command::Edit(EditCommand::SetPhase(
+                Whose::Selected,
+                Phase::EndDiastole,
+                PhaseFrame::Frame(1),
+            )),
             false,
         );
         assert_eq!(state.document.part, None);

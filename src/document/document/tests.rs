@@ -45,7 +45,9 @@ fn an_edit_makes_another_revision_and_leaves_the_old_study_alone() {
     let study = study_of(vec![subject_with_frames("a", 3)]);
     let mut document = Document::new(study_ref(Arc::clone(&study)));
     let before = document.clone();
-    document.edit_subject(Revision(77), |subject| subject.end_systole = Some(2));
+    let mut edited = Subject::clone(&study.subjects[0]);
+    edited.end_systole = Some(2);
+    document.show_edited(study.with_subject(0, edited, Revision(77)));
     assert_ne!(document, before);
     assert_eq!(document.study().subjects[0].end_systole, Some(2));
     assert_eq!(study.subjects[0].end_systole, None);

@@ -6,7 +6,7 @@ use crate::analysis::measures::{SubjectMeasures, measure_study, measure_subject}
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query, Urgency};
 use crate::study::{Study, Subject};
 
-/// Clinical measures of every subject of the study.
+/// Clinical measures of every subject of the study; those of excluded subjects come last, for whoever looks at them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MeasuresQuery;
 
@@ -17,7 +17,10 @@ impl Query for MeasuresQuery {
 
     fn run(&self, cx: &Context<'_>) -> Result<Self::Answer, Interrupted> {
         cx.progress().begin_phase("measuring volumes", 0.0, 1.0);
-        Ok(measure_study(cx.study(), cx.progress())?)
+        let mut measures = measure_study(cx.study(), cx.progress())?;
+        let excluded = cx.study().excluded.iter();
+        measures.extend(excluded.map(|excluded| measure_subject(&excluded.subject)));
+        Ok(measures)
     }
 
     fn memory(subjects: &Self::Answer, memory: &mut Memory) {

@@ -37,7 +37,7 @@ impl Dependencies {
 
     /// On everything, labels included: any edit asks for another answer.
     pub fn study(study: &Study) -> Self {
-        let mut all = Self::of(study, 0..study.subjects.len(), Reads::Surfaces);
+        let mut all = Self::of(study, 0..study.count(), Reads::Surfaces);
         all.revision = Some(study.revision);
         all.cohort = true;
         all
@@ -110,7 +110,7 @@ impl Dependencies {
 
     fn of(study: &Study, subjects: impl IntoIterator<Item = usize>, reads: Reads) -> Self {
         let key = |index: usize| {
-            let subject = study.subjects.get(index)?;
+            let subject = study.subject(index)?;
             Some(SubjectKey {
                 surfaces: subject.sequence.id(),
                 shape: (reads >= Reads::Shape).then(|| subject.shape_key()),

@@ -49,7 +49,7 @@ pub use find_sequences::looks_openable;
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{AlignedCohort, Copies, all_of, counted};
-use crate::study::{Notice, Study, Subject, UnreadSubject};
+use crate::study::{ExcludedSubject, Notice, Study, Subject, UnreadSubject};
 use find_sequences::Search;
 use folder_contents::folder_name;
 use group_files::stem;
@@ -111,15 +111,30 @@ pub fn open_paths_in_stages(
         ..opened.study.clone()
     };
     let count = plan.subjects.len();
-    listener.planned(planned, stages::bytes_of(&plan.subjects));
+    let excluded: Vec<bool> = plan.subjects.iter().map(|s| s.stated.excluded).collect();
+    // Who belongs to the cohort is known of all subjects at once, so such a study is shown when all is read.
+    if !excluded.contains(&true) {
+        listener.planned(planned, stages::bytes_of(&plan.subjects));
+    }
     let outcomes = stages::read_subjects(plan.subjects, limits, progress, listener)?;
     let mut left = 0;
-    for outcome in outcomes {
+    for (outcome, excluded) in outcomes.into_iter().zip(excluded) {
+        let study = &mut opened.study;
         match outcome {
-            Some(Ok(subject)) => opened.study.subjects.push(subject),
+            Some(Ok(subject)) if excluded => study.excluded.push(ExcludedSubject {
+                place: study.count(),
+                subject,
+            }),
+            Some(Ok(subject)) => study.subjects.push(subject),
             Some(Err(errors)) => opened.errors.extend(errors),
             None => left += 1,
         }
+    }
+    if opened.study.subjects.is_empty() && !opened.study.excluded.is_empty() {
+        let all = std::mem::take(&mut opened.study.excluded).into_iter();
+        opened.study.subjects = all.map(|excluded| excluded.subject).collect();
+        let text = "study.toml excludes all subjects, which leaves no cohort: none is excluded";
+        opened.notices.push(Notice::warning(text));
     }
     if left > 0 {
         opened.notices.push(Notice::warning(format!(

@@ -11,14 +11,12 @@ use super::series_parts::SAME_TIME;
 use super::series_times::seconds;
 use super::sheet_by_shape::sheet_by_shape;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
-use crate::mesh::{Point3, TriMesh};
+use crate::mesh::TriMesh;
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{
     FaceListing, LandmarkDoubt, check_subject, frames_phrase, sort_warnings_first,
 };
-use crate::study::{
-    Anatomy, MeshSequence, Notice, SequenceError, Subject, SurfaceKind, SurfaceSequence,
-};
+use crate::study::{MeshSequence, Notice, SequenceError, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::Seconds;
 
 /// A subject, or one error for each of its files that cannot be read.
@@ -227,17 +225,15 @@ fn with_facts(
     let mut notices = plan.notices.clone();
     notices.extend(from_files);
     let mut anatomy = stated.anatomy;
+    let mut scaled_by = 1.0;
     let sequence = match stated.unit {
         Some(StatedUnit::Millimetres(factor)) if factor != 1.0 => {
-            anatomy = anatomy.map(|anatomy| Anatomy {
-                apex: anatomy.apex * factor,
-                base: anatomy.base * factor,
-                ..anatomy
-            });
+            anatomy = anatomy.map(|anatomy| anatomy.scaled(factor));
+            scaled_by = factor;
             notices.push(Notice::info(format!(
                 "coordinates multiplied by {factor} to convert them to mm (unit in study.toml)"
             )));
-            scaled(sequence, factor)
+            sequence.scaled(factor)
         }
         _ => sequence,
     };
@@ -245,6 +241,7 @@ fn with_facts(
     notices.extend(notice);
     let frame_count = sequence.frame_count();
     let mut subject = Subject::new(plan.id.clone(), sequence, unit);
+    subject.scaled_by = scaled_by;
     subject.label = stated.label;
     subject.end_diastole = stated.end_diastole;
     subject.end_systole = stated.end_systole;
@@ -279,29 +276,6 @@ fn usable_times(
         return None;
     }
     Some(times)
-}
-
-/// All coordinates times a factor; the connectivity stays shared.
-fn scaled(sequence: MeshSequence, factor: f64) -> MeshSequence {
-    let surfaces: Option<Vec<SurfaceSequence>> = sequence
-        .surfaces()
-        .iter()
-        .map(|surface| {
-            let frames: Option<Vec<TriMesh>> = surface
-                .frames()
-                .iter()
-                .map(|mesh| {
-                    let points: Vec<Point3> = mesh.vertices().iter().map(|p| p * factor).collect();
-                    TriMesh::new(points, Arc::clone(mesh.faces())).ok()
-                })
-                .collect();
-            SurfaceSequence::new(surface.kind(), frames?).ok()
-        })
-        .collect();
-    // Only coordinates near the end of `f64` overflow, and are then no heart's.
-    surfaces
-        .and_then(|surfaces| MeshSequence::new(surfaces).ok())
-        .unwrap_or(sequence)
 }
 
 /// The subject with what the checks find; phases that cannot be are left to the volumes.

@@ -2,7 +2,7 @@
 
 use egui::{Align2, Ui, pos2};
 
-use crate::document::CohortColumn;
+use crate::document::{CohortColumn, TypedField};
 use crate::panes::cohort::rows::CohortVerdict;
 use crate::panes::verdict_marks::verdict_mark;
 use crate::report::NO_VALUE;
@@ -42,6 +42,8 @@ const VERDICT_MARK: f32 = 14.0;
 const SUBJECT_WIDTH: f32 = 64.0;
 /// Room that a label needs; with less its mark alone stands for it.
 const LABEL_WIDTH: f32 = 46.0;
+/// Room of a cell that is typed into.
+const TYPING_WIDTH: f32 = 110.0;
 /// Room of "100" and of its heading.
 const EF_WIDTH: f32 = 38.0;
 
@@ -82,6 +84,18 @@ impl Columns {
             verdict,
             room,
         }
+    }
+
+    /// Where a cell of a row is typed into: at least so wide that a label fits.
+    pub(super) fn typing_cell(&self, field: TypedField, row: egui::Rect) -> egui::Rect {
+        let [left, right] = match field {
+            TypedField::Label => self.span(CohortColumn::Label),
+            TypedField::Name => self.span(CohortColumn::Subject),
+        };
+        // Where labels have no column, they begin where names end.
+        let left = left.min(self.verdict[0] - TYPING_WIDTH);
+        let right = right.max(left + TYPING_WIDTH);
+        egui::Rect::from_x_y_ranges(left - space::SMALL..=right, row.y_range().shrink(1.0))
     }
 
     /// Room of a column, for its heading and its text.
@@ -135,6 +149,18 @@ pub(super) fn verdict_cell(
     write(left + VERDICT_MARK, text, colour);
 }
 
+/// In place of the verdict on a subject that is excluded from the cohort.
+pub(super) fn excluded_cell(ui: &Ui, columns: &Columns, y: f32) {
+    let muted = colours(ui).muted;
+    let at = pos2(columns.verdict[0], y);
+    let text = match columns.room {
+        VerdictRoom::Mark => "–",
+        VerdictRoom::Words | VerdictRoom::Share => "excluded",
+    };
+    ui.painter()
+        .text(at, Align2::LEFT_CENTER, text, note_font(), muted);
+}
+
 /// A number that ends at the right edge of its column, or a mark that it is missing or still to come.
 pub(super) fn number_cell(
     ui: &Ui,
@@ -154,7 +180,7 @@ pub(super) fn number_cell(
         .text(at, Align2::RIGHT_CENTER, text, text_font(), colour);
 }
 
-/// Text of one cell, cut off with an ellipsis where the column ends.
+/// Text of one cell, cut off with an ellipsis where the column ends; returns where it is.
 pub(super) fn cell(
     ui: &Ui,
     columns: &Columns,
@@ -162,7 +188,7 @@ pub(super) fn cell(
     y: f32,
     text: &str,
     colour: egui::Color32,
-) {
+) -> egui::Rect {
     let [left, right] = columns.span(column);
     let max_width = (right - left).max(8.0);
     // Names of one study often begin alike and differ at their end.
@@ -176,7 +202,9 @@ pub(super) fn cell(
     job.wrap = egui::text::TextWrapping::truncate_at_width(max_width);
     let galley = ui.painter().layout_job(job);
     let at = pos2(left, y - 0.5 * galley.size().y);
+    let place = egui::Rect::from_min_size(at, galley.size());
     ui.painter().galley(at, galley, colour);
+    place
 }
 
 /// First letters of a name that stay when its middle is left out, and how many last ones go before them.

@@ -2,56 +2,36 @@
 
 mod columns;
 mod header;
+mod row_menu;
 pub(crate) mod rows;
 pub(crate) mod spec;
+mod typing;
 mod unread;
+mod values;
 pub(crate) mod view;
 
 use egui::{
     Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::document::{CohortColumn, CohortSort};
+use crate::document::CohortColumn;
 use crate::panes::buttons::command_button_ui;
 use crate::panes::cohort::rows::{CohortRow, CohortVerdict};
-use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand, ViewCommand};
+use crate::panes::commands::{BeatCommand, Command, FileCommand, ViewCommand};
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
-use crate::study::UnreadSubject;
 use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
 use crate::ui::marks::role_name;
 use crate::ui::style::note;
 use crate::ui::text::counted;
-use crate::ui::theme::{colours, space};
+use crate::ui::theme::{colours, line, space};
 
-use columns::{Columns, cell, number_cell, verdict_cell};
+use columns::{Columns, cell, excluded_cell, number_cell, verdict_cell};
 use header::header_ui;
+use row_menu::row_menu_ui;
+use typing::typing_ui;
 use unread::{ShownRow, shown_rows, unread_row_ui};
-
-/// What the cohort pane shows.
-#[derive(Clone, Debug, Default)]
-pub struct CohortView<'a> {
-    /// All subjects in the order of the study.
-    pub rows: &'a [CohortRow],
-    /// Those shown, in the order shown: the answer of [`crate::panes::visible_rows`].
-    pub visible: &'a [usize],
-    /// The text in the filter box.
-    pub search: &'a str,
-    /// How the rows are sorted.
-    pub sort: Option<CohortSort>,
-    /// The selected subject.
-    pub selected: Option<usize>,
-    /// The second subject of the side-by-side view.
-    pub compared: Option<usize>,
-    /// Whether ejection fractions are being computed.
-    pub measuring: bool,
-    /// Whether verdicts are being computed.
-    pub classifying: bool,
-    /// Subjects that are still to be read.
-    pub unread: &'a [UnreadSubject],
-    /// The id of the one of them that is read before the others.
-    pub awaited: Option<&'a str>,
-}
+pub use values::{CohortEdits, CohortView};
 
 /// Draws the filter box and the table.
 pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
@@ -97,7 +77,7 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
             let response = ui.add(edit).accessible_name("Filter subjects");
             if response.changed() {
                 commands.push(ViewCommand::SetSearch(text).into());
-            } else if !view.search.is_empty() && escaped(ui) {
+            } else if !view.search.is_empty() && view.edits.typing.is_none() && escaped(ui) {
                 commands.push(ViewCommand::SetSearch(String::new()).into());
             }
         });
@@ -115,15 +95,18 @@ fn rows_ui(
     let area = ScrollArea::vertical()
         .id_salt("cohort rows")
         .auto_shrink(false);
+    // The row that is typed into is in sight, else the selected one when it is another.
+    let typed = view.edits.typing.map(|typing| typing.subject);
+    let looked_at = typed.or(view.selected);
     // By its id: subjects that were read since may stand before it.
     let shown_before = ui.data(|data| data.get_temp::<String>(ui.scope_id().with("shown")));
-    let selected = view.selected.and_then(|index| view.rows.get(index));
-    let selected = selected.map(|row| row.id.clone());
-    let moved = selected.is_some() && shown_before != selected;
-    if moved && let Some(selected) = selected {
-        ui.data_mut(|data| data.insert_temp(ui.scope_id().with("shown"), selected));
+    let row = looked_at.and_then(|index| view.rows.get(index));
+    let id = row.map(|row| row.id.clone());
+    let moved = id.is_some() && shown_before != id;
+    if moved && let Some(id) = id {
+        ui.data_mut(|data| data.insert_temp(ui.scope_id().with("shown"), id));
     }
-    let chosen = view.selected.map(ShownRow::Read);
+    let chosen = looked_at.map(ShownRow::Read);
     let place = rows.iter().position(|row| Some(*row) == chosen);
     area.show_viewport(ui, |ui, seen| {
         ui.set_height(space::ROW * rows.len() as f32);
@@ -169,7 +152,10 @@ fn row_ui(
     let response = ui.interact(rect, id, Sense::click_and_drag());
     response.widget_info(|| {
         let mut info = WidgetInfo::selected(Role::ListBoxOption, true, selected, &row.id);
-        info.current_text_value = row.verdict.as_ref().map(CohortVerdict::text);
+        info.current_text_value = match row.excluded {
+            true => Some("excluded".to_owned()),
+            false => row.verdict.as_ref().map(CohortVerdict::text),
+        };
         info
     });
     if selected {
@@ -184,12 +170,16 @@ fn row_ui(
     }
     let y = rect.center().y;
     label_mark(ui, pos2(columns.mark, y), 4.0, row.mark, true);
-    let id_colour = if selected {
-        colours.strong
-    } else {
-        colours.text
+    let id_colour = match (row.excluded, selected) {
+        (true, _) => colours.muted,
+        (false, true) => colours.strong,
+        (false, false) => colours.text,
     };
-    cell(ui, columns, CohortColumn::Subject, y, &row.id, id_colour);
+    let name = cell(ui, columns, CohortColumn::Subject, y, &row.id, id_colour);
+    if row.excluded {
+        let stroke = (line::THIN, id_colour);
+        ui.painter().hline(name.x_range(), y, stroke);
+    }
     let [left, right] = columns.span(CohortColumn::Label);
     if left < right {
         let label = row.label.as_deref().unwrap_or("–");
@@ -204,7 +194,10 @@ fn row_ui(
         id_colour,
         view.measuring,
     );
-    verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying);
+    match row.excluded {
+        true => excluded_cell(ui, columns, y),
+        false => verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying),
+    }
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
         commands.push(BeatCommand::SelectSubject(index).into());
@@ -223,46 +216,36 @@ fn row_ui(
         correspondence: row.correspondence,
     };
     subject_target_ui(ui, &response, &target, commands);
-    row_menu_ui(&response, index, view, commands);
-    response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
-}
-
-fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &mut Vec<Command>) {
-    response.context_menu(|ui| {
-        let (name, compared) = match view.compared == Some(index) {
-            true => ("Stop comparing", None),
-            false => ("Compare side by side", Some(index)),
-        };
-        command_button_ui(ui, name, BeatCommand::CompareWith(compared), commands);
-        command_button_ui(ui, "Select", BeatCommand::SelectSubject(index), commands);
-        if let Some(selected) = view.selected.filter(|selected| *selected != index) {
-            ui.separator();
-            transport_choices_ui(ui, view, [selected, index], commands);
-        }
-    });
-}
-
-/// Transport of one subject's motion to the other, in both directions.
-fn transport_choices_ui(
-    ui: &mut Ui,
-    view: &CohortView,
-    pair: [usize; 2],
-    commands: &mut Vec<Command>,
-) {
-    let [a, b] = pair.map(|index| &view.rows[index]);
-    let correspond = a.correspondence == b.correspondence;
-    for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {
-        let name = format!(
-            "Transport motion: {} → {}",
-            view.rows[from].id, view.rows[onto].id
-        );
-        let button = ui
-            .add_enabled(correspond, egui::Button::new(name))
-            .on_disabled_hover_text("No vertex correspondence");
-        if button.clicked() {
-            commands.push(TransportCommand::TransportMotion { from, onto }.into());
-        }
+    let typing = (view.edits.typing).filter(|typing| typing.subject == index);
+    let button = typing.is_none() && menu_button_ui(ui, rect, &response, &row.id);
+    row_menu_ui(ui, &response, button, (index, view), commands);
+    if let Some((typing, study)) = typing.zip(view.edits.study) {
+        let cell = columns.typing_cell(typing.field, rect);
+        typing_ui(ui, cell, study, typing, commands);
+    } else {
+        response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
     }
+}
+
+/// Three dots at the end of the row under the pointer or with the keyboard, which open its menu.
+fn menu_button_ui(ui: &mut Ui, row: Rect, response: &Response, subject: &str) -> bool {
+    if !response.contains_pointer() && !response.has_focus() {
+        return false;
+    }
+    let rect = Rect::from_min_max(pos2(row.right() - 18.0, row.top()), row.max);
+    let button = ui.interact(rect, response.id.with("menu"), Sense::click());
+    let name = format!("Menu of {subject}");
+    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    let colours = colours(ui);
+    let colour = match button.hovered() {
+        true => colours.strong,
+        false => colours.muted,
+    };
+    for step in [-1.0, 0.0, 1.0] {
+        let at = rect.center() + vec2(0.0, 4.0 * step);
+        ui.painter().circle_filled(at, 1.2, colour);
+    }
+    button.on_hover_text(name).clicked()
 }
 
 fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
@@ -273,6 +256,9 @@ fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
         Some(words) => words,
         None => "Ejection fraction unknown".to_owned(),
     });
+    if row.excluded {
+        ui.label("Excluded: no analysis of the cohort counts this subject");
+    }
     if let Some(verdict) = &row.verdict {
         ui.label(&verdict.words);
     }

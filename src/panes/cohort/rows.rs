@@ -61,6 +61,10 @@ pub struct CohortRow {
     pub warning_count: usize,
     /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
+    /// Whether no analysis of the cohort counts it.
+    pub excluded: bool,
+    /// Its place in the order of the input.
+    pub place: usize,
     /// Whether the filter of the table leaves it out; maps then dim it.
     pub filtered_out: bool,
 }
@@ -161,6 +165,7 @@ pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) 
             words.iter().all(|word| text.contains(word.as_str()))
         })
         .collect();
+    visible.sort_by_key(|index| rows[*index].place);
     if let Some(sort) = sort {
         visible.sort_by(|a, b| compare(&rows[*a], &rows[*b], sort));
     }
@@ -177,7 +182,12 @@ pub fn count_text(shown: usize, count: usize) -> String {
 
 fn searchable(row: &CohortRow) -> String {
     let texts = COLUMNS.iter().filter_map(|column| (column.text)(row));
-    texts.collect::<Vec<_>>().join(" ").to_lowercase()
+    let excluded = row.excluded.then(|| "excluded".into());
+    texts
+        .chain(excluded)
+        .collect::<Vec<_>>()
+        .join(" ")
+        .to_lowercase()
 }
 
 fn compare(a: &CohortRow, b: &CohortRow, sort: CohortSort) -> Ordering {

@@ -29,7 +29,7 @@ pub const PANE: PaneSpec = PaneSpec {
 
 fn count_ui(ui: &mut Ui, cx: &PaneContext<'_>, _: f32, _: &mut Vec<Command>) {
     let study = cx.state().document.study();
-    let (count, unread) = (study.subjects.len(), study.unread.len());
+    let (count, unread) = (study.count(), study.unread.len());
     if unread > 0 {
         ui.weak(format!("{count} of {} read", count + unread));
     } else if count > 0 {

@@ -1,7 +1,7 @@
 //! The cohort table: rows from subjects and measures, kept until one of them changes.
 
-use super::CohortView;
 use super::rows::{CohortRow, visible_rows};
+use super::values::{CohortEdits, CohortView};
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
 use crate::document::CohortSort;
@@ -62,8 +62,14 @@ impl CohortData {
         }
     }
 
-    /// All subjects in the order of the study.
+    /// The subjects of the cohort by their indices: those that maps show.
     pub fn rows(&self) -> &[CohortRow] {
+        let cohort = self.rows.iter().position(|row| row.excluded);
+        &self.rows[..cohort.unwrap_or(self.rows.len())]
+    }
+
+    /// All subjects by their indices, excluded ones last.
+    pub fn all_rows(&self) -> &[CohortRow] {
         &self.rows
     }
 
@@ -90,6 +96,12 @@ impl CohortData {
             classifying,
             unread: &document.study().unread,
             awaited: state.awaited.as_deref(),
+            edits: CohortEdits {
+                study: Some(document.study()),
+                typing: state.typing.as_ref(),
+                frame: document.selected().map(|_| document.frame()),
+                picked: state.picked.map(|point| point.subject),
+            },
         }
     }
 }
@@ -117,11 +129,14 @@ fn cohort_rows(state: &State) -> Vec<CohortRow> {
             groups.len() - 1
         })
     };
-    study
-        .subjects
-        .iter()
-        .enumerate()
+    let mut places = vec![0; study.count()];
+    for (place, index) in study.in_order().into_iter().enumerate() {
+        places[index] = place;
+    }
+    (study.all().enumerate())
         .map(|(index, subject)| CohortRow {
+            excluded: study.is_excluded(index),
+            place: places[index],
             correspondence: group_of(subject),
             id: subject.id.clone(),
             label: subject.label.clone(),

@@ -29,10 +29,6 @@ pub enum BeatCommand {
     GoToEndDiastole,
     /// Jump to end-systole.
     GoToEndSystole,
-    /// Set the end-diastole of the selected subject; `None` takes it from the volume curve.
-    StateEndDiastole(Option<usize>),
-    /// Set the end-systole of the selected subject; `None` takes it from the volume curve.
-    StateEndSystole(Option<usize>),
     /// Play or pause.
     TogglePlay,
     /// Speed relative to the recorded motion: 1 is real time.
@@ -61,6 +57,4 @@ pub(super) static ACTIONS: &[Row<BeatCommand>] = &[
     row(Menu::Analysis, 0, "Previous frame", Some((NONE, Key::ArrowLeft)), BeatCommand::StepFrame(-1)),
     row(Menu::Analysis, 0, "Go to end-diastole", Some((SHIFT, Key::ArrowLeft)), BeatCommand::GoToEndDiastole),
     row(Menu::Analysis, 0, "Go to end-systole", Some((SHIFT, Key::ArrowRight)), BeatCommand::GoToEndSystole),
-    row(Menu::Analysis, 1, "End-diastole from the volume curve", None, BeatCommand::StateEndDiastole(None)),
-    row(Menu::Analysis, 1, "End-systole from the volume curve", None, BeatCommand::StateEndSystole(None)),
 ];

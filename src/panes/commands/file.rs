@@ -16,6 +16,12 @@ pub enum FileCommand {
     Open(Vec<PathBuf>),
     /// Open what was opened last once more, with links that lead out of it.
     FollowLinks,
+    /// Ask for files whose subjects are added to the study.
+    ChooseFilesToAdd,
+    /// Ask for a folder whose subjects are added to the study.
+    ChooseFolderToAdd,
+    /// Add the subjects of these to the study.
+    Add(Vec<PathBuf>),
     /// Open the cohort that ships inside.
     OpenBuiltIn,
     /// Read this subject of the study that is being read before the others, and select it then.
@@ -39,6 +45,12 @@ pub enum FileCommand {
     },
     /// Give up typing a path.
     CancelPath,
+    /// Write the study with its edits, to be opened again; `None` asks where.
+    ExportStudy(Option<PathBuf>),
+    /// Leave a study with edits that are not exported.
+    Leave,
+    /// Stay with it.
+    Stay,
     /// Leave the program.
     Quit,
 }
@@ -50,8 +62,11 @@ pub(super) static ACTIONS: &[Row<FileCommand>] = &[
     row(Menu::File, 0, "Open folder…", Some((CTRL.plus(SHIFT), Key::O)), FileCommand::ChooseFolder),
     row(Menu::File, 0, "Open the built-in cohort", None, FileCommand::OpenBuiltIn),
     row(Menu::File, 1, "Open again, following links", None, FileCommand::FollowLinks),
-    row(Menu::File, 2, "Quit", Some((CTRL, Key::Q)), FileCommand::Quit),
+    row(Menu::File, 1, "Add files to the study…", None, FileCommand::ChooseFilesToAdd),
+    row(Menu::File, 1, "Add folder to the study…", None, FileCommand::ChooseFolderToAdd),
+    row(Menu::File, 3, "Quit", Some((CTRL, Key::Q)), FileCommand::Quit),
     row(Menu::Export, 0, "Patch figure…", Some((NONE, Key::F2)), FileCommand::ExportPatchFigure(None)),
     row(Menu::Export, 0, "Figure of the 3D view…", Some((SHIFT, Key::F2)), FileCommand::ExportFigure(None)),
     row(Menu::Export, 0, "Tables…", Some((CTRL, Key::E)), FileCommand::ExportTables(None)),
+    row(Menu::Export, 0, "Study…", Some((CTRL, Key::S)), FileCommand::ExportStudy(None)),
 ];

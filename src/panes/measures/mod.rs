@@ -6,7 +6,7 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, RichText, Ui};
 
 use crate::panes::buttons::command_button_ui;
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{Command, EditCommand, Phase, PhaseFrame, Whose};
 use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE, ejection_fraction_words};
 use crate::report::{Column, Digits, NO_VALUE, SubjectRow};
 use crate::ui::controls::{chooser_ui, no_subject_ui};
@@ -160,20 +160,18 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     let shown = frames.join(" · ") + source;
     chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
         let here = view.current_frame;
-        let name = format!("Set end-diastole to frame {here}");
-        command_button_ui(
-            ui,
-            name,
-            BeatCommand::StateEndDiastole(Some(here)),
-            commands,
-        );
-        let name = format!("Set end-systole to frame {here}");
-        command_button_ui(ui, name, BeatCommand::StateEndSystole(Some(here)), commands);
+        let phases = [Phase::EndDiastole, Phase::EndSystole];
+        for phase in phases {
+            let name = format!("Set {} to frame {here}", phase.name());
+            let set = EditCommand::SetPhase(Whose::Selected, phase, PhaseFrame::Frame(here));
+            command_button_ui(ui, name, set, commands);
+        }
         ui.separator();
-        let name = "End-diastole from the volume curve";
-        command_button_ui(ui, name, BeatCommand::StateEndDiastole(None), commands);
-        let name = "End-systole from the volume curve";
-        command_button_ui(ui, name, BeatCommand::StateEndSystole(None), commands);
+        for phase in phases {
+            let name = crate::picture::sentence(&format!("{} from the volume curve", phase.name()));
+            let found = EditCommand::SetPhase(Whose::Selected, phase, PhaseFrame::Found);
+            command_button_ui(ui, name, found, commands);
+        }
     });
 }
 
@@ -237,7 +235,11 @@ mod tests {
         harness.run();
         assert_eq!(
             harness.into_state(),
-            [Command::Beat(BeatCommand::StateEndSystole(Some(4)))]
+            [Command::Edit(EditCommand::SetPhase(
+                Whose::Selected,
+                Phase::EndSystole,
+                PhaseFrame::Frame(4)
+            ))]
         );
     }
 }

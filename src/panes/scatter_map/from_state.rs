@@ -49,7 +49,7 @@ impl<M, D: PartialEq> MapPoints<M, D> {
         let (now_s, moves) = motion(ui);
         let document = &state.document;
         let details = (document.study().revision, Same::of(state.measures()));
-        let sources = (document.study.opening, Same::of(map), (details, detail));
+        let sources = (document.study.listing, Same::of(map), (details, detail));
         self.data.refresh(sources, now_s, moves, || {
             let (points, left_out) = map.map_or_else(Default::default, |map| make(map));
             self.left_out = left_out;

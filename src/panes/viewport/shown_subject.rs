@@ -27,6 +27,8 @@ pub struct ShownSubject {
     pub index: usize,
     /// Whose it is; with a transported motion, a subject of its own.
     pub subject: Arc<Subject>,
+    /// Whether it plays a transported motion.
+    pub transported: bool,
     /// Place in its cycle.
     pub position: f64,
     /// Its geometry.
@@ -47,8 +49,7 @@ impl ShownSubject {
     /// Whichever place it has in the study now.
     pub fn follow(&mut self, study: &Study) {
         let id = self.subject.sequence.id();
-        let mut subjects = study.subjects.iter();
-        let place = subjects.position(|subject| subject.sequence.id() == id);
+        let place = study.all().position(|subject| subject.sequence.id() == id);
         self.index = place.unwrap_or(self.index);
     }
 
@@ -124,6 +125,7 @@ pub fn shown_subject(
     Some(ShownSubject {
         index: place.subject,
         subject: Arc::clone(subject),
+        transported: place.transported,
         position: place.position,
         numbers: numbers.of(state, place, &placed, medial.as_ref()),
         medial,
@@ -143,6 +145,7 @@ pub fn shown_estimate(
     Some(ShownSubject {
         index: state.document.subject,
         subject: Arc::clone(&pose.subject),
+        transported: false,
         position: ESTIMATED_FRAME as f64,
         placed: pictures.placed(&pose.subject, 0)?,
         numbers: None,

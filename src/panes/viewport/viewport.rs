@@ -7,7 +7,7 @@ use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
 use crate::document::ViewMode;
 use crate::panes::{
-    BeatCommand, Command, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
+    BeatCommand, Command, EditCommand, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
     subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
@@ -15,6 +15,7 @@ use crate::picture::{
     WallPart, scene_with_extras,
 };
 use crate::render::{Camera, ViewId};
+use crate::study::Revision;
 use crate::ui::controls::clicked_twice;
 use crate::ui::theme::{colours, line};
 
@@ -38,8 +39,8 @@ use crate::panes::viewport::shown_subject::{
 pub struct Viewport {
     shown: Vec<ShownSubject>,
     mode: ViewMode,
-    /// Which opening of a study the subjects on screen are of.
-    opening: u64,
+    /// Which opening of a study and which list the subjects on screen are of.
+    of: (u64, Revision),
     limits: CohortLimits,
     fits: Fits,
     numbers: ScalarCache,
@@ -58,6 +59,7 @@ impl Viewport {
 
     /// Asks for the subjects of the state; shows them together once all are ready.
     pub fn prepare(&mut self, state: &State, pictures: Pictures<'_>, reference_frames: &[usize]) {
+        let open = &state.document.study;
         let study = state.document.study();
         let numbers = &mut self.numbers;
         let (mode, ready): (ViewMode, Option<Vec<ShownSubject>>) = match state.estimate() {
@@ -77,8 +79,8 @@ impl Viewport {
         if let Some(ready) = ready {
             self.shown = ready;
             self.mode = mode;
-            self.opening = state.document.study.opening;
-        } else if self.opening == state.document.study.opening {
+            self.of = (open.opening, open.listing);
+        } else if self.of == (open.opening, open.listing) {
             (self.shown.iter_mut()).for_each(|shown| shown.follow(study));
         }
         // A label that a click left belongs to its subject.
@@ -87,7 +89,7 @@ impl Viewport {
             let mut shown = self.shown.iter();
             shown.any(|shown| picked.belongs_to(&shown.subject))
         });
-        if !study.subjects.is_empty()
+        if !open.study.subjects.is_empty()
             && let Some(limits) = pictures.cohort_limits(reference_frames)
         {
             self.limits = limits;
@@ -109,7 +111,7 @@ impl Viewport {
 
     /// The opening of the study whose subjects are on screen.
     pub fn shown_opening(&self) -> Option<u64> {
-        (!self.shown.is_empty()).then_some(self.opening)
+        (!self.shown.is_empty()).then_some(self.of.0)
     }
 
     /// The camera of a subject on screen, as last drawn; fitted to a square where it never was.
@@ -183,8 +185,8 @@ impl Viewport {
             })
             .collect();
         commands.extend(camera_command(ui, &response, state, &tiles));
-        // Until the first subject of another study is ready, indices of the subjects on screen mean other ones.
-        let is_of_study = self.opening == state.document.study.opening;
+        // Until the first subject of another list is ready, indices of the subjects on screen mean other ones.
+        let is_of_study = self.of.1 == state.document.study.listing;
         if is_of_study {
             commands.extend(self.click_command(&response, &tiles));
         }
@@ -198,6 +200,8 @@ impl Viewport {
         let quantity = state.document.bar_quantity();
         if let Some(now) = clicked.as_ref().filter(|_| is_of_study) {
             commands.extend(part_command(state, &tiles, now.as_ref()));
+            let point = now.as_ref().and_then(|picked| picked.point(&tiles));
+            commands.push(EditCommand::Pick(point).into());
         }
         let pinned = match clicked {
             Some(now) => now,

@@ -54,6 +54,8 @@ impl Example {
                     frame_count: 8,
                     warning_count: usize::from(subject == 5),
                     correspondence: 0,
+                    excluded: false,
+                    place: 0,
                     filtered_out: false,
                 });
                 for frame in 0..8 {
