@@ -15,7 +15,6 @@ use crate::ui::{self};
 
 use super::app_options::AppOptions;
 use super::apply::{Effect, Moment, apply};
-use super::asks::Seen;
 use super::background::{Background, reference_frames};
 use super::chosen_files::{ChosenFiles, Exporting};
 use super::first_picture::FirstPicture;
@@ -226,9 +225,7 @@ impl App {
                 }
             }
             Effect::CompletePath(text) => files.complete_path(exporting.engine, text),
-            Effect::TakePath { text, replace } => {
-                files.take_path(exporting.engine, text, replace);
-            }
+            Effect::TakePath { text, replace } => files.take_path(exporting.engine, text, replace),
             Effect::CancelPath => files.cancel_path(exporting.state),
             Effect::WriteTables(folder) => files.ask_for_tables(&mut exporting, Some(folder)),
             Effect::Stop(topic) => self.background.engine.cancel(topic),
@@ -316,12 +313,8 @@ impl eframe::App for App {
         // another study, in whose table a row is another subject.
         let opening = self.state.document.study.opening;
         self.apply_queue(ctx);
-        let selected = self.state.document.subject;
         self.take_in(ctx);
-        if self.state.document.subject != selected {
-            // Another study, or subjects that were read came before it: what is dragged is named by its place.
-            egui::DragAndDrop::clear_payload(ctx);
-        }
+        crate::panes::let_go_if_moved(ctx, self.state.document.study());
         self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
         if self.state.document.study.opening != opening {
@@ -330,9 +323,6 @@ impl eframe::App for App {
         let (files, mut exporting) = self.exporting(ctx);
         files.take_waiting_figures(&mut exporting);
         self.play(ctx);
-        let seen = Seen {
-            pointer_held: ctx.input(|input| input.pointer.any_down()),
-        };
         if self.first_picture_is_ahead() {
             self.state.answers = Answers {
                 opening: self.state.document.study.opening,
@@ -341,7 +331,8 @@ impl eframe::App for App {
             // Nothing else wakes the window once the picture is there.
             ctx.request_repaint();
         } else {
-            self.background.ask(&mut self.state, &seen);
+            let pointer_held = ctx.input(|input| input.pointer.any_down());
+            self.background.ask(&mut self.state, pointer_held);
         }
         self.files.answers_are_of(&self.state.document);
         let reference_frames = reference_frames(&self.state);

@@ -132,7 +132,22 @@ impl FigureExport {
         let size = colours.size.unwrap_or(kind.usual_size());
         check_figure_size(size, is_patch).map_err(|error| NoFigure::Refused(error.to_string()))?;
         let shown = selected_on_screen(document, viewport).ok_or(NoFigure::NotYet)?;
-        let wall = state.wall_of(shown.index);
+        // Since it was drawn, subjects that were read may have come before it.
+        let place = |study: &Study| {
+            let mut subjects = study.subjects.iter();
+            let place = subjects.position(|subject| Arc::ptr_eq(subject, &shown.subject));
+            place.ok_or(NoFigure::NotYet)
+        };
+        let index = place(state.document.study())?;
+        // What is said of a subject among others waits for all of them.
+        let study = match document.study().unread.is_empty() {
+            true => document.study(),
+            false => state.document.study(),
+        };
+        if is_patch && !study.unread.is_empty() {
+            return Err(NoFigure::NotYet);
+        }
+        let wall = state.wall_of(index);
         if is_patch {
             match wall {
                 Some((Err(why), true)) => {
@@ -146,9 +161,9 @@ impl FigureExport {
         Ok(Self {
             kind,
             size,
-            study: Arc::clone(document.study()),
-            subject: document.subject,
-            measures: state.measures_of(shown.index).cloned(),
+            study: Arc::clone(study),
+            subject: place(study)?,
+            measures: state.measures_of(index).cloned(),
             settings: SceneSettings {
                 theme: colours.theme,
                 transparent: colours.transparent,
@@ -158,7 +173,7 @@ impl FigureExport {
             bulls_eye: document.bulls_eye,
             thickening: document.thickening,
             verdict: verdict_settings(document),
-            verdict_words: verdict_words(state, shown.index),
+            verdict_words: verdict_words(state, index),
             shown: ShownSubject {
                 position: match document.view_mode {
                     ViewMode::AllFrames => document.frame() as f64,

@@ -29,6 +29,7 @@ mod saved_views;
 mod settings;
 mod sheets;
 mod start;
+mod study_by_name;
 mod times;
 mod typed_paths;
 mod typefaces;

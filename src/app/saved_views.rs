@@ -16,6 +16,7 @@ use crate::study::built_in::BUILT_IN_NAME;
 
 use super::apply::{Moment, change, is_usable};
 use super::errors::push_card;
+use super::study_by_name::study_named;
 use crate::document::state::State;
 use crate::document::viewpoint::{Direction, Viewpoint};
 use crate::document::visibility::Visibility;
@@ -24,8 +25,6 @@ use crate::document::visibility::Visibility;
 const MAX_HEAD_BYTES: u64 = 1 << 20;
 /// … but at the end of a page for print, which is no larger than this.
 const MAX_PAGE_BYTES: u64 = 256 << 20;
-/// A manifest that names its study is no larger.
-const MAX_MANIFEST_BYTES: u64 = 4 << 20;
 
 /// What a card says where a picture gives no view.
 const FAILED: &str = "The view of the picture could not be restored";
@@ -101,6 +100,11 @@ impl SavedViews {
         let found = waiting.view.find_in(&study);
         let is_new = state.document.study.opening != waiting.opening;
         let is_named = study.name == waiting.view.study;
+        let wanted = &waiting.view.subject.id;
+        if (is_new || is_named) && study.unread.iter().any(|unread| unread.id == *wanted) {
+            let asked = state.awaited.as_ref() == Some(wanted);
+            return (!asked).then(|| FileCommand::ReadFirst(wanted.clone()).into());
+        }
         let outcome = self.seeking.as_mut().and_then(Job::poll);
         match (found, outcome) {
             (Ok(_), None) if is_named || is_new => {}
@@ -150,38 +154,6 @@ fn saved_view(path: &Path) -> Result<SavedView, String> {
     let text = format.setting_in(&bytes, VIEW_KEY)?;
     let text = text.ok_or("this picture contains no view of Cardiomorph")?;
     SavedView::read(&text).map_err(|error| error.to_string())
-}
-
-/// Where a study of this name lies: among what was opened before, latest first, or around the picture. Only names are
-/// looked at; whether the subject is there shows when it is open.
-fn study_named(name: &str, recent: &[PathBuf], picture: &Path) -> Option<PathBuf> {
-    let around = picture.ancestors().skip(1).take(3).map(Path::to_owned);
-    let places = recent.iter().cloned().chain(around);
-    let mut places = places.filter(|place| place.exists());
-    places.find(|place| has_name(place, name))
-}
-
-fn has_name(place: &Path, name: &str) -> bool {
-    let manifest = if place.is_dir() {
-        place.join("study.toml")
-    } else {
-        place.to_owned()
-    };
-    let is_manifest = manifest.extension().is_some_and(|ending| ending == "toml");
-    let text = (is_manifest
-        .then(|| read_head(&manifest, MAX_MANIFEST_BYTES).ok())
-        .flatten())
-    .and_then(|bytes| String::from_utf8(bytes).ok());
-    let own = text.and_then(|text| text.parse::<toml::Table>().ok());
-    let own = own.and_then(|table| Some(table.get("name")?.as_str()?.to_owned()));
-    let last = if place.is_dir() {
-        place.file_name()
-    } else {
-        place.file_stem()
-    };
-    let last = last.unwrap_or_default().to_string_lossy().into_owned();
-    own.is_some_and(|own| own == name)
-        || !last.is_empty() && (name == last || name.ends_with(&format!("/{last}")))
 }
 
 /// Adds a card with the reason why no view is restored.
@@ -253,7 +225,6 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
 mod tests {
     use super::*;
     use crate::document::testing::{state_of, subject_with_frames};
-    use crate::engine::{ExportFile, write_files};
     use crate::picture::figure::SavedCamera;
     use crate::picture::{BullsEyeQuantity, Quantity, SceneSettings, WallPart};
     use crate::study::Revision;
@@ -372,25 +343,5 @@ mod tests {
         assert_eq!(split(&["a.png", "b.svg"]), (None, 2));
         assert_eq!(split(&["heart.obj"]), (None, 1));
         assert_eq!(split(&[]), (None, 0));
-    }
-
-    #[test]
-    fn a_study_is_found_by_its_name_among_recent_ones_or_around_the_picture() {
-        let folder = tempfile::tempdir().unwrap();
-        let at = |name: &str| folder.path().join(name);
-        let texts = [
-            ("one/study.toml", "name = \"Ward 3\"\n"),
-            ("two/study.toml", "units = \"mm\"\n"),
-            ("two/figures/P07.png", ""),
-        ];
-        let files = texts.map(|(name, text)| ExportFile::text(folder.path(), name, text.into()));
-        write_files(files.into()).unwrap();
-        let recent = [at("gone"), at("one")];
-        let picture = at("two/figures/P07.png");
-        let found = |name: &str| study_named(name, &recent, &picture);
-        assert_eq!(found("Ward 3"), Some(at("one")));
-        assert_eq!(found("two"), Some(at("two")), "around the picture");
-        assert_eq!(found("Ward 4"), None);
-        assert!(has_name(&at("one/study.toml"), "Ward 3"));
     }
 }

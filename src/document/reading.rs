@@ -30,8 +30,12 @@ impl State {
     pub fn end_reading(&mut self, report: OpeningReport, fresh: &mut dyn FnMut() -> Revision) {
         let report = Arc::new(report);
         self.grow(Some(&report), &mut |study| {
-            let index = (0..study.subjects.len()).collect();
-            (study.without_unread(fresh()), index)
+            // Where all was read it is the same study, of which much may be known by now.
+            let settled = match study.unread.is_empty() {
+                true => study.clone(),
+                false => study.without_unread(fresh()),
+            };
+            (settled, (0..study.subjects.len()).collect())
         });
         self.reading = None;
         self.awaited = None;
@@ -166,6 +170,9 @@ mod tests {
         let motion = TransportedMotion { from: 2, onto: 3 };
         assert_eq!(state.document.transported, Some(motion));
         assert!(state.document.study().unread.is_empty());
+        let revision = state.document.study().revision;
+        state.end_reading(OpeningReport::default(), &mut fresh);
+        assert_eq!(state.document.study().revision, revision);
     }
 
     #[test]

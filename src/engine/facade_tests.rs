@@ -69,6 +69,32 @@ fn what_cannot_be_made_is_an_error_beside_an_empty_study() {
     assert_eq!(opened.errors.len(), 1);
 }
 
+#[cfg(unix)]
+#[test]
+fn what_was_opened_last_can_be_opened_again_with_its_links() {
+    let (root, store) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let mesh = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    std::fs::write(store.path().join("endo_0.obj"), mesh).unwrap();
+    std::os::unix::fs::symlink(store.path(), root.path().join("linked")).unwrap();
+    let mut engine = engine();
+    let count = |engine: &mut Engine| {
+        let mut count = None;
+        until(engine, |engine| {
+            count = engine
+                .take_opened()
+                .map(|opened| opened.study.subjects.len());
+            count.is_some()
+        });
+        count.unwrap()
+    };
+    engine.open_following_links();
+    assert!(!engine.opening(), "nothing was opened before");
+    engine.open(OpenSource::Paths(vec![root.path().to_owned()]));
+    assert_eq!(count(&mut engine), 0);
+    engine.open_following_links();
+    assert_eq!(count(&mut engine), 1);
+}
+
 #[test]
 fn a_map_is_computed_once_and_then_found() {
     let wakes = Arc::new(AtomicUsize::new(0));

@@ -23,6 +23,8 @@ mod pictures;
 #[cfg(test)]
 mod reading;
 #[cfg(test)]
+mod reading_figures;
+#[cfg(test)]
 mod typed_paths;
 #[cfg(test)]
 mod verdicts;

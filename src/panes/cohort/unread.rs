@@ -121,6 +121,6 @@ mod tests {
         let wanted = [Read(1), Read(0), Unread(0), Unread(1), Unread(2)];
         let sort = Some(CohortSort::default());
         assert_eq!(shown_rows(&[1, 0], sort, &all, ""), wanted);
-        assert_eq!(shown_rows(&[], None, &all, "dcm C"), [Unread(1)]);
+        assert_eq!(shown_rows(&[], None, &all, "dcm E"), [Unread(2)]);
     }
 }

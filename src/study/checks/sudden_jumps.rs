@@ -34,9 +34,11 @@ impl SuddenJumps {
     /// Measures every step from frame to frame.
     pub fn of(surface: &SurfaceSequence) -> Self {
         let mut found = Self::default();
+        // Many that move far are a part that moves, such as a limb.
+        let few = 1 + surface.faces().vertex_count() / 100;
         for (earlier, pair) in surface.frames().windows(2).enumerate() {
             let (step, stray) = relative_step(&pair[0], &pair[1]);
-            if stray > 0 && step <= JUMP {
+            if (1..=few).contains(&stray) && step <= JUMP {
                 found.stray_frames.push(earlier + 1);
                 found.stray_vertices = found.stray_vertices.max(stray);
             }
