@@ -11,7 +11,7 @@ use crate::cli::input::{answered, measured, opened_study, store};
 use crate::cli::letters::say_missing_letters;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
-use crate::cli::words::ViewWord;
+use crate::cli::words::{ThemeWord, ViewWord};
 use crate::cli::work::run_work;
 use crate::engine::{
     ExportFile, Store, SubjectThickening, ThickeningSettings, VerdictQuery, WallThickeningQuery,
@@ -180,6 +180,7 @@ struct ChosenScene(SceneSettings);
 
 impl ChosenScene {
     fn of(args: &FigureArgs) -> Self {
+        let (theme, transparent) = args.ground().colours(args.theme == ThemeWord::Dark);
         Self(SceneSettings {
             quantity: args.colour.into(),
             typed_limits: args.limits,
@@ -189,8 +190,8 @@ impl ChosenScene {
             } else {
                 MedialSettings::default()
             },
-            theme: args.theme.into(),
-            transparent: args.transparent,
+            theme,
+            transparent,
             ..SceneSettings::default()
         })
     }

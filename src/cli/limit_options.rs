@@ -17,6 +17,12 @@ pub struct LimitOptions {
     /// Most frames of a sequence [default: 1000]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     max_frames: Option<u32>,
+    /// Most memory that the meshes of a study may take beyond eight times the size of their files, in MiB [default: 1024]
+    #[arg(long, global = true, value_name = "MIB")]
+    max_unpacked: Option<u32>,
+    /// Follow links that lead out of a study; pipes and devices are never read
+    #[arg(long, global = true)]
+    follow_links: bool,
 }
 
 impl LimitOptions {
@@ -37,6 +43,10 @@ impl LimitOptions {
         if let Some(frames) = self.max_frames {
             limits.frames = frames as usize;
         }
+        if let Some(mib) = self.max_unpacked {
+            limits.unpacked_in_study = u64::from(mib) << 20;
+        }
+        limits.follow_links = self.follow_links;
         limits
     }
 }

@@ -7,13 +7,29 @@ mod beats;
 #[cfg(test)]
 mod early_figures;
 #[cfg(test)]
+mod edited_studies;
+#[cfg(test)]
+mod editing;
+#[cfg(test)]
 mod faults;
 #[cfg(test)]
+mod figure_looks;
+#[cfg(test)]
 mod figures;
+#[cfg(test)]
+mod ground;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod medial;
+#[cfg(test)]
+mod pictures;
+#[cfg(test)]
+mod reading;
+#[cfg(test)]
+mod reading_figures;
+#[cfg(test)]
+mod typed_paths;
 #[cfg(test)]
 mod verdicts;
 #[cfg(test)]

@@ -12,8 +12,9 @@ use super::{CheckedDeformationMapParams, DeformationMap, resampled};
 /// The map is a plane.
 const DIMENSIONS: usize = 2;
 
-/// Fewer points always lie on a line.
-const FEWEST: usize = 3;
+/// Fewest subjects that have a deformation map. The columns of coordinates of locally linear embedding have mean 0 and
+/// length 1 and are orthogonal: three subjects are the corners of one and the same triangle however they move.
+pub const FEWEST_DEFORMATIONS: usize = 4;
 
 /// Why there is no deformation map.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -21,10 +22,12 @@ pub enum DeformationMapError {
     /// It was asked to stop.
     #[error("{0}")]
     Stopped(#[from] Stopped),
-    /// A plane needs three points.
-    #[error("a deformation map needs at least {FEWEST} of them, not {deformations}")]
+    /// Few subjects lie alike however they move.
+    #[error(
+        "a deformation map needs at least {FEWEST_DEFORMATIONS} subjects, and there are {deformations}"
+    )]
     TooFew {
-        /// Deformations there are.
+        /// Subjects with a deformation.
         deformations: usize,
     },
     /// The pose map is of other poses.
@@ -65,7 +68,7 @@ impl From<EmbeddingError> for DeformationMapError {
 ///    subjects get all of them; how many were used stands in the result.
 ///
 /// # Errors
-/// If stopped, there are fewer than three subjects, or the embedding fails.
+/// If stopped, there are fewer than [`FEWEST_DEFORMATIONS`] subjects, or the embedding fails.
 pub fn deformation_map(
     study: &Study,
     poses: &[PoseId],
@@ -81,7 +84,7 @@ pub fn deformation_map(
     }
     let beats = beats(study, poses);
     let count = beats.len();
-    if count < FEWEST {
+    if count < FEWEST_DEFORMATIONS {
         return Err(DeformationMapError::TooFew {
             deformations: count,
         });

@@ -15,7 +15,7 @@ mod result;
 
 pub use curve::resampled;
 pub use distances::{DeformationDistances, deformation_distances};
-pub use map::{DeformationMapError, deformation_map};
+pub use map::{DeformationMapError, FEWEST_DEFORMATIONS, deformation_map};
 pub use params::{
     CheckedDeformationMapParams, DeformationMapParams, DeformationParamError, default_neighbours,
 };

@@ -3,7 +3,7 @@
 use crate::analysis::metrics::MetricError;
 use crate::mesh::Point3;
 
-/// Poses from one end to the other, both included, and what the way costs.
+/// Poses from one end to the other, both included, with their energy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeodesicPath {
     /// Start, interpolated poses, end.

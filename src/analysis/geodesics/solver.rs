@@ -1,4 +1,4 @@
-//! Many paths on one connectivity, each the cheapest between its ends.
+//! Many paths on one connectivity, each of least energy between its ends.
 
 use crate::analysis::metrics::{CurvatureRole, Metric, MetricError, PathEnergy};
 use crate::mesh::{Decimation, Faces, Point3, crossing_faces};

@@ -16,8 +16,8 @@ use super::similarity::{nearest_distances, nearest_rows, training_set_distance};
 const AKINETIC_LIMIT: f64 = 0.055;
 /// How far from there it is for odds of e to one.
 const AKINETIC_SCALE: f64 = 0.01;
-/// Reach below which an abnormal subject's hypokinesia is global: all 20 normal subjects reach further, as do
-/// 19 of 20 with infarction and all built-in subjects with a patch, and 15 of 20 dilated ones do not.
+/// [`Feature::UpperRange`] below which an abnormal subject's hypokinesia is global: it is above in all 20 normal subjects, as in
+/// 19 of 20 with infarction and all built-in subjects with a patch, and below in 15 of 20 dilated ones.
 const REGIONAL_REACH: f64 = 0.65;
 /// Most similar subjects that are shown.
 const ALIKE: usize = 3;

@@ -1,5 +1,7 @@
 //! The labelled subjects of a study, the classifier that they give, and how good it is.
 
+use std::sync::Arc;
+
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
@@ -26,7 +28,7 @@ pub(super) struct Cohort {
     /// Label of each of them.
     pub labels: Vec<Option<String>>,
     /// Which subjects have the same meshes: the classifier is trained on the first of them alone.
-    pub copies: Copies,
+    pub copies: Arc<Copies>,
 }
 
 /// The classifiers of a cohort, with their leave-one-out results on the subjects that they were trained on.

@@ -37,7 +37,7 @@ pub enum Feature {
     TenthPercentile,
     /// Thickening of remote myocardium, ln PT.
     Remote,
-    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall fails, large where
+    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall is hypokinetic, large where
     /// a part does or none.
     UpperRange,
     /// Share of the wall in patches, each times its confidence.
@@ -216,8 +216,8 @@ impl Features {
         let away: Vec<f64> = (areas.iter().zip(&thickening.at_edge))
             .map(|(area, at_edge)| if *at_edge { 0.0 } else { *area })
             .collect();
-        let values = Weighted::new(&thickening.thickening, &areas);
-        let values_away = Weighted::new(&thickening.thickening, &away);
+        let values = Weighted::new(&thickening.averaged, &areas);
+        let values_away = Weighted::new(&thickening.averaged, &away);
         let akinetic = AKINETIC_PT.ln();
         // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();

@@ -3,6 +3,7 @@
 mod classes;
 mod contribution;
 mod deformation_map;
+mod estimated_pose;
 mod interpolated_poses;
 mod measures;
 mod medial_beat;
@@ -20,6 +21,7 @@ mod verdicts;
 pub use classes::*;
 pub use contribution::*;
 pub use deformation_map::*;
+pub use estimated_pose::*;
 pub use interpolated_poses::*;
 pub use measures::*;
 pub use medial_beat::*;

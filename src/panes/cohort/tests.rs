@@ -1,7 +1,9 @@
 //! What the table does under pointer and keys.
 
+use super::columns::VerdictRoom;
 use super::*;
 use crate::panes::{BeatCommand, FileCommand, TransportCommand, ViewCommand};
+use egui::Key;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 fn rows(count: usize) -> Vec<CohortRow> {
@@ -38,6 +40,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    ..CohortView::default()
                 };
                 cohort_table_ui(ui, &view, commands);
             },
@@ -59,8 +62,8 @@ fn a_click_selects_a_row_and_a_heading_sorts() {
         harness.into_state(),
         [
             Command::Beat(BeatCommand::SelectSubject(3)),
-            Command::View(ViewCommand::SortCohort(3)),
-            Command::View(ViewCommand::SortCohort(4))
+            Command::View(ViewCommand::SortCohort(CohortColumn::EjectionFraction)),
+            Command::View(ViewCommand::SortCohort(CohortColumn::Verdict))
         ]
     );
 }
@@ -70,15 +73,8 @@ fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
     for width in [150.0, 180.0, 220.0, 250.0, 280.0, 300.0, 340.0, 500.0] {
         for labelled in [true, false] {
             let columns = Columns::within(egui::Rangef::new(10.0, 10.0 + width), labelled);
-            let order = [
-                CohortColumn::Role,
-                CohortColumn::Subject,
-                CohortColumn::Label,
-                CohortColumn::EjectionFraction,
-                CohortColumn::Verdict,
-            ];
-            let spans: Vec<[f32; 2]> = (order.iter())
-                .map(|column| columns.span(*column))
+            let spans: Vec<[f32; 2]> = (rows::COLUMNS.iter())
+                .map(|spec| columns.span(spec.column))
                 .filter(|[left, right]| left < right)
                 .collect();
             for pair in spans.windows(2) {
@@ -233,6 +229,7 @@ fn on_escape(search: &'static str, in_box: bool) -> Vec<Command> {
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    ..CohortView::default()
                 };
                 cohort_table_ui(ui, &view, commands);
             },

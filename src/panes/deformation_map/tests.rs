@@ -3,8 +3,9 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::engine::ClassesBy;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{BeatCommand, Command, MapCommand};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
 
 fn harness(
@@ -45,6 +46,7 @@ fn harness(
                     } else {
                         ClassesView::Ready(&rows)
                     },
+                    classes_by: Some(ClassesBy::Label),
                 };
                 deformation_note(ui, &view, 0.0);
                 deformation_map_ui(ui, &view, commands);
@@ -87,4 +89,20 @@ fn accuracies_stand_beside_the_permutation_mean() {
 fn too_few_labels_are_reported() {
     harness(Vec::new(), ClassesView::Unanswerable("not enough labels"))
         .get_by_label("Classifiers: not enough labels");
+}
+
+#[test]
+fn subjects_are_told_apart_by_label_or_by_class_whatever_came_of_the_classification() {
+    for absent in [
+        ClassesView::Unanswerable("not enough labels"),
+        ClassesView::Computing { fraction: 0.5 },
+    ] {
+        let mut harness = harness(Vec::new(), absent);
+        harness.get_by_label("Classes: by label").click();
+        harness.run();
+        harness.get_by_label("normal and abnormal").click();
+        harness.run();
+        let chosen = Command::Map(MapCommand::SetClassesBy(ClassesBy::Role));
+        assert_eq!(*harness.state(), [chosen]);
+    }
 }

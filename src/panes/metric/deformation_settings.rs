@@ -4,12 +4,13 @@ use egui::Ui;
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::panes::metric::MetricPanelView;
-use crate::ui::number_field::{Setting, number_text, whole};
+use crate::ui::number_field::{ABOVE_ZERO, Setting, number_text, whole};
 
 const NEIGHBOURS: Setting<DeformationMapParams> = Setting {
     name: "Neighbours",
     unit: "subjects",
-    what: "Neighbours from which LLE reconstructs each subject; empty: a fifth of the cohort, at least 4",
+    what: "Neighbours from which LLE reconstructs each subject; empty: half of the subjects, at least 4",
+    range: [1.0, u16::MAX as f64],
     get: |map| map.neighbours.map(f64::from),
     set: |map, neighbours| {
         let count = neighbours.map(|count| whole(count, u32::from(u16::MAX)));
@@ -21,7 +22,8 @@ const NEIGHBOURS: Setting<DeformationMapParams> = Setting {
 const REGULARISATION: Setting<DeformationMapParams> = Setting {
     name: "Regularisation",
     unit: "",
-    what: "Limits the reconstruction weights of LLE; relative to the trace of the neighbours' Gram matrix, no unit",
+    what: "Limits the reconstruction weights of LLE; relative to the trace of the neighbours' Gram matrix",
+    range: [ABOVE_ZERO, 1.0],
     get: |map| Some(map.regularisation),
     set: |map, regularisation| {
         map.regularisation = regularisation.unwrap_or_default();
@@ -34,6 +36,7 @@ const TIME_WEIGHT: Setting<DeformationMapParams> = Setting {
     unit: "/ cycle",
     what: "Distance between start and end of the cycle, in units of the pose map; empty: the spread \
            of the poses; 0: time is ignored",
+    range: [0.0, f64::INFINITY],
     get: |map| map.time_weight,
     set: |map, time_weight| {
         map.time_weight = time_weight;
@@ -43,8 +46,9 @@ const TIME_WEIGHT: Setting<DeformationMapParams> = Setting {
 
 const SAMPLES: Setting<DeformationMapParams> = Setting {
     name: "Points per curve",
-    unit: "",
+    unit: "points",
     what: "Number of points at which motions are compared, evenly spaced along each curve",
+    range: [2.0, 1024.0],
     get: |map| Some(f64::from(map.samples)),
     set: |map, samples| {
         map.samples = whole(samples.unwrap_or_default(), u32::from(u16::MAX))? as u16;
@@ -74,5 +78,27 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut Defo
             Ok(_) => Ok(()),
             Err(error) => Err(error.to_string()),
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_number_takes_what_its_range_says_and_no_more() {
+        for setting in [NEIGHBOURS, REGULARISATION, TIME_WEIGHT, SAMPLES] {
+            let taken = |number: f64| {
+                let mut poses = DeformationMapParams::default();
+                (setting.set)(&mut poses, Some(number)).is_ok() && poses.check().is_ok()
+            };
+            let [least, most] = setting.range;
+            assert!(taken(least) && !taken(least - 1.0), "{}", setting.name);
+            if most.is_finite() {
+                assert!(taken(most) && !taken(most + 1.0), "{}", setting.name);
+            } else {
+                assert!(taken(1e9), "{}", setting.name);
+            }
+        }
     }
 }

@@ -119,7 +119,8 @@ pub enum SavedViewError {
     NotFinite,
     /// The heart is not open.
     #[error(
-        "the picture shows {id} of the study “{study}” ({frames} frames of {vertices} vertices): open that study first"
+        "the picture shows {id} of the study “{study}” ({frames} frames of {vertices} vertices): open that study, and the \
+         view is restored"
     )]
     NotOpen {
         /// Pseudonym.
@@ -303,7 +304,7 @@ mod tests {
     #[test]
     fn a_view_comes_back_from_its_text() {
         let mut view = view();
-        view.thickening.thickening.extent = 0.55;
+        view.thickening.patches.extent = 0.55;
         assert_eq!(SavedView::read(&view.text()).unwrap(), view);
         assert_eq!(view.part(), Some(WallPart::Patch(1)));
     }

@@ -205,6 +205,8 @@ fn of_what_waits_for_a_thread_the_most_urgent_begins_first() {
     until(|| held.runs() + freed.runs() == 4);
     store.ask(&study, &number(&waiting, 60));
     store.ask(&study, &Urgent(number(&waiting, 95)));
+    // It waits for no thread that is held up.
+    until(|| waiting.runs() == 1);
     freed.open();
     until(|| waiting.runs() == 2);
     assert_eq!(waiting.order(), [95, 60]);

@@ -107,7 +107,7 @@ fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
             ui.add(egui::Label::new(note(format!("· {}", view.note))).truncate());
         }
     });
-    inner.left() + text_width
+    inner.left() + text_width + space::LARGE
 }
 
 fn rgb([r, g, b]: [u8; 3]) -> Color32 {
@@ -184,7 +184,18 @@ fn limits_ui(ui: &mut Ui, bar: Rect, view: &ColourBarView, commands: &mut Vec<Co
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{name}: {text}"))
         });
-        let response = response.on_hover_text("Set the colour limits");
+        let unit = if view.unit.is_empty() {
+            ""
+        } else {
+            &format!(" {}", view.unit)
+        };
+        let range = if view.logarithmic {
+            "any number above 0"
+        } else {
+            "any number"
+        };
+        let hint = format!("{name}: {text}{unit}\n\nClick to type another one; range: {range}");
+        let response = response.on_hover_text(hint);
         Popup::menu(&response)
             .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
             .show(|ui| limits_form_ui(ui, view, index, commands));

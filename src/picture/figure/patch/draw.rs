@@ -81,7 +81,7 @@ fn header(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
     base += 1.5 * line;
     if !verdict.heading.is_empty() {
         let colour = if verdict.abnormal {
-            theme.selection
+            theme.emphasis
         } else {
             theme.text
         };
@@ -160,7 +160,7 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
         let colour = match content.standing {
             PatchStanding::LowThickening => theme.muted,
             PatchStanding::NoVerdict | PatchStanding::Patch | PatchStanding::Abnormal => {
-                theme.selection
+                theme.emphasis
             }
         };
         let number = pen.strong(colour, pen.text);
