@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
-use crate::analysis::verdicts::{Finding, Verdicts};
+use crate::analysis::verdicts::Verdicts;
 use crate::cli::figure::{Shot, Studio};
 use crate::cli::input::interrupted;
 use crate::cli::outcome::CliError;

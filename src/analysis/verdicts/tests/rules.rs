@@ -23,7 +23,7 @@ fn cavity(
             Point3::from(point.coords * (kept - side))
         })
         .collect();
-    let contracted = TriMesh::new(moved.into(), Arc::clone(rest.faces())).unwrap();
+    let contracted = TriMesh::new(moved, Arc::clone(rest.faces())).unwrap();
     let surface = SurfaceSequence::new(SurfaceKind::Cavity, vec![rest, contracted]).unwrap();
     let sequence = MeshSequence::new(vec![surface]).unwrap();
     let mut subject = Subject::new(format!("H{number}"), sequence, LengthUnit::Millimetre);
