@@ -15,7 +15,6 @@ use crate::ui::{self};
 
 use super::app_options::AppOptions;
 use super::apply::{Effect, Moment, apply};
-use super::asks::Seen;
 use super::background::{Background, reference_frames};
 use super::chosen_files::{ChosenFiles, Exporting};
 use super::first_picture::FirstPicture;
@@ -324,9 +323,6 @@ impl eframe::App for App {
         let (files, mut exporting) = self.exporting(ctx);
         files.take_waiting_figures(&mut exporting);
         self.play(ctx);
-        let seen = Seen {
-            pointer_held: ctx.input(|input| input.pointer.any_down()),
-        };
         if self.first_picture_is_ahead() {
             self.state.answers = Answers {
                 opening: self.state.document.study.opening,
@@ -335,7 +331,8 @@ impl eframe::App for App {
             // Nothing else wakes the window once the picture is there.
             ctx.request_repaint();
         } else {
-            self.background.ask(&mut self.state, &seen);
+            let pointer_held = ctx.input(|input| input.pointer.any_down());
+            self.background.ask(&mut self.state, pointer_held);
         }
         self.files.answers_are_of(&self.state.document);
         let reference_frames = reference_frames(&self.state);

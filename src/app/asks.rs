@@ -17,13 +17,6 @@ use crate::document::visible_poses;
 use crate::panes::deformation_map::view::enough_subjects;
 use crate::panes::pane_context::ask_at_rest;
 
-/// What the person at the screen does.
-#[derive(Clone, Debug, Default)]
-pub struct Seen {
-    /// Whether something may be dragged.
-    pub pointer_held: bool,
-}
-
 /// Asks, with what is made of answers once and kept as long as the answer stays the same.
 #[derive(Debug, Default)]
 pub struct Asks {
@@ -31,8 +24,8 @@ pub struct Asks {
 }
 
 impl Asks {
-    /// The answers to what the state on screen needs.
-    pub fn ask(&mut self, state: &State, store: &Store, seen: &Seen) -> Answers {
+    /// The answers to what the state on screen needs; `pointer_held` says whether something may be dragged.
+    pub fn ask(&mut self, state: &State, store: &Store, pointer_held: bool) -> Answers {
         let study = state.document.study();
         let opening = state.document.study.opening;
         let mut answers = Answers {
@@ -65,7 +58,7 @@ impl Asks {
             answers.classes = Some(store.ask(study, &classes));
         }
         let verdicts = verdict_settings(&state.document);
-        answers.verdicts = Some(ask_at_rest(store, study, seen.pointer_held, &verdicts));
+        answers.verdicts = Some(ask_at_rest(store, study, pointer_held, &verdicts));
         answers
     }
 }

@@ -8,7 +8,7 @@ use crate::io::Opened;
 use crate::picture::reference_frame;
 use crate::study::{Notice, Revision, Study};
 
-use super::asks::{Asks, Seen};
+use super::asks::Asks;
 use super::errors::{push_card, push_failure, push_open_errors};
 use crate::document::document::OpeningReport;
 use crate::document::state::State;
@@ -56,13 +56,13 @@ impl Background {
     }
 
     /// Asks for what the state on screen needs, and has the state show what is known.
-    pub fn ask(&mut self, state: &mut State, seen: &Seen) {
+    pub fn ask(&mut self, state: &mut State, pointer_held: bool) {
         let study = state.document.study();
         if self.followed != Some(study.revision) {
             self.engine.store().follow(study);
             self.followed = Some(study.revision);
         }
-        state.answers = self.asks.ask(state, self.engine.store(), seen);
+        state.answers = self.asks.ask(state, self.engine.store(), pointer_held);
     }
 
     fn take_stage(&mut self, state: &mut State, stage: Stage) {
