@@ -143,7 +143,7 @@ fn relist(
     match edit(state.document.study(), index, moment.fresh_revision) {
         Ok(study) => {
             change(state, moment, None, |document| {
-                document.show_relisted(study)
+                document.show_relisted(study);
             });
             state.play.playing = false;
             state.message = format!("{done} {id}");

@@ -116,7 +116,7 @@ pub fn open_paths_in_stages(
     if !excluded.contains(&true) {
         listener.planned(planned, stages::bytes_of(&plan.subjects));
     }
-    let outcomes = stages::read_subjects(plan.subjects, limits, progress, listener)?;
+    let outcomes = stages::read_subjects(&plan.subjects, limits, progress, listener)?;
     let mut left = 0;
     for (outcome, excluded) in outcomes.into_iter().zip(excluded) {
         let study = &mut opened.study;

@@ -113,12 +113,12 @@ fn rows_ui(
         let top = ui.max_rect().top();
         let first = (seen.top() / space::ROW).floor().max(0.0) as usize;
         let last = ((seen.bottom() / space::ROW).ceil() as usize).min(rows.len());
-        for place in first..last {
+        for (place, row) in rows.iter().enumerate().take(last).skip(first) {
             let rect = Rect::from_min_size(
                 pos2(ui.max_rect().left(), top + place as f32 * space::ROW),
                 vec2(ui.max_rect().width(), space::ROW),
             );
-            match rows[place] {
+            match *row {
                 ShownRow::Read(index) => row_ui(ui, rect, index, view, columns, commands),
                 ShownRow::Unread(index) => {
                     let unread = &view.unread[index];
