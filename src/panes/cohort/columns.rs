@@ -226,8 +226,33 @@ fn without_middle(name: &str, fits: impl Fn(&str) -> bool) -> String {
         (letters.len() - from, shown(from))
     };
     let (tail, shown) = fitting(HEAD);
-    // Names of one study begin alike: its letters say less than the last ones.
-    if tail >= TAIL { shown } else { fitting(1).1 }
+    let number = significant_number(&letters);
+    let holds_number = |tail: usize| number.is_none_or(|start| letters.len() - tail <= start);
+    if tail >= TAIL && holds_number(tail) {
+        return shown;
+    }
+    // Names of one study begin alike: its letters say less than the last ones, and those less than a number.
+    let (tail, shown) = fitting(1);
+    if holds_number(tail) {
+        return shown;
+    }
+    let from_number = number.and_then(|start| {
+        let mut ends = (start + 1..letters.len()).rev();
+        ends.find_map(|end| {
+            let shown = format!("…{}…", part(&letters[start..end]));
+            fits(&shown).then_some(shown)
+        })
+    });
+    from_number.unwrap_or(shown)
+}
+
+/// Where the last number of a name begins, without the zeros in front of it.
+fn significant_number(letters: &[char]) -> Option<usize> {
+    let last = letters.iter().rposition(char::is_ascii_digit)?;
+    let before = letters[..last].iter().rposition(|c| !c.is_ascii_digit());
+    let start = before.map_or(0, |before| before + 1);
+    let zeros = letters[start..last].iter().take_while(|c| **c == '0');
+    Some(start + zeros.count())
 }
 
 #[cfg(test)]
@@ -264,7 +289,10 @@ mod tests {
         assert_eq!(without_middle("patient015", fits(2)), "p…5");
         let long = "Patient000151_stress";
         assert_eq!(without_middle(long, fits(14)), "Pat…151_stress");
-        assert_eq!(without_middle(long, fits(9)), "P…_stress");
+        assert_eq!(without_middle(long, fits(13)), "P…0151_stress");
+        assert_eq!(without_middle(long, fits(10)), "…151_stre…");
+        assert_eq!(without_middle(long, fits(6)), "…151_…");
+        assert_eq!(without_middle("Patient_of_no_number", fits(9)), "P…_number");
         assert_eq!(without_middle("P03", fits(1)), "P03");
         assert_eq!(without_middle("", fits(0)), "");
     }
