@@ -177,8 +177,8 @@ fn name_of_paths(paths: &[PathBuf]) -> String {
     }
 }
 
-/// What holds for the cohort: whether its vertices correspond, and whether its units agree.
-fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
+/// What holds for the cohort: whether its vertices correspond, whether its units agree, who is listed twice.
+pub fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
     let mut notices = Vec::new();
     if subjects.len() < 2 {
         return notices;

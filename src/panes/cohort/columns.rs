@@ -40,6 +40,8 @@ const GAP: f32 = space::MEDIUM + 2.0;
 const VERDICT_MARK: f32 = 14.0;
 /// Room that a subject's name has before a verdict has words or a share.
 const SUBJECT_WIDTH: f32 = 64.0;
+/// Room of the heading over names, with the arrow of sorting.
+const HEADING_WIDTH: f32 = 54.0;
 /// Room that a label needs; with less its mark alone stands for it.
 const LABEL_WIDTH: f32 = 46.0;
 /// Room of a cell that is typed into.
@@ -58,9 +60,9 @@ impl VerdictRoom {
 }
 
 impl Columns {
-    /// Subject, ejection fraction and verdict have room first. Labels have a column where room is left; elsewhere, and
-    /// in a study without labels, names take it.
-    pub(super) fn within(across: egui::Rangef, labelled: bool) -> Self {
+    /// Subject, ejection fraction and verdict have room first. Labels have a column where room is left, and what names
+    /// of this width at most do not need; elsewhere, and in a study without labels, names take it.
+    pub(super) fn within(across: egui::Rangef, labelled: bool, names: f32) -> Self {
         let inner = across.shrink(space::LARGE);
         let from = inner.min + 22.0;
         let free_beside = |room: VerdictRoom| inner.max - room.width() - GAP - EF_WIDTH - from;
@@ -76,7 +78,8 @@ impl Columns {
             mark: inner.min + 6.0,
             subject: from,
             label: if labelled {
-                from + (free * 0.56).max(SUBJECT_WIDTH + space::MEDIUM)
+                let most = (free * 0.56).max(SUBJECT_WIDTH + space::MEDIUM);
+                from + most.min(names.max(HEADING_WIDTH) + space::MEDIUM)
             } else {
                 from + free
             },
@@ -264,7 +267,8 @@ mod tests {
     fn columns_never_overlap_and_subject_and_verdict_go_before_the_label() {
         for labelled in [true, false] {
             for width in 176..420 {
-                let columns = Columns::within(egui::Rangef::new(0.0, width as f32), labelled);
+                let columns =
+                    Columns::within(egui::Rangef::new(0.0, width as f32), labelled, 200.0);
                 let spans = COLUMNS.map(|spec| columns.span(spec.column));
                 let shown: Vec<[f32; 2]> = spans
                     .into_iter()
