@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::engine::{Engine, OpenSource, Stage, StoreOptions, Wake};
-use crate::io::Opened;
+use crate::io::{Opened, cohort_notices};
 use crate::picture::reference_frame;
 use crate::study::{Notice, Revision, Study};
 use crate::ui::text::counted;
@@ -169,6 +169,11 @@ fn take_added(state: &mut State, added: Opened, added_to: u64, moment: &Moment) 
     }
     let study = (state.document.study()).adding(&added.study, moment.fresh_revision);
     let mut report = OpeningReport::clone(&state.document.study.report);
+    // What holds for the cohort may hold no more, and copies may have come.
+    let [before, now] =
+        [state.document.study(), &study].map(|study| cohort_notices(&study.subjects));
+    report.notices.retain(|notice| !before.contains(notice));
+    report.notices.extend(now);
     report
         .notices
         .extend(added.notices.into_iter().map(|notice| Notice {
@@ -181,6 +186,7 @@ fn take_added(state: &mut State, added: Opened, added_to: u64, moment: &Moment) 
         document.study.report = Arc::new(report);
     });
     state.leave_listing();
+    state.estimate_at = None;
     state.message = format!("Added {}", counted(added.study.count(), "subject"));
 }
 

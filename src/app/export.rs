@@ -26,6 +26,7 @@ use crate::study::Study;
 use crate::ui::text::counted;
 
 use super::asks::{deformation_settings, verdict_settings};
+use super::errors::push_card;
 use super::typed_paths::with_png_ending;
 use crate::document::document::{Document, nearest_frame};
 use crate::document::play::pose_in;
@@ -136,8 +137,7 @@ impl FigureExport {
         let shown = selected_on_screen(document, viewport).ok_or(NoFigure::NotYet)?;
         // Since it was drawn, subjects that were read may have come before it.
         let place = |study: &Study| {
-            let mut subjects = study.subjects.iter();
-            let place = subjects.position(|subject| Arc::ptr_eq(subject, &shown.subject));
+            let place = (study.all()).position(|subject| Arc::ptr_eq(subject, &shown.subject));
             place.ok_or(NoFigure::NotYet)
         };
         let index = place(state.document.study())?;
@@ -367,7 +367,13 @@ impl TableExport {
 /// Writes a study with its edits into a folder, off the window's thread. A folder that holds a study is refused: its
 /// meshes would be written over.
 pub fn write_study_into(state: &mut State, engine: &mut Engine, study: Arc<Study>, folder: &Path) {
+    if !study.unread.is_empty() {
+        let why = "the study is still being read: what is not read yet would be missing";
+        return push_card(&mut state.errors, "Nothing was exported", why);
+    }
     let manifest = folder.join("study.toml");
+    // An export into the same place that failed or was stopped has left nothing there.
+    state.exports.retain(|(path, _)| *path != manifest);
     state.exports.push((manifest.clone(), study.revision));
     let folder = folder.to_owned();
     let words = counted(study.count(), "subject");

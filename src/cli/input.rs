@@ -47,7 +47,9 @@ pub(super) fn in_unit(study: Arc<Study>, unit: Option<UnitWord>) -> Arc<Study> {
         Some(UnitWord::File) => LengthUnit::FileUnit,
     };
     let mut stated = Study::clone(&study);
-    for subject in &mut stated.subjects {
+    let excluded = stated.excluded.iter_mut();
+    let excluded = excluded.map(|excluded| &mut excluded.subject);
+    for subject in stated.subjects.iter_mut().chain(excluded) {
         Arc::make_mut(subject).unit = unit;
     }
     Arc::new(stated)

@@ -46,6 +46,10 @@ impl State {
         let Some(id) = &self.awaited else {
             return;
         };
+        // After an undo another study may be on screen, in which the id names somebody else.
+        if self.reading != Some(self.document.study.opening) {
+            return;
+        }
         let study = self.document.study();
         if let Some(index) = study.index_of(id) {
             let before = self.document.clone();
@@ -103,8 +107,14 @@ impl State {
         }
         if let Some(index) = on_screen {
             self.answers.follow(&index);
-            if index.iter().enumerate().any(|(before, now)| before != *now) {
-                self.leave_listing();
+            let now =
+                |subject: &mut usize| *subject = index.get(*subject).copied().unwrap_or(*subject);
+            if let Some(typing) = &mut self.typing {
+                now(&mut typing.subject);
+                typing.subjects.iter_mut().for_each(now);
+            }
+            if let Some(picked) = &mut self.picked {
+                now(&mut picked.subject);
             }
         }
         found
@@ -131,6 +141,7 @@ fn follow(document: &mut Document, index: &[usize]) {
 mod tests {
     use super::*;
     use crate::document::testing::subject_with_frames;
+    use crate::document::{TypedField, Typing};
     use crate::study::UnreadSubject;
 
     fn read(id: &str) -> ReadSubject {
@@ -238,6 +249,38 @@ mod tests {
         state.add_read(&[("b".to_owned(), None)], &mut fresh);
         assert_eq!(state.message, "b cannot be read");
         assert_eq!((selected(&state), &state.awaited), ("c", &None));
+    }
+
+    #[test]
+    fn a_subject_that_is_waited_for_is_none_of_another_study_that_undo_has_brought_back() {
+        let (mut state, mut fresh) = (reading(), revisions());
+        let read_study = state.document.clone();
+        state.document.study.opening = 0;
+        state.awaited = Some("c".to_owned());
+        state.select_awaited();
+        assert_eq!(
+            state.awaited.as_deref(),
+            Some("c"),
+            "it is of the study that is read"
+        );
+        assert!(state.message.is_empty());
+        state.document = read_study;
+        state.add_read(&[read("a")], &mut fresh);
+        assert_eq!((selected(&state), &state.awaited), ("c", &None));
+    }
+
+    #[test]
+    fn what_is_typed_stays_with_its_row_while_subjects_come_before_it() {
+        let (mut state, mut fresh) = (reading(), revisions());
+        state.typing = Some(Typing {
+            field: TypedField::Label,
+            subject: 0,
+            subjects: vec![0],
+        });
+        state.add_read(&[read("a"), read("d")], &mut fresh);
+        let typing = state.typing.as_ref().unwrap();
+        assert_eq!((typing.subject, &typing.subjects), (1, &vec![1]));
+        assert_eq!(state.document.study().subjects[1].id, "c");
     }
 
     #[test]

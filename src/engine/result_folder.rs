@@ -208,7 +208,7 @@ fn earlier_results(folder: &Path) -> Vec<PathBuf> {
         .filter_map(Value::as_str)
         .filter_map(|name| result_place(folder, Path::new(name)))
         .filter(|path| fs::symlink_metadata(path).is_ok_and(|found| !found.is_dir()));
-    std::iter::once(place.clone()).chain(places).collect()
+    std::iter::once(place).chain(places).collect()
 }
 
 /// Where a result of this name lies: in the folder or in `figures`, if that is no link.

@@ -30,7 +30,8 @@ pub use limits::{
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
 pub use open::{
-    OpenListener, looks_openable, open_paths, open_paths_in_stages, read_head, read_mesh_file,
+    OpenListener, cohort_notices, looks_openable, open_paths, open_paths_in_stages, read_head,
+    read_mesh_file,
 };
 pub use opened::{OpenError, Opened};
 pub use ply::write_ply;

@@ -56,6 +56,10 @@ impl ActionState<'_> {
             | Command::Window(WindowCommand::ToggleAbout)
             | Command::Window(WindowCommand::ToggleFullScreen)
             | Command::File(FileCommand::Quit) => true,
+            Command::File(FileCommand::ExportStudy(_) | FileCommand::ChooseFilesToAdd)
+            | Command::File(FileCommand::ChooseFolderToAdd) => {
+                !document.study().subjects.is_empty() && document.study().unread.is_empty()
+            }
             _ => !document.study().subjects.is_empty(),
         }
     }
@@ -69,6 +73,11 @@ impl ActionState<'_> {
         let excluded = document.study().is_excluded(document.subject);
         match command {
             EditCommand::SetRole(..) => subject.label.is_some(),
+            EditCommand::Exclude(_) | EditCommand::Include(_) | EditCommand::Delete(_)
+                if !document.study().unread.is_empty() =>
+            {
+                false
+            }
             EditCommand::Exclude(_) => !excluded && document.study().subjects.len() > 1,
             EditCommand::Include(_) => excluded,
             EditCommand::Delete(_) => excluded || document.study().subjects.len() > 1,

@@ -167,7 +167,7 @@ mod tests {
             };
             let text = keys_text(&ctx, shortcut);
             let key = text.rsplit('+').next().unwrap_or_default();
-            let known = ["Space", "Tab", "Left", "Right", "Up", "Down"].contains(&key);
+            let known = ["Space", "Tab", "Delete", "Left", "Right", "Up", "Down"].contains(&key);
             let function = key.len() > 1 && key[1..].chars().all(|c| c.is_ascii_digit());
             let printed = key.chars().count() == 1 && key.is_ascii();
             assert!(known || function || printed, "{}: {text}", action.name);

@@ -28,7 +28,7 @@ pub fn dragged_subject(ui: &Ui) -> Option<DraggedSubject> {
 /// Lets go of the dragged subject if another one stands in its place by now, such as one that was read since.
 pub fn let_go_if_moved(ctx: &Context, study: &Study) {
     if let Some(dragged) = DragAndDrop::payload::<DraggedSubject>(ctx) {
-        let there = study.subjects.get(dragged.subject);
+        let there = study.subject(dragged.subject);
         if there.is_none_or(|subject| subject.id != dragged.id) {
             DragAndDrop::clear_payload(ctx);
         }

@@ -44,6 +44,22 @@ pub struct Setting<P> {
     pub set: fn(&mut P, Option<f64>) -> Result<(), String>,
 }
 
+/// Fails unless a setting puts in its least and its greatest number, which `takes` accepts, and none beyond them.
+#[cfg(test)]
+pub(crate) fn assert_takes_its_range<P: Default>(setting: &Setting<P>, takes: impl Fn(&P) -> bool) {
+    let taken = |number: f64| {
+        let mut settings = P::default();
+        (setting.set)(&mut settings, Some(number)).is_ok() && takes(&settings)
+    };
+    let [least, most] = setting.range;
+    assert!(taken(least) && !taken(least - 1.0), "{}", setting.name);
+    if most.is_finite() {
+        assert!(taken(most) && !taken(most + 1.0), "{}", setting.name);
+    } else {
+        assert!(taken(1e9), "{}", setting.name);
+    }
+}
+
 impl<P: Copy> Setting<P> {
     /// Draws the field; a number that `check` takes goes into `settings`. `automatic` is that of [`NumberField`].
     pub fn ui(

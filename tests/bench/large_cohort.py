@@ -12,9 +12,7 @@ Needs: apt-get install xvfb xdotool mesa-vulkan-drivers
 """
 import argparse
 import multiprocessing
-import os
 import pathlib
-import random
 import re
 import statistics
 import subprocess
@@ -22,7 +20,8 @@ import sys
 import tempfile
 import time
 
-QUIET = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+from window_rate import QUIET, Window
+
 BUILT_IN_SUBJECTS, BUILT_IN_FRAMES = 23, 8
 SHEETS = ["endo", "epi"]
 
@@ -82,29 +81,12 @@ def make(program, folder, subjects, frames, vertices):
     partial.rename(folder)
 
 
-class Window:
-    """The program on a screen of its own."""
+class Timed(Window):
+    """A window whose program prints its times."""
 
     def __init__(self, folder, command):
-        self.folder = pathlib.Path(folder)
-        display = f":{random.randint(300, 900)}"
-        self.env = dict(os.environ, DISPLAY=display, XDG_RUNTIME_DIR=folder, HOME=folder, CARDIOMORPH_TIMES="1")
-        self.env.pop("WAYLAND_DISPLAY", None)
-        self.screen = subprocess.Popen(["Xvfb", display, "-screen", "0", "1600x1000x24", "-nolisten", "tcp"], **QUIET)
-        time.sleep(1)
-        with open(self.folder / "times", "w") as times:
-            self.program = subprocess.Popen(command, env=self.env, stdout=subprocess.DEVNULL, stderr=times)
-        found = self.do("search", "--sync", "--onlyvisible", "--pid", self.program.pid)
-        window = (found or self.do("search", "--sync", "--onlyvisible", "--name", "."))[-1]
-        self.do("windowmove", window, 0, 0, "windowsize", window, 1600, 1000, "windowfocus", window)
-
-    def close(self):
-        self.program.kill()
-        self.screen.kill()
-
-    def do(self, *words):
-        command = ["xdotool", *map(str, words)]
-        return subprocess.run(command, env=self.env, capture_output=True, text=True).stdout.split()
+        with open(pathlib.Path(folder) / "times", "w") as times:
+            super().__init__(folder, (1600, 1000), command, {"CARDIOMORPH_TIMES": "1"}, times)
 
     def said(self, pattern):
         return re.findall(pattern, (self.folder / "times").read_text())
@@ -123,10 +105,6 @@ class Window:
         """Seconds from the start until it was seen first."""
         return self.wait(what + r" after ([\d.]+) s", 300)
 
-    def peak_mb(self):
-        lines = pathlib.Path(f"/proc/{self.program.pid}/status").read_text().splitlines()
-        return int(next(line for line in lines if line.startswith("VmHWM")).split()[1]) / 1024
-
     def click_row(self, row):
         """Clicks the row of the table that is so many rows below the first in sight; its subject and the seconds to it."""
         before = len(self.said(FOLLOWED))
@@ -142,7 +120,7 @@ FOLLOWED = r"(\S+) on screen ([\d.]+) s after"
 def measure(window):
     for what in ["rows of the cohort", "first picture"]:
         print(f"{what:<36}{window.first(what)} s after the start", flush=True)
-    print(f"{'a subject that is read':<36}{window.click_row(0)}, while others are read", flush=True)
+    print(f"{'a subject that is read':<36}{window.click_row(1)}, while others are read", flush=True)
     window.do("mousemove", 120, 400, *["click", 5] * 60)
     print(f"{'a subject that is not read yet':<36}{window.click_row(12)}", flush=True)
     print(f"{'all subjects':<36}{window.first('all subjects')} s after the start", flush=True)
@@ -156,7 +134,7 @@ def measure(window):
     when = "after maps were computed" if mapped else "while maps are computed"
     median, longest = statistics.median(followed), max(followed)
     print(f"{'ten clicks, ' + when:<36}{median:.3f} s (median), {longest:.3f} s (longest)", flush=True)
-    print(f"{'peak memory':<36}{window.peak_mb():.0f} MB", flush=True)
+    print(f"{'peak memory':<36}{window.resident_mb('VmHWM'):.0f} MB", flush=True)
 
 
 def main():
@@ -174,7 +152,7 @@ def main():
     if options.memory:
         command += ["--memory", str(options.memory)]
     with tempfile.TemporaryDirectory() as folder:
-        window = Window(folder, command)
+        window = Timed(folder, command)
         try:
             measure(window)
         finally:

@@ -244,7 +244,7 @@ impl GeodesicSolver {
     }
 
     /// Goes on from a prolonged path on all vertices: coarse offsets bend what the coarse mesh does not have, and alone
-    /// cost more than the straight line on most subjects.
+    /// may cost more than the straight line.
     fn relax(
         &self,
         [start, end]: [&[Point3]; 2],

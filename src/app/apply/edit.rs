@@ -143,7 +143,7 @@ fn relist(
     match edit(state.document.study(), index, moment.fresh_revision) {
         Ok(study) => {
             change(state, moment, None, |document| {
-                document.show_relisted(study)
+                document.show_relisted(study);
             });
             state.play.playing = false;
             state.message = format!("{done} {id}");
@@ -188,6 +188,10 @@ fn set_role(state: &mut State, moment: &Moment, label: &str, role: LabelRole) {
 
 fn set_unit(state: &mut State, moment: &Moment, whose: Whose, unit: CoordinateUnit) {
     let study = state.document.study();
+    if whose == Whose::All && !study.unread.is_empty() {
+        let why = EditError::StillReading.to_string();
+        return push_card(&mut state.errors, "The unit was not changed", why);
+    }
     let indices = match whose {
         Whose::All => (0..study.count()).collect(),
         Whose::Selected | Whose::Subject(_) => Vec::from_iter(one(state, whose)),

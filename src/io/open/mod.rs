@@ -116,7 +116,7 @@ pub fn open_paths_in_stages(
     if !excluded.contains(&true) {
         listener.planned(planned, stages::bytes_of(&plan.subjects));
     }
-    let outcomes = stages::read_subjects(plan.subjects, limits, progress, listener)?;
+    let outcomes = stages::read_subjects(&plan.subjects, limits, progress, listener)?;
     let mut left = 0;
     for (outcome, excluded) in outcomes.into_iter().zip(excluded) {
         let study = &mut opened.study;
@@ -177,8 +177,8 @@ fn name_of_paths(paths: &[PathBuf]) -> String {
     }
 }
 
-/// What holds for the cohort: whether its vertices correspond, and whether its units agree.
-fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
+/// What holds for the cohort: whether its vertices correspond, whether its units agree, who is listed twice.
+pub fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
     let mut notices = Vec::new();
     if subjects.len() < 2 {
         return notices;

@@ -48,12 +48,12 @@ impl OpenListener for () {
 
 /// Reads all files of all subjects, each a step, and joins them; `None` for a subject that was not wanted any more.
 pub(super) fn read_subjects(
-    plans: Vec<SubjectPlan>,
+    plans: &[SubjectPlan],
     limits: &Limits,
     progress: &Progress,
     listener: &dyn OpenListener,
 ) -> Result<Vec<Option<SubjectOrErrors>>, Stopped> {
-    let reader = Reader::of(&plans, limits, progress);
+    let reader = Reader::of(plans, limits, progress);
     let checks: usize = plans.iter().map(|p| check_count(p.surfaces.len())).sum();
     let files: usize = plans.iter().map(|p| reader.files_of(p).count()).sum();
     progress.expect_steps(files + checks);

@@ -3,7 +3,7 @@
 use super::body::{BinaryBody, Body, TextBody};
 use super::header::{Element, Encoding, Header, Storage, read_header};
 use crate::io::binary_cursor::{Scalar, count, vertex_index};
-use crate::io::mesh_draft::MeshDraft;
+use crate::io::mesh_draft::{MeshDraft, Place};
 use crate::io::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
@@ -95,29 +95,16 @@ fn read_faces(
     element: &Element,
     draft: &mut MeshDraft,
 ) -> Result<(), ReadMeshError> {
-    let corners_at = corners_of(element)?;
     let mut corners = Vec::new();
-    for index in 0..element.count {
-        body.begin(&element.name, index == 0)?;
-        let place = body.place();
-        for (at, property) in element.properties.iter().enumerate() {
-            match property.storage {
-                Storage::List { length, item } if at == corners_at => {
-                    corners.clear();
-                    let count = count(body.number(length)?, place)?;
-                    draft.check_corners(count, place)?;
-                    for _ in 0..count {
-                        let place = body.place();
-                        corners.push(vertex_index(body.number(item)?, place)?);
-                    }
-                }
-                storage => pass_over_property(body, storage)?,
-            }
+    each_list(body, element, |body, count, item, place| {
+        draft.check_corners(count, place)?;
+        corners.clear();
+        for _ in 0..count {
+            let place = body.place();
+            corners.push(vertex_index(body.number(item)?, place)?);
         }
-        body.end()?;
-        draft.polygon(&corners, place)?;
-    }
-    Ok(())
+        draft.polygon(&corners, place)
+    })
 }
 
 /// The list of corners: the one of that name, else the only list of whole numbers.
@@ -147,24 +134,37 @@ fn read_strips(
     element: &Element,
     draft: &mut MeshDraft,
 ) -> Result<(), ReadMeshError> {
-    let corners_at = corners_of(element)?;
     let mut strip = Vec::new();
+    each_list(body, element, |body, count, item, place| {
+        for _ in 0..count {
+            let place = body.place();
+            match body.number(item)? {
+                -1.0 => draft.strip(&std::mem::take(&mut strip), place)?,
+                corner => strip.push(vertex_index(corner, place)?),
+            }
+        }
+        match strip.is_empty() {
+            true => Ok(()),
+            false => draft.strip(&std::mem::take(&mut strip), place),
+        }
+    })
+}
+
+/// Reads the list of corners of each element: `read` takes its numbers, so many of one kind, at a place.
+fn each_list<B: Body>(
+    body: &mut B,
+    element: &Element,
+    mut read: impl FnMut(&mut B, u64, Scalar, Place) -> Result<(), ReadMeshError>,
+) -> Result<(), ReadMeshError> {
+    let corners_at = corners_of(element)?;
     for index in 0..element.count {
         body.begin(&element.name, index == 0)?;
         let place = body.place();
         for (at, property) in element.properties.iter().enumerate() {
             match property.storage {
                 Storage::List { length, item } if at == corners_at => {
-                    for _ in 0..count(body.number(length)?, place)? {
-                        let place = body.place();
-                        match body.number(item)? {
-                            -1.0 => draft.strip(&std::mem::take(&mut strip), place)?,
-                            corner => strip.push(vertex_index(corner, place)?),
-                        }
-                    }
-                    if !strip.is_empty() {
-                        draft.strip(&std::mem::take(&mut strip), place)?;
-                    }
+                    let count = count(body.number(length)?, place)?;
+                    read(body, count, item, place)?;
                 }
                 storage => pass_over_property(body, storage)?,
             }

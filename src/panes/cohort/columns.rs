@@ -40,6 +40,8 @@ const GAP: f32 = space::MEDIUM + 2.0;
 const VERDICT_MARK: f32 = 14.0;
 /// Room that a subject's name has before a verdict has words or a share.
 const SUBJECT_WIDTH: f32 = 64.0;
+/// Room of the heading over names, with the arrow of sorting.
+const HEADING_WIDTH: f32 = 54.0;
 /// Room that a label needs; with less its mark alone stands for it.
 const LABEL_WIDTH: f32 = 46.0;
 /// Room of a cell that is typed into.
@@ -58,9 +60,9 @@ impl VerdictRoom {
 }
 
 impl Columns {
-    /// Subject, ejection fraction and verdict have room first. Labels have a column where room is left; elsewhere, and
-    /// in a study without labels, names take it.
-    pub(super) fn within(across: egui::Rangef, labelled: bool) -> Self {
+    /// Subject, ejection fraction and verdict have room first. Labels have a column where room is left, and what names
+    /// of this width at most do not need; elsewhere, and in a study without labels, names take it.
+    pub(super) fn within(across: egui::Rangef, labelled: bool, names: f32) -> Self {
         let inner = across.shrink(space::LARGE);
         let from = inner.min + 22.0;
         let free_beside = |room: VerdictRoom| inner.max - room.width() - GAP - EF_WIDTH - from;
@@ -76,7 +78,8 @@ impl Columns {
             mark: inner.min + 6.0,
             subject: from,
             label: if labelled {
-                from + (free * 0.56).max(SUBJECT_WIDTH + space::MEDIUM)
+                let most = (free * 0.56).max(SUBJECT_WIDTH + space::MEDIUM);
+                from + most.min(names.max(HEADING_WIDTH) + space::MEDIUM)
             } else {
                 from + free
             },
@@ -226,8 +229,33 @@ fn without_middle(name: &str, fits: impl Fn(&str) -> bool) -> String {
         (letters.len() - from, shown(from))
     };
     let (tail, shown) = fitting(HEAD);
-    // Names of one study begin alike: its letters say less than the last ones.
-    if tail >= TAIL { shown } else { fitting(1).1 }
+    let number = significant_number(&letters);
+    let holds_number = |tail: usize| number.is_none_or(|start| letters.len() - tail <= start);
+    if tail >= TAIL && holds_number(tail) {
+        return shown;
+    }
+    // Names of one study begin alike: its letters say less than the last ones, and those less than a number.
+    let (tail, shown) = fitting(1);
+    if holds_number(tail) {
+        return shown;
+    }
+    let from_number = number.and_then(|start| {
+        let mut ends = (start + 1..letters.len()).rev();
+        ends.find_map(|end| {
+            let shown = format!("…{}…", part(&letters[start..end]));
+            fits(&shown).then_some(shown)
+        })
+    });
+    from_number.unwrap_or(shown)
+}
+
+/// Where the last number of a name begins, without the zeros in front of it.
+fn significant_number(letters: &[char]) -> Option<usize> {
+    let last = letters.iter().rposition(char::is_ascii_digit)?;
+    let before = letters[..last].iter().rposition(|c| !c.is_ascii_digit());
+    let start = before.map_or(0, |before| before + 1);
+    let zeros = letters[start..last].iter().take_while(|c| **c == '0');
+    Some(start + zeros.count())
 }
 
 #[cfg(test)]
@@ -239,7 +267,8 @@ mod tests {
     fn columns_never_overlap_and_subject_and_verdict_go_before_the_label() {
         for labelled in [true, false] {
             for width in 176..420 {
-                let columns = Columns::within(egui::Rangef::new(0.0, width as f32), labelled);
+                let columns =
+                    Columns::within(egui::Rangef::new(0.0, width as f32), labelled, 200.0);
                 let spans = COLUMNS.map(|spec| columns.span(spec.column));
                 let shown: Vec<[f32; 2]> = spans
                     .into_iter()
@@ -264,7 +293,10 @@ mod tests {
         assert_eq!(without_middle("patient015", fits(2)), "p…5");
         let long = "Patient000151_stress";
         assert_eq!(without_middle(long, fits(14)), "Pat…151_stress");
-        assert_eq!(without_middle(long, fits(9)), "P…_stress");
+        assert_eq!(without_middle(long, fits(13)), "P…0151_stress");
+        assert_eq!(without_middle(long, fits(10)), "…151_stre…");
+        assert_eq!(without_middle(long, fits(6)), "…151_…");
+        assert_eq!(without_middle("Patient_of_no_number", fits(9)), "P…_number");
         assert_eq!(without_middle("P03", fits(1)), "P03");
         assert_eq!(without_middle("", fits(0)), "");
     }

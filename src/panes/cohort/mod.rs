@@ -22,8 +22,8 @@ use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_u
 use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
 use crate::ui::marks::role_name;
-use crate::ui::style::note;
-use crate::ui::text::counted;
+use crate::ui::style::{note, text_font};
+use crate::ui::text::{counted, text_width};
 use crate::ui::theme::{colours, line, space};
 
 use columns::{Columns, cell, excluded_cell, number_cell, verdict_cell};
@@ -50,7 +50,11 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
     }
     search_ui(ui, view, commands);
     let labelled = view.rows.iter().any(|row| row.label.is_some());
-    let columns = Columns::within(ui.available_rect_before_wrap().x_range(), labelled);
+    let longest = view.rows.iter().map(|row| row.id.as_str());
+    let longest = longest.max_by_key(|id| id.chars().count());
+    let names = longest.map_or(0.0, |id| text_width(ui, id, text_font()));
+    let across = ui.available_rect_before_wrap().x_range();
+    let columns = Columns::within(across, labelled, names);
     header_ui(ui, view.sort, &columns, commands);
     let shown = shown_rows(view.visible, view.sort, view.unread, view.search);
     if shown.is_empty() {
@@ -113,12 +117,12 @@ fn rows_ui(
         let top = ui.max_rect().top();
         let first = (seen.top() / space::ROW).floor().max(0.0) as usize;
         let last = ((seen.bottom() / space::ROW).ceil() as usize).min(rows.len());
-        for place in first..last {
+        for (place, row) in rows.iter().enumerate().take(last).skip(first) {
             let rect = Rect::from_min_size(
                 pos2(ui.max_rect().left(), top + place as f32 * space::ROW),
                 vec2(ui.max_rect().width(), space::ROW),
             );
-            match rows[place] {
+            match *row {
                 ShownRow::Read(index) => row_ui(ui, rect, index, view, columns, commands),
                 ShownRow::Unread(index) => {
                     let unread = &view.unread[index];

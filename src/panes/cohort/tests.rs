@@ -72,7 +72,7 @@ fn a_click_selects_a_row_and_a_heading_sorts() {
 fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
     for width in [150.0, 180.0, 220.0, 250.0, 280.0, 300.0, 340.0, 500.0] {
         for labelled in [true, false] {
-            let columns = Columns::within(egui::Rangef::new(10.0, 10.0 + width), labelled);
+            let columns = Columns::within(egui::Rangef::new(10.0, 10.0 + width), labelled, 200.0);
             let spans: Vec<[f32; 2]> = (rows::COLUMNS.iter())
                 .map(|spec| columns.span(spec.column))
                 .filter(|[left, right]| left < right)
@@ -89,9 +89,16 @@ fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
             );
         }
     }
-    let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).room;
+    let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true, 200.0).room;
     assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Words);
     assert!(room(236.0) == VerdictRoom::Share && room(190.0) == VerdictRoom::Mark);
+    // Labels take what short names leave.
+    let label = |names: f32| {
+        let columns = Columns::within(egui::Rangef::new(0.0, 300.0), true, names);
+        let [left, right] = columns.span(CohortColumn::Label);
+        right - left
+    };
+    assert!(label(24.0) > label(200.0) + 8.0 && label(24.0) == label(0.0));
 }
 
 #[test]

@@ -51,11 +51,12 @@ pub(super) fn typing_ui(
     });
     typed.pass = pass;
     let offers = offers(study, &typed);
-    let [up, down, enter, escape] =
-        [Key::ArrowUp, Key::ArrowDown, Key::Enter, Key::Escape].map(|key| {
-            ctx.memory(|memory| memory.has_focus(field))
-                && ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key))
-        });
+    let [up, down, enter] = [Key::ArrowUp, Key::ArrowDown, Key::Enter].map(|key| {
+        ctx.memory(|memory| memory.has_focus(field))
+            && ctx.input_mut(|input| input.consume_key(Modifiers::NONE, key))
+    });
+    // Esc takes the keyboard from a text before anybody can ask who had it, which must not count as leaving it.
+    let escape = ctx.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
     step(&mut typed, offers.len(), up, down);
     let edit = TextEdit::singleline(&mut typed.text)
         .id(field)

@@ -84,21 +84,13 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut Defo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ui::number_field::assert_takes_its_range;
 
     #[test]
     fn each_number_takes_what_its_range_says_and_no_more() {
+        let takes = |params: &DeformationMapParams| params.check().is_ok();
         for setting in [NEIGHBOURS, REGULARISATION, TIME_WEIGHT, SAMPLES] {
-            let taken = |number: f64| {
-                let mut poses = DeformationMapParams::default();
-                (setting.set)(&mut poses, Some(number)).is_ok() && poses.check().is_ok()
-            };
-            let [least, most] = setting.range;
-            assert!(taken(least) && !taken(least - 1.0), "{}", setting.name);
-            if most.is_finite() {
-                assert!(taken(most) && !taken(most + 1.0), "{}", setting.name);
-            } else {
-                assert!(taken(1e9), "{}", setting.name);
-            }
+            assert_takes_its_range(&setting, takes);
         }
     }
 }

@@ -123,21 +123,13 @@ pub fn weights_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::ui::number_field::assert_takes_its_range;
 
     #[test]
     fn each_number_takes_what_its_range_says_and_no_more() {
+        let takes = |params: &PoseMapQuery| params.distances.check().is_ok();
         for setting in [MU, RINGS, LAMBDA, SMOOTHING] {
-            let taken = |number: f64| {
-                let mut poses = PoseMapQuery::default();
-                (setting.set)(&mut poses, Some(number)).is_ok() && poses.distances.check().is_ok()
-            };
-            let [least, most] = setting.range;
-            assert!(taken(least) && !taken(least - 1.0), "{}", setting.name);
-            if most.is_finite() {
-                assert!(taken(most) && !taken(most + 1.0), "{}", setting.name);
-            } else {
-                assert!(taken(1e9), "{}", setting.name);
-            }
+            assert_takes_its_range(&setting, takes);
         }
     }
 }

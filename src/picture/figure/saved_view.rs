@@ -260,7 +260,10 @@ impl SavedView {
         let wanted = &self.subject;
         let found = study.index_of(&wanted.id);
         found
-            .filter(|&index| SavedSubject::of(&study.subjects[index]) == *wanted)
+            .filter(|&index| {
+                let subject = study.subject(index);
+                subject.is_some_and(|subject| SavedSubject::of(subject) == *wanted)
+            })
             .ok_or_else(|| SavedViewError::NotOpen {
                 id: wanted.id.clone(),
                 study: self.study.clone(),

@@ -247,3 +247,21 @@ fn background_and_theme_are_chosen_and_transparent_has_a_short_name() {
     ];
     assert_eq!(code(&cardiomorph(&both)), 2);
 }
+
+#[test]
+fn an_excluded_subject_has_a_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = folder.path().join("study");
+    let output = cardiomorph(&["demo", "--out", text(&study), "--vertices", "200"]);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let manifest = study.join("study.toml");
+    let toml = fs::read_to_string(&manifest).unwrap();
+    let excluded = toml.replacen("id = \"N02\"", "id = \"N02\"\nexcluded = true", 1);
+    assert_ne!(toml, excluded);
+    fs::write(&manifest, excluded).unwrap();
+    let png = folder.path().join("N02.png");
+    let options = ["figure", text(&study), "--subject", "N02", "--frame", "1"];
+    let output = cardiomorph(&[&options[..], &["--out", text(&png)]].concat());
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    assert!(png.exists());
+}

@@ -222,6 +222,14 @@ fn subjects_of_another_folder_are_added_in_one_step_and_the_report_tells_of_both
             .iter()
             .any(|notice| notice.text.contains("already"))
     );
+    let report = harness.state().state().document.study.report.clone();
+    let says = |words: &str| {
+        report
+            .notices
+            .iter()
+            .any(|notice| notice.text.contains(words))
+    };
+    assert!(!says("all 23 subjects have the same faces"), "{report:?}");
     undo(&mut harness);
     assert_eq!(harness.state().state().document, before);
     redo(&mut harness);
@@ -234,4 +242,28 @@ fn subjects_of_another_folder_are_added_in_one_step_and_the_report_tells_of_both
     });
     assert_eq!(card(&harness), "Nothing was added");
     assert_eq!(study(&harness).subjects.len(), 24);
+}
+
+#[test]
+fn a_figure_of_an_excluded_subject_is_written_and_its_view_comes_back() {
+    let mut harness = cohort_window();
+    choose(&mut harness, "N03", &["Exclude from the cohort"]);
+    row(&harness, "N03").click();
+    wait(&mut harness, "its heart", |app| {
+        app.hearts_on_screen().first().map(|heart| heart.0) == Some(22)
+    });
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("N03.png");
+    give(
+        &mut harness,
+        FileCommand::ExportFigure(Some(path.clone())).into(),
+    );
+    wait(&mut harness, "the figure", |_| path.exists());
+    row(&harness, "P01").click();
+    harness.run_steps(3);
+    give(&mut harness, FileCommand::Open(vec![path]).into());
+    wait(&mut harness, "its view", |app| {
+        app.state().document.subject == 22
+    });
+    assert!(harness.state().state().errors.is_empty());
 }

@@ -2,19 +2,13 @@
 
 use super::*;
 use cardiomorph::io::{Limits, open_paths};
-use cardiomorph::panes::EditCommand;
+use cardiomorph::panes::{EditCommand, FileCommand, Whose};
 use cardiomorph::progress::Progress;
+use cardiomorph::study::CoordinateUnit;
 
-/// The built-in cohort as text files large enough to be shown while they are read, and a window that reads it: the
-/// first subject is there, others are not.
+/// A large cohort, and a window that reads it: the first subject is there, others are not.
 fn reading_window() -> (tempfile::TempDir, Harness<'static, App>) {
-    let folder = tempfile::tempdir().unwrap();
-    let status = std::process::Command::new(env!("CARGO_BIN_EXE_cardiomorph"))
-        .args(["demo", "--vertices", "4000", "--format", "obj", "--out"])
-        .arg(folder.path())
-        .status()
-        .unwrap();
-    assert!(status.success());
+    let folder = large_cohort_on_disk();
     let mut harness = window(AppOptions::opening(vec![folder.path().to_owned()]));
     let begin = Instant::now();
     while harness.state().state().document.selected().is_none() {
@@ -107,4 +101,27 @@ fn cancel_leaves_what_was_read_and_says_how_many_were_not() {
         "{notices:?}"
     );
     assert!(state.errors.is_empty(), "{:?}", state.errors);
+}
+
+#[test]
+fn a_study_that_is_still_read_is_not_exported_in_part_nor_given_another_unit() {
+    let (_folder, mut harness) = reading_window();
+    let out = tempfile::tempdir().unwrap();
+    let export = FileCommand::ExportStudy(Some(out.path().to_owned()));
+    give(&mut harness, export.into());
+    let unit = EditCommand::SetUnit(Whose::All, CoordinateUnit::Centimetre);
+    give(&mut harness, unit.into());
+    let titles = harness
+        .state()
+        .state()
+        .errors
+        .iter()
+        .map(|card| &card.title);
+    let titles: Vec<&String> = titles.collect();
+    assert_eq!(titles, ["Nothing was exported", "The unit was not changed"]);
+    assert!(!harness.state().state().is_edited());
+    wait(&mut harness, "all subjects", |app| {
+        app.state().document.study().unread.is_empty() && !app.busy()
+    });
+    assert!(!out.path().join("study.toml").exists());
 }

@@ -10,27 +10,13 @@ fn said(path: &Path, word: &str) -> String {
 }
 
 fn wait_long(harness: &mut Harness<'_, App>, what: &str, done: impl Fn(&App) -> bool) {
-    let begin = Instant::now();
-    while !done(harness.state()) {
-        assert!(
-            begin.elapsed() < Duration::from_secs(240),
-            "waited for {what}"
-        );
-        harness.step();
-        std::thread::sleep(Duration::from_millis(3));
-    }
+    wait_up_to(240, harness, what, done);
 }
 
 #[test]
 fn a_patch_figure_asked_for_while_a_study_is_read_waits_for_all_and_a_view_for_its_subject() {
-    let folder = tempfile::tempdir().unwrap();
-    let status = std::process::Command::new(env!("CARGO_BIN_EXE_cardiomorph"))
-        .args(["demo", "--vertices", "4000", "--format", "obj", "--out"])
-        .arg(folder.path().join("study"))
-        .status()
-        .unwrap();
-    assert!(status.success());
-    let study = folder.path().join("study");
+    let (study_folder, folder) = (large_cohort_on_disk(), tempfile::tempdir().unwrap());
+    let study = study_folder.path().to_owned();
     let figure = folder.path().join("P05_patch.png");
     let mut harness = window(AppOptions::opening(vec![study.clone()]));
     wait_long(&mut harness, "the first subject", |app| {
