@@ -163,6 +163,7 @@ impl<'a> Classification<'a> {
                 (false, _) => Finding::Nothing,
                 // Default thresholds find the patch, but nothing has told what is abnormal.
                 (true, Finding::Patch) if self.trained.is_none() => Finding::LowThickening,
+                (true, Finding::WithoutPatch) if self.trained.is_none() => Finding::Nothing,
                 (true, finding) => finding,
             },
             wall: subject.extent.is_some(),
@@ -174,14 +175,16 @@ impl<'a> Classification<'a> {
             probability,
             similar_normal: nearest_rows(&self.cohort.normal),
             similar_abnormal: nearest_rows(&self.cohort.abnormal),
-            training_set_distance: (self.trained).and_then(|trained| {
-                training_set_distance(
+            training_set_distance: match (self.rule, self.trained) {
+                (Some(rule), _) => rule.distance(&self.standardised[index]),
+                (None, Some(trained)) => training_set_distance(
                     &self.standardised,
                     self.cohort.copies.first_of(index),
                     &trained.training_set,
                     &self.nearest_distances,
-                )
-            }),
+                ),
+                (None, None) => None,
+            },
             features: features.clone(),
             patched: subject.patched,
         }

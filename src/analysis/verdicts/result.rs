@@ -104,7 +104,8 @@ impl Finding {
 /// How near a subject lies to the training set, by the classifier's standardised features.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TrainingSetDistance {
-    /// Distance to the nearest subject of the training set, itself left out.
+    /// Distance to the nearest subject of the training set, itself left out; of a rule, which has no subjects, the root mean
+    /// square distance from their mean.
     pub distance: f64,
     /// Median of the same distance within the training set.
     pub median: f64,

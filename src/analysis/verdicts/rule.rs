@@ -12,7 +12,8 @@ use super::design::{Design, Standard};
 use super::error::{LearnError, RuleError, VerdictError};
 use super::features::Feature;
 use super::params::CheckedVerdictParams;
-use super::result::{ClassifierQuality, Examined, NotAssessed};
+use super::result::{ClassifierQuality, Examined, NotAssessed, TrainingSetDistance};
+use super::similarity::{distance_among, distance_from_mean, quantiles};
 use super::whole_heart::with_whole_hearts;
 
 /// What a file of a rule calls itself.
@@ -37,6 +38,8 @@ pub struct Rule {
     pub meshes: RuleMeshes,
     /// What it reads, in the order of all weights.
     pub features: Vec<RuleFeature>,
+    /// How far its training subjects lie from their mean, in standard deviations of a feature: the quantiles 0, 5 … 100 %.
+    pub distances: Vec<f64>,
     /// Abnormal against normal.
     pub abnormal: RuleModel,
     /// One label against the rest, for each that could be told; empty with fewer than three.
@@ -159,6 +162,10 @@ pub fn learn(
             poses: range(subjects().map(|s| s.sequence.frame_count())).unwrap_or_default(),
         },
         features: features(&trained.abnormal.classifier.design, &ranges),
+        distances: quantiles(
+            (rows().map(|row| distance_from_mean(&trained.abnormal.classifier.design.of(row))))
+                .collect(),
+        ),
         abnormal: model(&trained.abnormal),
         kinds: (trained.kinds.iter())
             .map(|(label, kind)| RuleKind {
@@ -277,7 +284,10 @@ impl Rule {
         let Standard { means, deviations } = &design.standard;
         let scaled = deviations.iter().all(|x| *x > 0.0 && x.is_finite());
         let known = (design.medians.iter().flatten()).all(|x| x.is_finite());
-        if !(whole && scaled && known && means.iter().all(|x| x.is_finite())) {
+        let seen = self.distances.len() > 1
+            && self.distances.iter().all(|x| x.is_finite() && *x >= 0.0)
+            && self.distances.is_sorted();
+        if !(whole && scaled && known && seen && means.iter().all(|x| x.is_finite())) {
             return Err(RuleError::Numbers);
         }
         let model = |model: &RuleModel| Model {
@@ -349,6 +359,11 @@ impl CheckedRule {
                 own.1,
             ))
         })
+    }
+
+    /// How far a subject lies from the mean of the training set, beside the subjects of that.
+    pub(super) fn distance(&self, standardised: &[f64]) -> Option<TrainingSetDistance> {
+        distance_among(&self.rule.distances, distance_from_mean(standardised))
     }
 
     /// Model features of a subject outside the range of the training set.

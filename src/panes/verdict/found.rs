@@ -43,8 +43,8 @@ pub(super) fn verdict_ui(ui: &mut Ui, report: &VerdictReport) {
             text
         };
         ui.add(Label::new(text).wrap()).on_hover_text(
-            "Distance to the nearest training subject in the model features, relative to the median of \
-             that distance among the training subjects",
+            "Distance to the nearest training subject in the model features, or of a classifier from a file to their \
+             mean, relative to the median of that distance among the training subjects",
         );
     }
     ui.add_space(space::SMALL);

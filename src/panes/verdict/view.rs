@@ -1,8 +1,8 @@
 //! The verdict on the selected subject in words, with its evidence and the classifier.
 
 use crate::analysis::verdicts::{
-    ClassifierQuality, ClassifierSource, Finding, TrainingSetDistance, Verdict, VerdictParams,
-    Verdicts,
+    ClassifierQuality, ClassifierSource, Feature, Finding, TrainingSetDistance, Verdict,
+    VerdictParams, Verdicts,
 };
 use crate::document::state::State;
 use crate::engine::Showing;
@@ -78,24 +78,27 @@ fn report_of(state: &State, verdicts: &Verdicts, verdict: &Verdict) -> VerdictRe
     VerdictReport {
         mark: mark(verdict.finding),
         heading: heading(verdict),
-        sentence: sentence(verdict),
+        sentence: sentence(verdict, calibrated),
         kinds: (verdict.kinds.iter())
             .map(|kind| (kind.label.clone(), super::found::percent(kind.probability)))
             .collect(),
         reasons: reasons(verdict),
         probability: Some(verdict.probability),
         calibrated,
-        source: match (calibrated, role) {
-            (false, _) => "Default thresholds: too few labelled subjects",
-            (true, LabelRole::Unknown) => {
+        source: match (verdicts.classifier, role) {
+            (ClassifierSource::Uncalibrated { .. }, _) => {
+                "Default thresholds: too few labelled subjects"
+            }
+            (ClassifierSource::Rule { .. }, _) => "Classifier of another study, from a file",
+            (ClassifierSource::Cohort { .. }, LabelRole::Unknown) => {
                 "Classifier trained on the labelled subjects; this subject has no class"
             }
-            (true, _) => "Leave-one-out: this subject was not in the training set",
+            (ClassifierSource::Cohort { .. }, _) => {
+                "Leave-one-out: this subject was not in the training set"
+            }
         },
-        training_distance: verdict
-            .training_set_distance
-            .as_ref()
-            .map(training_distance),
+        training_distance: (verdict.training_set_distance.as_ref())
+            .map(|found| training_distance(found, &verdict.outside)),
         evidence: evidence(study, verdicts, &verdict.features),
         similar: [&verdict.similar_normal, &verdict.similar_abnormal].map(|subjects| {
             subjects
@@ -128,7 +131,7 @@ fn heading(verdict: &Verdict) -> String {
 }
 
 /// What the finding means, with what could be mistaken for another one.
-fn sentence(verdict: &Verdict) -> String {
+fn sentence(verdict: &Verdict, calibrated: bool) -> String {
     let little = (verdict.patched > 0.0)
         .then(|| format!("; low thickening in {} of the LV", percent(verdict.patched)));
     let little = little.unwrap_or_default();
@@ -137,6 +140,8 @@ fn sentence(verdict: &Verdict) -> String {
             "By ejection fraction, volumes, shape and motion; there is no wall to assess regions of"
                 .to_owned()
         }
+        // Without a classifier there is nobody that it could be like.
+        Finding::Nothing if !calibrated => format!("No patch counts by default thresholds{little}"),
         Finding::Nothing => format!("The heart is as those of the normal subjects{little}"),
         Finding::Patch | Finding::LowThickening => {
             "Thickening in part of the wall is far below that of remote myocardium".to_owned()
@@ -164,7 +169,8 @@ fn reasons(verdict: &Verdict) -> String {
     }
 }
 
-fn training_distance(found: &TrainingSetDistance) -> TrainingDistance {
+/// Distance to what the classifier has seen, and the features outside the range of that.
+fn training_distance(found: &TrainingSetDistance, beyond: &[Feature]) -> TrainingDistance {
     let times = found.distance / found.median.max(f64::MIN_POSITIVE);
     let times = if times < 9.95 {
         format!("{times:.1} ×")
@@ -172,7 +178,7 @@ fn training_distance(found: &TrainingSetDistance) -> TrainingDistance {
         format!("{times:.0} ×")
     };
     let outside = found.as_far < OUTSIDE;
-    let words = if outside {
+    let mut words = if outside {
         format!(
             "Outside the training distribution: {times} the median distance, {} percentile. Interpret the verdict with \
              caution",
@@ -184,7 +190,14 @@ fn training_distance(found: &TrainingSetDistance) -> TrainingDistance {
             ordinal(100.0 * (1.0 - found.as_far))
         )
     };
-    TrainingDistance { words, outside }
+    if !beyond.is_empty() {
+        let names: Vec<&str> = beyond.iter().map(|feature| feature.name()).collect();
+        words += &format!(". Outside the training range: {}", names.join(", "));
+    }
+    TrainingDistance {
+        words,
+        outside: outside || !beyond.is_empty(),
+    }
 }
 
 /// "74th", of a number that is rounded to an integer.

@@ -162,6 +162,7 @@ fn a_rule_says_of_a_subject_that_it_has_not_seen_what_its_study_says() {
         (&of(&own, 24).kinds, &of(&own, 24).reasons)
     );
     assert!(told.outside.is_empty(), "{:?}", told.outside);
+    assert!(told.training_set_distance.unwrap().as_far > 0.05);
     assert_eq!(
         by_rule.classifier,
         ClassifierSource::Rule {
@@ -194,6 +195,7 @@ fn a_heart_outside_what_a_rule_has_seen_says_by_which_feature_and_other_meshes_a
     };
     let found = verdicts_by_rule(&far, &no_walls(&far), &rule).unwrap();
     assert!(of(&found, 0).outside.contains(&Feature::EjectionFraction));
+    assert_eq!(of(&found, 0).training_set_distance.unwrap().as_far, 0.0);
     let finer = found.subjects[1].as_ref().unwrap_err().to_string();
     assert!(
         finer.starts_with(
@@ -231,8 +233,9 @@ fn damaged_rules_are_refused() {
         &|rule: &mut Rule| rule.abnormal.weights.truncate(2) as (),
         &|rule: &mut Rule| rule.abnormal.slope = f64::NAN,
         &|rule: &mut Rule| rule.features[3].deviation = 0.0,
+        &|rule: &mut Rule| rule.distances.reverse(),
         &|rule: &mut Rule| rule.kinds[0].model.absence_weights.push(1.0),
-    ] as [&dyn Fn(&mut Rule); 4]
+    ] as [&dyn Fn(&mut Rule); 5]
     {
         assert_eq!(damaged(numbers), RuleError::Numbers);
     }

@@ -107,11 +107,12 @@ fn an_uncalibrated_score_says_so_everywhere() {
 #[test]
 fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
     let at = |distance: f64, as_far: f64| {
-        training_distance(&TrainingSetDistance {
+        let found = TrainingSetDistance {
             distance,
             median: 0.5,
             as_far,
-        })
+        };
+        training_distance(&found, &[])
     };
     let near = at(0.6, 0.4);
     assert!(
@@ -119,6 +120,30 @@ fn a_subject_far_from_the_training_subjects_is_to_be_read_with_caution() {
     );
     let far = at(12.0, 0.0);
     assert!(far.outside && far.words.contains("24 ×") && far.words.contains("100th percentile"));
+}
+
+#[test]
+fn a_classifier_from_a_file_says_so_and_what_it_has_not_seen() {
+    let mut state = classified(ClassifierSource::Rule {
+        normal: 20,
+        abnormal: 60,
+    });
+    let seen = state.verdicts().unwrap().0;
+    let mut verdicts = (**seen).clone();
+    if let Ok(verdict) = &mut verdicts.subjects[0] {
+        verdict.outside = vec![Feature::EjectionFraction];
+    }
+    verdicts.subjects[2] = Err(NotAssessed::NotComparable(
+        "meshes of 9 vertices".to_owned(),
+    ));
+    state.answers.verdicts = Some(Showing::Ready(Arc::new(verdicts)));
+    let shown = report(&state).unwrap();
+    assert!(shown.calibrated && shown.source.ends_with("from a file"));
+    let distance = shown.training_distance.unwrap();
+    assert!(distance.outside && distance.words.ends_with("range: ejection fraction"));
+    state.document.subject = 2;
+    let sentence = report(&state).unwrap().sentence;
+    assert!(sentence.starts_with("Not comparable"), "{sentence}");
 }
 
 #[test]
