@@ -101,6 +101,7 @@ fn analyzed_into(
         verdicts: Arc::clone(&tables.verdicts),
         poses: Arc::clone(&tables.poses),
         deformations: tables.deformations.clone(),
+        classes: tables.classes.clone(),
         settings,
         results: Arc::clone(results),
     };

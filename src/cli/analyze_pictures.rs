@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use serde_json::{Value, json};
 
+use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
@@ -38,6 +39,7 @@ pub(super) struct Pictured {
     pub(super) verdicts: Arc<Verdicts>,
     pub(super) poses: Arc<PoseMap>,
     pub(super) deformations: Option<Arc<DeformationMap>>,
+    pub(super) classes: Option<Arc<Classes>>,
     pub(super) settings: TableSettings,
     pub(super) results: Arc<ResultFolder>,
 }
@@ -201,6 +203,7 @@ impl Pictured {
             verdicts: &self.verdicts,
             poses: Some(&self.poses),
             deformations: self.deformations.as_deref(),
+            classes: self.classes.as_deref(),
             parameters: &parameters,
         };
         let pages = report_pages(&order, patches, &fonts);

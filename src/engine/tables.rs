@@ -102,6 +102,8 @@ pub struct AnalysisTables {
     pub poses: Arc<PoseMap>,
     /// The deformation map.
     pub deformations: Option<Arc<DeformationMap>>,
+    /// How well the labels are told apart by it.
+    pub classes: Option<Arc<Classes>>,
     /// The subjects whose wall could not be assessed, and why.
     pub unassessed: Vec<Unassessed>,
     /// What `summary.json` says, without the list of files.
@@ -209,6 +211,7 @@ impl AnalysisTables {
             measures,
             verdicts: Arc::new(verdicts),
             poses: Arc::clone(&maps[0].1),
+            classes: classes.as_ref().map(|found| Arc::clone(&found.classes)),
             deformations: classes.map(|found| found.map),
             unassessed: walls.unassessed,
             summary,

@@ -1,5 +1,6 @@
 //! The content of the report, as texts.
 
+use crate::analysis::classification::{Accuracy, Classes};
 use crate::analysis::verdicts::{ClassifierSource, Finding, Verdicts};
 use crate::picture::patch_words::{percent, probability_words, sentence};
 use crate::picture::report::order::ReportOrder;
@@ -136,6 +137,67 @@ pub(super) fn classifier(verdicts: &Verdicts) -> String {
             quality.auc_baseline,
             quality.auc_p_value
         );
+        if let Some(kinds) = quality.kinds {
+            words += &format!(
+                " Most probable label: the own one of {} of {} subjects, leave-one-out ({} have the most frequent one).",
+                kinds.correct, kinds.of, kinds.largest_kind
+            );
+        }
     }
     words
+}
+
+/// How well the labels are told apart by whole deformations; `None` where there are too few.
+pub(super) fn classes(classes: &Classes) -> Option<String> {
+    let of = |name: &str, found: Option<Accuracy>| {
+        let found = found?;
+        Some(format!(
+            "{name} {} of {} (permutation mean {}, p = {:.3})",
+            found.correct,
+            found.of,
+            percent(found.baseline),
+            found.p_value
+        ))
+    };
+    let found: Vec<String> = [
+        of("nearest neighbour", classes.nearest_neighbour),
+        of("linear classifier", classes.linear_classifier),
+        of("classifier on the 2-D embedding", classes.plane_classifier),
+        of("cluster agreement", classes.tau),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    (!found.is_empty()).then(|| {
+        format!(
+            "Labels by the distances of whole deformations, leave-one-out: {}.",
+            found.join(", ")
+        )
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_tells_labels_apart_is_said_with_its_permutation_mean() {
+        let accuracy = Accuracy {
+            correct: 18,
+            of: 20,
+            baseline: 0.5,
+            p_value: 0.001,
+        };
+        let mut found = Classes {
+            nearest_neighbour: Some(accuracy),
+            ..Classes::default()
+        };
+        assert_eq!(
+            classes(&found).unwrap(),
+            "Labels by the distances of whole deformations, leave-one-out: nearest neighbour 18 of 20 (permutation \
+             mean 50 %, p = 0.001)."
+        );
+        found.nearest_neighbour = None;
+        assert_eq!(classes(&found), None);
+    }
 }
