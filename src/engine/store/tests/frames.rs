@@ -1,6 +1,7 @@
 //! What frames ask for: superseded, stopped, cancelled, finished first, forgotten, and in which order it runs.
 
 use super::*;
+use crate::engine::store::queue::MAX_THREADS;
 
 #[test]
 fn the_last_good_answer_stays_while_a_new_one_is_computed_and_the_newest_question_wins() {
