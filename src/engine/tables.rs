@@ -14,7 +14,7 @@ use crate::analysis::verdicts::{Verdicts, verdicts};
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
 use crate::engine::queries::{
     ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap, PoseMapQuery,
-    VerdictQuery, distance_words,
+    VerdictQuery, deformation_words, distance_words,
 };
 use crate::engine::result_folder::{clear_earlier, complete, name_in};
 use crate::engine::store::{Interrupted, Store};
@@ -184,6 +184,7 @@ impl AnalysisTables {
             measures: &measures,
             distances: &maps[0].1.distances,
             metric: &distance_words(&deformations.poses.distances),
+            comparison: &deformation_words(deformations),
             maps: (maps.iter())
                 .map(|(word, map)| (*word, &map.embedding))
                 .collect(),

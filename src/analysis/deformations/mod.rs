@@ -10,16 +10,20 @@ mod beats;
 mod curve;
 mod distances;
 mod map;
+mod motions;
 mod params;
+mod part_distances;
 mod result;
 
 pub use curve::resampled;
-pub use distances::{DeformationDistances, deformation_distances};
-pub use map::{DeformationMapError, deformation_map};
+pub use distances::{DeformationDistances, deformation_distances, distances_at_equal_phases};
+pub use map::{DeformationMapError, deformation_map, map_of_distances, map_of_parts};
 pub use params::{
-    CheckedDeformationMapParams, DeformationMapParams, DeformationParamError, default_neighbours,
+    CheckedDeformationMapParams, Comparison, DeformationMapParams, DeformationParamError,
+    PartWeights, default_neighbours,
 };
-pub use result::DeformationMap;
+pub use part_distances::{CheckedPartParams, PartDistances, PartParams, part_distances};
+pub use result::{DeformationMap, MappedParts};
 
 #[cfg(test)]
 mod tests;

@@ -3,6 +3,7 @@
 use super::*;
 use crate::progress::Progress;
 
+mod aim;
 mod known;
 
 #[test]

@@ -56,6 +56,22 @@ pub fn pose_distances(
     Ok(pose_distances_knowing(study, params, None, progress)?.distances)
 }
 
+/// [`pose_distances`] of those pairs alone that are `needed`; the others stand as 0 in the matrix, whatever they are.
+///
+/// # Errors
+/// As [`pose_distances`].
+pub fn pose_distances_where(
+    study: &Study,
+    params: &CheckedPoseDistanceParams,
+    needed: &Needed<'_>,
+    progress: &Progress,
+) -> Result<PoseDistances, PoseDistanceError> {
+    Ok(computed(study, params, None, needed, progress)?.distances)
+}
+
+/// Which pairs are computed.
+pub type Needed<'a> = dyn Fn(PoseId, PoseId) -> bool + Sync + 'a;
+
 /// Distances and how much work they were.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ComputedDistances {
@@ -74,6 +90,16 @@ pub fn pose_distances_knowing(
     study: &Study,
     params: &CheckedPoseDistanceParams,
     known: Option<&KnownDistances<'_>>,
+    progress: &Progress,
+) -> Result<ComputedDistances, PoseDistanceError> {
+    computed(study, params, known, &|_, _| true, progress)
+}
+
+fn computed(
+    study: &Study,
+    params: &CheckedPoseDistanceParams,
+    known: Option<&KnownDistances<'_>>,
+    needed: &Needed<'_>,
     progress: &Progress,
 ) -> Result<ComputedDistances, PoseDistanceError> {
     let (comparable, left_out) = comparable_subjects(study);
@@ -100,7 +126,7 @@ pub fn pose_distances_knowing(
     let metric = Metric::new(&faces.unwrap_or_else(|| Faces::joined(&[])), params.metric);
     let Some(transport) = &params.transport else {
         let sources = own_sources(&comparable);
-        return compared(study, &metric, known, &sources, left_out, progress);
+        return compared(study, &metric, known, needed, &sources, left_out, progress);
     };
     let transporting = progress.part(
         "transporting all motions onto one subject",
@@ -111,7 +137,9 @@ pub fn pose_distances_knowing(
     let sources = transported_sources(&cohort);
     let left_out = cohort.left_out.clone();
     let comparing = progress.part("comparing poses", TRANSPORT_SHARE, 1.0);
-    compared(study, &metric, known, &sources, left_out, &comparing)
+    compared(
+        study, &metric, known, needed, &sources, left_out, &comparing,
+    )
 }
 
 /// Prepares poses and computes the pairs that are not known.
@@ -119,6 +147,7 @@ fn compared(
     study: &Study,
     metric: &Metric,
     known: Option<&KnownDistances<'_>>,
+    needed: &Needed<'_>,
     sources: &[Source<'_>],
     mut left_out: Vec<LeftOut>,
     progress: &Progress,
@@ -138,7 +167,8 @@ fn compared(
         .filter_map(|(source, prepared)| Some((source.pose, prepared?)))
         .unzip();
     let rows = KnownRows::of(known, study, &poses);
-    let (distances, new_pairs) = all_pairs(metric, &prepared, &rows, progress)?;
+    let needed = |i: usize, j: usize| needed(poses[i], poses[j]);
+    let (distances, new_pairs) = all_pairs(metric, &prepared, &rows, needed, progress)?;
     Ok(ComputedDistances {
         distances: PoseDistances {
             poses,
@@ -191,11 +221,12 @@ fn assembled(poses: &[PoseId], rows: &KnownRows<'_>) -> DistanceMatrix {
         .unwrap_or_else(DistanceMatrix::empty)
 }
 
-/// Every pair once, block by block; blocks are placed by number, whoever did them.
+/// Every pair that is needed once, block by block; blocks are placed by number, whoever did them.
 fn all_pairs(
     metric: &Metric,
     poses: &[PreparedPose],
     known: &KnownRows<'_>,
+    needed: impl Fn(usize, usize) -> bool + Sync,
     progress: &Progress,
 ) -> Result<(DistanceMatrix, usize), Stopped> {
     let count = poses.len();
@@ -211,6 +242,9 @@ fn all_pairs(
             block_pairs(task, count)
                 .map(|(i, j)| {
                     progress.step()?;
+                    if !needed(i, j) {
+                        return Ok(0.0);
+                    }
                     if let Some(distance) = known.distance(i, j) {
                         return Ok(distance);
                     }

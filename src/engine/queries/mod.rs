@@ -3,6 +3,7 @@
 mod classes;
 mod contribution;
 mod deformation_map;
+mod deformation_parts;
 mod interpolated_poses;
 mod measures;
 mod medial_beat;

@@ -3,6 +3,7 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
+use crate::analysis::deformations::Comparison;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::commands::{BeatCommand, Command};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
@@ -37,6 +38,7 @@ fn harness(
                 let map = ScatterView::new(&DEFORMATION_MAP, &subjects, &points);
                 let view = DeformationMapView {
                     map,
+                    comparison: Comparison::default(),
                     neighbours: Some(5),
                     reconstruction_error: Some(0.0123),
                     time_weight: Some(1.42),
@@ -46,7 +48,7 @@ fn harness(
                         ClassesView::Ready(&rows)
                     },
                 };
-                deformation_note(ui, &view, 0.0);
+                deformation_header_ui(ui, &view, 0.0, commands);
                 deformation_map_ui(ui, &view, commands);
             },
             Vec::new(),

@@ -34,7 +34,7 @@ fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
         subjects: cohort.rows(),
         selected: document.selected_index(),
         neighbours: map.and_then(|map| map.embedding.neighbours),
-        time_weight: map.map(|map| map.time_weight),
+        time_weight: map.and_then(|map| map.time_weight),
     };
     metric_panel_ui(ui, &view, commands);
 }
