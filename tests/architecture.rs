@@ -41,7 +41,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "units", "progress", "mesh", "study", "analysis", "report", "engine", "render",
         ],
     ),
-    ("ui", &["study"]),
+    ("ui", &["study", "picture"]),
     (
         "document",
         &[

@@ -9,28 +9,28 @@ use egui::{Context, ThemePreference, Ui};
 use crate::document::ThemeChoice;
 use crate::document::answers::Answers;
 
-use crate::engine::{OpenSource, Query, Topic, Wake};
+use crate::engine::{Query, Topic, Wake};
 use crate::panes::{Command, FileCommand};
 use crate::ui::{self};
 
 use super::app_options::AppOptions;
 use super::apply::{Effect, Moment, apply};
-use super::asks::Seen;
 use super::background::{Background, reference_frames};
 use super::chosen_files::{ChosenFiles, Exporting};
-use super::dialogs::PathQuestion;
 use super::first_picture::FirstPicture;
 use super::frame_ui::{Drawing, frame_ui};
 use super::layout::Layout;
+use super::let_go::{give_keyboard_back, let_go_of_study};
+use super::path_question::PathQuestion;
 use super::settings::Settings;
 use super::times::Times;
 use super::typefaces::Typefaces;
 use super::window_picture::{self, KeepPicture};
 use crate::document::state::State;
 use crate::panes::pane_context::{Kept, Memo};
-use crate::panes::viewport::hearts::Viewport;
 use crate::panes::viewport::paint;
-use crate::panes::viewport::pictures::Pictures;
+use crate::panes::viewport::queries::Pictures;
+use crate::panes::viewport::viewport::Viewport;
 
 /// While work goes on, bars move this often.
 const BAR_PERIOD: Duration = Duration::from_millis(100);
@@ -54,6 +54,8 @@ pub struct App {
     first_picture: Option<FirstPicture>,
     queue: Vec<Command>,
     played_at_s: Option<f64>,
+    /// Whether the window closes, whatever was not exported.
+    leaves: bool,
     /// What the driver refused, so that it has one card.
     refused: Option<String>,
 }
@@ -80,22 +82,22 @@ impl App {
         let mut background = Background::start(&wake)?;
         let mut state = State {
             theme: settings.theme,
+            figure_look: settings.figure,
             recent: settings.recent,
+            play: settings.play,
             built_in: options.built_in,
             ..State::default()
         };
+        let mut files = ChosenFiles::new(options.ask_paths);
         if let Some(source) = options.open {
-            if let OpenSource::Paths(paths) = &source {
-                super::settings::remember_recent(&mut state.recent, paths);
-            }
-            background.engine.open(source);
+            files.begin(&mut state, &mut background.engine, source);
         }
         let memo = Memo::default();
         memo.put(Viewport::new(cc.wgpu_render_state.is_some()));
         Ok(Self {
             state,
             layout: settings.layout,
-            files: ChosenFiles::new(options.ask_paths),
+            files,
             typefaces: Typefaces::default(),
             background,
             memo,
@@ -108,6 +110,7 @@ impl App {
             first_picture: options.live.then(FirstPicture::default),
             queue: Vec::new(),
             played_at_s: None,
+            leaves: false,
             refused: None,
         })
     }
@@ -124,7 +127,7 @@ impl App {
 
     /// Whether work goes on behind the window.
     pub fn busy(&self) -> bool {
-        self.background.engine.busy() || self.state.answers.thickness_is_pending()
+        self.background.engine.busy()
     }
 
     /// Whether one kind of work goes on.
@@ -177,7 +180,17 @@ impl App {
             files.map(|file| file.path().to_owned()).collect()
         });
         if !dropped.is_empty() {
-            self.queue.push(Command::File(FileCommand::Open(dropped)));
+            // With Shift they are added to the study.
+            self.queue
+                .push(match ctx.input(|input| input.modifiers.shift) {
+                    true => FileCommand::Add(dropped).into(),
+                    false => FileCommand::Open(dropped).into(),
+                });
+        }
+        let closes = ctx.input(|input| input.viewport().close_requested());
+        if closes && !self.leaves && self.state.is_edited() {
+            ctx.send_viewport_cmd(egui::ViewportCommand::CancelClose);
+            self.queue.push(FileCommand::Quit.into());
         }
         self.queue.extend(crate::panes::pressed_commands(ctx));
     }
@@ -211,13 +224,31 @@ impl App {
         match effect {
             Effect::ChooseFiles => files.ask_to_open(exporting.engine, PathQuestion::OpenFiles),
             Effect::ChooseFolder => files.ask_to_open(exporting.engine, PathQuestion::OpenFolders),
+            Effect::ChooseFilesToAdd => {
+                files.ask_to_add(&exporting, PathQuestion::OpenFiles);
+            }
+            Effect::ChooseFolderToAdd => {
+                files.ask_to_add(&exporting, PathQuestion::OpenFolders);
+            }
+            Effect::Add(paths) => self.background.add(&self.state, paths),
+            Effect::ExportStudy(folder) => files.ask_for_study(&mut exporting, folder),
             Effect::ChooseFigure(kind) => files.ask_for_figure(&mut exporting, kind, None),
             Effect::ChooseTables => files.ask_for_tables(&mut exporting, None),
+            Effect::ReadFirst(id) => self.background.engine.read_first(id),
             Effect::Open(source) => self.background.engine.open(source),
+            Effect::FollowLinks => self.background.engine.open_following_links(),
             Effect::WriteFigure(kind, path) => {
                 files.ask_for_figure(&mut exporting, kind, Some(path));
             }
-            Effect::ReadPicture(path) => files.read_view(exporting.engine, path),
+            Effect::ReadPicture { picture, study } => {
+                files.read_view(exporting.engine, picture, !study.is_empty());
+                if !study.is_empty() {
+                    self.queue.push(FileCommand::Open(study).into());
+                }
+            }
+            Effect::CompletePath(text) => files.complete_path(exporting.engine, text),
+            Effect::TakePath { text, replace } => files.take_path(exporting.engine, text, replace),
+            Effect::CancelPath => files.cancel_path(exporting.state),
             Effect::WriteTables(folder) => files.ask_for_tables(&mut exporting, Some(folder)),
             Effect::Stop(topic) => self.background.engine.cancel(topic),
             Effect::Retry(topic) => self.background.engine.retry(topic),
@@ -232,7 +263,10 @@ impl App {
             Effect::SetFullScreen(full) => {
                 ctx.send_viewport_cmd(egui::ViewportCommand::Fullscreen(full));
             }
-            Effect::Quit => ctx.send_viewport_cmd(egui::ViewportCommand::Close),
+            Effect::Quit => {
+                self.leaves = true;
+                ctx.send_viewport_cmd(egui::ViewportCommand::Close);
+            }
         }
     }
 
@@ -259,11 +293,9 @@ impl App {
         let state = &mut self.state;
         if let Some(subject) = state.document.selected() {
             let elapsed_s = elapsed_s.min(LONGEST_STEP_S);
-            let (position, on) = state
-                .play
-                .advance(subject, state.document.position, elapsed_s);
-            state.document.position = position;
-            state.play.playing = on;
+            let (at, range) = (state.document.position, state.document.loop_range);
+            (state.document.position, state.play.playing) =
+                state.play.advance(subject, at, range, elapsed_s);
         }
         if state.play.playing {
             ctx.request_repaint();
@@ -280,55 +312,36 @@ fn choose_theme(ctx: &Context, choice: ThemeChoice) {
     });
 }
 
-/// Another study is on screen, opened or brought back by undo: what the pointer holds, what an open menu is about and
-/// where a map was looked at belong to the one before.
-fn let_go_of_study(ctx: &Context) {
-    egui::DragAndDrop::clear_payload(ctx);
-    egui::Popup::close_all(ctx);
-    crate::panes::leave_study(ctx);
-}
-
-/// After a click the keys belong to the window again, unless the click went into a text: Space
-/// plays and arrows step frames whatever was clicked before.
-fn give_keyboard_back(ctx: &Context) {
-    if !ctx.text_edit_focused()
-        && let Some(focused) = ctx.memory(|memory| memory.focused())
-    {
-        ctx.memory_mut(|memory| memory.surrender_focus(focused));
-    }
-}
-
 impl eframe::App for App {
     fn logic(&mut self, ctx: &Context, frame: &mut eframe::Frame) {
         self.times.begin_frame(self.state.play.playing);
         let begin = Instant::now();
         // What was clicked concerns what was drawn: it comes before anything that finished since, such as
         // another study, in whose table a row is another subject.
-        let opening = self.state.document.study.opening;
+        let listing = self.state.document.study.listing;
         self.apply_queue(ctx);
         self.take_in(ctx);
+        crate::panes::let_go_if_moved(ctx, self.state.document.study());
         self.report_refusal(frame.wgpu_render_state().and_then(paint::failure));
         self.apply_queue(ctx);
-        if self.state.document.study.opening != opening {
+        if self.state.document.study.listing != listing {
             let_go_of_study(ctx);
         }
         let (files, mut exporting) = self.exporting(ctx);
         files.take_waiting_figures(&mut exporting);
         self.play(ctx);
-        let seen = Seen {
-            panes: self.layout.seen(),
-            pointer_held: ctx.input(|input| input.pointer.any_down()),
-        };
         if self.first_picture_is_ahead() {
             self.state.answers = Answers {
-                opening: self.state.document.study.opening,
+                listing: self.state.document.study.listing,
                 ..Answers::default()
             };
             // Nothing else wakes the window once the picture is there.
             ctx.request_repaint();
         } else {
-            self.background.ask(&mut self.state, &seen);
+            let pointer_held = ctx.input(|input| input.pointer.any_down());
+            self.background.ask(&mut self.state, pointer_held);
         }
+        self.files.answers_are_of(&self.state.document);
         let reference_frames = reference_frames(&self.state);
         let store = self.background.engine.store();
         let pictures = Pictures::new(store, self.state.document.study());
@@ -358,15 +371,17 @@ impl eframe::App for App {
         if !self.queue.is_empty() {
             ui.ctx().request_repaint();
         }
-        let picture = !self.viewport().borrow_mut().shown().is_empty();
-        if self.times.drawn(picture, self.state.map().is_some()) {
+        if self
+            .times
+            .drawn(&self.state, self.viewport().borrow_mut().shown())
+        {
             ui.ctx().request_repaint();
         }
         self.times.add(begin.elapsed());
     }
 
     fn save(&mut self, storage: &mut dyn eframe::Storage) {
-        Settings::save(storage, self.state.theme, &self.layout, &self.state.recent);
+        Settings::save(storage, &self.state, &self.layout);
     }
 
     /// What egui itself would keep includes texts that were typed, so nothing of it is kept.

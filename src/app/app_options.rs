@@ -6,7 +6,8 @@ use std::time::Instant;
 use crate::engine::OpenSource;
 use crate::study::built_in::BuiltInParams;
 
-use super::dialogs::{AskPaths, system_dialogs};
+use super::dialogs::system_dialogs;
+use super::path_question::AskPaths;
 
 /// What the window begins with.
 #[derive(Clone)]

@@ -3,11 +3,14 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::engine::{Engine, StoreOptions, Wake};
-use crate::io::Opened;
+use crate::engine::{Engine, OpenSource, Stage, StoreOptions, Wake};
+use crate::io::{Opened, cohort_notices};
 use crate::picture::reference_frame;
+use crate::study::{Notice, Revision, Study};
+use crate::ui::text::counted;
 
-use super::asks::{Asks, Seen};
+use super::apply::{Moment, change};
+use super::asks::Asks;
 use super::errors::{push_card, push_failure, push_open_errors};
 use crate::document::document::OpeningReport;
 use crate::document::state::State;
@@ -17,6 +20,10 @@ pub struct Background {
     /// Opens, answers, exports.
     pub engine: Engine,
     asks: Asks,
+    /// The state of the study that the store knows of.
+    followed: Option<Revision>,
+    /// Which opening of a study is added to.
+    added_to: u64,
 }
 
 impl Background {
@@ -31,16 +38,32 @@ impl Background {
                 ..StoreOptions::default()
             })?,
             asks: Asks::default(),
+            followed: None,
+            added_to: 0,
         })
     }
 
     /// Takes in what finished since the last frame.
     pub fn poll(&mut self, state: &mut State) {
         self.engine.poll();
+        for stage in self.engine.take_stages() {
+            self.take_stage(state, stage);
+        }
         if let Some(opened) = self.engine.take_opened() {
             take_opened(state, opened);
         }
+        if let Some(added) = self.engine.take_added() {
+            let moment = Moment {
+                now_s: 0.0,
+                pointer_held: false,
+                fresh_revision: self.engine.next_revision(),
+            };
+            take_added(state, added, self.added_to, &moment);
+        }
         if let Some(files) = self.engine.take_exported() {
+            let written = |export: &(PathBuf, Revision)| files.contains(&export.0);
+            let kept = state.exports.extract_if(.., |export| written(export));
+            state.kept.extend(kept.map(|(_, revision)| revision));
             state.message = written_words(&files);
         }
         for failure in self.engine.take_failures() {
@@ -48,9 +71,45 @@ impl Background {
         }
     }
 
+    /// Begins to read what is to be added to the study on screen.
+    pub fn add(&mut self, state: &State, paths: Vec<PathBuf>) {
+        self.added_to = state.document.study.opening;
+        self.engine.add(OpenSource::Paths(paths));
+    }
+
     /// Asks for what the state on screen needs, and has the state show what is known.
-    pub fn ask(&mut self, state: &mut State, seen: &Seen) {
-        state.answers = self.asks.ask(state, self.engine.store(), seen);
+    pub fn ask(&mut self, state: &mut State, pointer_held: bool) {
+        let study = state.document.study();
+        if self.followed != Some(study.revision) {
+            self.engine.store().follow(study);
+            self.followed = Some(study.revision);
+        }
+        state.answers = self.asks.ask(state, self.engine.store(), pointer_held);
+    }
+
+    fn take_stage(&mut self, state: &mut State, stage: Stage) {
+        let mut fresh = || self.engine.next_revision();
+        match stage {
+            Stage::Begun(study) => state.begin_reading(study),
+            Stage::Read(read) => {
+                if !state.add_read(&read, &mut fresh) {
+                    self.engine.give_up_opening();
+                }
+            }
+            Stage::Ended(opened) => {
+                push_open_errors(&mut state.errors, &opened.errors);
+                state.message = opened_words(&opened.study);
+                state.end_reading(report_of(opened).1, &mut fresh);
+            }
+            Stage::GivenUp => {
+                let stopped = Notice::warning("reading was stopped: not all subjects were read");
+                let report = OpeningReport {
+                    notices: vec![stopped],
+                    ..OpeningReport::default()
+                };
+                state.end_reading(report, &mut fresh);
+            }
+        }
     }
 }
 
@@ -67,28 +126,74 @@ fn written_words(files: &[PathBuf]) -> String {
 
 fn take_opened(state: &mut State, opened: Opened) {
     push_open_errors(&mut state.errors, &opened.errors);
-    let study = opened.study;
-    if study.subjects.is_empty() {
+    if opened.study.subjects.is_empty() {
         if opened.errors.is_empty() {
             push_card(&mut state.errors, "Nothing to open", "no mesh files found");
         }
         return;
     }
-    state.message = match study.subjects.len() {
-        1 => format!("Opened {}", study.subjects[0].id),
-        count => format!("Opened {count} subjects"),
-    };
+    state.message = opened_words(&opened.study);
+    let (study, report) = report_of(opened);
+    state.show_study(Arc::new(study), report);
+}
+
+fn opened_words(study: &Study) -> String {
+    match study.subjects.as_slice() {
+        [one] => format!("Opened {}", one.id),
+        all => format!("Opened {} subjects", all.len()),
+    }
+}
+
+fn report_of(opened: Opened) -> (Study, OpeningReport) {
     let report = OpeningReport {
         notices: opened.notices,
         errors: opened.errors,
     };
-    state.show_study(Arc::new(study), report);
+    (opened.study, report)
+}
+
+/// Adds what was read to the study that it was asked for, as one step of undo; the load report tells of both.
+fn take_added(state: &mut State, added: Opened, added_to: u64, moment: &Moment) {
+    let refused = if state.document.study.opening != added_to {
+        Some("another study was opened meanwhile")
+    } else if !state.document.study().unread.is_empty() {
+        Some("the study on screen is still being read")
+    } else if added.study.subjects.is_empty() {
+        Some("no mesh files that can be read were found")
+    } else {
+        None
+    };
+    push_open_errors(&mut state.errors, &added.errors);
+    if let Some(why) = refused {
+        return push_card(&mut state.errors, "Nothing was added", why);
+    }
+    let study = (state.document.study()).adding(&added.study, moment.fresh_revision);
+    let mut report = OpeningReport::clone(&state.document.study.report);
+    // What holds for the cohort may hold no more, and copies may have come.
+    let [before, now] =
+        [state.document.study(), &study].map(|study| cohort_notices(&study.subjects));
+    report.notices.retain(|notice| !before.contains(notice));
+    report.notices.extend(now);
+    report
+        .notices
+        .extend(added.notices.into_iter().map(|notice| Notice {
+            text: format!("{}, added: {}", added.study.name, notice.text),
+            ..notice
+        }));
+    report.errors.extend(added.errors);
+    change(state, moment, None, |document| {
+        document.show_relisted(study);
+        document.study.report = Arc::new(report);
+    });
+    state.leave_listing();
+    state.estimate_at = None;
+    state.message = format!("Added {}", counted(added.study.count(), "subject"));
 }
 
 /// The frame of each subject that motion is counted from.
 pub fn reference_frames(state: &State) -> Vec<usize> {
     let study = state.document.study();
-    (0..study.subjects.len())
-        .map(|index| reference_frame(&study.subjects[index], state.measures_of(index)))
+    (study.all().enumerate())
+        .map(|(index, subject)| reference_frame(subject, state.measures_of(index)))
         .collect()
 }

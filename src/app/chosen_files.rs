@@ -3,19 +3,23 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use crate::engine::Engine;
+use crate::engine::{Engine, OpenSource};
 use crate::panes::{Command, FileCommand};
 use crate::picture::Quantity;
 use crate::study::Subject;
 
-use super::dialogs::{AskPaths, Dialogs, PathQuestion};
+use super::dialogs::Dialogs;
 use super::errors::push_card;
-use super::export::{FigureExport, FigureKind, NoFigure, TableExport};
-use super::saved_views::{self, SavedViews};
+use super::export::{
+    FigureColours, FigureExport, FigureKind, NoFigure, TableExport, write_study_into,
+};
+use super::path_question::{AskPaths, PathQuestion};
+use super::saved_views::{SavedViews, split_picture};
+use super::settings::remember_recent;
 use crate::document::document::Document;
 use crate::document::state::State;
 use crate::panes::pane_context::Kept;
-use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::viewport::Viewport;
 
 /// A figure as it was asked for. It waits where the selected subject is not on screen yet, or its wall not measured.
 struct WantedFigure {
@@ -24,24 +28,33 @@ struct WantedFigure {
     path: Option<PathBuf>,
     /// What was on screen at the command, or about to be.
     document: Document,
-    dark: bool,
+    colours: FigureColours,
 }
 
 impl WantedFigure {
+    /// Whether what the store says is about what the figure shows: in the frame in which settings change, it is still
+    /// about those before.
+    fn is_answered_by(&self, answered: &Document) -> bool {
+        let same_colours = answered.bar_quantity() == self.document.bar_quantity();
+        answered.thickening == self.document.thickening && (same_colours || !self.needs_numbers())
+    }
+
+    /// Whether its colours are computed beside the subject.
+    fn needs_numbers(&self) -> bool {
+        matches!(
+            self.document.bar_quantity(),
+            Quantity::ThicknessRatio | Quantity::Contribution | Quantity::MotionDifference
+        )
+    }
+
     /// Why it can no longer be had once the window shows `now`; `None` as long as it can.
     fn left_behind_by(&self, now: &Document) -> Option<&'static str> {
-        let needs_numbers = |document: &Document| {
-            matches!(
-                document.bar_quantity(),
-                Quantity::ThicknessRatio | Quantity::Contribution | Quantity::MotionDifference
-            )
-        };
         let colours_changed = now.bar_quantity() != self.document.bar_quantity();
         if self.subject() != now.selected().map(Arc::as_ptr) {
             Some("another subject was selected before this one was drawn and measured")
         } else if now.thickening != self.document.thickening {
             Some("the thresholds of patches were changed before its wall was measured")
-        } else if colours_changed && needs_numbers(&self.document) {
+        } else if colours_changed && self.needs_numbers() {
             Some("other colours were chosen before those of the figure were computed")
         } else {
             None
@@ -67,6 +80,8 @@ pub struct ChosenFiles {
     dialogs: Dialogs,
     saved_views: SavedViews,
     waiting_figures: Vec<WantedFigure>,
+    /// The document that the store was asked for last.
+    answered: Document,
 }
 
 impl ChosenFiles {
@@ -76,7 +91,43 @@ impl ChosenFiles {
             dialogs: Dialogs::new(ask_paths),
             saved_views: SavedViews::default(),
             waiting_figures: Vec::new(),
+            answered: State::default().document,
         }
+    }
+
+    /// Says that the answers of this frame are about this document.
+    pub fn answers_are_of(&mut self, document: &Document) {
+        self.answered.clone_from(document);
+    }
+
+    /// Opens what the window begins with: of paths, a picture restores its view.
+    pub fn begin(&mut self, state: &mut State, engine: &mut Engine, source: OpenSource) {
+        let OpenSource::Paths(paths) = source else {
+            return engine.open(source);
+        };
+        let (picture, paths) = split_picture(paths);
+        if let Some(picture) = picture {
+            self.read_view(engine, picture, !paths.is_empty());
+        }
+        if !paths.is_empty() {
+            remember_recent(&mut state.recent, &paths);
+            engine.open(OpenSource::Paths(paths));
+        }
+    }
+
+    /// Completes a path that is typed.
+    pub fn complete_path(&mut self, engine: &Engine, text: String) {
+        self.dialogs.typed.complete(engine, text);
+    }
+
+    /// Takes a path that was typed.
+    pub fn take_path(&mut self, engine: &Engine, text: String, replace: bool) {
+        self.dialogs.typed.take(engine, text, replace);
+    }
+
+    /// Gives up typing a path.
+    pub fn cancel_path(&mut self, state: &mut State) {
+        self.dialogs.typed.cancel(state);
     }
 
     /// Asks which files or folders to open.
@@ -85,9 +136,38 @@ impl ChosenFiles {
         self.dialogs.ask(engine, question, Box::new(open));
     }
 
-    /// Begins to read the view that a picture contains.
-    pub fn read_view(&mut self, engine: &Engine, picture: PathBuf) {
-        self.saved_views.read(engine, picture);
+    /// Asks which files or folders are added to the study on screen.
+    pub fn ask_to_add(&mut self, exporting: &Exporting<'_>, question: PathQuestion) {
+        let opening = exporting.state.document.study.opening;
+        let add = move |state: &mut State, _: &mut Engine, paths| {
+            let same = state.document.study.opening == opening;
+            if !same {
+                let why = "another study was opened before they were chosen";
+                push_card(&mut state.errors, "Nothing was added", why);
+            }
+            same.then(|| FileCommand::Add(paths).into())
+        };
+        self.dialogs.ask(exporting.engine, question, Box::new(add));
+    }
+
+    /// Fixes the study at the moment it is asked for, then asks where it goes if that is not known.
+    pub fn ask_for_study(&mut self, exporting: &mut Exporting<'_>, folder: Option<PathBuf>) {
+        let study = Arc::clone(exporting.state.document.study());
+        if let Some(folder) = folder {
+            return write_study_into(exporting.state, exporting.engine, study, &folder);
+        }
+        let write = |state: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
+            write_study_into(state, engine, study, &paths.swap_remove(0));
+            None
+        };
+        let question = PathQuestion::SaveStudy;
+        self.dialogs
+            .ask(exporting.engine, question, Box::new(write));
+    }
+
+    /// Begins to read the view that a picture contains; `named` says whether its study was named with it.
+    pub fn read_view(&mut self, engine: &Engine, picture: PathBuf, named: bool) {
+        self.saved_views.read(engine, picture, named);
     }
 
     /// Fixes what the tables hold at the moment they are asked for, then asks where they go if that is not known.
@@ -118,7 +198,7 @@ impl ChosenFiles {
             kind,
             path,
             document: exporting.state.document.clone(),
-            dark: exporting.dark,
+            colours: FigureColours::of(exporting.state.figure_look, exporting.dark),
         };
         self.make_figure(exporting, wanted);
     }
@@ -127,7 +207,10 @@ impl ChosenFiles {
         let state = &mut *exporting.state;
         let viewport = exporting.viewport.borrow_mut();
         let (document, kind) = (&wanted.document, wanted.kind);
-        let figure = FigureExport::of(document, state, &viewport, wanted.dark, kind);
+        let figure = match wanted.is_answered_by(&self.answered) {
+            true => FigureExport::of(document, state, &viewport, &wanted.colours, kind),
+            false => Err(NoFigure::NotYet),
+        };
         match (figure, wanted.path.take()) {
             (Ok(figure), Some(path)) => write_figure(state, exporting.engine, figure, path),
             (Ok(figure), None) => {
@@ -136,16 +219,14 @@ impl ChosenFiles {
                     suggested: figure.file_name(),
                 };
                 let write = |state: &mut State, engine: &mut Engine, mut paths: Vec<PathBuf>| {
-                    let path = with_png_ending(paths.swap_remove(0));
-                    write_figure(state, engine, figure, path);
+                    write_figure(state, engine, figure, paths.swap_remove(0));
                     None
                 };
                 self.dialogs
                     .ask(exporting.engine, question, Box::new(write));
             }
             (Err(NoFigure::Refused(reason)), _) => {
-                let title = "There is no patch figure of this subject";
-                push_card(&mut state.errors, title, reason);
+                push_card(&mut state.errors, "There is no such figure", reason);
             }
             (Err(NoFigure::NotYet), path) => {
                 if let Some(subject) = wanted.document.selected() {
@@ -173,19 +254,8 @@ impl ChosenFiles {
     /// What dialogs and pictures have brought: commands to apply; exports with a place begin.
     pub fn poll(&mut self, state: &mut State, engine: &mut Engine) -> Vec<Command> {
         let mut commands = Vec::from_iter(self.dialogs.poll(state, engine));
-        match self.saved_views.poll() {
-            Some(Ok(command)) => commands.push(command),
-            Some(Err(reason)) => saved_views::refuse(state, reason),
-            None => {}
-        }
+        commands.extend(self.saved_views.poll(state, engine));
         commands
-    }
-}
-
-fn with_png_ending(path: PathBuf) -> PathBuf {
-    match path.extension() {
-        Some(_) => path,
-        None => path.with_extension("png"),
     }
 }
 

@@ -1,4 +1,4 @@
-//! File dialogs of the operating system, asked off the window's thread.
+//! File dialogs of the operating system, asked off the window's thread; where it shows none, the window asks itself.
 
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -9,56 +9,33 @@ use crate::engine::{Engine, Job};
 use crate::io::openable_extensions;
 use crate::panes::Command;
 
-use super::errors::push_card;
+use super::path_question::{AskPaths, PathQuestion, Then};
+use super::typed_paths::TypedPaths;
 
 /// Extensions of files that can be opened: studies, and pictures that hold a view.
 fn readable() -> Vec<&'static str> {
     let mut extensions = openable_extensions();
-    extensions.push("png");
+    extensions.extend(["png", "svg", "pdf"]);
     extensions
 }
 
 /// An empty answer that comes sooner was not given by a person: no dialog could be shown.
 const MIN_ANSWER_TIME: Duration = Duration::from_millis(150);
 
-/// What a dialog asks the person at the screen.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum PathQuestion {
-    /// Files to open.
-    OpenFiles,
-    /// Folders to open.
-    OpenFolders,
-    /// A new file for a figure.
-    SaveFigure {
-        /// What the dialog is called.
-        title: &'static str,
-        /// The name that it proposes.
-        suggested: String,
-    },
-    /// A folder for tables.
-    SaveTables,
-}
-
-/// Answers questions about paths: the dialogs of the operating system, or a test. `None` if nothing was chosen.
-pub type AskPaths = Arc<dyn Fn(&PathQuestion) -> Option<Vec<PathBuf>> + Send + Sync>;
-
-/// Why no answer came.
+/// The system shows no file dialog: it has neither zenity nor a desktop portal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error(
-    "the system shows no file dialog; install zenity or a desktop portal, or drop files and \
-     folders onto the window"
-)]
+#[error("the system shows no file dialog")]
 pub struct NoDialog;
-
-/// What is done with the paths that were chosen; files to open are a command. What a file will hold is fixed before its
-/// place is asked for: while a dialog is open, the window goes on, and another subject may be selected.
-pub type Then = Box<dyn FnOnce(&mut State, &mut Engine, Vec<PathBuf>) -> Option<Command>>;
 
 type PathJob = Job<Option<Vec<PathBuf>>, NoDialog>;
 
 /// The dialog that is open, if one is.
 pub struct Dialogs {
-    open: Option<(PathJob, Then)>,
+    open: Option<(PathJob, PathQuestion, Then)>,
+    /// Where the system shows no dialog.
+    pub typed: TypedPaths,
+    /// Whether something was asked while a dialog was open.
+    refused: bool,
     ask_paths: AskPaths,
 }
 
@@ -67,35 +44,44 @@ impl Dialogs {
     pub fn new(ask_paths: AskPaths) -> Self {
         Self {
             open: None,
+            typed: TypedPaths::default(),
+            refused: false,
             ask_paths,
         }
     }
 
-    /// Asks, unless a dialog is open already.
+    /// Asks, unless a dialog is open already, which the status bar then says.
     pub fn ask(&mut self, engine: &Engine, question: PathQuestion, then: Then) {
-        if self.open.is_some() {
+        if self.open.is_some() || self.typed.is_open() {
+            self.refused = true;
             return;
         }
-        let ask_paths = Arc::clone(&self.ask_paths);
+        let (ask_paths, asked) = (Arc::clone(&self.ask_paths), question.clone());
         let job = engine.spawn_aside(move |_| {
-            let asked = Instant::now();
-            let paths = ask_paths(&question);
-            if paths.is_none() && asked.elapsed() < MIN_ANSWER_TIME {
+            let begin = Instant::now();
+            let paths = ask_paths(&asked);
+            if paths.is_none() && begin.elapsed() < MIN_ANSWER_TIME {
                 return Err(NoDialog);
             }
             Ok(paths)
         });
-        self.open = Some((job, then));
+        self.open = Some((job, question, then));
     }
 
     /// Follows what was answered, once.
     pub fn poll(&mut self, state: &mut State, engine: &mut Engine) -> Option<Command> {
+        if std::mem::take(&mut self.refused) {
+            state.message = "Another file dialog is open: answer it first".to_owned();
+        }
+        if let Some((paths, then)) = self.typed.poll(state) {
+            return then(state, engine, paths);
+        }
         let outcome = self.open.as_mut()?.0.poll()?;
-        let (_, then) = self.open.take()?;
+        let (_, question, then) = self.open.take()?;
         match outcome {
             Ok(paths) => then(state, engine, paths.filter(|paths| !paths.is_empty())?),
             Err(_) => {
-                push_card(&mut state.errors, "No file dialog", NoDialog.to_string());
+                self.typed.ask(state, question, then);
                 None
             }
         }
@@ -105,25 +91,21 @@ impl Dialogs {
 /// The dialogs of the operating system.
 pub fn system_dialogs() -> AskPaths {
     Arc::new(|question| {
-        let dialog = rfd::FileDialog::new();
+        let dialog = rfd::FileDialog::new().set_title(question.title());
         let one = |path: Option<PathBuf>| path.map(|path| vec![path]);
         match question {
             PathQuestion::OpenFiles => dialog
-                .set_title("Open meshes or a study")
                 .add_filter("Meshes and studies", &readable())
                 .add_filter("All files", &["*"])
                 .pick_files(),
-            PathQuestion::OpenFolders => dialog.set_title("Open a folder of meshes").pick_folders(),
-            PathQuestion::SaveFigure { title, suggested } => one(dialog
-                .set_title(*title)
+            PathQuestion::OpenFolders => dialog.pick_folders(),
+            PathQuestion::SaveFigure { suggested, .. } => one(dialog
                 .set_file_name(suggested)
                 .add_filter("PNG picture", &["png"])
                 .add_filter("SVG drawing", &["svg"])
                 .add_filter("PDF page", &["pdf"])
                 .save_file()),
-            PathQuestion::SaveTables => one(dialog
-                .set_title("Save all tables into a folder")
-                .pick_folder()),
+            PathQuestion::SaveStudy | PathQuestion::SaveTables => one(dialog.pick_folder()),
         }
     })
 }

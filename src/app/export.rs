@@ -3,7 +3,7 @@
 //! What an export holds is fixed when it is asked for. Its place is chosen later, while the window goes on:
 //! whatever is selected or opened in the meantime changes neither the name nor the content.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::analysis::measures::SubjectMeasures;
@@ -11,23 +11,28 @@ use crate::analysis::verdicts::Verdicts;
 use crate::document::ViewMode;
 use crate::engine::{
     Engine, ExportFile, Interrupted, Store, TableSettings, ThickeningSettings, VerdictQuery,
-    distance_words, file_name, tables_of_study,
+    distance_words, file_name, replace_results, tables_of_study,
 };
+use crate::io::{MeshFormat, write_study};
 use crate::picture::figure::{
-    FigureOrder, FigureSubject, FigureView, PatchOrder, rendered_figure, rendered_patch_figure,
+    FigureLook, FigureOrder, FigureSubject, FigureView, PatchOrder, check_figure_size,
+    rendered_figure, rendered_patch_figure,
 };
 use crate::picture::page::{FigureFonts, PageFormat};
-use crate::picture::{BullsEyeQuantity, SceneSettings, frames_around, sentence};
+use crate::picture::{BullsEyeQuantity, PictureTheme, SceneSettings, frames_around, sentence};
 use crate::progress::{Progress, Stopped};
 use crate::render::{Camera, Headless};
 use crate::study::Study;
+use crate::ui::text::counted;
 
 use super::asks::{deformation_settings, verdict_settings};
+use super::errors::push_card;
+use super::typed_paths::with_png_ending;
 use crate::document::document::{Document, nearest_frame};
 use crate::document::play::pose_in;
 use crate::document::state::State;
-use crate::panes::viewport::hearts::Viewport;
 use crate::panes::viewport::shown_subject::ShownSubject;
+use crate::panes::viewport::viewport::Viewport;
 
 /// Which figure is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -39,8 +44,8 @@ pub enum FigureKind {
 }
 
 impl FigureKind {
-    /// Width and height in pixels: a column of print at 600 dots per inch, two columns at 340.
-    fn size(self) -> [u32; 2] {
+    /// Width and height in pixels where none are chosen: a column of print at 600 dots per inch, two columns at 340.
+    fn usual_size(self) -> [u32; 2] {
         match self {
             Self::View => [2000, 1500],
             Self::Patch => [2400, 1800],
@@ -63,10 +68,35 @@ impl FigureKind {
     }
 }
 
+/// Size and colours of a figure as they were chosen when it was asked for.
+#[derive(Clone, Copy, Debug)]
+pub struct FigureColours {
+    size: Option<[u32; 2]>,
+    dark: bool,
+    theme: PictureTheme,
+    transparent: bool,
+}
+
+impl FigureColours {
+    /// Those of a look in a dark or light window.
+    pub fn of(look: FigureLook, dark: bool) -> Self {
+        let (theme, transparent) = look.colours(dark);
+        Self {
+            size: look.size,
+            dark,
+            theme,
+            transparent,
+        }
+    }
+}
+
 /// A subject, a camera and settings as they were when the figure was asked for: everything that it is drawn from.
 pub struct FigureExport {
     kind: FigureKind,
+    size: [u32; 2],
     study: Arc<Study>,
+    /// Index of the subject in that study.
+    subject: usize,
     shown: ShownSubject,
     measures: Option<SubjectMeasures>,
     settings: SceneSettings,
@@ -98,12 +128,29 @@ impl FigureExport {
         document: &Document,
         state: &State,
         viewport: &Viewport,
-        dark: bool,
+        colours: &FigureColours,
         kind: FigureKind,
     ) -> Result<Self, NoFigure> {
+        let is_patch = kind == FigureKind::Patch;
+        let size = colours.size.unwrap_or(kind.usual_size());
+        check_figure_size(size, is_patch).map_err(|error| NoFigure::Refused(error.to_string()))?;
         let shown = selected_on_screen(document, viewport).ok_or(NoFigure::NotYet)?;
-        let wall = state.wall_of(shown.index);
-        if kind == FigureKind::Patch {
+        // Since it was drawn, subjects that were read may have come before it.
+        let place = |study: &Study| {
+            let place = (study.all()).position(|subject| Arc::ptr_eq(subject, &shown.subject));
+            place.ok_or(NoFigure::NotYet)
+        };
+        let index = place(state.document.study())?;
+        // What is said of a subject among others waits for all of them.
+        let study = match document.study().unread.is_empty() {
+            true => document.study(),
+            false => state.document.study(),
+        };
+        if is_patch && !study.unread.is_empty() {
+            return Err(NoFigure::NotYet);
+        }
+        let wall = state.wall_of(index);
+        if is_patch {
             match wall {
                 Some((Err(why), true)) => {
                     let why = format!("{} is not assessed: {why}", shown.subject.id);
@@ -115,14 +162,20 @@ impl FigureExport {
         }
         Ok(Self {
             kind,
-            study: Arc::clone(document.study()),
-            measures: state.measures_of(shown.index).cloned(),
-            settings: shown.settings(&viewport.settings(document, dark)),
+            size,
+            study: Arc::clone(study),
+            subject: place(study)?,
+            measures: state.measures_of(index).cloned(),
+            settings: SceneSettings {
+                theme: colours.theme,
+                transparent: colours.transparent,
+                ..shown.settings(&viewport.settings(document, colours.dark))
+            },
             camera: viewport.camera(document, shown),
             bulls_eye: document.bulls_eye,
             thickening: document.thickening,
             verdict: verdict_settings(document),
-            verdict_words: verdict_words(state, shown.index),
+            verdict_words: verdict_words(state, index),
             shown: ShownSubject {
                 position: match document.view_mode {
                     ViewMode::AllFrames => document.frame() as f64,
@@ -153,22 +206,31 @@ impl FigureExport {
         self.shown.placed.prepared.frame_count
     }
 
-    /// Draws and writes it, off the window's thread.
+    /// Draws and writes it, off the window's thread. A name without an ending becomes one of a picture; a file that lies
+    /// there then is not replaced, since nobody was asked about it.
     ///
     /// # Errors
     /// If the name has an ending that no figure has.
     pub fn write(self, engine: &mut Engine, path: PathBuf) -> Result<(), String> {
+        let ends = path.extension().is_some();
+        let path = with_png_ending(path);
         let Some(format) = PageFormat::of(&path) else {
             return Err(format!(
                 "{}: the name must end in .png, .svg or .pdf",
                 path.display()
             ));
         };
-        let [width, height] = self.kind.size();
+        let [width, height] = self.size;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let words = format!("{width} × {height} pixels, {name}");
         let store = Arc::clone(engine.store());
         engine.start_export(self.kind.name(), words, move |progress| {
+            if !ends && path.exists() {
+                let path = path.display();
+                return Err(format!(
+                    "a file lies there already; type its whole name to replace it: {path}"
+                ));
+            }
             let bytes = drawn(&self, &store, format, progress)?;
             Ok(vec![ExportFile {
                 path,
@@ -193,6 +255,9 @@ fn verdict_words(state: &State, subject: usize) -> String {
     match (verdict, state.wall_of(subject)) {
         (Some(Ok(verdict)), _) => sentence(verdict.finding.name()),
         (Some(Err(_)), _) | (None, Some((Err(_), true))) => "Not assessed".to_owned(),
+        (None, _) if state.document.study().is_excluded(subject) => {
+            "Not assessed: excluded from the cohort".to_owned()
+        }
         (None, _) => "Not yet assessed".to_owned(),
     }
 }
@@ -241,7 +306,7 @@ fn drawn(
         bulls_eye: figure.bulls_eye,
         thickening: figure.thickening,
         view: FigureView::Seen(figure.camera),
-        size: figure.kind.size(),
+        size: figure.size,
     };
     let finished = match (figure.kind, &shown.medial) {
         (FigureKind::Patch, Some(medial)) => {
@@ -249,7 +314,7 @@ fn drawn(
                 figure: order,
                 wall: &medial.wall,
                 verdicts: verdicts.as_deref(),
-                subject: shown.index,
+                subject: figure.subject,
             };
             rendered_patch_figure(&order, &mut headless, &fonts)
         }
@@ -282,17 +347,46 @@ impl TableExport {
         })
     }
 
-    /// Writes all tables into a folder, off the window's thread.
+    /// Writes all tables into a folder, off the window's thread: all of them in place of those of an earlier run, or, if it
+    /// fails or is stopped, none.
     pub fn write(self, engine: &mut Engine, folder: PathBuf) {
         let words = distance_words(&self.settings.deformations.poses.distances);
         let store = Arc::clone(engine.store());
-        engine.start_export("Tables", words, move |progress| {
-            tables_of_study(&store, &self.study, &self.settings, &folder, progress).map_err(|why| {
-                match why {
-                    Interrupted::Stopped => Stopped.to_string(),
-                    Interrupted::Failed(error) => error.to_string(),
-                }
-            })
+        engine.start_writing("Tables", words, move |progress| {
+            let tables = tables_of_study(&store, &self.study, &self.settings, &folder, progress);
+            let tables = tables.map_err(|why| match why {
+                Interrupted::Stopped => Stopped.to_string(),
+                Interrupted::Failed(error) => error.to_string(),
+            })?;
+            progress.check().map_err(|stopped| stopped.to_string())?;
+            replace_results(&folder, tables)
         });
     }
+}
+
+/// Writes a study with its edits into a folder, off the window's thread. A folder that holds a study is refused: its
+/// meshes would be written over.
+pub fn write_study_into(state: &mut State, engine: &mut Engine, study: Arc<Study>, folder: &Path) {
+    if !study.unread.is_empty() {
+        let why = "the study is still being read: what is not read yet would be missing";
+        return push_card(&mut state.errors, "Nothing was exported", why);
+    }
+    let manifest = folder.join("study.toml");
+    // An export into the same place that failed or was stopped has left nothing there.
+    state.exports.retain(|(path, _)| *path != manifest);
+    state.exports.push((manifest.clone(), study.revision));
+    let folder = folder.to_owned();
+    let words = counted(study.count(), "subject");
+    engine.start_writing("Study", words, move |progress| {
+        if manifest.exists() {
+            return Err(format!(
+                "a study is in this folder already; choose an empty one: {}",
+                folder.display()
+            ));
+        }
+        let format = MeshFormat::of_extension("ply").ok_or("meshes cannot be written")?;
+        progress.begin_phase("writing meshes", 0.0, 1.0);
+        write_study(&study, &folder, format, progress).map_err(|error| error.to_string())?;
+        Ok(vec![manifest])
+    });
 }

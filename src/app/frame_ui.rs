@@ -132,6 +132,12 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &crate::panes::ActionS
     if state.sheets.about {
         sheets::about_ui(ui, drawing.adapter, commands);
     }
+    if state.sheets.figure {
+        sheets::figure_sheet_ui(ui, state.figure_look, commands);
+    }
+    if let Some(entry) = &state.path_entry {
+        sheets::path_sheet_ui(ui, entry, commands);
+    }
     if state.sheets.shortcuts {
         sheets::shortcut_sheet_ui(ui, commands);
     }
@@ -141,9 +147,12 @@ fn sheets_ui(ui: &mut Ui, drawing: &mut Drawing, actions: &crate::panes::ActionS
         cohort.refresh(state);
         let view = CommandPaletteView {
             actions,
-            subjects: cohort.rows(),
+            subjects: cohort.all_rows(),
         };
         sheets::command_palette_ui(ui, &view, commands);
+    }
+    if let Some(leaving) = &state.leaving {
+        sheets::leaving_ui(ui, leaving, commands);
     }
     files_hover_ui(ui, state);
     crate::panes::dragged_subject_ui(ui);
@@ -169,7 +178,7 @@ fn files_hover_ui(ui: &Ui, state: &State) {
     painter.text(
         area.center(),
         egui::Align2::CENTER_CENTER,
-        "Drop to open",
+        "Drop to open, with Shift to add to the study",
         egui::FontId::proportional(ui::theme::type_size::TITLE),
         colours.strong,
     );

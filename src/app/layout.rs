@@ -11,7 +11,7 @@ use crate::panes::{PANES, Pane, Place};
 const COLUMN_SHARES: [f32; 3] = [0.19, 0.515, 0.295];
 
 /// Shares of the right column's height: map, and below it measures beside curves.
-const RIGHT_SHARES: [f32; 2] = [0.57, 0.43];
+const RIGHT_SHARES: [f32; 2] = [0.53, 0.47];
 
 /// Shares of the width below the map: measures, curves.
 const BELOW_SHARES: [f32; 2] = [0.44, 0.56];

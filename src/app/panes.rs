@@ -1,6 +1,6 @@
 //! The tiles of the window: their headers, borders and contents.
 
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 
 use egui::epaint::RectShape;
 use egui::{Color32, CornerRadius, Rect, Sense, Shape, Stroke, StrokeKind, Ui};
@@ -24,20 +24,24 @@ pub struct Panes<'a> {
     pub commands: &'a mut Vec<Command>,
     /// Containers of tabs, which have a border.
     pub framed: HashSet<TileId>,
-    /// Panes whose title stands in a bar of tabs.
-    pub tabbed: HashSet<TileId>,
+    /// Panes whose title stands in a bar of tabs, each with the titles of the whole bar.
+    pub tabbed: HashMap<TileId, Vec<&'static str>>,
 }
 
-/// Containers of tabs, and panes that share one with another open pane.
-pub fn tab_containers(tree: &Tree<PaneTile>) -> (HashSet<TileId>, HashSet<TileId>) {
+/// Containers of tabs, and panes that share one with another open pane, with the titles of all that share it.
+pub fn tab_containers(
+    tree: &Tree<PaneTile>,
+) -> (HashSet<TileId>, HashMap<TileId, Vec<&'static str>>) {
     let mut framed = HashSet::new();
-    let mut tabbed = HashSet::new();
+    let mut tabbed = HashMap::new();
     for (id, tile) in tree.tiles.iter() {
         if let Tile::Container(Container::Tabs(tabs)) = tile {
             framed.insert(*id);
             let open = open_children(&tree.tiles, tabs);
             if open.len() > 1 {
-                tabbed.extend(open);
+                let panes = open.iter().filter_map(|pane| tree.tiles.get_pane(pane));
+                let titles: Vec<&str> = panes.map(|pane| title_of(pane.0)).collect();
+                tabbed.extend(open.into_iter().map(|pane| (pane, titles.clone())));
             }
         }
     }
@@ -102,7 +106,7 @@ impl Behavior<PaneTile> for Panes<'_> {
         ui.painter().rect_filled(whole, 0.0, colours(ui).pane);
         ui.spacing_mut().item_spacing.y = 0.0;
         let mut answer = UiResponse::None;
-        if !self.tabbed.contains(&tile_id) {
+        if !self.tabbed.contains_key(&tile_id) {
             // The strip itself moves the tile; what stands on it takes its own clicks.
             let mut strip = whole;
             strip.set_height(space::PANE_HEADER);
@@ -115,7 +119,7 @@ impl Behavior<PaneTile> for Panes<'_> {
         let Some(spec) = spec_of(pane) else {
             return answer;
         };
-        if matches!(spec.header, Header::Always(_)) || !self.tabbed.contains(&tile_id) {
+        if matches!(spec.header, Header::Always(_)) || !self.tabbed.contains_key(&tile_id) {
             self.header_ui(ui, spec);
         }
         let rest = ui.available_rect_before_wrap();
@@ -141,7 +145,7 @@ impl Behavior<PaneTile> for Panes<'_> {
             Some(pane) => title_of(pane.0),
             None => "Tiles",
         };
-        ui.add_space(space::LARGE);
+        ui.add_space(tab_gap(ui, self.tabbed.get(&tile_id)));
         let shown = tab_ui(ui, title, state.active);
         // Drag and drop needs the tile's own id; the drawn tab lies below.
         ui.interact(shown.rect, id, Sense::click_and_drag())
@@ -160,7 +164,8 @@ impl Behavior<PaneTile> for Panes<'_> {
             return;
         };
         // What the names of the tabs need; the rest is for choosers and notes.
-        let names = tabs_width(ui, tiles, &self.tabbed, tabs);
+        let shared = tabs.children.iter().find_map(|pane| self.tabbed.get(pane));
+        let names = tabs_width(ui, shared);
         ui.add_space(space::LARGE);
         beside_ui(ui, spec, &self.cx, names, self.commands);
     }
@@ -168,7 +173,7 @@ impl Behavior<PaneTile> for Panes<'_> {
     fn is_tab_bar_visible(&self, _tile_id: TileId, tabs: &Tabs) -> bool {
         tabs.children
             .iter()
-            .any(|child| self.tabbed.contains(child))
+            .any(|child| self.tabbed.contains_key(child))
     }
 
     fn tab_bar_height(&self, _style: &egui::Style) -> f32 {
@@ -235,14 +240,21 @@ impl Behavior<PaneTile> for Panes<'_> {
     }
 }
 
-/// How wide the names of the open tabs of a container are, with the air around them.
-fn tabs_width(ui: &Ui, tiles: &Tiles<PaneTile>, tabbed: &HashSet<TileId>, tabs: &Tabs) -> f32 {
-    let open = tabs.children.iter().filter(|child| tabbed.contains(child));
-    open.filter_map(|child| tiles.get_pane(child))
-        .map(|pane| {
-            let name = text_width(ui, title_of(pane.0), medium_font());
-            name + space::LARGE + ui.spacing().item_spacing.x
-        })
-        .sum::<f32>()
-        + space::LARGE
+/// How wide the names of a bar of tabs are, with the air around them.
+fn tabs_width(ui: &Ui, names: Option<&Vec<&'static str>>) -> f32 {
+    let air = space::LARGE + ui.spacing().item_spacing.x;
+    let widths = name_widths(ui, names);
+    widths.map(|name| name + air).sum::<f32>() + space::LARGE
+}
+
+fn name_widths(ui: &Ui, names: Option<&Vec<&'static str>>) -> impl Iterator<Item = f32> {
+    let names = names.into_iter().flatten();
+    names.map(|name| text_width(ui, name, medium_font()))
+}
+
+/// The air before the name of a tab: less in a narrow bar, so that no name is cut while all have room.
+fn tab_gap(ui: &Ui, names: Option<&Vec<&'static str>>) -> f32 {
+    let count = names.map_or(1, Vec::len).max(1) as f32;
+    let free = ui.clip_rect().width() - name_widths(ui, names).sum::<f32>();
+    (free / count).floor().clamp(space::SMALL, space::LARGE)
 }

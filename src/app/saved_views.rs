@@ -1,6 +1,5 @@
 //! Views that picture files contain: read off the window's thread, restored as one step of undo.
 
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -9,60 +8,150 @@ use glam::{Quat, Vec3};
 use crate::document::ViewMode;
 use crate::engine::{Engine, Job};
 use crate::io::read_head;
-use crate::panes::{Command, ViewCommand};
+use crate::panes::{Command, FileCommand, ViewCommand};
 use crate::picture::figure::SavedView;
-use crate::picture::page::{PageFormat, VIEW_KEY, png_text};
+use crate::picture::page::{PageFormat, VIEW_KEY};
 use crate::render::Shading;
+use crate::study::built_in::BUILT_IN_NAME;
 
 use super::apply::{Moment, change, is_usable};
 use super::errors::push_card;
+use super::study_by_name::study_named;
 use crate::document::state::State;
 use crate::document::viewpoint::{Direction, Viewpoint};
 use crate::document::visibility::Visibility;
 
-/// Settings stand before the pixels: further into a picture there is nothing to look for.
+/// Settings stand before the pixels: further into a picture or drawing there is nothing to look for …
 const MAX_HEAD_BYTES: u64 = 1 << 20;
+/// … but at the end of a page for print, which is no larger than this.
+const MAX_PAGE_BYTES: u64 = 256 << 20;
 
 /// What a card says where a picture gives no view.
 const FAILED: &str = "The view of the picture could not be restored";
 
+/// A view that waits until its study is open.
+struct Waiting {
+    view: Box<SavedView>,
+    /// What was on screen when it began to wait, or when a card last said that its subject is not there.
+    opening: u64,
+    /// Whether its study was looked for, or was named with the picture.
+    sought: bool,
+}
+
 /// Reads picture files, one at a time; a later one takes the place of an earlier.
 #[derive(Default)]
 pub struct SavedViews {
+    picture: PathBuf,
+    /// Whether the study of the picture was named with it.
+    named: bool,
     reading: Option<Job<SavedView, String>>,
+    waiting: Option<Waiting>,
+    /// Looks for the study of the view that waits.
+    seeking: Option<Job<Option<PathBuf>, String>>,
 }
 
-/// Whether paths are one picture, from which a view can be restored, and no study.
-pub fn is_picture(paths: &[PathBuf]) -> bool {
-    matches!(paths, [only] if PageFormat::of(only) == Some(PageFormat::Png))
+/// The one picture among paths, from which a view can be restored, and the other paths. Of several pictures none is taken.
+pub fn split_picture(mut paths: Vec<PathBuf>) -> (Option<PathBuf>, Vec<PathBuf>) {
+    let is_picture = |path: &PathBuf| PageFormat::of(path).is_some();
+    match paths.iter().filter(|path| is_picture(path)).count() {
+        1 => {
+            let picture = paths.iter().position(is_picture);
+            (picture.map(|index| paths.remove(index)), paths)
+        }
+        _ => (None, paths),
+    }
 }
 
 impl SavedViews {
-    /// Begins to read a picture.
-    pub fn read(&mut self, engine: &Engine, path: PathBuf) {
+    /// Begins to read a picture; `named` says whether its study was named with it, and so is being opened.
+    pub fn read(&mut self, engine: &Engine, picture: PathBuf, named: bool) {
+        let path = picture.clone();
         let job = engine.spawn_aside(move |_| {
             saved_view(&path).map_err(|why| {
                 let name = path.file_name().unwrap_or_default().to_string_lossy();
                 format!("{name}: {why}")
             })
         });
-        self.reading = Some(job);
+        *self = Self {
+            picture,
+            named,
+            reading: Some(job),
+            ..Self::default()
+        };
     }
 
-    /// The view that was read, as a command; or why there is none.
-    pub fn poll(&mut self) -> Option<Result<Command, String>> {
-        let outcome = self.reading.as_mut()?.poll()?;
-        self.reading = None;
-        Some(match outcome {
-            Ok(view) => Ok(Command::View(ViewCommand::RestoreView(Box::new(view)))),
-            Err(error) => Err(error.to_string()),
-        })
+    /// What follows from what was read, found and opened: a view to restore, or a study to open for it.
+    pub fn poll(&mut self, state: &mut State, engine: &Engine) -> Option<Command> {
+        if let Some(outcome) = self.reading.as_mut().and_then(Job::poll) {
+            self.reading = None;
+            match outcome {
+                Ok(view) => {
+                    self.waiting = Some(Waiting {
+                        view: Box::new(view),
+                        opening: state.document.study.opening,
+                        sought: self.named,
+                    });
+                }
+                Err(error) => refuse(state, error.to_string()),
+            }
+        }
+        let waiting = self.waiting.as_mut()?;
+        let study = Arc::clone(state.document.study());
+        let found = waiting.view.find_in(&study);
+        let is_new = state.document.study.opening != waiting.opening;
+        let is_named = study.name == waiting.view.study;
+        let wanted = &waiting.view.subject.id;
+        if (is_new || is_named) && study.unread.iter().any(|unread| unread.id == *wanted) {
+            let asked = state.awaited.as_ref() == Some(wanted);
+            return (!asked).then(|| FileCommand::ReadFirst(wanted.clone()).into());
+        }
+        let outcome = self.seeking.as_mut().and_then(Job::poll);
+        match (found, outcome) {
+            (Ok(_), None) if is_named || is_new => {}
+            (_, Some(Ok(None))) if waiting.view.study == BUILT_IN_NAME && !is_named => {
+                self.seeking = None;
+                return Some(FileCommand::OpenBuiltIn.into());
+            }
+            (Ok(_), Some(Ok(None) | Err(_))) => {}
+            (_, Some(Ok(Some(path)))) => {
+                self.seeking = None;
+                state.message = format!("Opening “{}” for its view", waiting.view.study);
+                return Some(FileCommand::Open(vec![path]).into());
+            }
+            (Err(error), Some(_)) => {
+                self.seeking = None;
+                refuse(state, error.to_string());
+                return None;
+            }
+            (Err(error), None) if is_new => {
+                waiting.opening = state.document.study.opening;
+                refuse(state, error.to_string());
+                return None;
+            }
+            (_, None) if waiting.sought || engine.opening() => return None,
+            (_, None) => {
+                waiting.sought = true;
+                let (name, picture) = (waiting.view.study.clone(), self.picture.clone());
+                let recent = state.recent.clone();
+                let seek = move |_: &_| Ok(study_named(&name, &recent, &picture));
+                self.seeking = Some(engine.spawn_aside(seek));
+                return None;
+            }
+        }
+        let view = self.waiting.take()?.view;
+        self.seeking = None;
+        Some(Command::View(ViewCommand::RestoreView(view)))
     }
 }
 
 fn saved_view(path: &Path) -> Result<SavedView, String> {
-    let head = read_head(path, MAX_HEAD_BYTES).map_err(|error| error.reason)?;
-    let text = png_text(Cursor::new(head), VIEW_KEY).map_err(|error| error.to_string())?;
+    let format = PageFormat::of(path).unwrap_or_default();
+    let most = match format {
+        PageFormat::Png | PageFormat::Svg => MAX_HEAD_BYTES,
+        PageFormat::Pdf => MAX_PAGE_BYTES,
+    };
+    let bytes = read_head(path, most).map_err(|error| error.reason)?;
+    let text = format.setting_in(&bytes, VIEW_KEY)?;
     let text = text.ok_or("this picture contains no view of Cardiomorph")?;
     SavedView::read(&text).map_err(|error| error.to_string())
 }
@@ -118,6 +207,18 @@ pub fn apply(state: &mut State, view: &SavedView, moment: &Moment) {
         d.thickening = settings;
     });
     state.message = format!("View of {} restored", view.subject.id);
+    if view.study != study.name {
+        let message = format!(
+            "the picture was made from the study “{}”, and “{}” is open, which has a subject {} with as many frames and \
+             vertices: check that it is the same",
+            view.study, study.name, view.subject.id
+        );
+        push_card(
+            &mut state.errors,
+            "View of a study with another name",
+            message,
+        );
+    }
 }
 
 #[cfg(test)]
@@ -158,10 +259,11 @@ mod tests {
         scene.medial.atoms = true;
         scene.medial.part = Some(WallPart::Patch(1));
         let mut thickening = state.document.thickening;
-        thickening.thickening.extent = 0.5;
+        thickening.patches.extent = 0.5;
         let subject = &state.document.study().subjects[1];
         let quantity = BullsEyeQuantity::Ratio;
-        SavedView::of("study", subject, 2.5, camera, &scene, quantity, thickening)
+        let name = &state.document.study().name;
+        SavedView::of(name, subject, 2.5, camera, &scene, quantity, thickening)
     }
 
     #[test]
@@ -177,7 +279,7 @@ mod tests {
         assert_eq!(document.limits(), Some([0.8, 1.25]));
         assert_eq!(document.part, Some(WallPart::Patch(1)));
         assert_eq!(document.bulls_eye, BullsEyeQuantity::Ratio);
-        assert_eq!(document.thickening.thickening.extent, 0.5);
+        assert_eq!(document.thickening.patches.extent, 0.5);
         assert!(document.visibility.atoms && document.visibility.wireframe);
         assert_eq!(document.viewpoint.half_height, Some(40.0));
         assert!(state.errors.is_empty());
@@ -210,7 +312,7 @@ mod tests {
     fn thresholds_out_of_range_are_refused() {
         let mut state = state();
         let mut view = view(&state);
-        view.thickening.thickening.core = -3.0;
+        view.thickening.patches.core = -3.0;
         let before = state.document.clone();
         apply(&mut state, &view, &moment());
         assert_eq!(state.document, before);
@@ -218,11 +320,28 @@ mod tests {
     }
 
     #[test]
-    fn only_a_single_png_is_a_picture() {
-        let paths = |names: &[&str]| names.iter().map(PathBuf::from).collect::<Vec<_>>();
-        assert!(is_picture(&paths(&["a/P07.PNG"])));
-        assert!(!is_picture(&paths(&["a/P07.png", "b"])));
-        assert!(!is_picture(&paths(&["heart.obj"])));
-        assert!(!is_picture(&[]));
+    fn a_view_of_a_study_with_another_name_is_restored_with_a_warning() {
+        let mut state = state();
+        let mut view = view(&state);
+        view.study = "Ward 3".to_owned();
+        apply(&mut state, &view, &moment());
+        assert_eq!(state.document.subject, 1);
+        assert_eq!(state.errors.len(), 1);
+        assert!(state.errors[0].message.contains("“Ward 3”"));
+    }
+
+    #[test]
+    fn the_one_picture_among_paths_is_told_from_its_study() {
+        let split = |names: &[&str]| {
+            let (picture, rest) = split_picture(names.iter().map(PathBuf::from).collect());
+            (picture, rest.len())
+        };
+        let png = || Some(PathBuf::from("a/P07.PNG"));
+        assert_eq!(split(&["a/P07.PNG"]), (png(), 0));
+        assert_eq!(split(&["b", "a/P07.PNG", "c.toml"]), (png(), 2));
+        assert_eq!(split(&["P07.pdf"]).1, 0);
+        assert_eq!(split(&["a.png", "b.svg"]), (None, 2));
+        assert_eq!(split(&["heart.obj"]), (None, 1));
+        assert_eq!(split(&[]), (None, 0));
     }
 }

@@ -1,10 +1,14 @@
-//! What is remembered from one run to the next: theme, tiles, recent files. Nothing about subjects.
+//! What is remembered from one run to the next: theme, tiles, look of figures, recent files, how motions play. Nothing
+//! about subjects.
 
 use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
 use crate::document::ThemeChoice;
+use crate::document::play::PlayClock;
+use crate::document::state::State;
+use crate::picture::figure::FigureLook;
 
 use super::layout::Layout;
 
@@ -21,6 +25,9 @@ struct SettingsV1 {
     theme: ThemeChoice,
     layout: String,
     recent: Vec<PathBuf>,
+    figure: FigureLook,
+    /// Speed, and whether the motion starts over; absent in settings of earlier versions.
+    play: Option<(f32, bool)>,
 }
 
 /// Remembered settings in use.
@@ -32,6 +39,10 @@ pub struct Settings {
     pub layout: Layout,
     /// What the user opened, latest first.
     pub recent: Vec<PathBuf>,
+    /// How figures look.
+    pub figure: FigureLook,
+    /// How motions play; the clock stands still.
+    pub play: PlayClock,
 }
 
 impl Settings {
@@ -44,13 +55,8 @@ impl Settings {
     }
 
     /// Leaves settings for the next run.
-    pub fn save(
-        storage: &mut dyn eframe::Storage,
-        theme: ThemeChoice,
-        layout: &Layout,
-        recent: &[PathBuf],
-    ) {
-        if let Some(text) = to_text(theme, layout, recent) {
+    pub fn save(storage: &mut dyn eframe::Storage, state: &State, layout: &Layout) {
+        if let Some(text) = to_text(state, layout) {
             storage.set_string(KEY, text);
         }
     }
@@ -61,19 +67,32 @@ impl Settings {
             theme: saved.theme,
             layout: Layout::from_saved(&saved.layout),
             recent: saved.recent.into_iter().take(MAX_RECENT).collect(),
+            figure: saved.figure.usable(),
+            play: saved
+                .play
+                .map_or_else(PlayClock::default, |(speed, repeat)| {
+                    let mut play = PlayClock {
+                        repeat,
+                        ..PlayClock::default()
+                    };
+                    play.set_speed(speed);
+                    play
+                }),
         }
     }
 }
 
-fn to_text(theme: ThemeChoice, layout: &Layout, recent: &[PathBuf]) -> Option<String> {
+fn to_text(state: &State, layout: &Layout) -> Option<String> {
     let saved = SettingsV1 {
-        theme,
+        theme: state.theme,
+        figure: state.figure_look,
         layout: layout.to_saved().unwrap_or_default(),
         // JSON holds no path that is no Unicode: such a one is forgotten, the rest is kept.
-        recent: (recent.iter())
+        recent: (state.recent.iter())
             .filter(|path| path.to_str().is_some())
             .cloned()
             .collect(),
+        play: Some((state.play.speed, state.play.repeat)),
     };
     serde_json::to_string(&saved).ok()
 }
@@ -89,17 +108,53 @@ pub fn remember_recent(recent: &mut Vec<PathBuf>, opened: &[PathBuf]) {
 mod tests {
     use super::*;
     use crate::panes::Pane;
+    use crate::picture::figure::{FigureBackground, FigureTheme};
+
+    fn light_state(recent: Vec<PathBuf>) -> State {
+        State {
+            theme: ThemeChoice::Light,
+            recent,
+            ..State::default()
+        }
+    }
+
+    #[test]
+    fn settings_of_a_version_that_knew_no_look_and_a_size_that_no_figure_has_are_defaults() {
+        for figure in ["", ",\"figure\":{\"size\":[9,1000000]}"] {
+            let text = format!("{{\"theme\":\"light\"{figure}}}");
+            let back = Settings::from_text(&text);
+            assert_eq!(back.theme, ThemeChoice::Light);
+            assert_eq!(back.figure, FigureLook::default());
+        }
+    }
 
     #[test]
     fn settings_come_back_from_their_text() {
         let mut layout = Layout::default();
         layout.set_open(Pane::ACTIVITY, false);
-        let recent = vec![PathBuf::from("/a"), PathBuf::from("/b")];
-        let text = to_text(ThemeChoice::Light, &layout, &recent).unwrap();
+        let mut state = light_state(vec![PathBuf::from("/a"), PathBuf::from("/b")]);
+        state.figure_look = FigureLook {
+            size: Some([1920, 1080]),
+            background: FigureBackground::Black,
+            theme: FigureTheme::Dark,
+        };
+        state.play = PlayClock {
+            playing: true,
+            speed: 2.0,
+            repeat: false,
+        };
+        let play = state.play;
+        let text = to_text(&state, &layout).unwrap();
         let back = Settings::from_text(&text);
         assert_eq!(back.theme, ThemeChoice::Light);
-        assert_eq!(back.recent, recent);
+        assert_eq!(back.recent, state.recent);
+        assert_eq!(back.figure, state.figure_look);
         assert!(!back.layout.is_open(Pane::ACTIVITY));
+        let still = PlayClock {
+            playing: false,
+            ..play
+        };
+        assert_eq!(back.play, still, "nothing plays unasked");
     }
 
     #[cfg(unix)]
@@ -108,8 +163,8 @@ mod tests {
         use std::ffi::OsStr;
         use std::os::unix::ffi::OsStrExt;
         let odd = PathBuf::from(OsStr::from_bytes(b"/data/M\xfcller"));
-        let recent = [odd, PathBuf::from("/b")];
-        let text = to_text(ThemeChoice::Light, &Layout::default(), &recent).unwrap();
+        let state = light_state(vec![odd, PathBuf::from("/b")]);
+        let text = to_text(&state, &Layout::default()).unwrap();
         let back = Settings::from_text(&text);
         assert_eq!(back.theme, ThemeChoice::Light);
         assert_eq!(back.recent, [PathBuf::from("/b")]);
@@ -120,6 +175,10 @@ mod tests {
         let settings = Settings::from_text("[1, 2");
         assert_eq!(settings.theme, ThemeChoice::System);
         assert!(settings.recent.is_empty());
+        let odd = Settings::from_text(r#"{"play": [1e9, true]}"#);
+        assert_eq!(odd.play.speed, 4.0, "no faster than the window offers");
+        let earlier = Settings::from_text(r#"{"recent": ["/a"]}"#);
+        assert_eq!(earlier.play, PlayClock::default());
     }
 
     #[test]

@@ -6,6 +6,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
+use crate::document::state::State;
+use crate::panes::viewport::shown_subject::ShownSubject;
+
 /// The variable that makes the program write its times to standard error.
 const SWITCH: &str = "CARDIOMORPH_TIMES";
 
@@ -17,14 +20,26 @@ const LOOK_BACK: usize = 240;
 pub struct Times {
     started: Instant,
     print: bool,
-    first_picture: Moment,
-    finished_map: Moment,
+    /// What the window shows once, in the order of [`FIRSTS`].
+    firsts: [Moment; FIRSTS.len()],
+    /// The subject that was chosen last, and since when it is not on screen yet.
+    chosen: Option<String>,
+    chosen_at: Option<Instant>,
+    followed: Option<(String, Instant)>,
     /// Added to by the paint callback, which runs after `ui`.
     prepare_ns: Arc<AtomicU64>,
     this_frame: Duration,
     playing_frames: VecDeque<Duration>,
     playing_count: usize,
 }
+
+/// What is told of when it is seen first.
+const FIRSTS: [&str; 4] = [
+    "rows of the cohort",
+    "first picture",
+    "all subjects",
+    "finished pose map",
+];
 
 /// Something that is on screen once, from the frame after the one that drew it.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -73,8 +88,10 @@ impl Times {
         Self {
             started,
             print: std::env::var_os(SWITCH).is_some_and(|value| !value.is_empty() && value != "0"),
-            first_picture: Moment::Ahead,
-            finished_map: Moment::Ahead,
+            firsts: Default::default(),
+            chosen: None,
+            chosen_at: None,
+            followed: None,
             prepare_ns: Arc::default(),
             this_frame: Duration::ZERO,
             playing_frames: VecDeque::with_capacity(LOOK_BACK),
@@ -89,13 +106,15 @@ impl Times {
 
     /// A frame begins: takes in the one before.
     pub fn begin_frame(&mut self, playing: bool) {
-        let seen = [
-            ("first picture", self.first_picture.see()),
-            ("finished pose map", self.finished_map.see()),
-        ];
         let elapsed_s = self.started.elapsed().as_secs_f64();
-        for (what, drawn) in seen {
-            if let Some(drawn) = drawn {
+        if let Some((id, chosen_at)) = self.followed.take() {
+            let taken_s = chosen_at.elapsed().as_secs_f64();
+            self.say(&format!(
+                "{id} on screen {taken_s:.3} s after it was chosen"
+            ));
+        }
+        for (place, what) in FIRSTS.into_iter().enumerate() {
+            if let Some(drawn) = self.firsts[place].see() {
                 self.say(&format!(
                     "{what} after {elapsed_s:.3} s ({:.3} s of it on the graphics card)",
                     elapsed_s - drawn.as_secs_f64()
@@ -123,11 +142,34 @@ impl Times {
     }
 
     /// What this frame draws; whether another frame is needed to tell when it was seen.
-    pub fn drawn(&mut self, picture: bool, map: bool) -> bool {
+    pub fn drawn(&mut self, state: &State, shown: &[ShownSubject]) -> bool {
         let elapsed = self.started.elapsed();
-        let picture = picture && self.first_picture.draw(elapsed);
-        let map = map && self.finished_map.draw(elapsed);
-        (picture || map) && self.print
+        let study = state.document.study();
+        let rows = !study.subjects.is_empty();
+        let all = rows && study.unread.is_empty();
+        let now = [rows, !shown.is_empty(), all, state.map().is_some()];
+        let mut news = false;
+        for (first, _) in self.firsts.iter_mut().zip(now).filter(|(_, now)| *now) {
+            news |= first.draw(elapsed);
+        }
+        self.print && (self.follow(state, shown.first()) || news)
+    }
+
+    /// Notes when a subject is chosen, and whether that one is on screen now.
+    fn follow(&mut self, state: &State, shown: Option<&ShownSubject>) -> bool {
+        let selected = state.document.selected().map(|subject| &subject.id);
+        let chosen = state.awaited.as_ref().or(selected);
+        if self.chosen.as_ref() != chosen {
+            self.chosen_at = Some(Instant::now());
+            self.chosen = chosen.cloned();
+        }
+        let on_screen = shown.map(|shown| &shown.subject.id);
+        if self.chosen.is_none() || on_screen != self.chosen.as_ref() {
+            return false;
+        }
+        let chosen_at = self.chosen_at.take();
+        self.followed = self.chosen.clone().zip(chosen_at);
+        self.followed.is_some()
     }
 
     /// Processor time of the latest frames while playing; `None` before any.

@@ -8,6 +8,7 @@ use egui::Context;
 use crate::document::state::State;
 use crate::engine::{Engine, Job};
 use crate::picture::page::{FacesFor, faces_for, letter_code};
+use crate::study::Revision;
 use crate::ui;
 
 use super::errors::push_card;
@@ -18,17 +19,17 @@ const MAX_NAMED: usize = 5;
 /// Looks for faces once a study is opened, off the window's thread.
 #[derive(Default)]
 pub struct Typefaces {
-    /// The opening whose names were looked at.
-    opening: u64,
+    /// The state of the study whose names were looked at.
+    revision: Revision,
     job: Option<Job<FacesFor, Infallible>>,
 }
 
 impl Typefaces {
     /// Asks for the faces of a study that is new on screen, and takes in what was found. Call once a frame.
     pub fn poll(&mut self, ctx: &Context, state: &mut State, engine: &Engine) {
-        let opening = state.document.study.opening;
-        if self.opening != opening {
-            self.opening = opening;
+        let revision = state.document.study().revision;
+        if self.revision != revision {
+            self.revision = revision;
             let texts = foreign_texts(state);
             self.job = (!texts.is_empty()).then(|| {
                 engine.spawn_aside(move |_| Ok(faces_for(texts.iter().map(String::as_str))))
@@ -51,8 +52,9 @@ impl Typefaces {
 /// Names and labels of the study that hold more than the letters of western Europe, all of which Inter has.
 fn foreign_texts(state: &State) -> Vec<String> {
     let study = state.document.study();
-    let subjects = study.subjects.iter();
-    let texts = subjects.flat_map(|subject| [Some(&subject.id), subject.label.as_ref()]);
+    let texts = study
+        .all()
+        .flat_map(|subject| [Some(&subject.id), subject.label.as_ref()]);
     let foreign = |text: &&String| text.contains(|c: char| c.is_control() || c > '\u{17f}');
     let texts = texts.flatten().chain(std::iter::once(&study.name));
     texts.filter(foreign).cloned().collect()

@@ -8,7 +8,7 @@ use crate::cli::outcome::CliError;
 use crate::cli::print::say;
 use crate::cli::words::AlignWord;
 use crate::engine::reading_limits;
-use crate::io::read_mesh_with_siblings;
+use crate::io::read_mesh_file;
 use crate::mesh::{FaceOrder, Point3, TriMesh};
 
 /// Two meshes with the same faces.
@@ -93,20 +93,7 @@ pub(super) fn laying(
 /// If it cannot be read.
 pub(super) fn read(path: &Path) -> Result<TriMesh, CliError> {
     let wrong = |reason: String| CliError::Unusable(format!("{reason}: {}", path.display()));
-    let limits = reading_limits();
-    let size = std::fs::metadata(path)
-        .map_err(|error| wrong(error.to_string()))?
-        .len();
-    if size > limits.file_bytes {
-        let most = limits.file_bytes;
-        return Err(wrong(format!("{size} bytes; the limit is {most}")));
-    }
-    let bytes = std::fs::read(path).map_err(|error| wrong(error.to_string()))?;
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
-    let sibling = |name: &str| std::fs::read(folder.join(name)).ok();
-    let file = read_mesh_with_siblings(&name, &bytes, &limits, &sibling)
-        .map_err(|error| wrong(error.to_string()))?;
+    let file = read_mesh_file(path, &reading_limits()).map_err(wrong)?;
     for notice in &file.notices {
         say(&format!("{}: {}", path.display(), notice.text));
     }

@@ -100,7 +100,7 @@ pub struct PartnerArgs {
     /// For which displacements of a motion a geodesic is computed
     #[arg(long, value_enum, default_value_t = GeodesicsWord::First)]
     pub geodesics: GeodesicsWord,
-    /// Compute geodesics on a mesh decimated to about N vertices; 0: on the mesh itself
+    /// Begin the search for geodesics on a mesh decimated to about N vertices; 0: on the mesh itself [default: the window's]
     #[arg(long, value_name = "N")]
     pub coarse_vertices: Option<u32>,
     /// Output folder; created if missing

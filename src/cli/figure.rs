@@ -11,7 +11,7 @@ use crate::cli::input::{answered, measured, opened_study, store};
 use crate::cli::letters::say_missing_letters;
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json};
-use crate::cli::words::ViewWord;
+use crate::cli::words::{ThemeWord, ViewWord};
 use crate::cli::work::run_work;
 use crate::engine::{
     ExportFile, Store, SubjectThickening, ThickeningSettings, VerdictQuery, WallThickeningQuery,
@@ -27,7 +27,7 @@ use crate::picture::{
     SceneSettings, SubjectExtras, SubjectMedial, SurfaceScalars, reference_frame,
 };
 use crate::render::{GeometryPose, Headless};
-use crate::study::Study;
+use crate::study::{Study, Subject};
 
 /// Pixels of a figure of a subject: half a page at 300 dots per inch.
 const SIZE: [u32; 2] = [1200, 900];
@@ -77,7 +77,7 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
         thickening: args.patches.settings()?,
     };
     let look = ChosenScene::of(args);
-    let id = study.subjects[index].id.clone();
+    let id = subject_at(&study, index)?.id.clone();
     let bytes = run_work(move |progress| -> Result<Vec<u8>, CliError> {
         progress.begin_phase("drawing", 0.0, 1.0);
         let mut studio = Studio::open(&study, &measures)?;
@@ -106,9 +106,15 @@ pub(super) fn figure(args: &FigureArgs) -> Result<(), CliError> {
     print(&out)
 }
 
+/// A subject by its index, excluded ones included.
+fn subject_at(study: &Study, index: usize) -> Result<&Arc<Subject>, CliError> {
+    let subject = study.subject(index);
+    subject.ok_or_else(|| CliError::Unusable(format!("there is no subject {index}")))
+}
+
 /// Whether the frame is there and the direction has a name.
 fn check_view(args: &FigureArgs, study: &Study, index: usize) -> Result<(), CliError> {
-    let subject = &study.subjects[index];
+    let subject = subject_at(study, index)?;
     let frames = subject.sequence.frame_count();
     if let Some(frame) = args.frame.filter(|frame| *frame >= frames) {
         return Err(CliError::Usage(format!(
@@ -180,6 +186,7 @@ struct ChosenScene(SceneSettings);
 
 impl ChosenScene {
     fn of(args: &FigureArgs) -> Self {
+        let (theme, transparent) = args.ground().colours(args.theme == ThemeWord::Dark);
         Self(SceneSettings {
             quantity: args.colour.into(),
             typed_limits: args.limits,
@@ -189,8 +196,8 @@ impl ChosenScene {
             } else {
                 MedialSettings::default()
             },
-            theme: args.theme.into(),
-            transparent: args.transparent,
+            theme,
+            transparent,
             ..SceneSettings::default()
         })
     }
@@ -311,8 +318,7 @@ impl Stage {
         wall: Option<&SubjectThickening>,
     ) -> Result<Self, CliError> {
         let index = shot.index;
-        let subject = (study.subjects.get(index))
-            .ok_or_else(|| CliError::Unusable(format!("there is no subject {index}")))?;
+        let subject = subject_at(study, index)?;
         let prepared = PreparedSubject::new(subject, reference_frame(subject, measures.get(index)));
         let medial =
             wall.map(|wall| PreparedMedial::new(subject, &wall.beat, wall.thickening.end_diastole));

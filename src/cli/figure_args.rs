@@ -2,10 +2,11 @@
 
 use std::path::PathBuf;
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use crate::cli::patch_options::PatchOptions;
 use crate::cli::words::{QuantityWord, ThemeWord, ViewWord};
+use crate::picture::figure::{FigureBackground, check_figure_size};
 
 /// Options of `figure`.
 #[derive(Debug, Args)]
@@ -34,8 +35,11 @@ pub struct FigureArgs {
     /// Pixels, from 320x240 to 8192x8192 [default: 1200x900, or 2400x1800 with --patch]
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<[u32; 2]>,
-    /// Transparent background
-    #[arg(long)]
+    /// What stands behind it; white and black bring their own colours of words
+    #[arg(long, value_enum, default_value_t = BackgroundWord::Theme)]
+    pub background: BackgroundWord,
+    /// The same as --background transparent
+    #[arg(long, conflicts_with = "background")]
     pub transparent: bool,
     /// Light for print, dark for slides
     #[arg(long, value_enum, default_value_t = ThemeWord::Light)]
@@ -54,17 +58,39 @@ pub struct FigureArgs {
     pub json: bool,
 }
 
+/// Words of `--background`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum BackgroundWord {
+    /// That of the theme
+    Theme,
+    /// White
+    White,
+    /// Black
+    Black,
+    /// Nothing
+    Transparent,
+}
+
+impl FigureArgs {
+    /// What stands behind the figure.
+    pub fn ground(&self) -> FigureBackground {
+        match self.background {
+            _ if self.transparent => FigureBackground::Transparent,
+            BackgroundWord::Theme => FigureBackground::Theme,
+            BackgroundWord::White => FigureBackground::White,
+            BackgroundWord::Black => FigureBackground::Black,
+            BackgroundWord::Transparent => FigureBackground::Transparent,
+        }
+    }
+}
+
 fn size(text: &str) -> Result<[u32; 2], String> {
-    use crate::picture::figure::{MAX_SIZE, MIN_SIZE};
     let sides: Option<Vec<u32>> = text
         .split(['x', '×'])
         .map(|side| side.parse().ok())
         .collect();
     match sides.as_deref() {
-        Some(&[width, height])
-            if (MIN_SIZE[0]..=MAX_SIZE).contains(&width)
-                && (MIN_SIZE[1]..=MAX_SIZE).contains(&height) =>
-        {
+        Some(&[width, height]) if check_figure_size([width, height], false).is_ok() => {
             Ok([width, height])
         }
         _ => Err("two numbers as in 1200x900, from 320x240 to 8192x8192".to_owned()),

@@ -25,14 +25,14 @@ pub(super) fn info(args: &InfoArgs) -> Result<(), CliError> {
 }
 
 fn as_json(opened: &Opened) -> serde_json::Value {
-    let subjects: Vec<_> = opened
-        .study
-        .subjects
-        .iter()
-        .map(|subject| {
+    let study = &opened.study;
+    let subjects: Vec<_> = (study.in_order().into_iter())
+        .filter_map(|index| Some((study.is_excluded(index), study.subject(index)?)))
+        .map(|(excluded, subject)| {
             json!({
                 "id": subject.id,
                 "label": subject.label,
+                "excluded": excluded,
                 "frames": subject.sequence.frame_count(),
                 "vertices": subject.sequence.vertex_count(),
                 "faces": subject.sequence.face_count(),
@@ -65,13 +65,20 @@ fn as_text(opened: &Opened) -> String {
             .iter()
             .map(|notice| format!("  {notice}")),
     );
-    let widest = study.subjects.iter().map(|s| s.id.chars().count()).max();
+    let widest = study.all().map(|s| s.id.chars().count()).max();
     let width = widest.unwrap_or(0);
-    for subject in &study.subjects {
+    for index in study.in_order() {
+        let Some(subject) = study.subject(index) else {
+            continue;
+        };
         let sequence = &subject.sequence;
         let label = subject.label.as_deref().unwrap_or("no label");
+        let excluded = match study.is_excluded(index) {
+            true => ", excluded",
+            false => "",
+        };
         lines.push(format!(
-            "{:width$}  {label}, {} frames, {} vertices, {} faces: {}",
+            "{:width$}  {label}{excluded}, {} frames, {} vertices, {} faces: {}",
             subject.id,
             sequence.frame_count(),
             sequence.vertex_count(),

@@ -13,10 +13,11 @@ use crate::engine::{
 };
 use crate::io::Opened;
 use crate::progress::Stopped;
-use crate::study::Study;
+use crate::study::{Severity, Study};
 use crate::units::LengthUnit;
 
-/// Opens paths, or the built-in cohort if there are none, and says what could not be read.
+/// Opens paths, or the built-in cohort if there are none, and says what could not be read and what is odd about the study as
+/// a whole.
 ///
 /// # Errors
 /// If nothing could be read.
@@ -24,6 +25,10 @@ pub(super) fn opened_study(paths: &[PathBuf]) -> Result<Arc<Study>, CliError> {
     let opened = opened(paths)?;
     for error in &opened.errors {
         say(&format!("cardiomorph: {error}"));
+    }
+    let odd = (opened.notices.iter()).filter(|notice| notice.severity == Severity::Warning);
+    for notice in odd {
+        say(&format!("cardiomorph: warning: {}", notice.text));
     }
     if opened.study.subjects.is_empty() {
         return Err(CliError::Unusable(match opened.errors.len() {
@@ -42,7 +47,9 @@ pub(super) fn in_unit(study: Arc<Study>, unit: Option<UnitWord>) -> Arc<Study> {
         Some(UnitWord::File) => LengthUnit::FileUnit,
     };
     let mut stated = Study::clone(&study);
-    for subject in &mut stated.subjects {
+    let excluded = stated.excluded.iter_mut();
+    let excluded = excluded.map(|excluded| &mut excluded.subject);
+    for subject in stated.subjects.iter_mut().chain(excluded) {
         Arc::make_mut(subject).unit = unit;
     }
     Arc::new(stated)

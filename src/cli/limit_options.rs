@@ -10,13 +10,19 @@ pub struct LimitOptions {
     /// Largest file that is read, in MiB [default: 512]
     #[arg(long, global = true, value_name = "MIB", value_parser = clap::value_parser!(u32).range(1..))]
     max_file: Option<u32>,
-    /// Most vertices of a surface; twice as many faces, eight times as many vertices over all frames of one file
+    /// Most vertices of a surface; twice as many faces, 3.2 times as many vertices over all frames of one file
     /// [default: 5000000]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     max_vertices: Option<u32>,
     /// Most frames of a sequence [default: 1000]
     #[arg(long, global = true, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     max_frames: Option<u32>,
+    /// Most memory that the meshes of a study may take beyond eight times the size of their files, in MiB [default: 1024]
+    #[arg(long, global = true, value_name = "MIB")]
+    max_unpacked: Option<u32>,
+    /// Follow links that lead out of a study; pipes and devices are never read
+    #[arg(long, global = true)]
+    follow_links: bool,
 }
 
 impl LimitOptions {
@@ -37,6 +43,10 @@ impl LimitOptions {
         if let Some(frames) = self.max_frames {
             limits.frames = frames as usize;
         }
+        if let Some(mib) = self.max_unpacked {
+            limits.unpacked_in_study = u64::from(mib) << 20;
+        }
+        limits.follow_links = self.follow_links;
         limits
     }
 }
@@ -49,15 +59,18 @@ mod tests {
     fn what_is_not_said_stays_and_faces_grow_with_vertices() {
         assert_eq!(LimitOptions::default().limits(), Limits::default());
         let limits = LimitOptions {
-            max_vertices: Some(5_000_000),
+            max_vertices: Some(500_000),
             max_frames: Some(7),
             ..LimitOptions::default()
         }
         .limits();
         let expected = Limits {
             frames: 7,
+            vertices: 500_000,
+            faces: 1_000_000,
+            vertices_of_all_frames: 1_600_000,
             ..Limits::default()
         };
-        assert_eq!(limits, expected, "the default is in the same proportion");
+        assert_eq!(limits, expected);
     }
 }

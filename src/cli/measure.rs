@@ -7,9 +7,8 @@ use crate::cli::input::{in_unit, measured, opened_study, store};
 use crate::cli::outcome::CliError;
 use crate::cli::print::{print, print_json, say};
 use crate::cli::tables;
-use crate::engine::write_files;
+use crate::engine::replace_results;
 use crate::report::{SubjectRow, subjects_json};
-use crate::study::checks::Copies;
 use crate::study::{Severity, Study};
 
 pub(super) fn measure(args: &MeasureArgs) -> Result<(), CliError> {
@@ -17,7 +16,7 @@ pub(super) fn measure(args: &MeasureArgs) -> Result<(), CliError> {
     say_warnings(&study);
     let measures = measured(&store()?, &study)?;
     let files = tables::measure_files(&study, &measures, &args.out);
-    let written = write_files(files).map_err(CliError::Unusable)?;
+    let written = replace_results(&args.out, files).map_err(CliError::Unusable)?;
     let rows = SubjectRow::of_study(&study, &measures);
     if args.json {
         let files: Vec<String> = written
@@ -56,8 +55,8 @@ fn remarks(rows: &[SubjectRow]) -> Vec<String> {
     lines
 }
 
-/// Warnings of the load report on standard error: a number in a table does not show them. Beyond so many lines they are
-/// counted.
+/// Warnings of the load report about subjects on standard error: a number in a table does not show them. Beyond so many
+/// lines they are counted.
 pub(super) fn say_warnings(study: &Study) {
     const LINES: usize = 20;
     let warnings: Vec<String> = (study.subjects.iter())
@@ -67,9 +66,6 @@ pub(super) fn say_warnings(study: &Study) {
             warnings.map(|notice| format!("cardiomorph: {}: warning: {}", subject.id, notice.text))
         })
         .collect();
-    for copies in Copies::of(&study.subjects).notices(&study.subjects) {
-        say(&format!("cardiomorph: warning: {}", copies.text));
-    }
     for line in warnings.iter().take(LINES) {
         say(line);
     }

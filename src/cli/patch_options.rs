@@ -76,7 +76,7 @@ impl PatchOptions {
                 separation_rad: self.medial_separation.to_radians(),
                 end_rad: self.medial_end.to_radians(),
             },
-            thickening: ThickeningParams {
+            patches: ThickeningParams {
                 tolerance: self.patch_tolerance,
                 ratio: RatioForm::from(self.patch_ratio),
                 core: self.patch_core,
@@ -91,7 +91,7 @@ impl PatchOptions {
         };
         let usage = |error: &dyn std::fmt::Display| CliError::Usage(error.to_string());
         settings.medial.check().map_err(|error| usage(&error))?;
-        settings.thickening.check().map_err(|error| usage(&error))?;
+        settings.patches.check().map_err(|error| usage(&error))?;
         Ok(settings)
     }
 }
@@ -154,7 +154,7 @@ mod tests {
                 separation_rad: 45_f64.to_radians(),
                 end_rad: 90_f64.to_radians(),
             },
-            thickening: ThickeningParams {
+            patches: ThickeningParams {
                 tolerance: Some(0.07),
                 ratio: RatioForm::Product,
                 core: 0.1,

@@ -7,7 +7,7 @@ use crate::analysis::medial_space::RatioForm;
 use crate::analysis::metrics::{Corners, Form, METRICS, MetricKind, Regulariser};
 use crate::analysis::transport::Geodesics;
 use crate::engine::DistanceTable;
-use crate::picture::{AnatomicalView, PictureTheme, Quantity};
+use crate::picture::{AnatomicalView, Quantity};
 
 /// Words of `--metric`, those of the list of metrics.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -285,15 +285,6 @@ impl From<RegulariserWord> for Regulariser {
         match word {
             RegulariserWord::Uniform => Self::Uniform,
             RegulariserWord::Area => Self::Area,
-        }
-    }
-}
-
-impl From<ThemeWord> for PictureTheme {
-    fn from(word: ThemeWord) -> Self {
-        match word {
-            ThemeWord::Light => Self::LIGHT,
-            ThemeWord::Dark => Self::DARK,
         }
     }
 }

@@ -6,7 +6,8 @@ use crate::analysis::classification::Classes;
 use crate::analysis::deformations::DeformationMap;
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::engine::{FrameThickness, Interrupted, PoseMap, Showing, SubjectThickening};
+use crate::engine::{EstimatedPose, Interrupted, NoEstimate, PoseMap, Showing, SubjectThickening};
+use crate::study::Revision;
 
 use crate::document::interpolated_poses::InterpolatedMotion;
 use crate::document::transported::{TransportState, TransportedSubject};
@@ -17,17 +18,19 @@ pub type FoundWall = Result<Arc<SubjectThickening>, String>;
 /// The answers of one frame; made anew in the next. `None` where nothing is asked.
 #[derive(Clone, Debug, Default)]
 pub struct Answers {
-    /// Which opening of a study they are about; subjects' indices mean the same within one.
-    pub(crate) opening: u64,
+    /// Which list of subjects they are about; indices mean the same within one.
+    pub(crate) listing: Revision,
     pub(crate) measures: Option<Showing<Vec<SubjectMeasures>>>,
     pub(crate) map: Option<Showing<PoseMap>>,
+    /// The pose at a place of the map, while one is looked at.
+    pub(crate) estimate: Option<Showing<Result<EstimatedPose, NoEstimate>>>,
     pub(crate) deformations: Option<Showing<DeformationMap>>,
     pub(crate) classes: Option<Showing<Classes>>,
     pub(crate) verdicts: Option<Showing<Verdicts>>,
+    /// Of the subjects on screen, while those of the cohort are not known.
+    pub(crate) measures_of_one: Vec<(usize, Showing<SubjectMeasures>)>,
     /// Of the subjects on screen.
     pub(crate) walls: Vec<WallAnswer>,
-    /// Of the selected subject, by frame.
-    pub(crate) thickness: Vec<(usize, Showing<FrameThickness>)>,
     /// Of the motions on screen.
     pub(crate) interpolated_poses: Vec<InterpolationAnswer>,
     pub(crate) transported: Option<TransportedSubject>,
@@ -92,10 +95,22 @@ impl Answers {
         self.difference.as_ref()
     }
 
-    /// Whether thickness is still to be measured at a frame: between one frame and the next nothing may run.
-    pub(crate) fn thickness_is_pending(&self) -> bool {
-        let mut poses = self.thickness.iter().map(|(_, showing)| showing);
-        poses.clone().all(|showing| !showing.stopped()) && poses.any(Showing::computing)
+    /// The measures of a subject on screen.
+    pub(crate) fn measures_of_one(&self, subject: usize) -> Option<&SubjectMeasures> {
+        let mut known = self.measures_of_one.iter();
+        let (_, showing) = known.find(|(index, _)| *index == subject)?;
+        showing.latest().map(|measures| &**measures)
+    }
+
+    /// Subjects have other places now.
+    pub(crate) fn follow(&mut self, index: &[usize]) {
+        let measured = self.measures_of_one.iter_mut().map(|(subject, _)| subject);
+        let walls = self.walls.iter_mut().map(|wall| &mut wall.subject);
+        let motions = self.interpolated_poses.iter_mut();
+        let motions = motions.map(|motion| &mut motion.subject);
+        for subject in measured.chain(walls).chain(motions) {
+            *subject = index.get(*subject).copied().unwrap_or(*subject);
+        }
     }
 
     /// How the wall of a subject on screen stands.

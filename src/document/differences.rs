@@ -55,8 +55,11 @@ pub fn hindrance(document: &Document) -> Option<&'static str> {
 
 fn both_subjects(document: &Document) -> Option<(&Arc<Subject>, usize, &Arc<Subject>)> {
     let other = document.compared_on_screen()?;
-    let subjects = &document.study().subjects;
-    Some((document.selected()?, other, subjects.get(other)?))
+    Some((
+        document.selected()?,
+        other,
+        document.study().subject(other)?,
+    ))
 }
 
 #[cfg(test)]

@@ -4,11 +4,13 @@ use std::sync::Arc;
 
 use crate::analysis::deformations::DeformationMapParams;
 use crate::document::ViewMode;
-use crate::engine::{PoseMapQuery, ThickeningSettings};
+use crate::document::cohort_sort::CohortSort;
+use crate::engine::{ClassesBy, PoseMapQuery, ThickeningSettings};
 use crate::io::OpenError;
 use crate::picture::{BullsEyeQuantity, Quantity, WallPart};
 use crate::study::{Notice, Revision, Study, Subject};
 
+use crate::document::loop_range::LoopRange;
 use crate::document::viewpoint::Viewpoint;
 use crate::document::visibility::Visibility;
 
@@ -24,15 +26,6 @@ pub struct TransportedMotion {
     pub onto: usize,
 }
 
-/// Order of the cohort table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Sorting {
-    /// Column by which rows are ordered; `None` keeps the order of the input.
-    pub column: Option<usize>,
-    /// Greatest first.
-    pub descending: bool,
-}
-
 /// Everything a user can change and take back.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Document {
@@ -42,6 +35,8 @@ pub struct Document {
     pub subject: usize,
     /// Place in the cycle, counted in frames; fractions lie between poses.
     pub position: f64,
+    /// The part of the cycle that plays; `None` plays all of it.
+    pub loop_range: Option<LoopRange>,
     /// One subject, two or all phases.
     pub view_mode: ViewMode,
     /// The second subject of the side-by-side view; `None` lets the program choose.
@@ -64,6 +59,8 @@ pub struct Document {
     pub map: PoseMapQuery,
     /// How whole deformations are mapped.
     pub deformation_map: DeformationMapParams,
+    /// What subjects are told apart by, where the study offers both; see [`Self::classes_by`].
+    pub chosen_classes: ClassesBy,
     /// Whether clusters of deformations are drawn.
     pub shows_clusters: bool,
     /// What is akinetic, and what is a patch.
@@ -76,8 +73,8 @@ pub struct Document {
     pub bulls_eye_segments: bool,
     /// Filter of the cohort table.
     pub search: String,
-    /// Order of the cohort table.
-    pub sorting: Sorting,
+    /// Order of the cohort table; `None` keeps the order of the study.
+    pub sorting: Option<CohortSort>,
 }
 
 /// A shared study, compared by its revision.
@@ -87,6 +84,8 @@ pub struct StudyRef {
     pub study: Arc<Study>,
     /// Counts what was opened in this run; edits of one study share the number.
     pub opening: u64,
+    /// The state in which the list of subjects became what it is: indices mean the same subjects as long as it stays.
+    pub listing: Revision,
     /// What came of reading it.
     pub report: Arc<OpeningReport>,
 }
@@ -113,6 +112,7 @@ impl Document {
             study,
             subject: 0,
             position: 0.0,
+            loop_range: None,
             view_mode: ViewMode::default(),
             compare_with: None,
             transported: None,
@@ -124,16 +124,14 @@ impl Document {
             colour_limits: Vec::new(),
             map: PoseMapQuery::default(),
             deformation_map: DeformationMapParams::default(),
+            chosen_classes: ClassesBy::default(),
             shows_clusters: true,
             thickening: ThickeningSettings::default(),
             part: None,
             bulls_eye: BullsEyeQuantity::default(),
             bulls_eye_segments: false,
             search: String::new(),
-            sorting: Sorting {
-                column: None,
-                descending: false,
-            },
+            sorting: None,
         }
     }
 
@@ -144,7 +142,7 @@ impl Document {
 
     /// The selected subject; `None` where nothing is open.
     pub fn selected(&self) -> Option<&Arc<Subject>> {
-        self.study().subjects.get(self.subject)
+        self.study().subject(self.subject)
     }
 
     /// Index of the selected subject; `None` where nothing is open.
@@ -157,6 +155,19 @@ impl Document {
         match self.part {
             Some(WallPart::Patch(patch)) => Some(patch),
             Some(WallPart::Segment(_)) | None => None,
+        }
+    }
+
+    /// First and last frame of the part of the cycle that plays, for the selected subject; `None` where all of it does.
+    pub fn loop_frames(&self) -> Option<[usize; 2]> {
+        self.loop_range?.frames_of(self.selected()?)
+    }
+
+    /// What subjects are told apart by: labels, unless the study offers both and the user chose their classes.
+    pub fn classes_by(&self) -> ClassesBy {
+        match self.study().has_other_classes_than_labels() {
+            true => self.chosen_classes,
+            false => ClassesBy::Label,
         }
     }
 
@@ -206,12 +217,13 @@ impl Document {
         }
     }
 
-    /// The subject beside the selected one: the chosen one, else the next of the study.
+    /// The subject beside the selected one: the chosen one, else the next of the cohort.
     pub fn compared(&self) -> Option<usize> {
-        let count = self.study().subjects.len();
-        self.compare_with
-            .filter(|index| *index < count && *index != self.subject)
-            .or_else(|| (count > 1).then(|| (self.subject + 1) % count))
+        let study = self.study();
+        let next = (self.subject + 1) % study.subjects.len().max(1);
+        let chosen = self.compare_with.filter(|index| *index < study.count());
+        let other = |index: &usize| *index != self.subject;
+        (chosen.filter(other)).or((!study.subjects.is_empty()).then_some(next).filter(other))
     }
 
     /// The subject beside the selected one, where two are shown.
@@ -257,7 +269,7 @@ impl Document {
     }
 
     /// A patch belongs to its subject; a segment is one of every subject.
-    fn let_patch_go(&mut self) {
+    pub(super) fn let_patch_go(&mut self) {
         if self.selected_patch().is_some() {
             self.part = None;
         }
@@ -270,18 +282,6 @@ impl Document {
         if !position.is_nan() {
             self.position = position.clamp(0.0, end);
         }
-    }
-
-    /// Replaces the selected subject by an edited copy in a study of another revision.
-    pub fn edit_subject(&mut self, revision: Revision, edit: impl FnOnce(&mut Subject)) {
-        let Some(subject) = self.selected() else {
-            return;
-        };
-        let mut edited = Subject::clone(subject);
-        edit(&mut edited);
-        self.study.study = Arc::new(self.study().with_subject(self.subject, edited, revision));
-        // Its patches are found anew and counted in another order.
-        self.let_patch_go();
     }
 }
 
@@ -335,66 +335,4 @@ pub fn position_at_phase(subject: &Subject, phase: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::document::testing::{study_of, study_ref, subject_with_frames};
-    use crate::units::Seconds;
-
-    #[test]
-    fn a_position_comes_back_from_its_phase() {
-        let mut subject = subject_with_frames("a", 5);
-        for times in [None, Some(vec![0.0, 0.1, 0.3, 0.6, 0.7])] {
-            subject.timing.frame_times_s = times;
-            subject.timing.rr = Some(Seconds(0.9));
-            for step in 0..50 {
-                let position = f64::from(step) / 10.0;
-                let back = position_at_phase(&subject, cycle_share(&subject, position));
-                assert!(
-                    (back - position).abs() < 1e-9,
-                    "{position} came back as {back}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn selecting_another_heart_keeps_the_phase() {
-        let study = study_of(vec![
-            subject_with_frames("a", 8),
-            subject_with_frames("b", 4),
-        ]);
-        let mut document = Document::new(study_ref(study));
-        document.position = 4.0;
-        document.select_subject(1);
-        assert!((document.position - 2.0).abs() < 1e-12);
-    }
-
-    #[test]
-    fn past_the_last_half_frame_the_first_pose_is_nearest() {
-        assert_eq!(nearest_frame(7.4, 8), 7);
-        assert_eq!(nearest_frame(7.6, 8), 0);
-        assert_eq!(nearest_frame(0.2, 1), 0);
-    }
-
-    #[test]
-    fn an_edit_makes_another_revision_and_leaves_the_old_study_alone() {
-        let study = study_of(vec![subject_with_frames("a", 3)]);
-        let mut document = Document::new(study_ref(Arc::clone(&study)));
-        let before = document.clone();
-        document.edit_subject(Revision(77), |subject| subject.end_systole = Some(2));
-        assert_ne!(document, before);
-        assert_eq!(document.study().subjects[0].end_systole, Some(2));
-        assert_eq!(study.subjects[0].end_systole, None);
-    }
-
-    #[test]
-    fn typed_limits_belong_to_their_quantity() {
-        let mut document = Document::new(study_ref(study_of(vec![subject_with_frames("a", 3)])));
-        document.quantity = Quantity::Displacement;
-        document.set_limits(Some([0.0, 5.0]));
-        document.quantity = Quantity::AreaRatio;
-        assert_eq!(document.limits(), None);
-        document.quantity = Quantity::Displacement;
-        assert_eq!(document.limits(), Some([0.0, 5.0]));
-    }
-}
+mod tests;

@@ -5,15 +5,21 @@
 //! changes it.
 
 pub(crate) mod answers;
+pub(crate) mod cohort_sort;
 pub(crate) mod differences;
 #[expect(
     clippy::module_inception,
     reason = "the room's main type carries the room's name"
 )]
 pub(crate) mod document;
+pub(crate) mod editing;
 pub(crate) mod error_card;
 pub(crate) mod interpolated_poses;
+pub(crate) mod loop_range;
+pub(crate) mod path_entry;
 pub(crate) mod play;
+mod reading;
+pub(crate) mod relisting;
 pub(crate) mod state;
 #[cfg(test)]
 pub(crate) mod testing;
@@ -26,6 +32,9 @@ pub(crate) mod viewpoint;
 pub(crate) mod visibility;
 pub(crate) mod visible_poses;
 
-pub use {answers::*, differences::*, document::*, error_card::*, interpolated_poses::*, play::*};
+pub use {
+    answers::*, cohort_sort::*, differences::*, document::*, editing::*, error_card::*,
+    interpolated_poses::*, loop_range::*, path_entry::*, play::*,
+};
 pub use {state::*, theme_choice::*, transported::*, undo::*, view_mode::*, viewpoint::*};
 pub use {visibility::*, visible_poses::*};

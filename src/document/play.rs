@@ -7,6 +7,7 @@ use crate::render::GeometryPose;
 use crate::study::Subject;
 
 use crate::document::document::{cycle_share, position_at_phase};
+use crate::document::loop_range::{LoopRange, share_of_frame};
 
 /// Length of a cycle whose input does not say it: 60 cycles a minute.
 const ASSUMED_CYCLE_S: f64 = 1.0;
@@ -36,22 +37,51 @@ impl Default for PlayClock {
 }
 
 impl PlayClock {
+    /// Sets the speed to the nearest of [`SPEEDS`]; what is no number changes nothing.
+    pub fn set_speed(&mut self, speed: f32) {
+        if speed.is_finite() {
+            self.speed = speed.clamp(*SPEEDS.start(), *SPEEDS.end());
+        }
+    }
+
     /// The position `elapsed_s` after `position`, and whether play goes on.
     ///
     /// Time runs evenly over the cycle, so frames that were taken at uneven times are shown for
-    /// unequal times. Without repeat, play ends at the last frame.
-    pub fn advance(&self, subject: &Subject, position: f64, elapsed_s: f64) -> (f64, bool) {
+    /// unequal times. Without repeat, play ends at the last frame. With a range, play begins at its
+    /// start wherever the position was outside of it, and starts over or ends at its end.
+    pub fn advance(
+        &self,
+        subject: &Subject,
+        position: f64,
+        range: Option<LoopRange>,
+        elapsed_s: f64,
+    ) -> (f64, bool) {
         let count = subject.sequence.frame_count();
         if !self.playing || count < 2 {
             return (position, self.playing && count >= 2);
         }
         let share = elapsed_s.max(0.0) * f64::from(self.speed) / cycle_s(subject);
-        let phase = cycle_share(subject, position) + share;
-        let last = (count - 1) as f64;
-        if !self.repeat && phase >= cycle_share(subject, last) {
-            return (last, false);
+        let now = cycle_share(subject, position);
+        let last = count - 1;
+        let part = range.and_then(|range| range.frames_of(subject));
+        let ([start, end], end_frame) = match part {
+            Some([from, to]) => (
+                [from, to].map(|frame| share_of_frame(subject, frame)),
+                to.min(last),
+            ),
+            None => ([0.0, 1.0], last),
+        };
+        let phase = if (start..end).contains(&now) {
+            now
+        } else {
+            start
+        } + share;
+        let stop = end.min(cycle_share(subject, end_frame as f64));
+        if !self.repeat && phase >= stop {
+            return (end_frame as f64, false);
         }
-        (position_at_phase(subject, phase.rem_euclid(1.0)), true)
+        let phase = start + (phase - start).rem_euclid(end - start);
+        (position_at_phase(subject, phase), true)
     }
 }
 
@@ -132,14 +162,14 @@ mod tests {
         };
         let mut position = 0.0;
         for _ in 0..8 {
-            position = clock.advance(&subject, position, 0.05).0;
+            position = clock.advance(&subject, position, None, 0.05).0;
         }
         assert!(
             (position - 4.0).abs() < 1e-9,
             "half a beat after 0.4 s, not {position}"
         );
         for _ in 0..8 {
-            position = clock.advance(&subject, position, 0.05).0;
+            position = clock.advance(&subject, position, None, 0.05).0;
         }
         assert!((position + 1e-6).rem_euclid(8.0) < 2e-6);
     }
@@ -152,7 +182,7 @@ mod tests {
             speed: 0.5,
             repeat: true,
         };
-        assert!((clock.advance(&subject, 0.0, 0.4).0 - 2.0).abs() < 1e-9);
+        assert!((clock.advance(&subject, 0.0, None, 0.4).0 - 2.0).abs() < 1e-9);
     }
 
     #[test]
@@ -163,7 +193,42 @@ mod tests {
             speed: 1.0,
             repeat: false,
         };
-        assert_eq!(clock.advance(&subject, 2.9, 0.5), (3.0, false));
+        assert_eq!(clock.advance(&subject, 2.9, None, 0.5), (3.0, false));
+    }
+
+    #[test]
+    fn a_range_plays_from_its_first_to_its_last_frame_and_over_again() {
+        let subject = subject_with_frames("a", 10);
+        let range = LoopRange::of_frames(&subject, [3, 6]);
+        let mut clock = PlayClock {
+            playing: true,
+            ..PlayClock::default()
+        };
+        let at = |clock: &PlayClock, position, elapsed_s| {
+            let (position, on) = clock.advance(&subject, position, range, elapsed_s);
+            ((position * 1e9).round() / 1e9, on)
+        };
+        assert_eq!(at(&clock, 3.0, 0.2), (5.0, true));
+        assert_eq!(
+            at(&clock, 5.0, 0.2),
+            (4.0, true),
+            "over the end to the start"
+        );
+        assert_eq!(
+            at(&clock, 8.0, 0.0),
+            (3.0, true),
+            "from outside to the start"
+        );
+        assert_eq!(at(&clock, 1.0, 0.1), (4.0, true));
+        clock.repeat = false;
+        assert_eq!(at(&clock, 5.0, 0.2), (6.0, false));
+        // Diastole: up to the first frame of the next cycle.
+        let range = LoopRange::of_frames(&subject, [4, 10]);
+        clock.repeat = true;
+        let (position, on) = clock.advance(&subject, 9.5, range, 0.1);
+        assert!((position - 4.5).abs() < 1e-9 && on, "{position}");
+        clock.repeat = false;
+        assert_eq!(clock.advance(&subject, 8.9, range, 0.5), (9.0, false));
     }
 
     #[test]
@@ -173,7 +238,7 @@ mod tests {
             playing: true,
             ..PlayClock::default()
         };
-        assert_eq!(clock.advance(&subject, 0.0, 0.5), (0.0, false));
+        assert_eq!(clock.advance(&subject, 0.0, None, 0.5), (0.0, false));
     }
 
     #[test]

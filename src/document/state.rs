@@ -1,5 +1,6 @@
 //! Everything the window shows, as plain values; `apply` alone changes it.
 
+use std::collections::HashSet;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -9,13 +10,16 @@ use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::transport::Reference;
 use crate::document::ErrorCard;
 use crate::document::ThemeChoice;
-use crate::engine::{PoseMap, Showing};
+use crate::engine::{EstimatedPose, NoEstimate, PoseMap, Showing};
+use crate::picture::figure::FigureLook;
 use crate::study::built_in::BuiltInParams;
-use crate::study::{Study, Subject};
+use crate::study::{Revision, Study, Subject};
 
 use crate::document::answers::{Answers, FoundWall};
 use crate::document::document::{Document, OpeningReport, StudyRef};
+use crate::document::editing::{Leaving, PickedPoint, Typing};
 use crate::document::interpolated_poses::{InterpolatedMotion, geodesic_params};
+use crate::document::path_entry::PathEntry;
 use crate::document::play::PlayClock;
 use crate::document::transported::{TransportedSubject, transport_params};
 use crate::document::undo::History;
@@ -31,6 +35,8 @@ pub struct Sheets {
     pub load_report: bool,
     /// About the program.
     pub about: bool,
+    /// How figures look.
+    pub figure: bool,
 }
 
 /// Everything the window shows.
@@ -40,12 +46,18 @@ pub struct State {
     pub document: Document,
     /// Undo and redo.
     pub history: History,
+    /// The place of the pose map, in the coordinates of its embedding, whose estimated pose stands in the 3D view.
+    pub estimate_at: Option<[f64; 2]>,
     /// Whether and how fast the motion plays.
     pub play: PlayClock,
     /// What lies over the window.
     pub sheets: Sheets,
     /// Light or dark.
     pub theme: ThemeChoice,
+    /// How figures look.
+    pub figure_look: FigureLook,
+    /// The path that is typed, where the system shows no file dialog.
+    pub path_entry: Option<PathEntry>,
     /// Whether the window fills the screen.
     pub full_screen: bool,
     /// What was opened before, latest first.
@@ -58,7 +70,21 @@ pub struct State {
     pub message: String,
     /// How finely the built-in cohort is made.
     pub built_in: BuiltInParams,
+    /// The cell of the cohort table that is typed into.
+    pub typing: Option<Typing>,
+    /// The point of a surface that was clicked last.
+    pub picked: Option<PickedPoint>,
+    /// What waits for an answer about edits that are not exported.
+    pub leaving: Option<Leaving>,
+    /// Studies that are being written: the file that is there at the end, and which state it holds.
+    pub(crate) exports: Vec<(PathBuf, Revision)>,
+    /// States of studies that stand in files, or can be made again.
+    pub(crate) kept: HashSet<Revision>,
     pub(crate) last_opening: u64,
+    /// The opening of the study that is being read while it is shown.
+    pub(crate) reading: Option<u64>,
+    /// The subject, by its id, that is read before the others and selected then.
+    pub awaited: Option<String>,
 }
 
 impl Default for State {
@@ -66,21 +92,32 @@ impl Default for State {
         let nothing = StudyRef {
             study: Arc::default(),
             opening: 0,
+            listing: Revision::default(),
             report: Arc::default(),
         };
         Self {
             document: Document::new(nothing),
             history: History::default(),
+            estimate_at: None,
             play: PlayClock::default(),
             sheets: Sheets::default(),
             theme: ThemeChoice::default(),
+            figure_look: FigureLook::default(),
+            path_entry: None,
             full_screen: false,
             recent: Vec::new(),
             errors: Vec::new(),
             answers: Answers::default(),
             message: String::new(),
             built_in: BuiltInParams::default(),
+            typing: None,
+            picked: None,
+            leaving: None,
+            exports: Vec::new(),
+            kept: HashSet::from([Revision::default()]),
             last_opening: 0,
+            reading: None,
+            awaited: None,
         }
     }
 }
@@ -91,14 +128,38 @@ impl State {
         self.latest(self.answers.measures.as_ref())
     }
 
-    /// Measures of one subject.
+    /// Whether they are being computed.
+    pub fn is_measuring(&self) -> bool {
+        let measures = self.answers.measures.as_ref();
+        measures.is_some_and(Showing::computing)
+    }
+
+    /// Measures of one subject; of one on screen they are known before those of the whole cohort.
     pub fn measures_of(&self, subject: usize) -> Option<&SubjectMeasures> {
-        self.measures()?.get(subject)
+        match self.measures() {
+            Some(all) => all.get(subject),
+            None => (self.of_this_study(Some(&self.answers))?).measures_of_one(subject),
+        }
     }
 
     /// The map of the study on screen.
     pub fn map(&self) -> Option<&Arc<PoseMap>> {
         self.latest(self.answers.map.as_ref())
+    }
+
+    /// The pose that is estimated at a place of the pose map, while one is looked at; the one before until it is there.
+    pub fn estimate(&self) -> Option<&EstimatedPose> {
+        (**self.estimated()?).as_ref().ok()
+    }
+
+    /// Why no pose is estimated at the place that is looked at.
+    pub fn without_estimate(&self) -> Option<&NoEstimate> {
+        (**self.estimated()?).as_ref().err()
+    }
+
+    fn estimated(&self) -> Option<&Arc<Result<EstimatedPose, NoEstimate>>> {
+        self.estimate_at?;
+        self.latest(self.answers.estimate.as_ref())
     }
 
     /// The deformation map of the study on screen.
@@ -152,9 +213,23 @@ impl State {
         )
     }
 
+    /// "ED" or "ES", where a frame of a subject is that phase.
+    pub fn phase_name(&self, subject: usize, frame: usize) -> Option<&'static str> {
+        let (end_diastole, end_systole) = self.phases_of(subject);
+        let named = [(end_diastole, "ED"), (end_systole, "ES")];
+        let mut named = named.into_iter();
+        named.find_map(|(phase, name)| (phase == Some(frame)).then_some(name))
+    }
+
+    /// "ED", "ES", "frame 3": a frame of a subject.
+    pub fn moment_name(&self, subject: usize, frame: usize) -> String {
+        let phase = self.phase_name(subject, frame);
+        phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
+    }
+
     /// A subject of the study on screen.
     pub fn subject(&self, index: usize) -> Option<&Arc<Subject>> {
-        self.document.study().subjects.get(index)
+        self.document.study().subject(index)
     }
 
     /// Shows a newly read study; the old one can be had back by undo.
@@ -162,7 +237,9 @@ impl State {
         self.last_opening += 1;
         let opening = self.last_opening;
         let before = self.document.clone();
+        self.kept.insert(study.revision);
         let mut document = Document::new(StudyRef {
+            listing: study.revision,
             study,
             opening,
             report: Arc::new(report),
@@ -187,11 +264,24 @@ impl State {
         }
         self.document = document;
         self.play.playing = false;
+        self.estimate_at = None;
+        self.leave_listing();
+    }
+
+    /// Lets go of what names a subject by its index and is no part of the document: another list is on screen.
+    pub fn leave_listing(&mut self) {
+        self.typing = None;
+        self.picked = None;
+    }
+
+    /// Whether the study on screen has edits that were not exported.
+    pub fn is_edited(&self) -> bool {
+        !self.kept.contains(&self.document.study().revision)
     }
 
     /// An answer, unless it is about a study that is not on screen any more.
     pub(crate) fn of_this_study<'a, T>(&self, answer: Option<&'a T>) -> Option<&'a T> {
-        answer.filter(|_| self.answers.opening == self.document.study.opening)
+        answer.filter(|_| self.answers.listing == self.document.study.listing)
     }
 
     fn latest<'a, T>(&self, showing: Option<&'a Showing<T>>) -> Option<&'a Arc<T>> {

@@ -32,6 +32,7 @@ pub fn study_of(subjects: Vec<Subject>) -> Arc<Study> {
 /// A study as a document holds it, opened first.
 pub fn study_ref(study: Arc<Study>) -> StudyRef {
     StudyRef {
+        listing: study.revision,
         study,
         opening: 1,
         report: Arc::default(),
@@ -42,6 +43,6 @@ pub fn study_ref(study: Arc<Study>) -> StudyRef {
 pub fn state_of(subjects: Vec<Subject>) -> State {
     let mut state = State::default();
     state.show_study(study_of(subjects), OpeningReport::default());
-    state.answers.opening = state.document.study.opening;
+    state.answers.listing = state.document.study.listing;
     state
 }

@@ -22,6 +22,8 @@ pub enum Gesture {
     Search,
     /// Typing colour limits.
     Limits,
+    /// Dragging the ends of the part of the cycle that plays.
+    LoopRange,
     /// Dragging a threshold of patches.
     Threshold,
 }
@@ -67,7 +69,10 @@ impl History {
     pub fn end_drag(&mut self) {
         if matches!(
             self.open_gesture,
-            Some((Gesture::Camera | Gesture::Time | Gesture::Threshold, _))
+            Some((
+                Gesture::Camera | Gesture::Time | Gesture::LoopRange | Gesture::Threshold,
+                _
+            ))
         ) {
             self.open_gesture = None;
         }
@@ -97,6 +102,11 @@ impl History {
     /// Whether there is anything to bring back.
     pub fn can_redo(&self) -> bool {
         !self.future.is_empty()
+    }
+
+    /// All that undo and redo can bring back.
+    pub fn documents(&mut self) -> impl Iterator<Item = &mut Document> {
+        self.past.iter_mut().chain(&mut self.future)
     }
 
     /// Lets go of studies opened before `opening`, so that a long session does not keep all

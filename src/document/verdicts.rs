@@ -94,7 +94,7 @@ mod tests {
         });
         assert!(matches!(state.verdicts(), Some((_, false))));
         assert_eq!(state.patch_standing(0), PatchStanding::Abnormal);
-        state.document.study.opening += 1;
+        state.document.study.listing.0 += 1;
         assert!(state.verdicts().is_none());
         assert_eq!(state.patch_standing(0), PatchStanding::NoVerdict);
     }

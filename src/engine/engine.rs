@@ -7,13 +7,14 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use crate::engine::activity::{Activity, Topic};
 use crate::engine::export::{ExportFile, write_files};
 use crate::engine::job::{Ending, Job, JobError, Wake};
-use crate::engine::open::{OpenSource, open};
+use crate::engine::open::{OpenSource, open, open_in_stages};
 use crate::engine::reading_limits::reading_limits;
+use crate::engine::stages::{Feed, Stage};
 use crate::engine::store::{FailedWork, SharedError, Store, StoreOptions};
 use crate::engine::workers::Workers;
 use crate::io::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
-use crate::study::Revision;
+use crate::study::{Revision, Study};
 
 /// Why nothing was exported.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -30,8 +31,12 @@ const ASIDE: usize = 2;
 /// the engine stops its work, then joins its threads.
 pub struct Engine {
     // Jobs stand before their threads: they are dropped first, which stops what still runs.
-    opening: Option<Job<Opened, Stopped>>,
+    opening: Option<Opening>,
     opened: Option<Opened>,
+    stages: Vec<Stage>,
+    /// What is read to be added to a study.
+    adding: Option<Job<Opened, Stopped>>,
+    added: Option<Opened>,
     /// One is made after the other.
     exports: Vec<Job<Vec<PathBuf>, ExportError>>,
     exported: Option<Vec<PathBuf>>,
@@ -45,6 +50,12 @@ pub struct Engine {
     store: Arc<Store>,
 }
 
+/// Something that is being opened.
+struct Opening {
+    job: Job<Opened, Stopped>,
+    feed: Arc<Feed>,
+}
+
 impl Engine {
     /// Starts the store, a thread that reads files, one that writes them, and those for work aside.
     ///
@@ -54,6 +65,9 @@ impl Engine {
         Ok(Self {
             opening: None,
             opened: None,
+            stages: Vec::new(),
+            adding: None,
+            added: None,
             exports: Vec::new(),
             exported: None,
             last_opening: None,
@@ -78,11 +92,30 @@ impl Engine {
     }
 
     /// Opens something in place of what is being opened; the study in use is not touched.
-    /// What comes of it is handed out once, by [`Self::take_opened`].
+    /// What comes of it is handed out once, by [`Self::take_opened`], or of a large study by [`Self::take_stages`].
     pub fn open(&mut self, source: OpenSource) {
+        self.last_opening = Some(source.clone());
         let (name, words) = (source.name(), source.words());
         let (limits, revisions) = (self.limits, Arc::clone(&self.revisions));
-        self.last_opening = Some(source.clone());
+        let wake = Arc::clone(&self.wake);
+        self.give_up_opening();
+        let feed = Arc::new(Feed::new(Arc::clone(&wake)));
+        let listener = Arc::clone(&feed);
+        let job = Job::spawn(&self.reader, wake, move |progress: &Progress| {
+            let mut opened = open_in_stages(&source, &limits, progress, &*listener)?;
+            opened.study.revision = next_revision(&revisions);
+            Ok(opened)
+        });
+        (self.store).list_job(Topic::OPENING, name, words, Arc::clone(job.watch()));
+        self.store.set_reading(Arc::clone(job.watch()));
+        self.opened = None;
+        self.opening = Some(Opening { job, feed });
+    }
+
+    /// Reads something that is to be added to a study. What comes of it is handed out once, by [`Self::take_added`].
+    pub fn add(&mut self, source: OpenSource) {
+        let (name, words) = (source.name(), source.words());
+        let (limits, revisions) = (self.limits, Arc::clone(&self.revisions));
         let wake = Arc::clone(&self.wake);
         let job = Job::spawn(&self.reader, wake, move |progress: &Progress| {
             let mut opened = open(&source, &limits, progress)?;
@@ -90,8 +123,43 @@ impl Engine {
             Ok(opened)
         });
         (self.store).list_job(Topic::OPENING, name, words, Arc::clone(job.watch()));
-        self.opened = None;
-        self.opening = Some(job);
+        self.added = None;
+        self.adding = Some(job);
+    }
+
+    /// What was read to be added, once; `None` while nothing new is there.
+    pub fn take_added(&mut self) -> Option<Opened> {
+        self.added.take()
+    }
+
+    /// Lets go of what is being opened.
+    pub fn give_up_opening(&mut self) {
+        if self
+            .opening
+            .take()
+            .is_some_and(|opening| opening.feed.begun())
+        {
+            self.stages.push(Stage::GivenUp);
+        }
+    }
+
+    /// What came of a large study since the last call, in order.
+    pub fn take_stages(&mut self) -> Vec<Stage> {
+        std::mem::take(&mut self.stages)
+    }
+
+    /// Has a subject of the study that is being opened read before the others.
+    pub fn read_first(&self, id: String) {
+        if let Some(opening) = &self.opening {
+            opening.feed.want(id);
+        }
+    }
+
+    /// Opens the files that were opened last once more, with links that lead out of them.
+    pub fn open_following_links(&mut self) {
+        if let Some(OpenSource::Paths(paths)) = &self.last_opening {
+            self.open(OpenSource::PathsAndLinks(paths.clone()));
+        }
     }
 
     /// What was opened, once; `None` while nothing new is there.
@@ -112,13 +180,23 @@ impl Engine {
         parameters: impl Into<String>,
         make: impl FnOnce(&Progress) -> Result<Vec<ExportFile>, String> + Send + 'static,
     ) {
+        self.start_writing(name, parameters, move |progress| {
+            let files = make(progress)?;
+            progress.check().map_err(|stopped| stopped.to_string())?;
+            write_files(files)
+        });
+    }
+
+    /// Writes files with `write`, which returns their paths; they are handed out by [`Self::take_exported`].
+    pub fn start_writing(
+        &mut self,
+        name: impl Into<String>,
+        parameters: impl Into<String>,
+        write: impl FnOnce(&Progress) -> Result<Vec<PathBuf>, String> + Send + 'static,
+    ) {
         let wake = Arc::clone(&self.wake);
         let job = Job::spawn(&self.exporter, wake, move |progress: &Progress| {
-            let files = make(progress).map_err(ExportError)?;
-            progress
-                .check()
-                .map_err(|stopped| ExportError(stopped.to_string()))?;
-            write_files(files).map_err(ExportError)
+            write(progress).map_err(ExportError)
         });
         (self.store).list_job(Topic::EXPORT, name, parameters, Arc::clone(job.watch()));
         self.exports.push(job);
@@ -146,7 +224,16 @@ impl Engine {
     /// Stops work of one kind; what was on screen stays, and nothing begins again until [`Self::retry`].
     pub fn cancel(&mut self, topic: Topic) {
         match topic {
-            Topic::OPENING => self.opening = None,
+            Topic::OPENING => {
+                self.adding = None;
+                match &self.opening {
+                    // What was read of a large study stays: it is opened as if the rest were not there.
+                    Some(opening) if opening.feed.begun() && opening.feed.stop_reading() => {
+                        opening.job.watch().end(Ending::Stopped);
+                    }
+                    _ => self.give_up_opening(),
+                }
+            }
             Topic::EXPORT => self.exports.clear(),
             question => self.store.cancel(question),
         }
@@ -167,16 +254,17 @@ impl Engine {
 
     /// Takes in what jobs brought. Call once a frame.
     pub fn poll(&mut self) {
-        if let Some(opened) = finished(&mut self.opening) {
-            match opened {
-                Ok(opened) => self.opened = Some(opened),
-                Err(error) => self.report(Topic::OPENING, "Opening failed", Arc::new(error)),
+        self.poll_opening();
+        if let Some(added) = finished(&mut self.adding) {
+            match added {
+                Ok(added) => self.added = Some(added),
+                Err(error) => self.report(Topic::OPENING, "Adding failed", Arc::new(error)),
             }
         }
         for job in std::mem::take(&mut self.exports) {
             let mut job = Some(job);
             match finished(&mut job) {
-                Some(Ok(files)) => self.exported = Some(files),
+                Some(Ok(files)) => self.exported.get_or_insert_default().extend(files),
                 Some(Err(error)) => {
                     self.report(Topic::EXPORT, "Nothing was exported", Arc::new(error));
                 }
@@ -186,6 +274,38 @@ impl Engine {
         }
     }
 
+    fn poll_opening(&mut self) {
+        let Some(opening) = &mut self.opening else {
+            return;
+        };
+        let outcome = opening.job.poll();
+        let stage = opening.feed.stage(outcome.is_some());
+        let begun = opening.feed.begun();
+        self.stages.extend(stage.map(|stage| match stage {
+            Stage::Begun(study) => Stage::Begun(Study {
+                revision: next_revision(&self.revisions),
+                ..study
+            }),
+            other => other,
+        }));
+        let Some(outcome) = outcome else {
+            return;
+        };
+        match outcome {
+            Ok(opened) if begun => self.stages.push(Stage::Ended(opened)),
+            Ok(opened) => self.opened = Some(opened),
+            Err(error) => {
+                if begun {
+                    self.stages.push(Stage::GivenUp);
+                }
+                if !matches!(error, JobError::Failed(Stopped)) {
+                    self.report(Topic::OPENING, "Opening failed", Arc::new(error));
+                }
+            }
+        }
+        self.opening = None;
+    }
+
     /// What went wrong since the last call and needs a card.
     pub fn take_failures(&self) -> Vec<FailedWork> {
         self.store.take_failures()
@@ -193,7 +313,10 @@ impl Engine {
 
     /// Whether anything runs; while it does, its bar moves.
     pub fn busy(&self) -> bool {
-        self.opening.is_some() || !self.exports.is_empty() || self.store.busy()
+        self.opening.is_some()
+            || self.adding.is_some()
+            || !self.exports.is_empty()
+            || self.store.busy()
     }
 
     /// All work of this run, newest first.

@@ -73,8 +73,18 @@ impl PassingFile {
         written.map_err(|error| cannot_write(&error, &self.place))
     }
 
+    /// Where it will stand.
+    pub(super) fn place(&self) -> &Path {
+        &self.place
+    }
+
+    /// Gives it another place in the same folder than it was made for.
+    pub(super) fn stand_at(&mut self, place: PathBuf) {
+        self.place = place;
+    }
+
     /// Gives it its name.
-    fn finish(&mut self) -> std::io::Result<()> {
+    pub(super) fn finish(&mut self) -> std::io::Result<()> {
         self.file.flush()?;
         fs::rename(&self.passing, &self.place)
     }
@@ -89,38 +99,47 @@ impl Drop for PassingFile {
 
 /// Writes every file, making folders as needed, and returns the paths.
 ///
-/// Each is written beside its place under a passing name and then renamed, so that a full disk
-/// or a crash leaves the file that stood there before.
+/// All are written beside their places under passing names first and renamed only then, so that a full disk or a crash
+/// leaves the files that stood there before.
 ///
 /// # Errors
 /// At the first file that cannot be written: why, and which.
 pub fn write_files(files: Vec<ExportFile>) -> Result<Vec<PathBuf>, String> {
-    let mut paths = Vec::with_capacity(files.len());
-    for file in files {
-        let written = match file.bytes {
-            FileBytes::Held(bytes) => write_whole(&file.path, &bytes),
-            FileBytes::Passing(mut passing) => passing.finish(),
+    let mut staged = staged(files)?;
+    for passing in &mut staged {
+        let named = passing.finish();
+        named.map_err(|error| cannot_write(&error, &passing.place))?;
+    }
+    Ok(staged.iter().map(|passing| passing.place.clone()).collect())
+}
+
+/// Files that are whole, but have their names still to come.
+///
+/// # Errors
+/// If one cannot be written, or a folder lies at its place: why, and which.
+pub(super) fn staged(files: Vec<ExportFile>) -> Result<Vec<PassingFile>, String> {
+    let stage = |file: ExportFile| {
+        if file.path.is_dir() {
+            let taken = std::io::Error::from(ErrorKind::IsADirectory);
+            return Err(cannot_write(&taken, &file.path));
+        }
+        let mut passing = match file.bytes {
+            FileBytes::Passing(passing) => passing,
+            FileBytes::Held(bytes) => {
+                let mut passing = PassingFile::create(file.path)?;
+                passing.write(bytes)?;
+                passing
+            }
         };
-        written.map_err(|error| cannot_write(&error, &file.path))?;
-        paths.push(file.path);
-    }
-    Ok(paths)
+        let flushed = passing.file.flush();
+        flushed.map_err(|error| cannot_write(&error, &passing.place))?;
+        Ok(passing)
+    };
+    files.into_iter().map(stage).collect()
 }
 
-fn cannot_write(error: &std::io::Error, path: &Path) -> String {
+pub(super) fn cannot_write(error: &std::io::Error, path: &Path) -> String {
     format!("cannot write: {error}: {}", path.display())
-}
-
-fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    make_folder(path)?;
-    let (passing, mut file) = create_beside(path)?;
-    let written = file
-        .write_all(bytes)
-        .and_then(|()| fs::rename(&passing, path));
-    if written.is_err() {
-        fs::remove_file(&passing).ok();
-    }
-    written
 }
 
 /// Makes the folder that a file is to stand in.
@@ -131,28 +150,37 @@ fn make_folder(path: &Path) -> std::io::Result<()> {
         .map_or(Ok(()), fs::create_dir_all)
 }
 
-/// A new, empty file beside `path` under a passing name that no other run has.
-///
-/// The name holds the number of this process and is taken only where nothing lies there: two runs into one folder never
-/// share it, and a link that lies at such a name is not followed. It does not hold the name of the file, since one that is
-/// just short enough for the disk would no longer be.
+/// A new, empty file beside `path` under a passing name that no other run has: a link that lies at such a name is not
+/// followed.
 fn create_beside(path: &Path) -> std::io::Result<(PathBuf, File)> {
-    static NEXT: AtomicU64 = AtomicU64::new(0);
-    let folder = path.parent().unwrap_or_else(|| Path::new(""));
     loop {
-        let (process, number) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
-        let passing = folder.join(format!(".cardiomorph-{process}-{number}.partial"));
+        let passing = free_name_beside(path);
         match OpenOptions::new()
             .write(true)
             .create_new(true)
             .open(&passing)
         {
             Ok(file) => return Ok((passing, file)),
-            // Left behind by a run that was killed, or laid there: the next number.
+            // Laid there meanwhile: the next number.
             Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
             Err(error) => return Err(error),
         }
     }
+}
+
+/// A passing name beside `path` at which nothing lies.
+///
+/// It holds the number of this process: two runs into one folder never share it. It does not hold the name of the file,
+/// since one that is just short enough for the disk would no longer be.
+pub(super) fn free_name_beside(path: &Path) -> PathBuf {
+    static NEXT: AtomicU64 = AtomicU64::new(0);
+    let folder = path.parent().unwrap_or_else(|| Path::new(""));
+    let mut names = std::iter::repeat_with(|| {
+        let (process, number) = (std::process::id(), NEXT.fetch_add(1, Ordering::Relaxed));
+        folder.join(format!(".cardiomorph-{process}-{number}.partial"))
+    });
+    let taken = |name: &PathBuf| fs::symlink_metadata(name).is_ok();
+    names.find(|name| !taken(name)).unwrap_or_default()
 }
 
 #[cfg(test)]
@@ -188,6 +216,20 @@ mod tests {
         .unwrap_err();
         assert!(error.starts_with("cannot write: "), "{error}");
         assert!(error.ends_with(&blocked.display().to_string()), "{error}");
+    }
+
+    #[test]
+    fn where_one_file_cannot_be_written_all_old_ones_stay() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        fs::write(at("a.csv"), "old").unwrap();
+        fs::create_dir(at("b.csv")).unwrap();
+        let files =
+            ["a.csv", "b.csv"].map(|name| ExportFile::text(folder.path(), name, "new".to_owned()));
+        write_files(files.into()).unwrap_err();
+        assert_eq!(fs::read_to_string(at("a.csv")).unwrap(), "old");
+        let names = fs::read_dir(folder.path()).unwrap().count();
+        assert_eq!(names, 2, "nothing passing is left behind");
     }
 
     #[test]

@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 use super::*;
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::medial::MedialParams;
+use crate::progress::Progress;
 use crate::study::Study;
 use crate::study::built_in::BuiltInParams;
 
@@ -66,6 +67,32 @@ fn what_cannot_be_made_is_an_error_beside_an_empty_study() {
     let opened = opened.unwrap();
     assert!(opened.study.subjects.is_empty());
     assert_eq!(opened.errors.len(), 1);
+}
+
+#[cfg(unix)]
+#[test]
+fn what_was_opened_last_can_be_opened_again_with_its_links() {
+    let (root, store) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    let mesh = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    std::fs::write(store.path().join("endo_0.obj"), mesh).unwrap();
+    std::os::unix::fs::symlink(store.path(), root.path().join("linked")).unwrap();
+    let mut engine = engine();
+    let count = |engine: &mut Engine| {
+        let mut count = None;
+        until(engine, |engine| {
+            count = engine
+                .take_opened()
+                .map(|opened| opened.study.subjects.len());
+            count.is_some()
+        });
+        count.unwrap()
+    };
+    engine.open_following_links();
+    assert!(!engine.opening(), "nothing was opened before");
+    engine.open(OpenSource::Paths(vec![root.path().to_owned()]));
+    assert_eq!(count(&mut engine), 0);
+    engine.open_following_links();
+    assert_eq!(count(&mut engine), 1);
 }
 
 #[test]
@@ -249,11 +276,95 @@ fn thickening_is_stopped_retried_and_follows_a_slider() {
     let first = answered(&mut engine, &query);
     for step in 1..4 {
         let tolerance = 0.05 * f64::from(step);
-        query.settings.thickening.tolerance = Some(tolerance);
+        query.settings.patches.tolerance = Some(tolerance);
         let found = answered(&mut engine, &query);
         assert!(Arc::ptr_eq(&found.beat, &first.beat));
         assert_eq!(found.thickening.tolerance, tolerance);
     }
     assert_eq!(engine.activities()[0].name, "Thickening");
     assert!(engine.activities()[0].parameters.contains("± 0.15"));
+}
+
+#[test]
+fn what_is_known_of_a_subject_stays_known_when_others_come_before_it_and_the_cohort_waits_for_all()
+{
+    let mut engine = engine();
+    let whole = opened(&mut engine, 200);
+    let wall = |subject| MedialSurfacesQuery {
+        subject,
+        params: MedialParams::default(),
+    };
+    let unread = |id: &str, read_before| crate::study::UnreadSubject {
+        id: id.to_owned(),
+        label: None,
+        read_before,
+    };
+    let alone = Arc::new(Study {
+        subjects: vec![Arc::clone(&whole.subjects[1])],
+        unread: vec![unread("N01", 0), unread("N03", 1)],
+        revision: engine.next_revision(),
+        ..Study::default()
+    });
+    let store = Arc::clone(engine.store());
+    let mut known = None;
+    until(&mut engine, |engine| {
+        known = engine.store().ask(&alone, &wall(0)).ready().cloned();
+        engine.store().end_frame();
+        known.is_some()
+    });
+    assert!(store.ask(&alone, &MeasuresQuery).computing());
+    assert!(store.ask(&alone, &PoseMapQuery::default()).computing());
+    let refused = store.answer(&alone, &MeasuresQuery, &Progress::default());
+    let Err(Interrupted::Failed(why)) = refused else {
+        panic!("the cohort is not read");
+    };
+    assert_eq!(why.to_string(), "2 of 3 subjects are still to be read");
+    until(&mut engine, |engine| !engine.busy());
+    let read = [0, 2].map(|index| {
+        let subject = &whole.subjects[index];
+        (subject.id.clone(), Some(Arc::clone(subject)))
+    });
+    let (all, index) = alone.with_read(&read, engine.next_revision());
+    assert_eq!(index, [1]);
+    store.follow(&all);
+    let kept = store.known(&all, &wall(1)).unwrap();
+    assert!(Arc::ptr_eq(&kept, &known.unwrap()));
+    assert!(store.known(&all, &wall(0)).is_none());
+    assert_eq!(
+        store
+            .answer(&Arc::new(all), &MeasuresQuery, &Progress::default())
+            .unwrap()
+            .len(),
+        3
+    );
+}
+
+#[test]
+fn the_surfaces_of_the_study_on_screen_count_to_the_memory() {
+    let mut engine = Engine::start(StoreOptions {
+        budget: 200 << 10,
+        ..StoreOptions::default()
+    })
+    .unwrap();
+    let study = opened(&mut engine, 200);
+    let one = Study {
+        subjects: study.subjects[..1].to_vec(),
+        ..Study::default()
+    };
+    assert!(study.bytes() > 400 << 10 && one.bytes() < 100 << 10);
+    let store = Arc::clone(engine.store());
+    let mut kept_beside = |shown: &Study| {
+        store.follow(shown);
+        until(&mut engine, |engine| {
+            let asked = engine.store().ask(&study, &MeasuresQuery);
+            engine.store().end_frame();
+            asked.ready().is_some()
+        });
+        for _ in 0..3 {
+            store.end_frame();
+        }
+        store.known(&study, &MeasuresQuery).is_some()
+    };
+    assert!(kept_beside(&one));
+    assert!(!kept_beside(&study));
 }

@@ -118,9 +118,12 @@ impl JobWatch {
 
 /// elapsed · (1 − f) / f: what is left takes as long per share as what is done.
 ///
-/// `None` below a share of 3 % or half a second, where one slow step would decide the answer.
+/// `None` in the first half second, and in the first three below a share of 3 %, where one slow step would decide the
+/// answer; of long work a rough answer is better than none.
 fn time_left(elapsed: Duration, fraction: f32) -> Option<Duration> {
-    if fraction < 0.03 || elapsed < Duration::from_millis(500) {
+    let early =
+        elapsed < Duration::from_millis(500) || fraction < 0.03 && elapsed < Duration::from_secs(3);
+    if early || fraction <= 0.0 {
         return None;
     }
     let share = f64::from(fraction.min(1.0));
@@ -346,5 +349,8 @@ mod tests {
         assert_eq!(time_left(Duration::from_secs(2), 0.01), None);
         assert_eq!(time_left(Duration::from_millis(100), 0.5), None);
         assert_eq!(time_left(Duration::from_secs(2), 1.0), Some(Duration::ZERO));
+        let long = time_left(Duration::from_secs(4), 0.01).unwrap();
+        assert!((long.as_secs_f64() - 396.0).abs() < 0.1);
+        assert_eq!(time_left(Duration::from_secs(9), 0.0), None);
     }
 }

@@ -21,12 +21,15 @@ mod private_file;
 mod queries;
 mod reading_limits;
 mod result_folder;
+mod stages;
 mod store;
 mod tables;
+mod typed_path;
 mod typefaces;
 mod wall_tables;
 mod workers;
 
+pub use crate::io::mesh_format_names;
 pub use activity::{Activity, ActivityLog, ActivityState, Topic};
 pub use engine::{Engine, ExportError};
 pub use export::{ExportFile, FileBytes, PassingFile, write_files};
@@ -36,12 +39,14 @@ pub use open::{OpenSource, open};
 pub use private_file::make_private;
 pub use queries::*;
 pub use reading_limits::{configure_limits, reading_limits};
-pub use result_folder::ResultFolder;
+pub use result_folder::{ResultFolder, replace_results};
+pub use stages::Stage;
 pub use store::{
     Answered, Context, Dependencies, FailedWork, Interrupted, Memory, Query, SharedError, Showing,
     Store, StoreOptions, Urgency, configure_memory, default_budget,
 };
 pub use tables::{AnalysisTables, DistanceTable, TableSettings, columns_file, tables_of_study};
+pub use typed_path::{CompletedPath, completed_path, typed_path};
 pub use typefaces::{SystemFace, system_face};
 pub use wall_tables::Unassessed;
 pub use workers::configure_threads;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::io::{Limits, OpenError, Opened, open_paths};
+use crate::io::{Limits, OpenError, OpenListener, Opened, open_paths_in_stages};
 use crate::progress::{Progress, Stopped};
 use crate::study::built_in::{self, BuiltInParams};
 
@@ -11,6 +11,8 @@ use crate::study::built_in::{self, BuiltInParams};
 pub enum OpenSource {
     /// Studies, folders and files, together as one study.
     Paths(Vec<PathBuf>),
+    /// The same, with links that lead out of them.
+    PathsAndLinks(Vec<PathBuf>),
     /// The cohort that ships inside.
     BuiltIn(BuiltInParams),
 }
@@ -28,7 +30,7 @@ impl OpenSource {
     /// What the activity list calls it.
     pub(crate) fn name(&self) -> &'static str {
         match self {
-            Self::Paths(_) => "Open files",
+            Self::Paths(_) | Self::PathsAndLinks(_) => "Open files",
             Self::BuiltIn(_) => "Open the built-in cohort",
         }
     }
@@ -36,7 +38,7 @@ impl OpenSource {
     /// What is opened, in words: the last part of each path, because folders above can name a person.
     pub(crate) fn words(&self) -> String {
         match self {
-            Self::Paths(paths) => paths
+            Self::Paths(paths) | Self::PathsAndLinks(paths) => paths
                 .iter()
                 .map(|path| {
                     path.file_name()
@@ -55,10 +57,27 @@ impl OpenSource {
 /// # Errors
 /// Only if it was asked to stop.
 pub fn open(source: &OpenSource, limits: &Limits, progress: &Progress) -> Result<Opened, Stopped> {
+    open_in_stages(source, limits, progress, &())
+}
+
+/// The same, with subjects that are read from files handed to `listener` one by one.
+pub(crate) fn open_in_stages(
+    source: &OpenSource,
+    limits: &Limits,
+    progress: &Progress,
+    listener: &dyn OpenListener,
+) -> Result<Opened, Stopped> {
     match source {
         OpenSource::Paths(paths) => {
             progress.begin_phase("reading files", 0.0, 1.0);
-            open_paths(paths, limits, progress)
+            open_paths_in_stages(paths, limits, progress, listener)
+        }
+        OpenSource::PathsAndLinks(paths) => {
+            let limits = Limits {
+                follow_links: true,
+                ..*limits
+            };
+            open(&OpenSource::Paths(paths.clone()), &limits, progress)
         }
         OpenSource::BuiltIn(params) => {
             progress.check()?;

@@ -6,7 +6,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use serde_json::{Value, json};
 
-use crate::engine::export::{ExportFile, write_files};
+use crate::engine::export::{ExportFile, cannot_write, free_name_beside, staged, write_files};
 use crate::report::pretty_json;
 
 /// Its name is a promise to scripts.
@@ -133,26 +133,82 @@ fn write_summary(folder: &Path, summary: &Value) -> Result<(), String> {
     write_files(vec![ExportFile::text(folder, SUMMARY, text)]).map(|_| ())
 }
 
-/// Removes the results of an earlier run that its summary lists, the summary first.
+/// Writes the results of a whole run in place of those of an earlier one: all of them, or nothing changes.
 ///
-/// Nothing else in the folder is touched: no file that this program did not write, and nothing outside, whatever the list
-/// says. What cannot be removed stays, and is written over or reported when its turn comes.
-pub(super) fn clear_earlier(folder: &Path) {
+/// What an earlier run left there by its own account is moved aside and goes once everything new stands. A failure moves it
+/// back; where the program is killed in between, no summary stands beside a mixture.
+///
+/// # Errors
+/// If a result cannot be written: why, and which.
+pub fn replace_results(folder: &Path, files: Vec<ExportFile>) -> Result<Vec<PathBuf>, String> {
+    let mut staged = staged(files)?;
+    let mut old = earlier_results(folder);
+    let unlisted = (staged.iter())
+        .map(|passing| passing.place().to_owned())
+        .filter(|place| !old.contains(place))
+        .collect::<Vec<_>>();
+    old.extend(unlisted);
+    let mut aside: Vec<(PathBuf, PathBuf)> = Vec::new();
+    let mut placed: Vec<PathBuf> = Vec::new();
+    let outcome = (old.into_iter())
+        .try_for_each(|place| {
+            if fs::symlink_metadata(&place).is_ok() {
+                let passing = free_name_beside(&place);
+                fs::rename(&place, &passing).map_err(|error| cannot_write(&error, &place))?;
+                aside.push((place, passing));
+            }
+            Ok(())
+        })
+        .and_then(|()| {
+            staged.iter_mut().try_for_each(|passing| {
+                let named = passing.finish();
+                named.map_err(|error| cannot_write(&error, passing.place()))?;
+                placed.push(passing.place().to_owned());
+                Ok(())
+            })
+        });
+    if let Err(reason) = outcome {
+        for place in placed {
+            fs::remove_file(place).ok();
+        }
+        for (place, passing) in aside.into_iter().rev() {
+            fs::rename(passing, place).ok();
+        }
+        return Err(reason);
+    }
+    for (_, passing) in aside {
+        fs::remove_file(passing).ok();
+    }
+    Ok(placed)
+}
+
+/// Removes the results of an earlier run, the summary first. What cannot be removed stays, and is written over or reported
+/// when its turn comes.
+fn clear_earlier(folder: &Path) {
+    for path in earlier_results(folder) {
+        fs::remove_file(path).ok();
+    }
+}
+
+/// The results of an earlier run that its summary lists, the summary first; none without such a summary.
+///
+/// Nothing else in the folder is among them: no file that this program did not write, and nothing outside, whatever the
+/// list says.
+fn earlier_results(folder: &Path) -> Vec<PathBuf> {
     let place = folder.join(SUMMARY);
     let small = fs::symlink_metadata(&place)
         .is_ok_and(|found| found.is_file() && found.len() <= MAX_SUMMARY_BYTES);
     let earlier: Option<Value> = (small.then(|| fs::read(&place).ok()).flatten())
         .and_then(|bytes| serde_json::from_slice(&bytes).ok());
     let Some(earlier) = earlier.filter(|summary| summary["program"] == PROGRAM) else {
-        return;
+        return Vec::new();
     };
-    fs::remove_file(&place).ok();
-    let names = earlier["files"].as_array();
-    for name in names.into_iter().flatten().filter_map(Value::as_str) {
-        if let Some(path) = result_place(folder, Path::new(name)) {
-            fs::remove_file(path).ok();
-        }
-    }
+    let names = earlier["files"].as_array().into_iter().flatten();
+    let places = names
+        .filter_map(Value::as_str)
+        .filter_map(|name| result_place(folder, Path::new(name)))
+        .filter(|path| fs::symlink_metadata(path).is_ok_and(|found| !found.is_dir()));
+    std::iter::once(place).chain(places).collect()
 }
 
 /// Where a result of this name lies: in the folder or in `figures`, if that is no link.
@@ -208,6 +264,40 @@ mod tests {
         assert_eq!(said["files"], json!(["subjects.csv"]));
         assert!(!folder.join("frames.csv").exists() && !folder.join("figures/P1.png").exists());
         assert!(folder.join("notes.csv").exists(), "not written by a run");
+    }
+
+    #[test]
+    fn results_take_the_place_of_those_of_an_earlier_run_together_or_not_at_all() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = place.path();
+        let names = || {
+            let entries = fs::read_dir(folder).unwrap();
+            let name = |entry: std::io::Result<fs::DirEntry>| entry.unwrap().file_name();
+            let mut names: Vec<_> = entries.map(name).collect();
+            names.sort();
+            names
+        };
+        let first = ResultFolder::new(folder.to_owned());
+        first.write(table(folder, "frames.csv")).unwrap();
+        first.write(table(folder, "verdicts.csv")).unwrap();
+        first.finish(json!({ "program": PROGRAM })).unwrap();
+        fs::write(folder.join("notes.csv"), "mine").unwrap();
+        let before = (names(), summary(folder));
+
+        // A folder lies where a table is to go.
+        fs::create_dir(folder.join("subjects.csv")).unwrap();
+        let new = |name: &str| ExportFile::text(folder, name, "new\n".to_owned());
+        let files = || vec![new("frames.csv"), new("subjects.csv")];
+        replace_results(folder, files()).unwrap_err();
+        fs::remove_dir(folder.join("subjects.csv")).unwrap();
+        assert_eq!((names(), summary(folder)), before);
+        let frames = || fs::read_to_string(folder.join("frames.csv")).unwrap();
+        assert_eq!(frames(), "subject\n");
+
+        let written = replace_results(folder, files()).unwrap();
+        assert_eq!(written.len(), 2);
+        assert_eq!(names(), ["frames.csv", "notes.csv", "subjects.csv"]);
+        assert_eq!(frames(), "new\n");
     }
 
     #[test]

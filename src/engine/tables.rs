@@ -16,7 +16,7 @@ use crate::engine::queries::{
     ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap, PoseMapQuery,
     VerdictQuery, deformation_words, distance_words,
 };
-use crate::engine::result_folder::{clear_earlier, complete, name_in};
+use crate::engine::result_folder::{complete, name_in};
 use crate::engine::store::{Interrupted, Store};
 use crate::engine::wall_tables::{Unassessed, WallTables, WriteError};
 use crate::progress::Progress;
@@ -24,7 +24,7 @@ use crate::report::{
     AnalysisReport, DeformationRow, FrameRow, MedialPoseRow, PoseRow, Row, SubjectRow, VerdictRow,
     columns_md, csv, distances_csv, distances_json, named_csv, npy_header, npy_row, pretty_json,
 };
-use crate::study::{LabelRole, Study};
+use crate::study::Study;
 
 /// Share of the work until poses are mapped; the rest classifies motions …
 const POSES_SHARE: f32 = 0.75;
@@ -162,7 +162,12 @@ impl AnalysisTables {
             ))?;
         }
         let part = progress.part("assessing walls", CLASSES_SHARE, WALLS_SHARE);
-        let walls = WallTables::of(store, study, &settings.verdicts, folder, &part)?;
+        let mut walls = WallTables::new(study, folder)?;
+        if let Err(why) = walls.assess(store, study, &settings.verdicts, &part) {
+            // What is known of the subjects before stays, under names that say how many they are.
+            hand_over(walls.partial_files(folder))?;
+            return Err(why);
+        }
         let (files, walls) = walls.files(folder);
         hand_over(files.into())?;
         let part = progress.part("training the classifier", WALLS_SHARE, 1.0);
@@ -214,8 +219,7 @@ pub fn columns_file(folder: &Path, names: &[String]) -> ExportFile {
     ExportFile::text(folder, "columns.md", columns_md(&names))
 }
 
-/// All tables of a study with their summary, to be written at once; what an earlier run left in the folder is removed when
-/// they are known.
+/// All tables of a study with their summary, to be put into the folder at once by [`replace_results`](crate::engine::replace_results).
 ///
 /// # Errors
 /// As [`AnalysisTables::of()`].
@@ -246,7 +250,6 @@ pub fn tables_of_study(
         "summary.json",
         pretty_json(&summary)?,
     ));
-    clear_earlier(folder);
     Ok(files)
 }
 
@@ -339,9 +342,8 @@ fn classified(
         by,
     };
     let classes = store.answer(study, &by(ClassesBy::Label), progress)?;
-    let with = |role| (study.subjects.iter()).any(|subject| study.role(subject) == role);
     // Several labels may count as abnormal: both questions are asked where the study says which.
-    let by_role = (with(LabelRole::Normal) && with(LabelRole::Abnormal))
+    let by_role = (study.has_both_classes())
         .then(|| store.answer(study, &by(ClassesBy::Role), progress))
         .transpose()?;
     // The classification has asked for the map, so it is known by now.

@@ -2,6 +2,8 @@
 
 use std::path::Path;
 use std::sync::Arc;
+use std::sync::mpsc::sync_channel;
+use std::thread;
 
 use serde_json::{Value, json};
 
@@ -46,85 +48,155 @@ pub(super) struct AssessedWalls {
 /// Atoms, patches and segments of all subjects.
 #[derive(Debug)]
 pub(super) struct WallTables {
+    rows: WallRows,
+    walls: AssessedWalls,
+    subjects: usize,
+}
+
+/// The rows of the subjects that were assessed so far.
+#[derive(Debug)]
+struct WallRows {
     /// Too long for memory: every atom at every frame of every subject.
     atoms: PassingFile,
     patches: String,
     patch_segments: String,
     segments: String,
-    walls: AssessedWalls,
+    /// What the summary says of each subject.
+    summaries: Vec<Value>,
+    unassessed: Vec<Unassessed>,
 }
 
 impl WallTables {
-    /// Assesses one subject after the other; no more of them are in memory than the store keeps.
+    /// Tables without rows yet.
     ///
     /// # Errors
-    /// If stopped, or `folder` cannot be written to. A subject that cannot be assessed is no error.
-    pub fn of(
+    /// If `folder` cannot be written to.
+    pub fn new(study: &Study, folder: &Path) -> Result<Self, WriteError> {
+        let subjects = study.subjects.len();
+        let mut atoms = PassingFile::create(folder.join("atoms.csv")).map_err(WriteError)?;
+        atoms.write(csv_header::<AtomRow>()).map_err(WriteError)?;
+        Ok(Self {
+            rows: WallRows {
+                atoms,
+                patches: csv_header::<PatchRow>(),
+                patch_segments: csv_header::<PatchSegmentRow>(),
+                segments: csv_header::<SegmentRow>(),
+                summaries: Vec::with_capacity(subjects),
+                unassessed: Vec::new(),
+            },
+            walls: AssessedWalls {
+                summary: Value::Null,
+                unassessed: Vec::new(),
+                examined: Vec::with_capacity(subjects),
+                paths: StudyPaths::with_capacity(subjects),
+            },
+            subjects,
+        })
+    }
+
+    /// Assesses one subject after the other; no more of them are in memory than the store keeps. Rows are written while the
+    /// next subject is assessed.
+    ///
+    /// # Errors
+    /// If stopped, or the folder cannot be written to: the rows of the subjects before stay. A subject that cannot be assessed
+    /// is no error.
+    pub fn assess(
+        &mut self,
         store: &Store,
         study: &Arc<Study>,
         settings: &VerdictQuery,
-        folder: &Path,
         progress: &Progress,
-    ) -> Result<Self, Interrupted> {
+    ) -> Result<(), Interrupted> {
         let VerdictQuery {
             thickening,
             verdicts,
         } = settings;
         let checked = verdicts.check()?;
-        let mut tables = Self {
-            atoms: PassingFile::create(folder.join("atoms.csv")).map_err(WriteError)?,
-            patches: csv_header::<PatchRow>(),
-            patch_segments: csv_header::<PatchSegmentRow>(),
-            segments: csv_header::<SegmentRow>(),
-            walls: AssessedWalls {
-                summary: Value::Null,
-                unassessed: Vec::new(),
-                examined: Vec::with_capacity(study.subjects.len()),
-                paths: StudyPaths::with_capacity(study.subjects.len()),
-            },
-        };
-        tables.add_atoms(&csv_header::<AtomRow>())?;
         let count = study.subjects.len().max(1) as f32;
-        let mut subjects = Vec::with_capacity(study.subjects.len());
-        for subject in 0..study.subjects.len() {
-            let [from, to] = [subject, subject + 1].map(|done| done as f32 / count);
-            let part = progress.part("assessing walls", from, to);
-            let wall = WallThickeningQuery {
-                subject,
-                settings: *thickening,
+        let (rows, walls) = (&mut self.rows, &mut self.walls);
+        thread::scope(|scope| {
+            let (sender, answers) = sync_channel(1);
+            let writer = thread::Builder::new().name("wall tables".to_owned());
+            let writer = writer.spawn_scoped(scope, move || -> Result<(), Interrupted> {
+                answers
+                    .into_iter()
+                    .enumerate()
+                    .try_for_each(|(subject, answer)| rows.add(study, subject, answer))
+            })?;
+            let mut assess = |subject: usize| -> Result<bool, Interrupted> {
+                let [from, to] = [subject, subject + 1].map(|done| done as f32 / count);
+                let wall = WallThickeningQuery {
+                    subject,
+                    settings: *thickening,
+                };
+                let part = progress.part("assessing walls", from, to);
+                let answer = store.answer(study, &wall, &part);
+                walls.examined.push(examined(&answer, &checked)?);
+                walls.paths.push(paths_of(&answer)?);
+                // The writer is gone where it has failed, which it says itself.
+                Ok(sender.send(answer).is_ok())
             };
-            let answer = store.answer(study, &wall, &part);
-            tables.walls.examined.push(examined(&answer, &checked)?);
-            tables.walls.paths.push(paths_of(&answer)?);
-            subjects.push(tables.add(study, subject, answer, &part)?);
-        }
-        tables.walls.summary = json!({
-            "parameters": thickening_params_json(&thickening.medial, &thickening.thickening),
-            "subjects": subjects,
+            let assessed =
+                (0..study.subjects.len()).try_for_each(|subject| match assess(subject) {
+                    Ok(true) => Ok(()),
+                    Ok(false) => Err(None),
+                    Err(why) => Err(Some(why)),
+                });
+            drop(sender);
+            let written = match writer.join() {
+                Ok(written) => written,
+                Err(panic) => std::panic::resume_unwind(panic),
+            };
+            match assessed {
+                Err(Some(why)) => Err(why),
+                _ => written,
+            }
+        })?;
+        self.walls.unassessed = std::mem::take(&mut self.rows.unassessed);
+        self.walls.summary = json!({
+            "parameters": thickening_params_json(&thickening.medial, &thickening.patches),
+            "subjects": std::mem::take(&mut self.rows.summaries),
         });
-        Ok(tables)
+        Ok(())
     }
 
-    /// Adds the rows of one subject, and returns its part of the summary.
+    /// The files, and what is left.
+    pub fn files(self, folder: &Path) -> ([ExportFile; 4], AssessedWalls) {
+        (self.rows.files(folder, ""), self.walls)
+    }
+
+    /// What there is of tables that were not finished, under names that say so; nothing where no subject was assessed.
+    pub fn partial_files(self, folder: &Path) -> Vec<ExportFile> {
+        let done = self.rows.summaries.len();
+        if done == 0 {
+            return Vec::new();
+        }
+        let ending = format!("_of_{done}_of_{}_subjects", self.subjects);
+        self.rows.files(folder, &ending).into()
+    }
+}
+
+impl WallRows {
+    /// Adds the rows of one subject.
     fn add(
         &mut self,
         study: &Study,
         index: usize,
         answer: Answered<WallThickeningQuery>,
-        progress: &Progress,
-    ) -> Result<Value, Interrupted> {
+    ) -> Result<(), Interrupted> {
         let subject = &study.subjects[index];
         let answer = match answer {
             Ok(answer) => answer,
             Err(Interrupted::Stopped) => return Err(Interrupted::Stopped),
             Err(Interrupted::Failed(failure)) => {
                 let reason = failure.to_string();
-                let json = unassessed_wall_json(&subject.id, &reason);
-                self.walls.unassessed.push(Unassessed {
+                self.summaries
+                    .push(unassessed_wall_json(&subject.id, &reason));
+                self.unassessed.push(Unassessed {
                     subject: index,
                     reason,
                 });
-                return Ok(json);
+                return Ok(());
             }
         };
         let wall = AssessedWall {
@@ -136,31 +208,30 @@ impl WallTables {
             segments: &answer.segments,
         };
         for frame in 0..answer.beat.frames.len() {
-            progress.check()?;
-            self.add_atoms(&csv_rows(&AtomRow::of_frame(&wall, frame)))?;
+            let rows = csv_rows(&AtomRow::of_frame(&wall, frame));
+            self.atoms.write(rows).map_err(WriteError)?;
         }
         self.patches += &csv_rows(&PatchRow::of_wall(&wall));
         self.patch_segments += &csv_rows(&PatchSegmentRow::of_wall(&wall));
         self.segments += &csv_rows(&SegmentRow::of_wall(&wall));
-        Ok(wall_json(&wall))
+        self.summaries.push(wall_json(&wall));
+        Ok(())
     }
 
-    fn add_atoms(&mut self, text: &str) -> Result<(), WriteError> {
-        self.atoms.write(text).map_err(WriteError)
-    }
-
-    /// The files, and what is left.
-    pub fn files(self, folder: &Path) -> ([ExportFile; 4], AssessedWalls) {
-        let files = [
+    /// The tables, with something behind their names.
+    fn files(mut self, folder: &Path, ending: &str) -> [ExportFile; 4] {
+        let name = |table: &str| format!("{table}{ending}.csv");
+        let atoms = folder.join(name("atoms"));
+        self.atoms.stand_at(atoms.clone());
+        [
             ExportFile {
-                path: folder.join("atoms.csv"),
+                path: atoms,
                 bytes: FileBytes::Passing(self.atoms),
             },
-            ExportFile::text(folder, "patches.csv", self.patches),
-            ExportFile::text(folder, "patch_segments.csv", self.patch_segments),
-            ExportFile::text(folder, "segments.csv", self.segments),
-        ];
-        (files, self.walls)
+            ExportFile::text(folder, &name("patches"), self.patches),
+            ExportFile::text(folder, &name("patch_segments"), self.patch_segments),
+            ExportFile::text(folder, &name("segments"), self.segments),
+        ]
     }
 }
 

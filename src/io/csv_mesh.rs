@@ -3,10 +3,12 @@
 //! A row is `v,x,y,z` for a vertex or `f,a,b,c` for a face (or more corners), with vertices
 //! counted from 0 in the order of their rows. Faces may stand before their vertices. A first row of
 //! words is a header; empty rows and rows that begin with `#` are passed over. Quotes may
-//! stand around any cell.
+//! stand around any cell. Cells may be parted by semicolons, with decimal points or commas, or by tabs, too.
+
+use std::borrow::Cow;
 
 use super::mesh_draft::{MeshDraft, Place};
-use super::text_lines::{TextLines, count, number, shown, three_numbers};
+use super::text_lines::{TextLines, count, number, shown, three_numbers, without_end_mark};
 use super::{Limits, MeshFile, ReadMeshError};
 
 /// Reads rows of vertices and faces.
@@ -14,9 +16,13 @@ pub(super) fn read_csv_mesh(bytes: &[u8], limits: &Limits) -> Result<MeshFile, R
     let mut draft = MeshDraft::new(limits, 0);
     let mut corners = Vec::new();
     let mut header_may_come = true;
-    for (line, text) in TextLines::new(bytes) {
+    let separator = separator(bytes);
+    for (line, text) in TextLines::new(without_end_mark(bytes)) {
         let place = Place::Line(line);
-        let Some(row) = cells(text) else { continue };
+        let text = &*with_points(text, separator);
+        let Some(row) = cells(text, separator) else {
+            continue;
+        };
         let mut cells = row.clone();
         match cells.next() {
             Some(b"v" | b"V") => {
@@ -36,7 +42,9 @@ pub(super) fn read_csv_mesh(bytes: &[u8], limits: &Limits) -> Result<MeshFile, R
                 }
                 draft.polygon(&corners, place)?;
             }
-            _ if header_may_come && is_header(&row, text, place) => {}
+            // How a spreadsheet says what parts its cells.
+            Some(word) if header_may_come && word.starts_with(b"sep=") => continue,
+            _ if header_may_come && is_header(&row, place) => {}
             word => {
                 return Err(place.error(format!(
                     "a row begins with {}, but \"v\" (vertex) or \"f\" (face) is needed",
@@ -49,22 +57,45 @@ pub(super) fn read_csv_mesh(bytes: &[u8], limits: &Limits) -> Result<MeshFile, R
     draft.finish()
 }
 
-/// A row of words. One with semicolons is points or faces parted by these, which are not read.
-fn is_header<'a>(
-    row: &(impl Iterator<Item = &'a [u8]> + Clone),
-    text: &[u8],
-    place: Place,
-) -> bool {
-    let holds_number = row.clone().any(|cell| number(cell, place).is_ok());
-    !holds_number && !text.contains(&b';')
+/// What stands between the cells of the first vertex or face: a comma, a semicolon or a tab.
+pub(super) fn separator(bytes: &[u8]) -> u8 {
+    let of_row = |text: &[u8]| {
+        let row = text.trim_ascii();
+        let rest = row.strip_prefix(b"\"").unwrap_or(row);
+        let rest = rest.strip_prefix(b"v").or(rest.strip_prefix(b"V"));
+        let rest = rest.or(row.strip_prefix(b"f")).or(row.strip_prefix(b"F"))?;
+        let rest = rest.strip_prefix(b"\"").unwrap_or(rest);
+        let mut signs = rest.iter().filter(|b| **b != b' ');
+        signs.next().filter(|b| b",;\t".contains(b)).copied()
+    };
+    let mut found = TextLines::new(bytes).filter_map(|(_, text)| of_row(text));
+    found.next().unwrap_or(b',')
+}
+
+/// A row of a vertex with decimal points. Spreadsheets part cells by semicolons where a comma is the decimal sign.
+fn with_points(text: &[u8], separator: u8) -> Cow<'_, [u8]> {
+    let first = text.split(|&b| b == separator).next().map(unquoted);
+    if separator == b';' && first.is_some_and(|cell| cell.eq_ignore_ascii_case(b"v")) {
+        text.iter()
+            .map(|&b| if b == b',' { b'.' } else { b })
+            .collect()
+    } else {
+        Cow::Borrowed(text)
+    }
+}
+
+/// A row of words.
+fn is_header<'a>(row: &(impl Iterator<Item = &'a [u8]> + Clone), place: Place) -> bool {
+    !row.clone().any(|cell| number(cell, place).is_ok())
 }
 
 /// The cells of a row up to the last that is not empty; none for a row that says nothing.
-fn cells(text: &[u8]) -> Option<impl Iterator<Item = &[u8]> + Clone> {
-    let blank = |b: &u8| b.is_ascii_whitespace() || *b == b',';
+fn cells(text: &[u8], separator: u8) -> Option<impl Iterator<Item = &[u8]> + Clone> {
+    let blank = |b: &u8| b.is_ascii_whitespace() || *b == separator;
     let end = text.iter().rposition(|b| !blank(b))? + 1;
     let row = &text[..end];
-    (!row.trim_ascii_start().starts_with(b"#")).then(|| row.split(|&b| b == b',').map(unquoted))
+    let remark = row.trim_ascii_start().starts_with(b"#");
+    (!remark).then(|| row.split(move |&b| b == separator).map(unquoted))
 }
 
 fn unquoted(cell: &[u8]) -> &[u8] {
@@ -98,6 +129,10 @@ mod tests {
             text.replace("v,", "\"v\",").replace("f,0", "\"f\",\"0\""),
             text.replace("kind,x,y,z", "\"\",\"V1\",\"V2\",\"V3\""),
             text.replace("kind,x,y,z\n", ""),
+            text.replace(',', ";"),
+            text.replace(',', "\t"),
+            text.replace("f,0,1,2", "f,0.0,1.000e+00,2"),
+            format!("sep=,\n{text}\x1a\r\n"),
         ] {
             assert_eq!(read(&other).unwrap(), expected, "{other}");
         }
@@ -131,7 +166,7 @@ mod tests {
         assert!(
             error
                 .to_string()
-                .starts_with("line 1: a row begins with \"v;0;0;0\"")
+                .starts_with("line 2: a row begins with \"v,0,0,0\"")
         );
         let error = read(&format!("w,0,0,0\n{POINTS}f,0,1,2\n")).unwrap_err();
         assert!(

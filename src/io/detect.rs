@@ -1,6 +1,7 @@
 //! Which format a file has, by its content and its extension.
 
 use super::formats::{FORMATS, Format, Head, Source, format_of_extension, mesh_format_names};
+use super::mesh_draft::Place;
 use super::stl::is_whole_binary_stl;
 use super::text_encoding::without_mark;
 use super::{Limits, MeshFile, ReadMeshError};
@@ -53,6 +54,9 @@ pub fn read_mesh_with_siblings(
         Some(without_mark(bytes)?)
     };
     let content = unmarked.as_ref().map_or(bytes, |text| &text.bytes);
+    if let Some(packer) = packer_of(bytes) {
+        return Err(Place::Byte(0).error(format!("packed by {packer}: unpack it first")));
+    }
     let format =
         format_of_content(content)
             .or(named)
@@ -100,6 +104,23 @@ fn on_one_line(mut error: ReadMeshError) -> ReadMeshError {
         _ => {}
     }
     error
+}
+
+/// The program that packed a file with these first bytes.
+fn packer_of(bytes: &[u8]) -> Option<&'static str> {
+    let packers: [(&[u8], &str); 5] = [
+        (b"\x1f\x8b", "gzip"),
+        (b"PK\x03\x04", "zip"),
+        (b"BZh", "bzip2"),
+        (b"\xfd7zXZ", "xz"),
+        (b"\x28\xb5\x2f\xfd", "zstd"),
+    ];
+    let found = packers
+        .into_iter()
+        .find(|(begin, _)| bytes.starts_with(begin));
+    found
+        .map(|(_, packer)| packer)
+        .filter(|_| !is_whole_binary_stl(bytes))
 }
 
 /// The format whose first bytes these are.

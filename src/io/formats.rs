@@ -85,10 +85,9 @@ pub(super) static FORMATS: [Format; 7] = [
         description: "Polygon file format, binary",
         often_other: false,
         recognises: |head| {
-            let after = head.text.strip_prefix(b"ply");
-            after
-                .and_then(<[u8]>::first)
-                .is_some_and(u8::is_ascii_whitespace)
+            let (name, after) = head.text.split_at(head.text.len().min(3));
+            let ends = after.first().is_some_and(u8::is_ascii_whitespace);
+            ends && name.eq_ignore_ascii_case(b"ply")
         },
         read: |source| read_ply(source.bytes, source.limits),
         writer: Some(Writer {

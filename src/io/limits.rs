@@ -21,12 +21,16 @@ pub struct Limits {
     pub pieces: usize,
     /// How many times more bytes the arrays of a VTP file may unpack to than the file has.
     pub unpacked_times: u64,
+    /// Bytes of memory that the meshes of all files of a study may take beyond eight times the size of their files.
+    pub unpacked_in_study: u64,
+    /// Whether links that lead out of a study are followed.
+    pub follow_links: bool,
 }
 
 impl Default for Limits {
     /// 512 MiB a file, 5 million vertices, 10 million faces, 10,000 corners a polygon, 1,000 frames, 16 million
-    /// vertices over all frames of one file, 1,000 parts of a scene, 1,000 pieces, 32 bytes from one: ten times the
-    /// finest hearts that are published, and well inside the memory of a small machine. zlib makes 5 bytes of one
+    /// vertices over all frames of one file, 1,000 parts of a scene, 1,000 pieces, 32 bytes from one in a file, 1 GiB beyond
+    /// eight bytes from one in a study, and no links out of it: ten times the finest hearts that are published, and well inside the memory of a small machine. zlib makes 5 bytes of one
     /// where cells are offsets of 64 bits, and 8 where they are a regular grid; 1,000 only where all are zero.
     fn default() -> Self {
         Self {
@@ -39,6 +43,8 @@ impl Default for Limits {
             placed_parts: 1_000,
             pieces: 1_000,
             unpacked_times: 32,
+            unpacked_in_study: 1 << 30,
+            follow_links: false,
         }
     }
 }

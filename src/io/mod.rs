@@ -29,7 +29,10 @@ pub use limits::{
 };
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
-pub use open::{looks_openable, open_paths, read_head};
+pub use open::{
+    OpenListener, cohort_notices, looks_openable, open_paths, open_paths_in_stages, read_head,
+    read_mesh_file,
+};
 pub use opened::{OpenError, Opened};
 pub use ply::write_ply;
 pub use vtp::{write_pvd, write_vtp};

@@ -8,7 +8,7 @@ use std::borrow::Cow;
 use std::io::{self, Write};
 
 use super::mesh_draft::{MeshDraft, Place, missing_vertex};
-use super::text_lines::{TextLines, shown, three_numbers, whole_number, words};
+use super::text_lines::{TextLines, shown, three_numbers, whole_number, without_end_mark, words};
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::mesh::TriMesh;
 use crate::study::Notice;
@@ -49,21 +49,26 @@ const WITHOUT_SHAPE: &[&[u8]] = &[
     b"con",
 ];
 
+/// How programs begin remarks that do not know the format's own `#`.
+const REMARKS: &[&[u8]] = &[b"//", b"%", b";"];
+
 /// Keywords of curves and curved surfaces, which are left out.
 const CURVED: &[&[u8]] = &[b"curv", b"curv2", b"surf"];
 
-/// Reads all faces of all objects and groups as one surface.
+/// Reads all faces of all objects and groups as one surface. Keywords may be in any case.
 pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
     let mut draft = MeshDraft::new(limits, 1);
     let mut corners = Vec::new();
     let (mut objects, mut curved) = (0, 0);
-    let mut lines = TextLines::new(bytes);
+    let mut lines = TextLines::new(without_end_mark(bytes));
     while let Some((line, text)) = lines.next() {
         let text = whole_line(text, &mut lines);
         let place = Place::Line(line);
         let mut words = words(&text);
-        match words.next() {
+        let keyword = words.next().map(<[u8]>::to_ascii_lowercase);
+        match keyword.as_deref() {
             None => {}
+            Some(word) if REMARKS.iter().any(|sign| word.starts_with(sign)) => {}
             Some(b"v") => {
                 draft.point(three_numbers(&mut words, place)?, place)?;
                 check_rest_of_vertex(words, place)?;
@@ -99,6 +104,10 @@ pub(super) fn read_obj(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
 /// The line up to its comment, with the lines that a backslash at its end joins to it. A backslash in a comment joins
 /// nothing, nor does one before a line that says by its keyword what it is: `mtllib D:\hearts\` above a vertex is a path.
 fn whole_line<'a>(text: &'a [u8], lines: &mut TextLines<'a>) -> Cow<'a, [u8]> {
+    // Nearly all lines.
+    if !text.iter().any(|byte| matches!(byte, b'#' | b'\\')) {
+        return text.into();
+    }
     let continued = |text: &[u8]| {
         without_comment(text).len() == text.len() && text.trim_ascii_end().ends_with(b"\\")
     };
@@ -122,7 +131,8 @@ fn whole_line<'a>(text: &'a [u8], lines: &mut TextLines<'a>) -> Cow<'a, [u8]> {
 }
 
 fn has_keyword(line: &[u8]) -> bool {
-    let first = words(line).next().unwrap_or_default();
+    let first = words(line).next().unwrap_or_default().to_ascii_lowercase();
+    let first = first.as_slice();
     SHAPE.contains(&first) || WITHOUT_SHAPE.contains(&first) || CURVED.contains(&first)
 }
 
@@ -149,6 +159,12 @@ fn check_rest_of_vertex<'a>(
 fn vertex_index(word: &[u8], defined: usize, place: Place) -> Result<u32, ReadMeshError> {
     let mut parts = word.split(|&b| b == b'/');
     let number = whole_number(parts.next().unwrap_or_default(), place)?;
+    if number > 0
+        && parts.clone().next().is_none()
+        && let Ok(index) = u32::try_from(number - 1)
+    {
+        return Ok(index);
+    }
     let whole_or_none = |part: &[u8]| part.iter().all(|b| b.is_ascii_digit() || *b == b'-');
     if parts.clone().count() > 2 || !parts.all(whole_or_none) {
         return Err(place.error(format!("{} is not the corner of a face", shown(word))));

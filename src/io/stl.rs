@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use super::binary_cursor::{BinaryCursor, ByteOrder, Scalar};
 use super::mesh_draft::{MeshDraft, Place};
-use super::text_lines::{TextLines, TextWords, number, shown, three_numbers};
+use super::text_lines::{TextLines, TextWords, number, shown, three_numbers, without_end_mark};
 use super::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
@@ -26,7 +26,8 @@ pub(super) fn read_stl(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMe
 /// Text begins with "solid", but so do some binary headers: those have a size that fits their
 /// count, or bytes that no text has.
 fn is_text(bytes: &[u8]) -> bool {
-    let head = &bytes[..bytes.len().min(512)];
+    let text = without_padding(bytes);
+    let head = &text[..text.len().min(512)];
     !is_whole_binary_stl(bytes) && !head.iter().any(|&b| b < b'\t')
 }
 
@@ -37,15 +38,29 @@ pub(super) fn is_whole_binary_stl(bytes: &[u8]) -> bool {
     })
 }
 
+/// Some programs fill the last block of a file with zeros.
+fn without_padding(bytes: &[u8]) -> &[u8] {
+    let zeros = bytes.iter().rev().take_while(|&&b| b == 0).count();
+    &bytes[..bytes.len() - zeros]
+}
+
 fn triangle_count(bytes: &[u8]) -> Option<u64> {
     let count = bytes.get(80..HEADER_BYTES)?;
     Some(Scalar::U32.number(count, ByteOrder::Little) as u64)
 }
 
 fn read_binary(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
-    let count = triangle_count(bytes).ok_or_else(|| {
+    let mut count = triangle_count(bytes).ok_or_else(|| {
         Place::Byte(bytes.len()).error("the file ends within the header of a binary STL")
     })?;
+    // Programs that write triangles as they come leave the count as it was before the first.
+    let (body, triangle) = (bytes.len() - HEADER_BYTES, TRIANGLE_BYTES);
+    if [0, u64::from(u32::MAX)].contains(&count) && body > 0 && body.is_multiple_of(triangle) {
+        let whole = (body / triangle) as u64;
+        let text = format!("the header announces {count} triangles: all {whole} are read");
+        weld.draft.notice(Notice::warning(text));
+        count = whole;
+    }
     weld.draft.expect_faces(count)?;
     let mut cursor = BinaryCursor::new(bytes, HEADER_BYTES);
     for _ in 0..count {
@@ -74,7 +89,8 @@ fn read_binary(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
 /// `//` are remarks.
 fn read_text(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
     let mut solid_open = false;
-    let mut words = TextWords::new(TextLines::new(bytes));
+    let text = without_end_mark(without_padding(bytes));
+    let mut words = TextWords::new(TextLines::new(text));
     let mut line_before = 0;
     while let Some(first) = words.next() {
         let place = words.place();
@@ -109,6 +125,7 @@ fn read_text(bytes: &[u8], weld: &mut Weld) -> Result<(), ReadMeshError> {
             b"facet" => skip_normal(&mut words),
             b"vertex" => weld.corner(three_numbers(&mut words, place)?, place)?,
             b"outer" | b"loop" | b"endloop" => {}
+            b"color" => words.skip_line(),
             b"endfacet" => weld.triangle(place)?,
             _ if number(first, place).is_ok() => {
                 return Err(place.error("vertex has more than 3 coordinates"));

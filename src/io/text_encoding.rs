@@ -104,20 +104,37 @@ pub(super) fn xml_text(bytes: &[u8]) -> Result<Cow<'_, str>, ReadMeshError> {
         b"KOI8",
         b"MACINTOSH",
     ]) {
-        if bytes.is_ascii() {
-            return as_utf8(bytes);
-        }
-        return Ok(bytes.iter().map(|&b| char::from(b)).collect());
+        let text = if bytes.is_ascii() {
+            as_utf8(bytes)?
+        } else {
+            bytes.iter().map(|&b| char::from(b)).collect()
+        };
+        return Ok(with_declaration_first(text));
     }
     // UTF-16 was made UTF-8 by its mark; without one the declaration is wrong
     let unicode = name.is_empty() || begins(&[b"UTF-8", b"UTF8", b"UTF-16", b"UTF16"]);
     if unicode || bytes.is_ascii() {
-        return as_utf8(bytes);
+        return Ok(with_declaration_first(as_utf8(bytes)?));
     }
     Err(Place::Line(1).error(format!(
         "the encoding {} is not read; save the file as UTF-8",
         shown(declared)
     )))
+}
+
+/// White space before the declaration is no XML, and harmless: the declaration becomes white space, too, so that all else
+/// keeps its place.
+fn with_declaration_first(text: Cow<'_, str>) -> Cow<'_, str> {
+    let start = text.len() - text.trim_start().len();
+    let end = text[start..].find("?>").map(|end| start + end + 2);
+    match end.filter(|_| start > 0 && text[start..].starts_with("<?xml ")) {
+        Some(end) => {
+            let blank = |c: char| if c.is_ascii_whitespace() { c } else { ' ' };
+            let declaration: String = text[start..end].chars().map(blank).collect();
+            Cow::Owned([&text[..start], &declaration, &text[end..]].concat())
+        }
+        None => text,
+    }
 }
 
 fn as_utf8(bytes: &[u8]) -> Result<Cow<'_, str>, ReadMeshError> {
@@ -214,6 +231,11 @@ mod tests {
             assert!(xml_text(&bytes).unwrap().contains("b='ü'"), "{encoding}");
         }
         assert!(xml_text(&text("\"GB2312\"", b"abc")).is_ok());
+        let late = xml_text(b"\n <?xml version='1.0'?>\n<a/>")
+            .unwrap()
+            .into_owned();
+        assert_eq!(late.trim(), "<a/>");
+        assert_eq!(late.find('<'), Some(24));
         let error = |bytes: &[u8]| xml_text(bytes).unwrap_err().to_string();
         assert_eq!(
             error(&text("\"Shift_JIS\"", b"\x83\x6e")),

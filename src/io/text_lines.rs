@@ -146,11 +146,15 @@ pub(super) fn number(word: &[u8], place: Place) -> Result<f64, ReadMeshError> {
         .ok_or_else(|| place.error(format!("{} is not a number", shown(word))))
 }
 
-/// A word as a whole number.
+/// A word as a whole number, also as programs write it that know numbers of one type alone: `1.0`, `1.000e+00`.
 pub(super) fn whole_number(word: &[u8], place: Place) -> Result<i64, ReadMeshError> {
+    // Nearly all words: a few digits, which no sum of them overflows.
+    if matches!(word.len(), 1..=9) && word.iter().all(u8::is_ascii_digit) {
+        return Ok((word.iter()).fold(0, |number, digit| 10 * number + i64::from(digit - b'0')));
+    }
     std::str::from_utf8(word)
         .ok()
-        .and_then(|text| text.parse().ok())
+        .and_then(|text| text.parse().ok().or_else(|| whole(text)))
         .ok_or_else(|| place.error(format!("{} is not a whole number", shown(word))))
 }
 
@@ -158,8 +162,23 @@ pub(super) fn whole_number(word: &[u8], place: Place) -> Result<i64, ReadMeshErr
 pub(super) fn count(word: &[u8], place: Place) -> Result<u64, ReadMeshError> {
     std::str::from_utf8(word)
         .ok()
-        .and_then(|text| text.parse().ok())
+        .and_then(|text| text.parse().ok().or_else(|| whole(text)?.try_into().ok()))
         .ok_or_else(|| place.error(format!("{} is not a count", shown(word))))
+}
+
+/// A number with a point or an exponent, if it is whole and exact.
+fn whole(text: &str) -> Option<i64> {
+    const EXACT: f64 = 9_007_199_254_740_992.0; // 2⁵³
+    let number: f64 = text.parse().ok()?;
+    (number.fract() == 0.0 && number.abs() < EXACT).then_some(number as i64)
+}
+
+/// A text without the mark of its end that DOS put behind it (Ctrl+Z).
+pub(super) fn without_end_mark(bytes: &[u8]) -> &[u8] {
+    bytes
+        .trim_ascii_end()
+        .strip_suffix(b"\x1a")
+        .unwrap_or(bytes)
 }
 
 /// The next three words as coordinates.
@@ -262,6 +281,26 @@ mod tests {
         }
         for (word, expected) in [("-1", -1.0), ("+.5", 0.5), ("2.", 2.0), ("1E-3", 1e-3)] {
             assert_eq!(number(word.as_bytes(), place), Ok(expected));
+        }
+    }
+
+    #[test]
+    fn whole_numbers_may_be_written_as_others_are() {
+        let place = Place::Line(1);
+        for (word, expected) in [("3", 3), ("-1.0", -1), ("2.000000e+00", 2), ("1e3", 1000)] {
+            assert_eq!(whole_number(word.as_bytes(), place), Ok(expected));
+        }
+        assert_eq!(count(b"7.0", place), Ok(7));
+        for word in [
+            "1.5",
+            "-1",
+            "nan",
+            "inf",
+            "1e300",
+            "1.0.0",
+            "9007199254740993.0",
+        ] {
+            assert!(count(word.as_bytes(), place).is_err(), "{word}");
         }
     }
 

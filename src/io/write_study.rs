@@ -3,6 +3,7 @@
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::MeshFormat;
 use super::formats::SeriesWriter;
@@ -48,23 +49,18 @@ pub fn write_study(
     format: MeshFormat,
     progress: &Progress,
 ) -> Result<(), WriteStudyError> {
-    let names = folder_names(
-        &study
-            .subjects
-            .iter()
-            .map(|s| s.id.as_str())
-            .collect::<Vec<_>>(),
-    );
-    for (subject, name) in study.subjects.iter().zip(&names) {
+    let order = study.in_order();
+    let subjects: Vec<&Arc<Subject>> = order.iter().filter_map(|&i| study.subject(i)).collect();
+    let names = folder_names(&subjects.iter().map(|s| s.id.as_str()).collect::<Vec<_>>());
+    for (subject, name) in subjects.iter().zip(&names) {
         nothing_in_the_way(subject, &folder.join(name), format)?;
     }
-    let steps = study
-        .subjects
+    let steps = subjects
         .iter()
         .map(|s| s.sequence.frame_count() * s.sequence.surfaces().len())
         .sum();
     progress.expect_steps(steps);
-    for (subject, name) in study.subjects.iter().zip(&names) {
+    for (subject, name) in subjects.iter().zip(&names) {
         let place = folder.join(name);
         fs::create_dir_all(&place).map_err(at(&place))?;
         for surface in subject.sequence.surfaces() {
@@ -195,18 +191,24 @@ fn folder_names(ids: &[&str]) -> Vec<String> {
 fn manifest(study: &Study, names: &[String], format: MeshFormat) -> String {
     let mut text = String::new();
     let first_unit = study.subjects.first().map(|subject| subject.unit);
-    let one_unit = study.subjects.iter().all(|s| Some(s.unit) == first_unit);
+    let one_unit = study.all().all(|s| Some(s.unit) == first_unit);
     text += &format!("name = {}\n", quoted(&study.name));
     if let (Some(unit), true) = (first_unit, one_unit) {
         text += &format!("units = \"{}\"\n", unit_word(unit));
     }
     text += &format!("normal = {}\n", quoted_list(&study.label_roles.normal));
     text += &format!("abnormal = {}\n", quoted_list(&study.label_roles.abnormal));
-    for (subject, name) in study.subjects.iter().zip(names) {
+    for (index, name) in study.in_order().into_iter().zip(names) {
+        let Some(subject) = study.subject(index) else {
+            continue;
+        };
         text += "\n[[subject]]\n";
         text += &format!("id = {}\n", quoted(&subject.id));
         if !one_unit {
             text += &format!("units = \"{}\"\n", unit_word(subject.unit));
+        }
+        if study.is_excluded(index) {
+            text += "excluded = true\n";
         }
         text += &subject_fields(subject, name, format);
     }
@@ -256,17 +258,19 @@ fn subject_fields(subject: &Subject, folder: &str, format: MeshFormat) -> String
 
 /// Landmarks from which the directions follow again.
 fn orientation(anatomy: &Anatomy) -> String {
-    // As far out as the axis is long, so that digits serve both alike.
-    let reach = (anatomy.base - anatomy.apex).norm();
-    let point =
-        |p: crate::mesh::Point3| format!("[{}, {}, {}]", number(p.x), number(p.y), number(p.z));
-    format!(
-        "orientation = {{ apex = {}, base = {}, septum = {}, anterior = {} }}\n",
-        point(anatomy.apex),
-        point(anatomy.base),
-        point(anatomy.base + anatomy.septal * reach),
-        point(anatomy.base + anatomy.anterior * reach),
-    )
+    let marks = anatomy.landmarks();
+    let fields = [
+        ("apex", marks.apex),
+        ("base", marks.base),
+        ("septum", marks.septum),
+        ("anterior", marks.anterior),
+    ];
+    let fields = fields.into_iter().filter_map(|(key, point)| {
+        let [x, y, z] = point?.coords.map(number).into();
+        Some(format!("{key} = [{x}, {y}, {z}]"))
+    });
+    let fields: Vec<String> = fields.collect();
+    format!("orientation = {{ {} }}\n", fields.join(", "))
 }
 
 fn surface_word(sequence: &MeshSequence) -> Option<&'static str> {

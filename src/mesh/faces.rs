@@ -1,11 +1,8 @@
 //! Triangle connectivity, checked once, and the edges and boundary loops that follow from it.
 
-use std::collections::HashMap;
+use std::sync::OnceLock;
 
-use rayon::prelude::*;
-
-/// An undirected edge, lower vertex first.
-pub type Edge = [u32; 2];
+use super::borders::{Borders, Edge};
 
 /// Why positions and faces do not make a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -45,11 +42,21 @@ pub enum MeshError {
 }
 
 /// Triangles over `vertex_count` vertices: indices in range, no repeated corner.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct Faces {
     vertex_count: usize,
     triangles: Vec<[u32; 3]>,
+    /// Found when first asked for.
+    borders: OnceLock<Borders>,
 }
+
+impl PartialEq for Faces {
+    fn eq(&self, other: &Self) -> bool {
+        self.vertex_count == other.vertex_count && self.triangles == other.triangles
+    }
+}
+
+impl Eq for Faces {}
 
 impl Faces {
     /// Checks every triangle.
@@ -72,6 +79,7 @@ impl Faces {
         Ok(Self {
             vertex_count,
             triangles,
+            borders: OnceLock::new(),
         })
     }
 
@@ -87,10 +95,7 @@ impl Faces {
 
     /// Every undirected edge once, in ascending order.
     pub fn edges(&self) -> Vec<Edge> {
-        let mut edges: Vec<Edge> = self
-            .directed_edges()
-            .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
-            .collect();
+        let mut edges: Vec<Edge> = self.directed_edges().map(undirected).collect();
         edges.sort_unstable();
         edges.dedup();
         edges
@@ -106,26 +111,24 @@ impl Faces {
     /// Faces on each undirected edge, in ascending order of edges: 1 on a boundary, 2 inside a
     /// manifold, more where sheets branch.
     pub fn edge_valences(&self) -> Vec<(Edge, usize)> {
-        let mut sides: Vec<Edge> = self
-            .directed_edges()
-            .map(|[a, b]| if a < b { [a, b] } else { [b, a] })
-            .collect();
-        sides.par_sort_unstable();
+        let mut sides: Vec<Edge> = self.directed_edges().map(undirected).collect();
+        sides.sort_unstable();
         sides
             .chunk_by(|a, b| a == b)
             .map(|run| (run[0], run.len()))
             .collect()
     }
 
+    /// Where the surface ends, branches, turns over or only touches.
+    pub fn borders(&self) -> &Borders {
+        (self.borders).get_or_init(|| Borders::of(self.vertex_count, &self.triangles))
+    }
+
     /// Whether each vertex lies on an edge of exactly one face.
     pub fn boundary_vertices(&self) -> Vec<bool> {
         let mut on_boundary = vec![false; self.vertex_count];
-        for (edge, faces) in self.edge_valences() {
-            if faces == 1 {
-                for vertex in edge {
-                    on_boundary[vertex as usize] = true;
-                }
-            }
+        for &vertex in self.borders().rims.iter().flatten() {
+            on_boundary[vertex as usize] = true;
         }
         on_boundary
     }
@@ -136,26 +139,20 @@ impl Faces {
     /// Where a boundary vertex has several outgoing sides (a pinched boundary) the lowest unused
     /// one is followed. A chain that does not close, because winding is inconsistent, is left out.
     pub fn boundary_loops(&self) -> Vec<Vec<u32>> {
-        let single: std::collections::HashSet<Edge> = self
-            .edge_valences()
-            .into_iter()
-            .filter(|&(_, faces)| faces == 1)
-            .map(|(edge, _)| edge)
-            .collect();
-        let mut sides: Vec<[u32; 2]> = self
-            .directed_edges()
-            .filter(|&[a, b]| single.contains(&if a < b { [a, b] } else { [b, a] }))
-            .collect();
-        sides.sort_unstable();
-        let mut outgoing: HashMap<u32, Vec<u32>> = HashMap::new();
-        for &[from, to] in sides.iter().rev() {
-            outgoing.entry(from).or_default().push(to);
+        let sides = &self.borders().rims;
+        // Where the sides from each vertex begin that are not used yet.
+        let mut unused = vec![usize::MAX; self.vertex_count];
+        for (place, &[from, _]) in sides.iter().enumerate().rev() {
+            unused[from as usize] = place;
         }
         let mut loops = Vec::new();
-        for &[start, _] in &sides {
+        for &[start, _] in sides {
             let mut chain = vec![start];
             let mut here = start;
-            while let Some(next) = outgoing.get_mut(&here).and_then(Vec::pop) {
+            while let Some(&[_, next]) =
+                (sides.get(unused[here as usize])).filter(|&&[from, _]| from == here)
+            {
+                unused[here as usize] += 1;
                 if next == start {
                     loops.push(chain);
                     break;
@@ -178,8 +175,13 @@ impl Faces {
         Self {
             vertex_count: offset as usize,
             triangles,
+            borders: OnceLock::new(),
         }
     }
+}
+
+fn undirected([a, b]: [u32; 2]) -> Edge {
+    if a < b { [a, b] } else { [b, a] }
 }
 
 fn repeated_corner(&[a, b, c]: &[u32; 3]) -> Option<u32> {

@@ -1,5 +1,6 @@
 //! One triangle mesh at one instant: connectivity, positions, and what can be measured on them.
 
+mod borders;
 mod capping;
 mod closest_point;
 mod components;
@@ -16,13 +17,14 @@ mod scan_lines;
 mod self_intersections;
 mod tri_mesh;
 
+pub use borders::{Borders, Edge};
 pub use capping::CappedSheet;
 pub use closest_point::ClosestPoint;
 pub use components::{Sheet, SheetError, sheets};
 pub use curvature::{angle_deficits_rad, corner_angles_rad, flat_angles_rad};
 pub use decimation::Decimation;
 pub use face_order::FaceOrder;
-pub use faces::{Edge, Faces, MeshError};
+pub use faces::{Faces, MeshError};
 pub use measure::{area, bounding_box, signed_volume, winding_number};
 pub use normals::{face_normals, vertex_normals};
 pub use plane_section::{Contour, plane_section};

@@ -11,6 +11,7 @@ mod moderate_unit;
 mod sparse_cholesky;
 mod symmetric_eigen;
 mod vectors;
+mod waves;
 
 pub use dense_cholesky::{factorise_positive, solve_lower, solve_positive};
 pub use lanczos::{LeadingEigenError, leading_eigen};
@@ -21,3 +22,4 @@ pub use moderate_unit::moderate_unit;
 pub use sparse_cholesky::{SparseCholesky, SparseCholeskyError};
 pub use symmetric_eigen::{Eigen, EigenDiverged, symmetric_eigen};
 pub use vectors::{add_scaled, dot};
+pub use waves::in_waves;

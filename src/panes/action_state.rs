@@ -4,10 +4,11 @@ use std::mem::discriminant;
 
 use crate::document::State;
 use crate::panes::commands::{
-    BeatCommand, Command, EditCommand, FileCommand, MapCommand, Pane, TransportCommand,
-    ViewCommand, WallCommand, WindowCommand,
+    BeatCommand, Command, EditCommand, FileCommand, MapCommand, Pane, Phase, PhaseFrame,
+    TransportCommand, ViewCommand, WallCommand, Whose, WindowCommand,
 };
 use crate::picture::Quantity;
+use crate::study::Subject;
 
 /// What menus and the palette need to know of the program.
 #[derive(Debug)]
@@ -25,9 +26,14 @@ impl ActionState<'_> {
         match command {
             Command::Edit(EditCommand::Undo) => self.state.history.can_undo(),
             Command::Edit(EditCommand::Redo) => self.state.history.can_redo(),
+            Command::Edit(command) => self.edits(command),
             Command::Transport(TransportCommand::TransportToOther) => document.compared().is_some(),
             Command::Transport(TransportCommand::StopTransport) => {
                 document.visible_transport().is_some()
+            }
+            Command::Beat(BeatCommand::SetLoopRange(None)) => document.loop_range.is_some(),
+            Command::Map(MapCommand::SetClassesBy(by)) => {
+                document.classes_by() == *by || document.study().has_other_classes_than_labels()
             }
             Command::View(ViewCommand::SetQuantity(Quantity::Contribution)) => {
                 document.compared_on_screen().is_some()
@@ -39,6 +45,7 @@ impl ActionState<'_> {
             | Command::File(FileCommand::ChooseFolder)
             | Command::File(FileCommand::Open(_))
             | Command::File(FileCommand::OpenBuiltIn)
+            | Command::File(FileCommand::FollowLinks)
             | Command::Window(WindowCommand::SetTheme(_))
             | Command::Window(WindowCommand::TogglePane(_))
             | Command::Window(WindowCommand::ShowPane(_))
@@ -49,7 +56,35 @@ impl ActionState<'_> {
             | Command::Window(WindowCommand::ToggleAbout)
             | Command::Window(WindowCommand::ToggleFullScreen)
             | Command::File(FileCommand::Quit) => true,
+            Command::File(FileCommand::ExportStudy(_) | FileCommand::ChooseFilesToAdd)
+            | Command::File(FileCommand::ChooseFolderToAdd) => {
+                !document.study().subjects.is_empty() && document.study().unread.is_empty()
+            }
             _ => !document.study().subjects.is_empty(),
+        }
+    }
+
+    /// Whether an edit of the selected subject would do anything.
+    fn edits(&self, command: &EditCommand) -> bool {
+        let document = &self.state.document;
+        let Some(subject) = document.selected() else {
+            return false;
+        };
+        let excluded = document.study().is_excluded(document.subject);
+        match command {
+            EditCommand::SetRole(..) => subject.label.is_some(),
+            EditCommand::Exclude(_) | EditCommand::Include(_) | EditCommand::Delete(_)
+                if !document.study().unread.is_empty() =>
+            {
+                false
+            }
+            EditCommand::Exclude(_) => !excluded && document.study().subjects.len() > 1,
+            EditCommand::Include(_) => excluded,
+            EditCommand::Delete(_) => excluded || document.study().subjects.len() > 1,
+            EditCommand::SetLandmark(_) => self.state.picked.is_some(),
+            EditCommand::ClearLandmarks(_) => subject.has_landmarks(),
+            EditCommand::SetPhase(_, phase, PhaseFrame::Found) => stated(subject, *phase).is_some(),
+            _ => true,
         }
     }
 
@@ -61,6 +96,14 @@ impl ActionState<'_> {
             }
             _ => is_on(self.state, command),
         }
+    }
+}
+
+/// The frame of a phase that the user or the study set.
+fn stated(subject: &Subject, phase: Phase) -> Option<usize> {
+    match phase {
+        Phase::EndDiastole => subject.end_diastole,
+        Phase::EndSystole => subject.end_systole,
     }
 }
 
@@ -94,7 +137,21 @@ pub fn is_on(state: &State, command: &Command) -> Option<bool> {
         Command::Map(MapCommand::SetComparison(comparison)) => {
             document.deformation_map.comparison.name() == comparison.name()
         }
+        Command::Map(MapCommand::SetClassesBy(by)) => document.classes_by() == *by,
         Command::Map(MapCommand::ToggleClusters) => document.shows_clusters,
+        Command::Edit(EditCommand::SetRole(_, role)) => {
+            let labelled = document
+                .selected()
+                .filter(|subject| subject.label.is_some());
+            labelled.is_some_and(|subject| document.study().role(subject) == *role)
+        }
+        Command::Edit(EditCommand::SetUnit(Whose::All, unit)) => {
+            let mut all = document.study().all();
+            document.study().count() > 0 && all.all(|subject| subject.coordinate_unit() == *unit)
+        }
+        Command::Edit(EditCommand::SetUnit(_, unit)) => {
+            (document.selected()).is_some_and(|subject| subject.coordinate_unit() == *unit)
+        }
         Command::Beat(BeatCommand::ToggleLoop) => state.play.repeat,
         Command::Window(WindowCommand::SetTheme(theme)) => state.theme == *theme,
         Command::Window(WindowCommand::ToggleFullScreen) => state.full_screen,

@@ -35,6 +35,7 @@ pub(crate) mod verdict;
 pub(crate) mod verdict_marks;
 pub(crate) mod viewport;
 pub(crate) mod work_state;
+pub(crate) mod work_ui;
 
 pub use {action_state::*, actions::*, activity::*, bulls_eye::*, buttons::*, cycle_axis::*};
 pub use {cohort::rows::*, cohort::*, commands::*, curves::*, deformation_map::*, pane_context::*};

@@ -1,8 +1,11 @@
 //! Drag of a subject: dropped on another one, its motion is transported there.
 
-use egui::{Align2, DragAndDrop, Id, LayerId, Order, Rect, Response, Stroke, StrokeKind, Ui, vec2};
+use egui::{
+    Align2, Context, DragAndDrop, Id, LayerId, Order, Rect, Response, Stroke, StrokeKind, Ui, vec2,
+};
 
 use crate::panes::commands::{Command, TransportCommand};
+use crate::study::Study;
 use crate::ui::style::text_font;
 use crate::ui::theme::{colours, line, radius, space};
 
@@ -20,6 +23,16 @@ pub struct DraggedSubject {
 /// The subject that the pointer holds, if any.
 pub fn dragged_subject(ui: &Ui) -> Option<DraggedSubject> {
     DragAndDrop::payload::<DraggedSubject>(ui.ctx()).map(|dragged| DraggedSubject::clone(&dragged))
+}
+
+/// Lets go of the dragged subject if another one stands in its place by now, such as one that was read since.
+pub fn let_go_if_moved(ctx: &Context, study: &Study) {
+    if let Some(dragged) = DragAndDrop::payload::<DraggedSubject>(ctx) {
+        let there = study.subject(dragged.subject);
+        if there.is_none_or(|subject| subject.id != dragged.id) {
+            DragAndDrop::clear_payload(ctx);
+        }
+    }
 }
 
 /// Where a dragged subject can be dropped: another subject's row or picture.
@@ -124,4 +137,28 @@ pub fn dragged_subject_ui(ui: &Ui) {
     );
     let text_at = card.min + vec2(space::MEDIUM, 0.5 * space::MEDIUM);
     painter.galley(text_at, galley, colours.strong);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::document::testing::{study_of, subject_with_frames};
+
+    #[test]
+    fn a_drag_ends_where_another_subject_has_come_into_its_place() {
+        let ctx = Context::default();
+        let study =
+            |ids: &[&str]| study_of(ids.iter().map(|id| subject_with_frames(id, 2)).collect());
+        let dragged = DraggedSubject {
+            subject: 1,
+            id: "b".to_owned(),
+            correspondence: 0,
+        };
+        DragAndDrop::set_payload(&ctx, dragged);
+        let_go_if_moved(&ctx, &study(&["a", "b"]));
+        let_go_if_moved(&ctx, &study(&["a", "b", "c"]));
+        assert!(DragAndDrop::has_payload_of_type::<DraggedSubject>(&ctx));
+        let_go_if_moved(&ctx, &study(&["a", "aa", "b"]));
+        assert!(!DragAndDrop::has_payload_of_type::<DraggedSubject>(&ctx));
+    }
 }

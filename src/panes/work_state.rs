@@ -16,7 +16,7 @@ pub enum WorkState {
         fraction: f32,
         /// What is being done now; may be empty.
         phase: String,
-        /// Estimated seconds left, once they can be told.
+        /// Estimated seconds left, once they are known.
         seconds_left: Option<f64>,
     },
     /// The user stopped it.

@@ -7,6 +7,7 @@ pub mod figure;
 mod fit;
 mod frame_words;
 mod heart_frame;
+mod label_marks;
 mod legend;
 mod limits;
 mod medial;
@@ -38,6 +39,7 @@ pub use frame_words::{
     frame_words, frames_around, is_between, position_words, share_unit, share_words,
 };
 pub use heart_frame::SubjectFrame;
+pub use label_marks::{LabelMark, MarkShape, label_colour_of};
 pub use legend::{ColourLegend, Tick, USER_LIMITS};
 pub use limits::{CohortLimits, reference_frame};
 pub use medial::{

@@ -36,6 +36,11 @@ impl PictureOrigin {
         point - self.0
     }
 
+    /// The point of the subject that a point of pictures is.
+    pub fn in_subject(self, counted: Point3) -> Point3 {
+        counted + self.0
+    }
+
     /// The same as the graphics card has it.
     pub fn drawn(self, point: &Point3) -> [f32; 3] {
         (point.coords - self.0).cast::<f32>().into()

@@ -43,6 +43,8 @@ pub struct PictureTheme {
     pub wireframe: Rgba,
     /// Patches and what is selected.
     pub selection: [f32; 3],
+    /// Words about patches: the same hue, as far from the background as text is.
+    pub emphasis: [f32; 3],
 }
 
 impl PictureTheme {
@@ -55,6 +57,12 @@ impl PictureTheme {
         cube: srgb(0x2a_3038),
         wireframe: [0.05, 0.06, 0.07, 0.55],
         selection: srgb(0xff_d166),
+        emphasis: srgb(0xff_d166),
+    };
+    /// Light on black: slides and posters.
+    pub const BLACK: Self = Self {
+        background: srgb(0),
+        ..Self::DARK
     };
     /// Dark on white: print.
     pub const LIGHT: Self = Self {
@@ -65,5 +73,6 @@ impl PictureTheme {
         cube: srgb(0xec_eef1),
         wireframe: [0.1, 0.12, 0.14, 0.45],
         selection: srgb(0xb8_860b),
+        emphasis: srgb(0x70_4300),
     };
 }

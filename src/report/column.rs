@@ -265,12 +265,21 @@ impl<R: 'static> Column<R> {
 
     /// The value of a row as people read it, without its unit.
     pub fn shown(&self, row: &R) -> String {
-        self.shown_with(self.digits, row)
+        self.shown_value((self.cell)(row))
     }
 
     /// The same with other digits.
     pub fn shown_with(&self, digits: Digits, row: &R) -> String {
-        match (self.cell)(row) {
+        self.text(digits, (self.cell)(row))
+    }
+
+    /// A value of this column that comes without its row.
+    pub fn shown_value<'a>(&self, value: impl Into<Cell<'a>>) -> String {
+        self.text(self.digits, value.into())
+    }
+
+    fn text(&self, digits: Digits, value: Cell<'_>) -> String {
+        match value {
             Cell::Empty => NO_VALUE.to_owned(),
             Cell::Number(share) if self.unit == Unit::Share => digits.shown(100.0 * share),
             Cell::Number(number) => digits.shown(number),

@@ -46,6 +46,19 @@ impl LabelRoles {
             LabelRole::Unknown
         }
     }
+
+    /// Gives a label a role, however it is spelled in the lists.
+    pub(super) fn set(&mut self, label: &str, role: LabelRole) {
+        let plain = plain_label(label);
+        for list in [&mut self.normal, &mut self.abnormal] {
+            list.retain(|known| plain_label(known) != plain);
+        }
+        match role {
+            LabelRole::Normal => self.normal.push(label.to_owned()),
+            LabelRole::Abnormal => self.abnormal.push(label.to_owned()),
+            LabelRole::Unknown => {}
+        }
+    }
 }
 
 /// A label without what does not matter: letter case and blanks.

@@ -206,6 +206,31 @@ impl MeshSequence {
         })
     }
 
+    /// All coordinates times a factor; the connectivity stays shared.
+    #[must_use]
+    pub fn scaled(&self, factor: f64) -> Self {
+        let surfaces: Option<Vec<SurfaceSequence>> = self
+            .surfaces
+            .iter()
+            .map(|surface| {
+                let frames: Option<Vec<TriMesh>> = surface
+                    .frames()
+                    .iter()
+                    .map(|mesh| {
+                        let points: Vec<Point3> =
+                            mesh.vertices().iter().map(|p| p * factor).collect();
+                        TriMesh::new(points, Arc::clone(mesh.faces())).ok()
+                    })
+                    .collect();
+                SurfaceSequence::new(surface.kind(), frames?).ok()
+            })
+            .collect();
+        // Only coordinates near the end of `f64` overflow, and are then no heart's.
+        surfaces
+            .and_then(|surfaces| Self::new(surfaces).ok())
+            .unwrap_or_else(|| self.clone())
+    }
+
     /// The surfaces, sorted by kind.
     pub fn surfaces(&self) -> &[SurfaceSequence] {
         &self.surfaces

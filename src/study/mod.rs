@@ -4,6 +4,7 @@ mod anatomy;
 pub mod built_in;
 mod cardiac_cycle;
 pub mod checks;
+mod edits;
 mod label;
 mod mesh_sequence;
 mod notice;
@@ -14,12 +15,13 @@ mod notice;
 mod study;
 mod subject;
 
-pub use anatomy::Anatomy;
+pub use anatomy::{Anatomy, Landmark, Landmarks};
 pub use cardiac_cycle::CycleTiming;
+pub use edits::EditError;
 pub use label::{LabelRole, LabelRoles, plain_label};
 pub use mesh_sequence::{
     CorrespondenceKey, MeshSequence, SequenceError, SequenceId, SurfaceKind, SurfaceSequence,
 };
 pub use notice::{Notice, Severity};
-pub use study::{Revision, Study};
-pub use subject::{ShapeKey, Subject};
+pub use study::{ExcludedSubject, ReadSubject, Revision, Study, UnreadSubject};
+pub use subject::{CoordinateUnit, ShapeKey, Subject};

@@ -1,8 +1,8 @@
 //! The few controls that panels share: pane headers, tabs, icon buttons, choosers, progress.
 
 use egui::{
-    Align, Align2, Button, Color32, Context, Key, Layout, Margin, Rect, Response, RichText, Role,
-    ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
+    Align, Align2, Button, Color32, Context, Key, Layout, Margin, Order, Rect, Response, RichText,
+    Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
 use crate::ui::marks::{Icon, icon};
@@ -219,6 +219,16 @@ pub fn empty_pane_ui(ui: &mut Ui, heading: &str, what: &str, buttons: impl FnOnc
 /// What a pane about the selected subject says where none is selected.
 pub fn no_subject_ui(ui: &mut Ui, what: &str) {
     empty_pane_ui(ui, "No subject selected", what, |_| {});
+}
+
+/// Whether Esc was pressed and closes nothing that lies over the window.
+pub fn escaped(ui: &Ui) -> bool {
+    let over = |order| matches!(order, Order::Middle | Order::Foreground);
+    let covered = ui.memory(|memory| {
+        let layers = memory.areas().visible_layer_ids();
+        layers.iter().any(|layer| over(layer.order))
+    });
+    !covered && ui.input(|input| input.key_pressed(Key::Escape))
 }
 
 /// A small window over the middle of the program, with its own cross; true when Esc or the cross

@@ -1,79 +1,18 @@
-//! Shapes and colours of the labels of a study: each label has its own, so that colour is never alone.
+//! Marks of the labels of a study on screen: the shapes of [`LabelMark`] in the colours of the theme.
 
-use egui::{Color32, Pos2, Rect, Shape, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{Color32, Pos2, Rect, Shape, Stroke, Ui, Vec2, vec2};
 
-use crate::study::LabelRole;
+pub use crate::picture::LabelMark;
+use crate::picture::{MarkShape, label_colour_of};
 use crate::ui::theme::{Colours, colours, line};
 
-/// How subjects of one label are marked in tables, maps and legends.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub enum LabelMark {
-    /// Any label that counts as normal: a circle.
-    Normal,
-    /// Another label of the study, by its place among them.
-    Label(u8),
-    /// No label: a square.
-    #[default]
-    Unlabelled,
-}
-
-/// Shapes of labels other than normal, in the order of labels.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum LabelShape {
-    Cross,
-    TriangleUp,
-    Plus,
-    TriangleDown,
-    Diamond,
-    Asterisk,
-    Pentagon,
-    Hourglass,
-}
-
-const SHAPES: [LabelShape; 8] = [
-    LabelShape::Cross,
-    LabelShape::TriangleUp,
-    LabelShape::Plus,
-    LabelShape::TriangleDown,
-    LabelShape::Diamond,
-    LabelShape::Asterisk,
-    LabelShape::Pentagon,
-    LabelShape::Hourglass,
-];
-
 impl LabelMark {
-    /// Marks of subjects by their label and its role. Labels other than normal are counted in alphabetical order
-    /// whatever their case, so that the order of subjects changes no mark.
-    pub fn of_study<'a>(labels: &[(Option<&'a str>, LabelRole)]) -> Vec<Self> {
-        let other = |&(label, role): &(Option<&'a str>, LabelRole)| {
-            label
-                .filter(|_| role != LabelRole::Normal)
-                .map(str::to_lowercase)
-        };
-        let mut known: Vec<String> = labels.iter().filter_map(other).collect();
-        known.sort();
-        known.dedup();
-        let mark = |subject: &(Option<&'a str>, LabelRole)| match (subject.1, other(subject)) {
-            (LabelRole::Normal, _) => Self::Normal,
-            (_, Some(label)) => {
-                let place = known.binary_search(&label).unwrap_or_default();
-                Self::Label(u8::try_from(place).unwrap_or(u8::MAX))
-            }
-            (_, None) => Self::Unlabelled,
-        };
-        labels.iter().map(mark).collect()
-    }
-
-    /// Its colour. Past the eighth label the shapes come again, each in another colour.
+    /// Its colour on screen.
     pub fn colour(self, colours: &Colours) -> Color32 {
         match self {
             Self::Normal => colours.normal,
             Self::Unlabelled => colours.unknown,
-            Self::Label(place) => {
-                let place = usize::from(place);
-                let count = colours.labels.len();
-                colours.labels[(place + place / count) % count]
-            }
+            Self::Label(place) => colours.labels[label_colour_of(place, colours.labels.len())],
         }
     }
 }
@@ -87,77 +26,35 @@ pub fn label_shape(
     filled: bool,
 ) -> Shape {
     let stroke = Stroke::new(line::MARK, colour);
-    match mark {
-        LabelMark::Normal if filled => Shape::circle_filled(centre, radius, colour),
-        LabelMark::Normal => Shape::circle_stroke(centre, radius - 0.5 * line::MARK, stroke),
-        LabelMark::Unlabelled => {
-            let square = Rect::from_center_size(centre, Vec2::splat(1.8 * radius));
+    let at = |[x, y]: [f32; 2]| centre + radius * vec2(x, y);
+    match mark.shape() {
+        MarkShape::Disc if filled => Shape::circle_filled(centre, radius, colour),
+        MarkShape::Disc => Shape::circle_stroke(centre, radius - 0.5 * line::MARK, stroke),
+        MarkShape::Square(side) => {
+            let square = Rect::from_center_size(centre, Vec2::splat(2.0 * side * radius));
             if filled {
                 Shape::rect_filled(square, 1.0, colour)
             } else {
                 Shape::rect_stroke(square, 1.0, stroke, egui::StrokeKind::Inside)
             }
         }
-        LabelMark::Label(place) => {
-            let shape = SHAPES[usize::from(place) % SHAPES.len()];
-            other_shape(centre, radius, shape, colour, filled)
-        }
-    }
-}
-
-fn other_shape(
-    centre: Pos2,
-    radius: f32,
-    shape: LabelShape,
-    colour: Color32,
-    filled: bool,
-) -> Shape {
-    let width = if filled { line::STRONG } else { line::MARK };
-    let arms = |ends: &[Vec2]| {
-        let arm = |end: &Vec2| {
-            Shape::line_segment(
-                [centre - radius * *end, centre + radius * *end],
-                Stroke::new(width, colour),
-            )
-        };
-        Shape::Vec(ends.iter().map(arm).collect())
-    };
-    let polygon = |corners: Vec<Pos2>| {
-        if filled {
-            Shape::convex_polygon(corners, colour, Stroke::NONE)
-        } else {
-            Shape::closed_line(corners, Stroke::new(line::MARK, colour))
-        }
-    };
-    // Corners on a circle, the first one up.
-    let regular = |count: usize, turn: f32, reach: f32| -> Vec<Pos2> {
-        let corner = |index: usize| {
-            let angle = std::f32::consts::TAU * (index as f32 / count as f32 + turn);
-            centre + reach * radius * vec2(angle.sin(), -angle.cos())
-        };
-        (0..count).map(corner).collect()
-    };
-    match shape {
-        LabelShape::Cross => arms(&[vec2(0.85, 0.85), vec2(0.85, -0.85)]),
-        LabelShape::Plus => arms(&[vec2(1.1, 0.0), vec2(0.0, 1.1)]),
-        LabelShape::Asterisk => {
-            let arm = |turn: f32| vec2(turn.sin(), turn.cos()) * 1.1;
-            let third = std::f32::consts::FRAC_PI_3;
-            arms(&[arm(0.0), arm(third), arm(2.0 * third)])
-        }
-        LabelShape::TriangleUp => polygon(regular(3, 0.0, 1.25)),
-        LabelShape::TriangleDown => polygon(regular(3, 0.5, 1.25)),
-        LabelShape::Diamond => polygon(regular(4, 0.0, 1.2)),
-        LabelShape::Pentagon => polygon(regular(5, 0.0, 1.1)),
-        LabelShape::Hourglass => {
-            let half = |side: f32| {
-                polygon(vec![
-                    centre,
-                    pos2(centre.x - radius, centre.y + side * radius),
-                    pos2(centre.x + radius, centre.y + side * radius),
-                ])
+        MarkShape::Arms(arms) => {
+            let width = if filled { line::STRONG } else { line::MARK };
+            let arm = |ends: &[[f32; 2]; 2]| {
+                Shape::line_segment(ends.map(at), Stroke::new(width, colour))
             };
-            Shape::Vec(vec![half(-1.0), half(1.0)])
+            Shape::Vec(arms.iter().map(arm).collect())
+        }
+        MarkShape::Polygons(polygons) => {
+            let polygon = |corners: &Vec<[f32; 2]>| {
+                let corners = corners.iter().map(|&corner| at(corner)).collect();
+                if filled {
+                    Shape::convex_polygon(corners, colour, Stroke::NONE)
+                } else {
+                    Shape::closed_line(corners, stroke)
+                }
+            };
+            Shape::Vec(polygons.iter().map(polygon).collect())
         }
     }
 }
@@ -173,26 +70,6 @@ pub fn label_mark(ui: &Ui, centre: Pos2, radius: f32, mark: LabelMark, filled: b
 mod tests {
     use super::*;
     use crate::ui::theme::{DARK, LIGHT};
-
-    #[test]
-    fn every_label_of_a_study_has_its_own_mark_whatever_the_order_of_subjects() {
-        let study = [
-            (Some("MINF"), LabelRole::Abnormal),
-            (Some("DCM"), LabelRole::Abnormal),
-            (Some("NOR"), LabelRole::Normal),
-            (Some("RV"), LabelRole::Unknown),
-            (Some("dcm"), LabelRole::Abnormal),
-            (None, LabelRole::Unknown),
-        ];
-        let marks = LabelMark::of_study(&study);
-        let [dcm, minf, rv] = [0, 1, 2].map(LabelMark::Label);
-        let wanted = [minf, dcm, LabelMark::Normal, rv, dcm, LabelMark::Unlabelled];
-        assert_eq!(marks, wanted);
-        let turned: Vec<_> = study.into_iter().rev().collect();
-        let mut again = LabelMark::of_study(&turned);
-        again.reverse();
-        assert_eq!(again, marks);
-    }
 
     #[test]
     fn shapes_that_come_again_have_another_colour() {

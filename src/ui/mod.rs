@@ -4,6 +4,7 @@ pub(crate) mod controls;
 pub(crate) mod fuzzy;
 pub(crate) mod label_marks;
 pub(crate) mod marks;
+pub(crate) mod named_parts;
 pub(crate) mod number_field;
 pub(crate) mod pointer_steps;
 pub(crate) mod style;

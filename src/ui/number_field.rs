@@ -16,6 +16,8 @@ pub struct NumberField<'a> {
     pub unit: &'a str,
     /// What it does, for the hover.
     pub what: &'a str,
+    /// The least and the greatest number that it takes, for the hover.
+    pub range: [f64; 2],
     /// The number in force; `None` where the program finds it.
     pub value: Option<f64>,
     /// What an empty field shows where the program chooses the value: "automatic: 5". Fields without it
@@ -33,10 +35,29 @@ pub struct Setting<P> {
     pub unit: &'static str,
     /// What it does, for the hover.
     pub what: &'static str,
+    /// The least and the greatest number that it takes, for the hover; what takes only positive numbers has
+    /// [`ABOVE_ZERO`] as its least, what takes numbers of any size infinity as its greatest.
+    pub range: [f64; 2],
     /// The number in force; `None` where the program finds it.
     pub get: fn(&P) -> Option<f64>,
     /// Puts in what was typed, or says why it is no number of this kind.
     pub set: fn(&mut P, Option<f64>) -> Result<(), String>,
+}
+
+/// Fails unless a setting puts in its least and its greatest number, which `takes` accepts, and none beyond them.
+#[cfg(test)]
+pub(crate) fn assert_takes_its_range<P: Default>(setting: &Setting<P>, takes: impl Fn(&P) -> bool) {
+    let taken = |number: f64| {
+        let mut settings = P::default();
+        (setting.set)(&mut settings, Some(number)).is_ok() && takes(&settings)
+    };
+    let [least, most] = setting.range;
+    assert!(taken(least) && !taken(least - 1.0), "{}", setting.name);
+    if most.is_finite() {
+        assert!(taken(most) && !taken(most + 1.0), "{}", setting.name);
+    } else {
+        assert!(taken(1e9), "{}", setting.name);
+    }
 }
 
 impl<P: Copy> Setting<P> {
@@ -53,6 +74,7 @@ impl<P: Copy> Setting<P> {
             name: self.name,
             unit: self.unit,
             what: self.what,
+            range: self.range,
             value: (self.get)(settings),
             automatic,
             enabled,
@@ -67,6 +89,25 @@ impl<P: Copy> Setting<P> {
             *settings = wanted;
         }
     }
+}
+
+/// The least number of what takes only positive ones.
+pub const ABOVE_ZERO: f64 = f64::MIN_POSITIVE;
+
+/// "What it does.\n\n0 to 100 rings": what a number does, with its range and unit.
+pub fn number_words(what: &str, [least, most]: [f64; 2], unit: &str) -> String {
+    let range = match (least <= ABOVE_ZERO && least > 0.0, most.is_finite()) {
+        (true, true) => format!("above 0, up to {}", number_text(most)),
+        (true, false) => "above 0".to_owned(),
+        (false, true) => format!("{} to {}", number_text(least), number_text(most)),
+        (false, false) => format!("{} or more", number_text(least)),
+    };
+    let unit = if unit.is_empty() {
+        ", no unit"
+    } else {
+        &format!(" {unit}")
+    };
+    format!("{what}\n\nRange: {range}{unit}")
 }
 
 /// What was typed and why it was refused, while it is not the number in force.
@@ -97,7 +138,8 @@ pub fn number_field_ui<T>(
         text: shown.clone(),
         refused: None,
     });
-    let response = row_ui(ui, field.name, field.what, field.enabled, |ui| {
+    let what = number_words(field.what, field.range, field.unit);
+    let response = row_ui(ui, field.name, &what, field.enabled, |ui| {
         let narrow = ui.available_width() < NARROW;
         if !(narrow && field.unit.is_empty()) {
             // A long unit takes more room, or it would run into the field or out of the pane.
@@ -121,7 +163,9 @@ pub fn number_field_ui<T>(
         if typed.refused.is_some() {
             edit = edit.text_color(colours(ui).error);
         }
-        ui.add(edit).accessible_name(field.name)
+        ui.add(edit)
+            .accessible_name(field.name)
+            .on_hover_text(&what)
     });
     if response.changed() {
         typed.refused = None;
@@ -260,6 +304,23 @@ mod tests {
         assert!(whole(2.5, 9).is_err() && whole(10.0, 9).is_err());
     }
 
+    #[test]
+    fn a_number_is_explained_with_its_range_and_unit() {
+        let words = |range, unit| number_words("Rings.", range, unit);
+        assert_eq!(
+            words([0.0, 100.0], "rings"),
+            "Rings.\n\nRange: 0 to 100 rings"
+        );
+        assert_eq!(
+            words([0.0, f64::INFINITY], ""),
+            "Rings.\n\nRange: 0 or more, no unit"
+        );
+        assert_eq!(
+            words([ABOVE_ZERO, 1.0], ""),
+            "Rings.\n\nRange: above 0, up to 1, no unit"
+        );
+    }
+
     fn harness() -> Harness<'static, (Option<f64>, Vec<Option<f64>>)> {
         Harness::builder()
             .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
@@ -269,6 +330,7 @@ mod tests {
                         name: "Weight",
                         unit: "mm",
                         what: "",
+                        range: [0.0, f64::INFINITY],
                         value: *value,
                         automatic: Some("automatic"),
                         enabled: true,

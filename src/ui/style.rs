@@ -12,6 +12,9 @@ use egui::{
 use crate::ui::pointer_steps::PointerSteps;
 use crate::ui::theme::{Colours, MOTION_S, line, radius, space, type_size};
 
+/// Seconds until a tooltip appears: with the frame that draws it, less than 0.3.
+const TOOLTIP_S: f32 = 0.25;
+
 const REGULAR: &[u8] = include_bytes!("../../assets/fonts/Inter-Regular.otf");
 const MEDIUM: &[u8] = include_bytes!("../../assets/fonts/Inter-Medium.otf");
 const SEMIBOLD: &[u8] = include_bytes!("../../assets/fonts/Inter-SemiBold.otf");
@@ -140,7 +143,7 @@ fn style(dark: bool) -> Style {
     .into();
     style.animation_time = MOTION_S;
     style.interaction.selectable_labels = false;
-    style.interaction.tooltip_delay = 0.3;
+    style.interaction.tooltip_delay = TOOLTIP_S;
     style.scroll_animation = egui::style::ScrollAnimation::duration(MOTION_S);
     spacing(&mut style);
     visuals(&mut style, colours);

@@ -111,7 +111,7 @@ pub const DARK: Colours = Colours {
     window: Color32::from_rgb(0x14, 0x17, 0x1b),
     pane: Color32::from_rgb(0x1a, 0x1e, 0x24),
     control: Color32::from_rgb(0x22, 0x28, 0x30),
-    control_hovered: Color32::from_rgb(0x2c, 0x34, 0x3e),
+    control_hovered: Color32::from_rgb(0x26, 0x2d, 0x36),
     line: Color32::from_rgb(0x2a, 0x30, 0x38),
     grid: Color32::from_rgb(0x24, 0x2a, 0x32),
     text: Color32::from_rgb(0xd7, 0xdc, 0xe2),
@@ -119,7 +119,7 @@ pub const DARK: Colours = Colours {
     muted: Color32::from_rgb(0x8a, 0x94, 0xa1),
     accent: Color32::from_rgb(0x5a, 0xb0, 0xf2),
     on_accent: Color32::from_rgb(0x0d, 0x14, 0x1b),
-    selected_row: Color32::from_rgb(0x22, 0x31, 0x3f),
+    selected_row: Color32::from_rgb(0x1d, 0x2d, 0x3d),
     selection: Color32::from_rgb(0xff, 0xd1, 0x66),
     normal: Color32::from_rgb(0x5a, 0xb0, 0xf2),
     abnormal: Color32::from_rgb(0xe7, 0x88, 0x5c),
@@ -144,7 +144,7 @@ pub const DARK: Colours = Colours {
         Color32::from_rgb(0x8f, 0xd1, 0xe8),
         Color32::from_rgb(0xb9, 0xa3, 0x8c),
     ],
-    endocardium: Color32::from_rgb(0xa9, 0x4a, 0x4a),
+    endocardium: Color32::from_rgb(0xba, 0x62, 0x62),
     epicardium: Color32::from_rgb(0xd9, 0xc3, 0xa5),
 };
 
@@ -159,17 +159,17 @@ pub const LIGHT: Colours = Colours {
     text: Color32::from_rgb(0x1d, 0x25, 0x30),
     strong: Color32::from_rgb(0x0d, 0x13, 0x1b),
     muted: Color32::from_rgb(0x5f, 0x69, 0x76),
-    accent: Color32::from_rgb(0x1f, 0x6f, 0xb5),
+    accent: Color32::from_rgb(0x1e, 0x6b, 0xaf),
     on_accent: Color32::from_rgb(0xff, 0xff, 0xff),
     selected_row: Color32::from_rgb(0xdf, 0xeb, 0xf6),
-    selection: Color32::from_rgb(0xb8, 0x86, 0x0b),
-    normal: Color32::from_rgb(0x1f, 0x6f, 0xb5),
-    abnormal: Color32::from_rgb(0xc2, 0x57, 0x1f),
-    unknown: Color32::from_rgb(0x68, 0x72, 0x7f),
+    selection: Color32::from_rgb(0x70, 0x43, 0x00),
+    normal: Color32::from_rgb(0x1e, 0x6b, 0xaf),
+    abnormal: Color32::from_rgb(0xa6, 0x52, 0x10),
+    unknown: Color32::from_rgb(0x60, 0x69, 0x75),
     error: Color32::from_rgb(0xb8, 0x2c, 0x3a),
-    warning: Color32::from_rgb(0x96, 0x63, 0x07),
+    warning: Color32::from_rgb(0x8f, 0x5e, 0x07),
     labels: [
-        Color32::from_rgb(0xc2, 0x57, 0x1f),
+        Color32::from_rgb(0xa6, 0x52, 0x10),
         Color32::from_rgb(0x0d, 0x8f, 0x64),
         Color32::from_rgb(0x3c, 0x25, 0xb7),
         Color32::from_rgb(0xc3, 0x3a, 0xe0),
@@ -207,49 +207,78 @@ pub fn colours(ui: &egui::Ui) -> &'static Colours {
     Colours::of(ui.visuals().dark_mode)
 }
 
+/// Contrast of two colours as WCAG 2.1 defines it, by their relative luminance.
+#[cfg(test)]
+pub(crate) fn contrast(a: Color32, b: Color32) -> f64 {
+    let luminance = |colour: Color32| {
+        let part = |value: u8| {
+            let share = f64::from(value) / 255.0;
+            if share <= 0.03928 {
+                share / 12.92
+            } else {
+                ((share + 0.055) / 1.055).powf(2.4)
+            }
+        };
+        0.2126 * part(colour.r()) + 0.7152 * part(colour.g()) + 0.0722 * part(colour.b())
+    };
+    let (a, b) = (luminance(a), luminance(b));
+    (a.max(b) + 0.05) / (a.min(b) + 0.05)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Relative luminance and contrast as WCAG 2.1 defines them.
-    fn contrast(a: Color32, b: Color32) -> f64 {
-        let luminance = |colour: Color32| {
-            let part = |value: u8| {
-                let share = f64::from(value) / 255.0;
-                if share <= 0.03928 {
-                    share / 12.92
-                } else {
-                    ((share + 0.055) / 1.055).powf(2.4)
-                }
-            };
-            0.2126 * part(colour.r()) + 0.7152 * part(colour.g()) + 0.0722 * part(colour.b())
-        };
-        let (a, b) = (luminance(a), luminance(b));
-        (a.max(b) + 0.05) / (a.min(b) + 0.05)
-    }
-
+    /// Everything that is read: 4.5 is level AA of WCAG 2.1 for small text. Marks and curves: 3, its level for graphics.
+    /// Frames and grid lines are neither, and what is behind them is never told by them alone.
     #[test]
-    fn text_stands_out_from_what_is_behind_it() {
+    fn text_and_marks_stand_out_from_whatever_is_behind_them() {
         for theme in [DARK, LIGHT] {
-            for behind in [theme.pane, theme.window, theme.control, theme.selected_row] {
-                assert!(contrast(theme.text, behind) >= 7.0);
-                // 4.5 is level AA for small text.
-                assert!(
-                    contrast(theme.muted, behind) >= 4.2,
-                    "{behind:?} {}",
-                    contrast(theme.muted, behind)
-                );
+            let texts = [
+                ("text", theme.text),
+                ("strong", theme.strong),
+                ("muted", theme.muted),
+                ("accent", theme.accent),
+                ("error", theme.error),
+                ("warning", theme.warning),
+                ("selection", theme.selection),
+                ("normal", theme.normal),
+                ("abnormal", theme.abnormal),
+                ("unknown", theme.unknown),
+            ];
+            let surfaces = [
+                ("endocardium", theme.endocardium),
+                ("epicardium", theme.epicardium),
+            ];
+            let labels = theme.labels.map(|colour| ("label", colour));
+            let clusters = theme.clusters.map(|colour| ("cluster", colour));
+            let marks: Vec<(&str, Color32)> = [&surfaces[..], &labels, &clusters].concat();
+            let behind = [
+                ("pane", theme.pane),
+                ("window", theme.window),
+                ("control", theme.control),
+                ("row", theme.selected_row),
+                ("hovered", theme.control_hovered),
+            ];
+            for (name, ground) in behind {
+                for (least, colours) in [(4.5, &texts[..]), (3.0, &marks)] {
+                    for (colour_name, colour) in colours {
+                        // Marks of labels and verdicts stand on rows and panes, not on buttons.
+                        let is_mark = ["abnormal", "normal", "unknown"].contains(colour_name);
+                        let least = if name == "hovered" && is_mark {
+                            3.0
+                        } else {
+                            least
+                        };
+                        let found = contrast(*colour, ground);
+                        assert!(
+                            found >= least,
+                            "{colour_name} {colour:?} on {name}: {found:.2}"
+                        );
+                    }
+                }
             }
             assert!(contrast(theme.on_accent, theme.accent) >= 4.5);
-            let marks = [theme.accent, theme.abnormal, theme.error, theme.warning];
-            for mark in marks.into_iter().chain(theme.clusters) {
-                assert!(contrast(mark, theme.pane) >= 3.0);
-            }
-            for (mark, behind) in (theme.labels.into_iter())
-                .flat_map(|mark| [theme.pane, theme.selected_row, theme.control].map(|b| (mark, b)))
-            {
-                assert!(contrast(mark, behind) >= 3.0, "{mark:?}");
-            }
         }
     }
 }

@@ -245,7 +245,7 @@ fn slider(criterion: &mut Criterion) {
                 moved += 1;
                 let mut settings = ThickeningSettings::default();
                 // Never twice the same, so that no answer is known.
-                settings.thickening.tolerance = Some(0.05 + 1e-7 * f64::from(moved));
+                settings.patches.tolerance = Some(0.05 + 1e-7 * f64::from(moved));
                 let query = WallThickeningQuery {
                     subject: 0,
                     settings,

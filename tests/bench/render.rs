@@ -1,7 +1,7 @@
 //! What a picture costs: sending 8 poses × 40,962 vertices, recording the draws while they play, and drawing in software.
 
 use std::hint::black_box;
-use std::sync::{Arc, Mutex};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Instant;
 
 use cardiomorph::mesh::{phantom, vertex_normals};
@@ -182,7 +182,18 @@ fn picture(criterion: &mut Criterion) {
     group.finish();
 }
 
+/// When the pass before ended, and the passes of a picture with their times in ms.
+type Passes = (Instant, Vec<(&'static str, f64)>);
+
+fn locked(passes: &Mutex<Passes>) -> MutexGuard<'_, Passes> {
+    passes.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Where the time of one picture goes: every pass submitted alone and waited for, the median of eleven pictures.
+#[expect(
+    clippy::print_stdout,
+    reason = "the table is what the bench is run for"
+)]
 fn passes(_: &mut Criterion) {
     let headless = match Headless::new() {
         Ok(headless) => headless,
@@ -207,7 +218,7 @@ fn passes(_: &mut Criterion) {
             let next = own.0.create_command_encoder(&Default::default());
             own.1.submit([std::mem::replace(encoder, next).finish()]);
             own.0.poll(wgpu::PollType::wait_indefinitely()).ok();
-            let mut taken = its.lock().unwrap();
+            let mut taken = locked(&its);
             let ms = 1e3 * taken.0.elapsed().as_secs_f64();
             taken.1.push((pass, ms));
             taken.0 = Instant::now();
@@ -217,7 +228,7 @@ fn passes(_: &mut Criterion) {
             let turn = 0.01 * f64::from(picture) as f32;
             let camera = level.turned(glam::Vec3::Z, turn, 0.0).fitted(&bounds, 1.6);
             let mut encoder = device.create_command_encoder(&Default::default());
-            taken.lock().unwrap().0 = Instant::now();
+            locked(&taken).0 = Instant::now();
             let view = ViewId(0);
             renderer.prepare(
                 &device,
@@ -230,7 +241,7 @@ fn passes(_: &mut Criterion) {
             );
             queue.submit([encoder.finish()]);
             let mut sums: Vec<(&str, f64)> = Vec::new();
-            for (pass, ms) in taken.lock().unwrap().1.drain(..) {
+            for (pass, ms) in locked(&taken).1.drain(..) {
                 match sums.iter_mut().find(|(known, _)| *known == pass) {
                     Some((_, sum)) => *sum += ms,
                     None => sums.push((pass, ms)),

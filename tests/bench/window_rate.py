@@ -26,22 +26,16 @@ SPAN_S = 8
 class Window:
     """The program on a screen of its own."""
 
-    def __init__(self, folder, size, command):
+    def __init__(self, folder, size, command, env, log=subprocess.DEVNULL):
         self.folder = pathlib.Path(folder)
         self.width, self.height = size
-        self.env = dict(
-            os.environ,
-            DISPLAY=f":{random.randint(300, 900)}",
-            XDG_RUNTIME_DIR=folder,
-            HOME=folder,
-            VK_INSTANCE_LAYERS="VK_LAYER_MESA_overlay",
-            VK_LAYER_MESA_OVERLAY_CONFIG=f"no_display,fps,frame,output_file={folder}/fps,fps_sampling_period=250",
-        )
+        display = f":{random.randint(300, 900)}"
+        self.env = dict(os.environ, DISPLAY=display, XDG_RUNTIME_DIR=folder, HOME=folder, **env)
         self.env.pop("WAYLAND_DISPLAY", None)
         screen = f"{self.width}x{self.height}x24"
-        self.screen = subprocess.Popen(["Xvfb", self.env["DISPLAY"], "-screen", "0", screen, "-nolisten", "tcp"], **QUIET)
+        self.screen = subprocess.Popen(["Xvfb", display, "-screen", "0", screen, "-nolisten", "tcp"], **QUIET)
         time.sleep(1)
-        self.program = subprocess.Popen(command, env=self.env, **QUIET)
+        self.program = subprocess.Popen(command, env=self.env, stdout=subprocess.DEVNULL, stderr=log)
         found = self.do("search", "--sync", "--onlyvisible", "--pid", self.program.pid)
         found = found or self.do("search", "--sync", "--onlyvisible", "--name", ".")
         window = found[-1]
@@ -59,9 +53,9 @@ class Window:
         fields = pathlib.Path(f"/proc/{self.program.pid}/stat").read_text().rsplit(")", 1)[1].split()
         return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
-    def resident_mb(self):
+    def resident_mb(self, field="VmRSS"):
         lines = pathlib.Path(f"/proc/{self.program.pid}/status").read_text().splitlines()
-        return int(next(line for line in lines if line.startswith("VmRSS")).split()[1]) / 1024
+        return int(next(line for line in lines if line.startswith(field)).split()[1]) / 1024
 
     def pictures(self):
         try:
@@ -153,7 +147,9 @@ def main():
     options = parser.parse_args()
     size = tuple(map(int, options.size.split("x")))
     with tempfile.TemporaryDirectory() as folder:
-        window = Window(folder, size, [options.program, *options.files])
+        layer = f"no_display,fps,frame,output_file={folder}/fps,fps_sampling_period=250"
+        env = {"VK_INSTANCE_LAYERS": "VK_LAYER_MESA_overlay", "VK_LAYER_MESA_OVERLAY_CONFIG": layer}
+        window = Window(folder, size, [options.program, *options.files], env)
         with contextlib.closing(window):
             time.sleep(options.settle)
             if options.soak:

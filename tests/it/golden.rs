@@ -92,12 +92,24 @@ fn window_after(
     commands: Vec<Command>,
     ready: impl Fn(&App) -> bool,
 ) -> Harness<'static, App> {
+    window_at(size, 1.0, theme, commands, ready)
+}
+
+/// The same with so many pixels to the point.
+fn window_at(
+    size: [f32; 2],
+    scale: f32,
+    theme: ThemeChoice,
+    commands: Vec<Command>,
+    ready: impl Fn(&App) -> bool,
+) -> Harness<'static, App> {
     let options = AppOptions::built_in(BuiltInParams {
         vertices: 1_000,
         ..BuiltInParams::default()
     });
     let mut harness: Harness<'_, App> = Harness::builder()
         .with_size(size)
+        .with_pixels_per_point(scale)
         .with_max_steps(64)
         .wgpu()
         .build_eframe(move |cc| App::new(cc, options).unwrap());

@@ -188,7 +188,7 @@ fn one_phase_alone_has_no_ejection_fraction() {
     let told = &both.study.subjects[0].notices;
     assert!(
         told.iter()
-            .any(|notice| notice.text.contains("both set to frame 0")),
+            .any(|notice| notice.text.contains("both frame 0")),
         "{told:?}"
     );
 }

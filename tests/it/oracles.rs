@@ -13,6 +13,8 @@ mod noise;
 #[cfg(test)]
 mod paths;
 #[cfg(test)]
+mod products;
+#[cfg(test)]
 mod sphere;
 #[cfg(test)]
 mod thickness;

@@ -7,13 +7,29 @@ mod beats;
 #[cfg(test)]
 mod early_figures;
 #[cfg(test)]
+mod edited_studies;
+#[cfg(test)]
+mod editing;
+#[cfg(test)]
 mod faults;
 #[cfg(test)]
+mod figure_looks;
+#[cfg(test)]
 mod figures;
+#[cfg(test)]
+mod ground;
 #[cfg(test)]
 mod maps;
 #[cfg(test)]
 mod medial;
+#[cfg(test)]
+mod pictures;
+#[cfg(test)]
+mod reading;
+#[cfg(test)]
+mod reading_figures;
+#[cfg(test)]
+mod typed_paths;
 #[cfg(test)]
 mod verdicts;
 #[cfg(test)]
@@ -50,16 +66,26 @@ fn window(options: AppOptions) -> Harness<'static, App> {
 
 /// Steps until `done`; fails after half a minute, which is long even for a busy machine.
 fn wait(harness: &mut Harness<'_, App>, what: &str, done: impl Fn(&App) -> bool) {
+    wait_up_to(30, harness, what, done);
+    harness.run_steps(2);
+}
+
+/// Steps until `done`; fails after so many seconds.
+fn wait_up_to(
+    limit_s: u64,
+    harness: &mut Harness<'_, App>,
+    what: &str,
+    done: impl Fn(&App) -> bool,
+) {
     let begin = Instant::now();
     while !done(harness.state()) {
         assert!(
-            begin.elapsed() < Duration::from_secs(30),
+            begin.elapsed() < Duration::from_secs(limit_s),
             "waited for {what}"
         );
         harness.step();
         std::thread::sleep(Duration::from_millis(3));
     }
-    harness.run_steps(2);
 }
 
 fn wait_for_heart(harness: &mut Harness<'_, App>) {
@@ -133,15 +159,26 @@ fn place_of_row(harness: &Harness<'_, App>, name: &str, map: &Embedding, row: us
 
 /// The built-in cohort in a folder, and its manifest.
 fn cohort_on_disk() -> (tempfile::TempDir, PathBuf) {
+    let folder = written_cohort(&["--vertices", "400"]);
+    let manifest = folder.path().join("study.toml");
+    (folder, manifest)
+}
+
+/// The built-in cohort in a folder of its own, as text files large enough to be shown while they are read.
+fn large_cohort_on_disk() -> tempfile::TempDir {
+    written_cohort(&["--vertices", "4000", "--format", "obj"])
+}
+
+fn written_cohort(options: &[&str]) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let status = std::process::Command::new(env!("CARGO_BIN_EXE_cardiomorph"))
-        .args(["demo", "--vertices", "400", "--out"])
+        .args(["demo", "--out"])
         .arg(folder.path())
+        .args(options)
         .status()
         .unwrap();
     assert!(status.success());
-    let manifest = folder.path().join("study.toml");
-    (folder, manifest)
+    folder
 }
 
 fn click_at(harness: &mut Harness<'_, App>, at: egui::Pos2) {

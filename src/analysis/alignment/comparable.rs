@@ -24,7 +24,7 @@ pub struct Comparable<'a> {
 pub struct LeftOut {
     /// Index into the study's subjects.
     pub subject: usize,
-    /// A sentence for the person who wonders.
+    /// Why, in a sentence.
     pub reason: String,
 }
 

@@ -62,7 +62,7 @@ pub fn align_poses(poses: &[&[Point3]], progress: &Progress) -> Result<Vec<Rigid
     Ok(motions.iter().map(|motion| motion.then(&back)).collect())
 }
 
-/// One rigid motion per sequence that lays sequences onto each other, leaving each beat as it is;
+/// One rigid motion per sequence that aligns sequences with each other and leaves each motion as it is;
 /// the first sequence stays where it is.
 ///
 /// Sequences are represented by the mean of their poses, and these are aligned with their mean by

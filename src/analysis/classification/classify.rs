@@ -170,7 +170,7 @@ pub fn classify(
         class_of_cluster: matching.class_of_cluster,
         ..Classes::default()
     };
-    // One class is told from nothing.
+    // With one class there is nothing to separate.
     if classes.names.len() < 2 {
         return Ok(classes);
     }

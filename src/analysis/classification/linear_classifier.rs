@@ -38,7 +38,7 @@ impl LinearClassifier {
 
     /// Cases classified correctly by the classifier trained without them.
     ///
-    /// The scatter S and the mean of the case's own class, of m cases, are freed of it exactly:
+    /// The scatter S and the mean of the case's own class, of m cases, without it are exact:
     /// S − m/(m−1) d dᵀ and m̄ − d/(m−1), d = x − m̄. So nothing is summed anew for each case.
     pub(super) fn correct(&self, classes: &[usize], scratch: &mut Scratch) -> usize {
         let right = self.right_cases(classes, 1, scratch);
@@ -131,7 +131,7 @@ impl LinearClassifier {
                 let mean = &means[class * width..][..width];
                 step.clear();
                 step.extend(here.iter().zip(mean).map(|(x, m)| x - m));
-                // Strictly: a case between two classes is told by neither.
+                // Strictly: a case between two classes belongs to neither.
                 distance < solved_norm2(factor, step)
             })
     }

@@ -18,8 +18,9 @@ use super::{
 /// The map is a plane.
 const DIMENSIONS: usize = 2;
 
-/// Fewer points always lie on a line.
-const FEWEST: usize = 3;
+/// Fewest subjects that have a deformation map. The columns of coordinates of locally linear embedding have mean 0 and
+/// length 1 and are orthogonal: three subjects are the corners of one and the same triangle however they move.
+pub const FEWEST_DEFORMATIONS: usize = 4;
 
 /// Why there is no deformation map.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -27,10 +28,12 @@ pub enum DeformationMapError {
     /// It was asked to stop.
     #[error("{0}")]
     Stopped(#[from] Stopped),
-    /// A plane needs three points.
-    #[error("a deformation map needs at least {FEWEST} of them, not {deformations}")]
+    /// Few subjects lie alike however they move.
+    #[error(
+        "a deformation map needs at least {FEWEST_DEFORMATIONS} subjects, and there are {deformations}"
+    )]
     TooFew {
-        /// Deformations there are.
+        /// Subjects with a deformation.
         deformations: usize,
     },
     /// The pose map is of other poses.
@@ -67,7 +70,7 @@ const MOST_AXES: usize = 64;
 /// Settings that ask for more neighbours than there are other rows get all of them; how many were used stands in the result.
 ///
 /// # Errors
-/// If stopped, there are fewer than three rows, or the embedding fails.
+/// If stopped, there are fewer than [`FEWEST_DEFORMATIONS`] rows, or the embedding fails.
 pub fn map_of_distances(
     distances: &DistanceMatrix,
     params: &CheckedDeformationMapParams,
@@ -116,7 +119,7 @@ pub fn map_of_parts(
 ///    subjects get all of them; how many were used stands in the result.
 ///
 /// # Errors
-/// If stopped, there are fewer than three subjects, or the embedding fails.
+/// If stopped, there are fewer than [`FEWEST_DEFORMATIONS`] subjects, or the embedding fails.
 pub fn deformation_map(
     study: &Study,
     poses: &[PoseId],
@@ -154,7 +157,7 @@ pub fn deformation_map(
 }
 
 fn refuse_too_few(deformations: usize) -> Result<(), DeformationMapError> {
-    if deformations < FEWEST {
+    if deformations < FEWEST_DEFORMATIONS {
         return Err(DeformationMapError::TooFew { deformations });
     }
     Ok(())

@@ -17,7 +17,9 @@ mod result;
 
 pub use curve::resampled;
 pub use distances::{DeformationDistances, deformation_distances, distances_at_equal_phases};
-pub use map::{DeformationMapError, deformation_map, map_of_distances, map_of_parts};
+pub use map::{
+    DeformationMapError, FEWEST_DEFORMATIONS, deformation_map, map_of_distances, map_of_parts,
+};
 pub use params::{
     CheckedDeformationMapParams, Comparison, DeformationMapParams, DeformationParamError,
     PartWeights, default_neighbours,

@@ -176,7 +176,12 @@ fn one_way_at_another_speed_differs_only_by_its_time() {
     let steady = ellipse(16, 2.0, 1.0);
     let mut hurried = steady.clone();
     hurried.times = Some((0..16).map(|i| (f64::from(i) / 16.0).powi(2)).collect());
-    let ways = [steady, hurried, ellipse(16, 1.0, 2.0)];
+    let ways = [
+        steady,
+        hurried,
+        ellipse(16, 1.0, 2.0),
+        ellipse(16, 1.0, 1.0),
+    ];
     let without_time = mapped(
         &ways,
         DeformationMapParams {
@@ -195,7 +200,12 @@ fn a_time_that_all_curves_share_counts_after_resampling_and_not_before() {
     // Both go once to the right and back; the second is fast where the first is slow.
     let slow_start = way([[0.0, 0.0], [0.1, 0.0], [1.0, 0.0], [0.1, 0.0]]);
     let fast_start = way([[0.0, 0.0], [0.9, 0.0], [1.0, 0.0], [0.9, 0.0]]);
-    let ways = [slow_start, fast_start, ellipse(4, 1.0, 1.0)];
+    let ways = [
+        slow_start,
+        fast_start,
+        ellipse(4, 1.0, 1.0),
+        ellipse(4, 2.0, 1.0),
+    ];
     let squared = |a: &[[f64; 3]], b: &[[f64; 3]]| -> f64 {
         (a.iter().flatten().zip(b.iter().flatten()))
             .map(|(a, b)| (a - b).powi(2))
@@ -303,7 +313,12 @@ fn beats_are_compared_from_end_diastole_on() {
     let shifted = between(&[begins.clone(), recorded_later.clone()]);
     assert!(shifted.get(0, 1) > 0.5);
     recorded_later.end_diastole = Some(3);
-    let ways = [begins, recorded_later, ellipse(8, 1.0, 1.0)];
+    let ways = [
+        begins,
+        recorded_later,
+        ellipse(8, 1.0, 1.0),
+        ellipse(8, 1.0, 2.0),
+    ];
     assert!(between(&ways).get(0, 1) < 1e-12);
     let map = mapped(&ways, DeformationMapParams::default());
     assert!(apart(&map.curves[0], &map.curves[1]) < 1e-12);
@@ -318,35 +333,19 @@ fn times_that_make_no_beat_are_taken_as_even() {
 }
 
 #[test]
-fn neighbours_grow_with_the_cohort_and_never_exceed_it() {
-    assert_eq!(
-        [0, 1, 3, 4, 20, 23, 100].map(params::neighbours_of_curves),
-        [0, 0, 2, 3, 10, 12, 50]
-    );
-    assert_eq!(
-        [0, 1, 4, 23, 80, 100, 120, 900].map(default_neighbours),
-        [0, 0, 3, 8, 8, 10, 12, 12]
-    );
-    let ways = vec![ellipse(6, 2.0, 1.0); 4];
-    let asked = DeformationMapParams {
-        neighbours: Some(30),
-        ..DeformationMapParams::default()
-    };
-    assert_eq!(mapped(&ways, asked).embedding.neighbours, Some(3));
-}
-
-#[test]
 fn what_makes_no_map_is_said_with_its_numbers() {
-    let ways = vec![ellipse(6, 2.0, 1.0); 2];
+    let ways = vec![ellipse(6, 2.0, 1.0); 3];
     let params = DeformationMapParams::default().check().unwrap();
     let ask = |poses: &[PoseId], map: &Embedding| {
         let progress = Progress::default();
         deformation_map(&study_of(&ways), poses, map, &params, &progress).unwrap_err()
     };
     let few = ask(&poses_of(&ways), &map_of(&ways));
-    assert_eq!(few, DeformationMapError::TooFew { deformations: 2 });
+    assert_eq!(few, DeformationMapError::TooFew { deformations: 3 });
+    let words = "a deformation map needs at least 4 subjects, and there are 3";
+    assert_eq!(few.to_string(), words);
     let other = ask(&poses_of(&ways), &map_of(&ways[..1]));
-    assert_eq!(other.to_string(), "a map of 6 poses was given for 12 poses");
+    assert_eq!(other.to_string(), "a map of 6 poses was given for 18 poses");
     let wrong = |params: DeformationMapParams| params.check().unwrap_err().to_string();
     let default = DeformationMapParams::default;
     let weight = DeformationMapParams {

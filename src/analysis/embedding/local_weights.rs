@@ -1,4 +1,4 @@
-//! Every item as a mean of its neighbours: the weights that say how space is laid out around it.
+//! Every item as a mean of its neighbours: the weights that describe its neighbourhood.
 
 use rayon::prelude::*;
 

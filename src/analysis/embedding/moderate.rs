@@ -5,7 +5,7 @@ use crate::numeric::moderate_unit;
 
 use super::{Embedding, EmbeddingError};
 
-/// The map of distances, made in a unit in which their squares neither overflow nor vanish, and told in theirs.
+/// The map of distances, made in a unit in which their squares neither overflow nor vanish, and given in theirs.
 ///
 /// # Errors
 /// As `map`, and if a coordinate is beyond the largest number.

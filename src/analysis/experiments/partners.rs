@@ -53,7 +53,7 @@ impl PartnerParams {
         let smoothing = PoseDistanceParams::default().smoothing;
         let printed = Method::printed();
         let smoothed = Method {
-            name: "printed, sums of the text",
+            name: "printed, raw corners, unweighted",
             distances: PoseDistanceParams {
                 smoothing,
                 ..printed.distances
@@ -82,7 +82,7 @@ impl PartnerParams {
                 },
                 smoothed,
                 Method {
-                    name: "printed, sums of the text, not smoothed",
+                    name: "printed, raw corners, unweighted, not smoothed",
                     ..printed
                 },
             ]

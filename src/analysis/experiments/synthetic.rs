@@ -121,7 +121,7 @@ fn check(params: &SyntheticParams) -> Result<(), ExperimentError> {
     Ok(())
 }
 
-/// The jittered object at every amplitude, laid anywhere in space.
+/// The jittered object at every amplitude, placed anywhere in space.
 fn deformed(
     template: &TriMesh,
     motion: Motion,

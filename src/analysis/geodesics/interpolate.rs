@@ -14,7 +14,7 @@ const USUAL_EVALUATIONS: usize = 60;
 
 /// The path from `start` to `end` that minimises the path energy.
 ///
-/// Ends are taken as they lie: where one is turned or shifted against the other, that is charged
+/// Ends are taken as they lie: where one is turned or shifted against the other, that counts
 /// as far as the metric penalises it; align them first if it should not be.
 /// Stopped, it gives the best path so far, marked as such.
 ///

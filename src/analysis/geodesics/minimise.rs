@@ -1,4 +1,4 @@
-//! The search for the cheapest path on one mesh, from few interpolated poses to many.
+//! The search for the path of least energy on one mesh, from few interpolated poses to many.
 
 use crate::analysis::metrics::{MetricError, PathEnergy};
 use crate::numeric::{Ending, LbfgsParams, Objective, lbfgs};
@@ -19,7 +19,7 @@ pub(super) struct Inner {
     pub stopped: bool,
 }
 
-/// When to be content.
+/// When the search ends.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Content {
     pub tolerance: f64,
@@ -66,7 +66,7 @@ pub(super) fn improve(
     inner.stopped = found.ending == Ending::Stopped;
 }
 
-/// In-betweens of each level: 1, 3, 7, … and last what is asked for.
+/// Interpolated poses of each level: 1, 3, 7, … and last what is asked for.
 ///
 /// Bisecting does not pay where the preconditioner inverts the coupling in time: many poses then take
 /// about as many iterations as few, and the levels before are lost time.
@@ -113,7 +113,7 @@ pub(super) fn resampled(
     out
 }
 
-/// Finds the cheapest path: starts with few interpolated poses, bisects, and improves each time.
+/// Finds the path of least energy: starts with few interpolated poses, bisects, and improves each time.
 pub(super) fn cheapest(
     energy_of: impl Fn(usize) -> Result<PathEnergy, MetricError>,
     stiffness: Option<&Stiffness>,

@@ -1,4 +1,4 @@
-//! Which poses lie between two poses, when the way costs what the metric says?
+//! Which poses lie between two poses, on the path of least energy in a metric?
 //!
 //! The path from one pose to another that minimises the path energy
 //! E = Σ_i ⟨⟨X_i, X_i⟩⟩ at M_i + ⟨⟨X_i, X_i⟩⟩ at M_{i+1}, with X_i = M_{i+1} − M_i.

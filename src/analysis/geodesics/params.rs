@@ -1,11 +1,11 @@
-//! Which metric, how many poses between, and when to be content.
+//! Which metric, how many interpolated poses, and when the search ends.
 
 use crate::analysis::metrics::{CheckedMetricParams, MetricParams, ParamError};
 
 /// Settings of a geodesic; [`GeodesicParams::check`] makes them usable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct GeodesicParams {
-    /// What the way costs.
+    /// The metric of the path energy.
     pub metric: MetricParams,
     /// Poses between the two ends.
     pub interpolated_poses: u16,

@@ -3,7 +3,7 @@
 use crate::analysis::metrics::MetricError;
 use crate::mesh::Point3;
 
-/// Poses from one end to the other, both included, and what the way costs.
+/// Poses from one end to the other, both included, with their energy.
 #[derive(Clone, Debug, PartialEq)]
 pub struct GeodesicPath {
     /// Start, interpolated poses, end.
@@ -20,7 +20,9 @@ pub struct GeodesicPath {
     pub self_intersections: usize,
     /// Whether the tolerance was met, so that the path is a geodesic to that tolerance.
     pub converged: bool,
-    /// Whether the search brought nothing below the straight line, which is then given: it is not known to be a geodesic.
+    /// Whether what the search brought costs more than the straight line, or is no number: that line is then given, and
+    /// not known to be a geodesic. A search that begins at the straight line and finds nothing cheaper has converged on
+    /// it instead.
     pub fell_back: bool,
     /// Whether the computation was stopped; the path is then the best so far, and
     /// self-intersections may not all have been counted.

@@ -1,4 +1,4 @@
-//! Many paths on one connectivity, each the cheapest between its ends.
+//! Many paths on one connectivity, each of least energy between its ends.
 
 use crate::analysis::metrics::{CurvatureRole, Metric, MetricError, PathEnergy};
 use crate::mesh::{Decimation, Faces, Point3, crossing_faces};
@@ -244,7 +244,7 @@ impl GeodesicSolver {
     }
 
     /// Goes on from a prolonged path on all vertices: coarse offsets bend what the coarse mesh does not have, and alone
-    /// cost more than the straight line on most subjects.
+    /// may cost more than the straight line.
     fn relax(
         &self,
         [start, end]: [&[Point3]; 2],

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use crate::mesh::{Point3, bounding_box};
+use crate::numeric::in_waves;
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::WallDoubt;
 use crate::study::{Study, Subject};
@@ -39,11 +40,11 @@ pub fn measure_study(study: &Study, progress: &Progress) -> Result<Vec<SubjectMe
         .map(|subject| subject.sequence.frame_count())
         .sum();
     progress.expect_steps(frames);
-    study
-        .subjects
-        .par_iter()
-        .map(|subject| measure(subject, progress))
-        .collect()
+    in_waves(&study.subjects, 1, |wave| {
+        (wave.par_iter())
+            .map(|subject| measure(subject, progress))
+            .collect()
+    })
 }
 
 /// Why volumes of a subject are `None`.
@@ -172,7 +173,7 @@ fn constant(frames: &[FrameMeasures]) -> bool {
     first.is_some_and(|first| volumes.all(|volume| equal(first, volume)))
 }
 
-/// A single frame is end-diastole and has no end-systole, or what the input says it is, so that no beat is made up.
+/// A single frame is end-diastole and has no end-systole, or what the input says it is, so that no motion is made up.
 fn find_phases(subject: &Subject, measured: &mut SubjectMeasures) {
     let count = measured.frames.len();
     let volumes: Vec<(usize, f64)> = measured

@@ -1,5 +1,6 @@
 //! Clinical measures as plain values.
 
+use crate::study::checks::both_phases_at;
 use crate::units::{Grams, LengthUnit};
 
 /// Where the frames of end-diastole and end-systole come from.
@@ -54,10 +55,7 @@ impl std::fmt::Display for MeasureNote {
                 )
             }
             Self::OneFrame => write!(f, "one frame: no ESV, no ejection fraction"),
-            Self::SameFrame(frame) => write!(
-                f,
-                "end-diastole and end-systole would both be frame {frame}: no ejection fraction"
-            ),
+            Self::SameFrame(frame) => write!(f, "{}", both_phases_at(*frame)),
             Self::EqualVolumes => write!(
                 f,
                 "the cavity has the same volume at end-diastole and end-systole: no ejection fraction"
@@ -74,7 +72,7 @@ pub struct SubjectMeasures {
     pub unit: LengthUnit,
     /// One per frame.
     pub frames: Vec<FrameMeasures>,
-    /// Frame of the greatest filling; `None` where no volume can be told.
+    /// Frame of the greatest filling; `None` where no volume is known.
     pub end_diastole: Option<usize>,
     /// Frame of the least filling.
     pub end_systole: Option<usize>,

@@ -95,7 +95,7 @@ pub fn wall_sides(sequence: &MeshSequence) -> WallSides<'_> {
     sides
 }
 
-/// The inner and the outer side of a wall given as one surface, told at its first frame.
+/// The inner and the outer side of a wall given as one surface, determined at its first frame.
 ///
 /// # Errors
 /// If the wall is open, of more than two sheets, or its inner side cannot be determined.

@@ -1,4 +1,4 @@
-//! How rough surfaces are, told from themselves.
+//! How rough surfaces are, estimated from themselves.
 
 use super::connectivity::Connectivity;
 use crate::mesh::{Point3, Vector3, vertex_normals};

@@ -18,7 +18,7 @@ pub(super) struct Connectivity {
     pub flat_rad: Vec<f64>,
     /// Whether a vertex has a surrounding of its own: a face, and no boundary.
     pub inside: Vec<bool>,
-    /// 1 over the most vertices that are one or beside one.
+    /// 1 over the largest number of vertices in a neighbourhood, the vertex included.
     shrink: f64,
     /// Where the neighbours of each vertex begin in `neighbours`, and where the last ones end.
     first_neighbour: Vec<u32>,

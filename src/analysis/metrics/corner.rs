@@ -52,7 +52,7 @@ pub(super) fn energy<T: Arithmetic>(t: [T; 3], printed: bool) -> T {
     }
 }
 
-/// Slope of [`energy`] along each term; where printed, the subgradient that is 0 at 0.
+/// Derivative of [`energy`] along each term; where printed, the subgradient that is 0 at 0.
 #[inline(always)]
 pub(super) fn energy_gradient<T: Arithmetic>(t: [T; 3], printed: bool) -> [T; 3] {
     let two = T::splat(2.0);
@@ -84,7 +84,7 @@ pub(super) fn cotangents<T: Arithmetic>((doubled_area, products): (T, [T; 3])) -
     three(|c| products[c].over(doubled_area))
 }
 
-/// Angles at the corners, in radians; the third is what two lack of half a turn.
+/// Angles at the corners, in radians; the third is π less the two others.
 #[inline(always)]
 pub(super) fn angles_rad((doubled_area, products): (Lanes, [Lanes; 3])) -> [Lanes; 3] {
     let half_turn = Lanes::splat(PI);
@@ -109,7 +109,7 @@ pub(super) fn angles_rad((doubled_area, products): (Lanes, [Lanes; 3])) -> [Lane
     ]
 }
 
-/// Slope along the relative lengths of the sides ab, bc, ca of Σ_c g_c θ_c, θ the angles at a, b, c.
+/// Derivative along the relative lengths of the sides ab, bc, ca of Σ_c g_c θ_c, θ the angles at a, b, c.
 ///
 /// By the law of cosines dθ_a = cot c (s₁ − s₂) + cot b (s₁ − s₀) with s the rates of relative length.
 #[inline(always)]

@@ -1,10 +1,10 @@
-//! What a face costs per weight, and the slopes of that; for one pose or for several side by side.
+//! Energy of a face per unit of weight, with its derivatives; for one pose or for several side by side.
 
 use crate::numeric::{Arithmetic, three};
 
 use super::corner::{corner_terms, energy, energy_gradient, raw_units, times};
 
-/// A charge with its slopes along the stretches and squared lengths of the sides ab, bc, ca, and along
+/// An energy with its derivatives along the stretches and squared lengths of the sides ab, bc, ca, and along
 /// the factors of the corners a, b, c.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FaceEnergy<T> {

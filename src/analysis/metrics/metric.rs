@@ -1,4 +1,4 @@
-//! What a metric is made of. What it is asked for stands in `pair.rs`, `fields.rs`, `contributions.rs` and `path_energy.rs`.
+//! A metric with its connectivity, and what it answers. Its methods stand in `pair.rs`, `fields.rs`, `contributions.rs` and `path_energy.rs`.
 
 use crate::mesh::Faces;
 

@@ -28,7 +28,7 @@ pub(super) fn stretches(
     // The memory of the pair before is used again: a matrix allocates nothing per pair.
     out.resize(count, [0.0; 2]);
     let r: [[f64; 3]; 3] = [0, 1, 2].map(|row| [0, 1, 2].map(|column| rotation[(row, column)]));
-    // Equal lengths, told to the compiler, let it drop the checks and use vector instructions.
+    // Equal lengths that the compiler can see let it drop the checks and use vector instructions.
     let [ax, ay, az] = a.edge_axes.each_ref().map(|axis| &axis[..count]);
     let [bx, by, bz] = b.edge_axes.each_ref().map(|axis| &axis[..count]);
     let (over_a, over_b) = (&a.inverse_length2[..count], &b.inverse_length2[..count]);

@@ -1,7 +1,7 @@
 //! Energy of a path of poses and its exact gradient.
 //!
 //! Steps go side by side in lanes, so that every formula is computed for four of them at once and no
-//! face waits for another. All measures of a pose are lengths, areas and angles of its faces: their slopes
+//! face waits for another. All measures of a pose are lengths, areas and angles of its faces: derivatives
 //! are collected on squared lengths of edges and brought to the vertices in one pass at the end.
 
 mod backpropagation;
@@ -84,7 +84,7 @@ impl PathEnergy {
     /// not by that of each pose.
     ///
     /// For searches: where displacement is relative to the size of each pose, the way is shorter for poses
-    /// that swell, since that makes every step a smaller part of them. The volume of the horse between
+    /// that swell, since that makes every step a smaller part of them. The volume of a test mesh (a horse) between
     /// two poses of its gallop then rises by 7 % with λ = 3 where it should stay.
     #[must_use]
     pub fn with_size_of_ends(mut self) -> Self {
@@ -164,7 +164,7 @@ impl Metric {
         a: &[Point3],
         b: &[Point3],
     ) -> Result<(PairNorms, [Vec<Vector3>; 2]), MetricError> {
-        // A path that waits at both ends: waiting costs nothing, and has no slope.
+        // A path that waits at both ends: waiting costs nothing, and has no gradient.
         // With two interpolated poses, both poses of the step are free and so have a gradient.
         let mut path = PathEnergy::new(self, a, b, 2)?;
         let inner: Vec<f64> = (a.iter().chain(b))

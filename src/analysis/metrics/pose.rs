@@ -90,6 +90,20 @@ impl PreparedPose {
         [&self.axes[0], &self.axes[1], &self.axes[2]]
     }
 
+    /// Memory that it holds.
+    pub fn bytes(&self) -> usize {
+        let lists = [
+            &self.inverse_length2,
+            &self.length2,
+            &self.face_weight,
+            &self.vertex_share,
+            &self.curvature,
+        ];
+        let axes = self.axes.iter().chain(&self.edge_axes);
+        let numbers: usize = axes.chain(lists).map(Vec::len).sum();
+        size_of::<Self>() + numbers * size_of::<f64>()
+    }
+
     /// Mean of the vertices.
     pub fn centroid(&self) -> Vector3 {
         self.centroid

@@ -69,7 +69,7 @@ pub fn rigid_part(points: &[Point3], weights: &[f64], field: &[Vector3]) -> Rigi
     }
 }
 
-/// Σ_p w_p X'_p·Y'_p with X', Y' freed of their own rigid parts.
+/// Σ_p w_p X'_p·Y'_p with X', Y' without their own rigid parts.
 pub(super) fn rigid_product(
     points: &[Point3],
     weights: &[f64],

@@ -38,7 +38,7 @@ impl Metric {
             }
         };
         let (curvature, displacement) = (share(curvature), share(displacement));
-        (energy > 0.0).then(|| EnergyShares {
+        (energy > 0.0).then_some(EnergyShares {
             own: 1.0 - curvature - displacement,
             curvature,
             displacement,

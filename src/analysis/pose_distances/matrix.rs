@@ -1,5 +1,6 @@
 //! All pairs of poses, in parallel, with the same bits for any number of threads.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use rayon::prelude::*;
@@ -10,9 +11,11 @@ use crate::analysis::alignment::{
 use crate::analysis::metrics::{Metric, PairScratch, PreparedPose};
 use crate::analysis::transport::transport_cohort;
 use crate::mesh::Faces;
+use crate::numeric::in_waves;
 use crate::progress::{Progress, Stopped};
 use crate::study::Study;
 
+use super::bands::{Bands, PREPARED_BYTES, WAVE};
 use super::known::KnownRows;
 use super::smooth::smoothed_study;
 use super::source::{Source, own_sources, poses_of, transported_sources};
@@ -66,7 +69,7 @@ pub fn pose_distances_where(
     needed: &Needed<'_>,
     progress: &Progress,
 ) -> Result<PoseDistances, PoseDistanceError> {
-    Ok(computed(study, params, None, needed, progress)?.distances)
+    Ok(computed(study, params, (None, needed), PREPARED_BYTES, progress)?.distances)
 }
 
 /// Which pairs are computed.
@@ -92,14 +95,21 @@ pub fn pose_distances_knowing(
     known: Option<&KnownDistances<'_>>,
     progress: &Progress,
 ) -> Result<ComputedDistances, PoseDistanceError> {
-    computed(study, params, known, &|_, _| true, progress)
+    computed(
+        study,
+        params,
+        (known, &|_, _| true),
+        PREPARED_BYTES,
+        progress,
+    )
 }
 
+/// The same of the pairs that are needed, with at most so many bytes of poses made ready for comparison at a time.
 fn computed(
     study: &Study,
     params: &CheckedPoseDistanceParams,
-    known: Option<&KnownDistances<'_>>,
-    needed: &Needed<'_>,
+    (known, needed): (Option<&KnownDistances<'_>>, &Needed<'_>),
+    bytes: usize,
     progress: &Progress,
 ) -> Result<ComputedDistances, PoseDistanceError> {
     let (comparable, left_out) = comparable_subjects(study);
@@ -126,7 +136,15 @@ fn computed(
     let metric = Metric::new(&faces.unwrap_or_else(|| Faces::joined(&[])), params.metric);
     let Some(transport) = &params.transport else {
         let sources = own_sources(&comparable);
-        return compared(study, &metric, known, needed, &sources, left_out, progress);
+        let within = (study, bytes);
+        return compared(
+            within,
+            &metric,
+            (known, needed),
+            &sources,
+            left_out,
+            progress,
+        );
     };
     let transporting = progress.part(
         "transporting all motions onto one subject",
@@ -138,16 +156,20 @@ fn computed(
     let left_out = cohort.left_out.clone();
     let comparing = progress.part("comparing poses", TRANSPORT_SHARE, 1.0);
     compared(
-        study, &metric, known, needed, &sources, left_out, &comparing,
+        (study, bytes),
+        &metric,
+        (known, needed),
+        &sources,
+        left_out,
+        &comparing,
     )
 }
 
 /// Prepares poses and computes the pairs that are not known.
 fn compared(
-    study: &Study,
+    (study, bytes): (&Study, usize),
     metric: &Metric,
-    known: Option<&KnownDistances<'_>>,
-    needed: &Needed<'_>,
+    (known, needed): (Option<&KnownDistances<'_>>, &Needed<'_>),
     sources: &[Source<'_>],
     mut left_out: Vec<LeftOut>,
     progress: &Progress,
@@ -155,20 +177,20 @@ fn compared(
     let pairs = sources.len() * sources.len().saturating_sub(1) / 2;
     progress.expect_steps(sources.len() + pairs);
     // Once per pose, not once per pair: areas, edges and curvature depend on one pose alone.
-    let prepared = prepare(metric, sources, progress)?;
-    leave_out_unprepared(sources, &prepared, &mut left_out);
-    let (poses, prepared): (Vec<PoseId>, Vec<PreparedPose>) = (sources.iter().zip(prepared))
-        // One unusable frame takes the whole subject out, since its motion would have a gap.
-        .filter(|(source, _)| {
-            left_out
-                .iter()
-                .all(|left| left.subject != source.pose.subject)
+    let (mut bands, usable) = Bands::new(metric, sources, (bytes, BLOCK), progress)?;
+    leave_out_unprepared(sources, &usable, &mut left_out);
+    // One unusable frame takes the whole subject out, since its motion would have a gap.
+    let kept: Vec<bool> = (sources.iter())
+        .map(|source| {
+            let mut others = left_out.iter();
+            others.all(|left| left.subject != source.pose.subject)
         })
-        .filter_map(|(source, prepared)| Some((source.pose, prepared?)))
-        .unzip();
+        .collect();
+    bands.keep(&usable, &kept);
+    let poses: Vec<PoseId> = bands.sources().iter().map(|source| source.pose).collect();
     let rows = KnownRows::of(known, study, &poses);
     let needed = |i: usize, j: usize| needed(poses[i], poses[j]);
-    let (distances, new_pairs) = all_pairs(metric, &prepared, &rows, needed, progress)?;
+    let (distances, new_pairs) = all_pairs(metric, &bands, &rows, needed, progress)?;
     Ok(ComputedDistances {
         distances: PoseDistances {
             poses,
@@ -179,29 +201,10 @@ fn compared(
     })
 }
 
-/// One entry per source: `None` where lengths overflow.
-fn prepare(
-    metric: &Metric,
-    sources: &[Source<'_>],
-    progress: &Progress,
-) -> Result<Vec<Option<PreparedPose>>, Stopped> {
-    sources
-        .par_iter()
-        .map(|source| {
-            progress.step()?;
-            Ok(metric.prepare(&source.normalised()).ok())
-        })
-        .collect()
-}
-
-fn leave_out_unprepared(
-    sources: &[Source<'_>],
-    prepared: &[Option<PreparedPose>],
-    left_out: &mut Vec<LeftOut>,
-) {
-    for (source, prepared) in sources.iter().zip(prepared) {
+fn leave_out_unprepared(sources: &[Source<'_>], usable: &[bool], left_out: &mut Vec<LeftOut>) {
+    for (source, usable) in sources.iter().zip(usable) {
         let subject = source.pose.subject;
-        if prepared.is_none() && left_out.iter().all(|left| left.subject != subject) {
+        if !usable && left_out.iter().all(|left| left.subject != subject) {
             left_out.push(LeftOut {
                 subject,
                 reason: format!(
@@ -221,26 +224,35 @@ fn assembled(poses: &[PoseId], rows: &KnownRows<'_>) -> DistanceMatrix {
         .unwrap_or_else(DistanceMatrix::empty)
 }
 
-/// Every pair that is needed once, block by block; blocks are placed by number, whoever did them.
+/// Every pair that is needed once, band by band and block by block; numbers are placed by their pair, whoever did it.
 fn all_pairs(
     metric: &Metric,
-    poses: &[PreparedPose],
+    bands: &Bands<'_>,
     known: &KnownRows<'_>,
     needed: impl Fn(usize, usize) -> bool + Sync,
     progress: &Progress,
 ) -> Result<(DistanceMatrix, usize), Stopped> {
-    let count = poses.len();
-    let blocks = count.div_ceil(BLOCK);
-    // Blocks on and right of the diagonal: the matrix is symmetric.
-    let tasks: Vec<[usize; 2]> = (0..blocks)
-        .flat_map(|row| (row..blocks).map(move |column| [row, column]))
-        .collect();
+    let (count, length) = (bands.sources().len(), bands.length());
     let computed = AtomicUsize::new(0);
-    let done: Vec<Vec<f64>> = tasks
-        .par_iter()
-        .map_init(PairScratch::default, |scratch, &task| {
-            block_pairs(task, count)
-                .map(|(i, j)| {
+    let mut upper = vec![0.0; count * count.saturating_sub(1) / 2];
+    for row in 0..count.div_ceil(length) {
+        let ours = bands.band(row, progress)?;
+        for column in row..count.div_ceil(length) {
+            let theirs = match row == column {
+                true => Arc::clone(&ours),
+                false => bands.band(column, progress)?,
+            };
+            // Blocks on and right of the diagonal: the matrix is symmetric.
+            let blocks = |band: usize| {
+                let end = ((band + 1) * length).min(count);
+                (band * length / BLOCK)..end.div_ceil(BLOCK)
+            };
+            let tasks: Vec<[usize; 2]> = blocks(row)
+                .flat_map(|row| blocks(column).map(move |column| [row, column]))
+                .filter(|[row, column]| row <= column)
+                .collect();
+            let pair =
+                |(i, j): (usize, usize), scratch: &mut PairScratch| -> Result<f64, Stopped> {
                     progress.step()?;
                     if !needed(i, j) {
                         return Ok(0.0);
@@ -250,15 +262,22 @@ fn all_pairs(
                     }
                     // Only a count; nothing is ordered by it.
                     computed.fetch_add(1, Ordering::Relaxed);
-                    Ok(aligned_distance(metric, &poses[i], &poses[j], scratch))
-                })
-                .collect()
-        })
-        .collect::<Result<_, Stopped>>()?;
-    let mut upper = vec![0.0; count * count.saturating_sub(1) / 2];
-    for (task, values) in tasks.into_iter().zip(done) {
-        for ((i, j), value) in block_pairs(task, count).zip(values) {
-            upper[i * count - i * (i + 1) / 2 + j - i - 1] = value;
+                    let (a, b) = (&ours[i - row * length], &theirs[j - column * length]);
+                    Ok(aligned_distance(metric, a, b, scratch))
+                };
+            let done: Vec<Vec<f64>> = in_waves(&tasks, WAVE, |wave| {
+                (wave.par_iter())
+                    .map_init(PairScratch::default, |scratch, &task| {
+                        let pairs = block_pairs(task, count);
+                        pairs.map(|ij| pair(ij, scratch)).collect()
+                    })
+                    .collect()
+            })?;
+            for (task, values) in tasks.into_iter().zip(done) {
+                for ((i, j), value) in block_pairs(task, count).zip(values) {
+                    upper[i * count - i * (i + 1) / 2 + j - i - 1] = value;
+                }
+            }
         }
     }
     let matrix = DistanceMatrix::from_upper(count, upper).unwrap_or_else(DistanceMatrix::empty);

@@ -1,5 +1,6 @@
 //! How far is every pose of every subject from every other?
 
+mod bands;
 mod error;
 mod known;
 mod matrix;

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 
 use crate::analysis::metrics::Smoother;
 use crate::mesh::{Faces, TriMesh};
+use crate::numeric::in_waves;
 use crate::progress::{Progress, Stopped};
 use crate::study::{MeshSequence, Study, Subject, SurfaceSequence};
 
@@ -38,18 +39,19 @@ pub fn smoothed_study(study: &Study, radius: f64, progress: &Progress) -> Result
             smoothers.insert(address(faces), smoother);
         }
     }
-    let subjects = (study.subjects.par_iter())
-        .map(|subject| {
-            let sequence = smoothed_sequence(&subject.sequence, &smoothers, progress)?;
-            Ok(match sequence {
-                Some(sequence) => Arc::new(Subject {
-                    sequence,
-                    ..(**subject).clone()
-                }),
-                None => Arc::clone(subject),
-            })
+    let smoothed = |subject: &Arc<Subject>| -> Result<Arc<Subject>, Stopped> {
+        let sequence = smoothed_sequence(&subject.sequence, &smoothers, progress)?;
+        Ok(match sequence {
+            Some(sequence) => Arc::new(Subject {
+                sequence,
+                ..(**subject).clone()
+            }),
+            None => Arc::clone(subject),
         })
-        .collect::<Result<_, Stopped>>()?;
+    };
+    let subjects = in_waves(&study.subjects, 1, |wave| {
+        wave.par_iter().map(smoothed).collect()
+    })?;
     Ok(Study {
         subjects,
         ..study.clone()

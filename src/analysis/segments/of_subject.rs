@@ -42,7 +42,7 @@ pub fn long_axis(subject: &Subject, frame: usize) -> Result<LongAxis, SegmentErr
     Ok(with_cavity(axis, &sides, frame))
 }
 
-/// Where the vertices of the surface of the inner side lie, told at one frame, end-diastole.
+/// Where the vertices of the surface of the inner side lie, determined at one frame, end-diastole.
 ///
 /// # Errors
 /// As [`long_axis`].

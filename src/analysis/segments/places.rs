@@ -67,7 +67,7 @@ fn wall_depth(axis: &LongAxis, point: Point3) -> Option<f64> {
 /// vertex stays in its segment wherever it moves.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Places {
-    /// The axis by which they were told.
+    /// The axis by which they were determined.
     pub axis: LongAxis,
     /// Per vertex, where it is drawn.
     pub polar: Vec<Polar>,

@@ -15,7 +15,7 @@ const MAX_AVERAGING: f64 = 4.0;
 const MAX_NOISE: f64 = 0.05;
 /// Least thickening of remote myocardium, in standard deviations of averaged noise, that is thickening at all.
 const SURE: f64 = 3.0;
-/// How much larger a patch must be where too few poses are there to tell it from what one of them has wrong.
+/// How much larger a patch must be where too few poses are there to distinguish it from an error of one of them.
 ///
 /// With two poses an error of either contour that neighbours share looks as stillness does. Of the 20 normal
 /// subjects of ACDC (ED and ES) 7 have such a place of 2 % and more, 2 one of 4 %; all 20 infarcted ones have a patch either way.

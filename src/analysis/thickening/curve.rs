@@ -81,13 +81,13 @@ impl ThickeningCurve {
         }
     }
 
-    /// What a wall of a thickening adds to ln r from one pose to another.
+    /// What a wall of this thickening adds to ln r from one pose to another.
     pub fn step(&self, thickening: f64, from: usize, to: usize) -> f64 {
         // All of the wall follows one curve: a step is its part of the way from ED to ES.
         thickening * (self.shape[to] - self.shape[from]) / self.rise.max(f64::EPSILON)
     }
 
-    /// Thickening of each atom, ln PT from end-diastole to end-systole as all poses tell it:
+    /// Thickening of each atom, ln PT from end-diastole to end-systole from all poses:
     /// (xᵢ · c) (c(ES) − c(ED)), which is ln(r(ES) / r(ED)) where there are two poses.
     pub fn thickening(&self, columns: &[Vec<f64>]) -> Vec<f64> {
         let mut sums = vec![0.0; columns.first().map_or(0, Vec::len)];

@@ -1,4 +1,4 @@
-//! How much of ln r is noise, told from the data themselves.
+//! How much of ln r is noise, estimated from the data themselves.
 
 use super::curve::ThickeningCurve;
 use super::neighbours::Neighbours;
@@ -6,7 +6,7 @@ use super::neighbours::Neighbours;
 /// 1 / Φ⁻¹(¾): standard deviation of a normal distribution over its median absolute value.
 const NORMAL_FROM_MEDIAN: f64 = 1.482_602_218_505_602;
 
-/// Fewest poses from which the beat tells its own noise: with four, two numbers per atom are left when
+/// Fewest poses from which noise can be estimated: with four, two numbers per atom are left when
 /// its mean and its share of the curve are taken out.
 pub(super) const MIN_POSES: usize = 4;
 

@@ -23,7 +23,7 @@ pub struct ThickeningParams {
     #[serde(rename = "border")]
     pub extent: f64,
     /// Least area of a patch, as a share of the regular medial surface; its core has at least half of that, and
-    /// both are doubled where fewer than four poses tell.
+    /// both are doubled where there are fewer than four poses.
     #[serde(rename = "least_share")]
     pub min_share: f64,
     /// Where even remote myocardium thickens by less than this (ln PT from end-diastole to
@@ -71,7 +71,7 @@ impl std::ops::Deref for CheckedThickeningParams {
     }
 }
 
-/// Redraws beyond this tell nothing more: the standard error of a share is then below 2 %.
+/// Redraws beyond this add nothing: the standard error of a share is then below 2 %.
 const MAX_REDRAWS: u32 = 1000;
 
 /// Why settings cannot be used.

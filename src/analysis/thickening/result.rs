@@ -81,7 +81,7 @@ pub struct Patch {
     pub centroid: Point3,
     /// Closed chains of atoms around its faces, in the order of their lowest atom.
     pub border: Vec<Vec<u32>>,
-    /// Mean thickening, ln PT from end-diastole to end-systole as the whole beat tells it.
+    /// Mean thickening, ln PT from end-diastole to end-systole from all poses.
     pub thickening: f64,
     /// Share of redraws of the noise in which it is detected again.
     pub confidence: f64,
@@ -120,7 +120,7 @@ pub struct Thickening {
     pub end_diastole: usize,
     /// Pose of end-systole.
     pub end_systole: usize,
-    /// Tolerance of |ln PT| that M̂ was told by.
+    /// Tolerance of |ln PT| by which M̂ was determined.
     pub tolerance: f64,
     /// Standard deviation of the noise of ln r of one atom at one pose, estimated from its neighbours.
     pub noise: f64,
@@ -130,9 +130,9 @@ pub struct Thickening {
     pub temporal_consistency: TemporalConsistency,
     /// PT from end-diastole to end-systole, r(ES) / r(ED), of every atom.
     pub ed_to_es: Vec<f64>,
-    /// Thickening of every atom, ln PT from end-diastole to end-systole as all poses tell it, averaged over its
+    /// Thickening of every atom, ln PT from end-diastole to end-systole from all poses, averaged over its
     /// neighbourhood; 0 where an atom does not take part.
-    pub thickening: Vec<f64>,
+    pub averaged: Vec<f64>,
     /// Thickening of remote myocardium.
     pub remote: f64,
     /// ln r of remote myocardium over the beat, less that at end-diastole, as the subject's own curve has it.

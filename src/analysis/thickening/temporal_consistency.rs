@@ -5,7 +5,7 @@ use crate::mesh::{Point3, Vector3};
 
 use super::result::TemporalConsistency;
 
-/// TemporalConsistency of a path of descriptors with the gaps of their MP, both in coordinates, of a subject of
+/// How steady a path of descriptors is, with the gaps of their MP, both in coordinates, of a subject of
 /// this size.
 ///
 /// "Does not change so much over time" and "close to the medial surface" (4.4.1, 4.4.2) in numbers: root mean square

@@ -198,7 +198,7 @@ fn with_two_poses_thickening_is_the_logarithm_of_pt() {
     let params = params.check().unwrap();
     let found = thickening(&beat, &measures(0, 1), None, &params, &Progress::default()).unwrap();
     for atom in (0..beat.regular.len()).filter(|&atom| beat.regular[atom]) {
-        assert!((found.thickening[atom] - found.ed_to_es[atom].ln()).abs() < 1e-9);
+        assert!((found.averaged[atom] - found.ed_to_es[atom].ln()).abs() < 1e-9);
     }
     assert_eq!(found.patches.len(), 1);
     assert_eq!(found.steps[0].akinetic, found.patches[0].atoms);

@@ -1,4 +1,4 @@
-//! The whole question: PT over the beat, what is akinetic in it, and which patches that makes.
+//! All steps in order: PT over the cycle, the akinetic atoms, and the patches that they make.
 
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::medial::MedialBeat;
@@ -30,7 +30,7 @@ const MIN_REGULAR: f64 = 0.5;
 ///    M̂ per step, with its descriptor (4.4, 4.5).
 /// 2. What persists over all steps: ln r of each atom is projected on the subject's own curve c(t), its first
 ///    principal component over time, and averaged over neighbourhoods of the medial mesh; the area grows until noise,
-///    told from what the curve leaves, is a twentieth of what remote myocardium does. All poses speak;
+///    estimated from what the curve leaves, is a twentieth of the thickening of remote myocardium. All poses count;
 ///    with two this is ln PT.
 /// 3. Patches (4.6.2, 4.6.3): connected parts that thicken by less than a share of the subject's own remote myocardium, by
 ///    hysteresis; a path and a descriptor for each. Where even remote myocardium hardly thickens, there are none:
@@ -127,7 +127,7 @@ pub fn thickening(
         averaged_share: found.share,
         averaged_noise: found.noise,
         regular_area: at_end_diastole.whole,
-        thickening: found.thickening,
+        averaged: found.thickening,
         size: surface.size,
         steps,
         patches,

@@ -104,7 +104,7 @@ fn lengths(
             let node = node as usize;
             let found = length(graph, &lengths, tangents[node], node, towards);
             let change = (found - lengths[node]).abs();
-            // What was told for the first time has changed, too.
+            // A first value is a change, too.
             if found.is_finite() && (change.is_nan() || change > settled) {
                 largest = f64::INFINITY;
             }

@@ -18,7 +18,7 @@ const MAX_VOXELS: f64 = 3e7;
 /// outweigh all others; it moves the side by a hundredth of a voxel.
 const MIN_SHARE: f64 = 0.01;
 
-/// Share of the corners around a place, by weight, that must be told for its value to be told.
+/// Share of the corners around a place, by weight, that must be known for its value to be known.
 const MIN_TOLD: f64 = 0.25;
 
 /// The wall between two sides on a grid along the axes of the coordinates.

@@ -108,8 +108,11 @@ pub(super) fn in_order_of_frames(mut poses: Vec<Vec<Point3>>, first: usize) -> V
     poses
 }
 
-/// Frames as a sequence with the surfaces of another.
-fn sequence_like(
+/// Poses as a sequence with the surfaces of another: vertices of all its surfaces, one surface after the other.
+///
+/// # Errors
+/// If a pose has other vertices than `like`, or one that is not finite.
+pub fn sequence_like(
     like: &MeshSequence,
     frames: &[Vec<Point3>],
 ) -> Result<MeshSequence, TransportError> {
@@ -121,7 +124,7 @@ fn sequence_like(
         offset = part.end;
         let meshes = (frames.iter().enumerate())
             .map(|(pose, points)| {
-                let points: Vec<Point3> = points[part.clone()].to_vec();
+                let points = points.get(part.clone()).unwrap_or_default().to_vec();
                 TriMesh::new(points, Arc::clone(faces)).map_err(|_| TransportError::NotFinite {
                     pose,
                     norm2: f64::NAN,

@@ -60,7 +60,7 @@ pub enum TransportError {
         index: usize,
         /// Subjects of the study.
         subjects: usize,
-        /// A sentence for the person who wonders.
+        /// Why, in a sentence.
         reason: String,
     },
     /// A path needs samples, a deformation poses.

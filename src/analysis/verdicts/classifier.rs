@@ -4,7 +4,7 @@ use crate::progress::{Progress, Stopped};
 
 use super::logistic::{Case, fit, score, sigmoid};
 
-/// Penalty on the slope of the calibration: a trace, so that scores that tell nothing have a finite one.
+/// Penalty on the slope of the calibration: a trace, so that scores without information have a finite one.
 const CALIBRATION_RIDGE: f64 = 1e-6;
 
 /// Standardised features and a logistic classifier on them.
@@ -63,7 +63,7 @@ fn balanced(abnormal: &[bool]) -> [f64; 2] {
 impl Classifier {
     /// Of labelled subjects; Newton's method starts from `start` if there is one.
     pub fn new(rows: &[&[f64]], abnormal: &[bool], ridge: f64, start: Option<&Self>) -> Self {
-        // Of the training rows alone, or the case left out would have told its own scale.
+        // Of the training rows alone, or the case left out would take part in its own scale.
         let standard = Standard::new(rows);
         let standardised: Vec<Vec<f64>> = rows.iter().map(|row| standard.of(row)).collect();
         // Otherwise the more frequent class would be the safer answer, whatever the features say.

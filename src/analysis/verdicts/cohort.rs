@@ -1,5 +1,7 @@
 //! The labelled subjects of a study, the classifier that they give, and how good it is.
 
+use std::sync::Arc;
+
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
 use rand_chacha::ChaCha8Rng;
@@ -24,7 +26,7 @@ pub(super) struct Cohort {
     /// And with an abnormal one.
     pub abnormal: Vec<usize>,
     /// Which subjects have the same meshes: the classifier is trained on the first of them alone.
-    pub copies: Copies,
+    pub copies: Arc<Copies>,
 }
 
 /// A classifier with its leave-one-out results on the subjects that it was trained on.

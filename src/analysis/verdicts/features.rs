@@ -33,7 +33,7 @@ pub enum Feature {
     TenthPercentile,
     /// Thickening of remote myocardium, ln PT.
     Remote,
-    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall fails, large where
+    /// Thickening of remote myocardium and twice the spread, ln PT: small where the whole wall is hypokinetic, large where
     /// a part does or none.
     UpperRange,
     /// Share of the wall in patches, each times its confidence.
@@ -109,7 +109,7 @@ impl Features {
         let VerdictInput { beat, thickening } = *heart;
         let rest = positions(beat, thickening.end_diastole);
         let areas = regular_areas(beat, &rest);
-        let values = Weighted::new(&thickening.thickening, &areas);
+        let values = Weighted::new(&thickening.averaged, &areas);
         let akinetic = AKINETIC_PT.ln();
         // The largest; smaller ones add to the share alone.
         let patch = thickening.patches.first();

@@ -81,7 +81,7 @@ pub(super) fn fit(cases: &[Case<'_>], ridge: f64, start: &[f64]) -> Vec<f64> {
     beta
 }
 
-/// The objective; the probability of each case is laid into `probabilities`.
+/// The objective; the probability of each case is written into `probabilities`.
 fn objective(cases: &[Case<'_>], ridge: f64, beta: &[f64], probabilities: &mut [f64]) -> f64 {
     let loss: f64 = (cases.iter().zip(probabilities))
         .map(|(case, probability)| {

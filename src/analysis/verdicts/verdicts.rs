@@ -1,4 +1,4 @@
-//! The whole question: features, the classifier of the cohort, what it says of each subject, and how good it is.
+//! All steps in order: features, the classifier of the cohort, its answer for each subject, and its accuracy.
 
 use crate::analysis::thickening::Extent;
 use crate::progress::Progress;
@@ -24,8 +24,8 @@ const MIN_THICKENING: f64 = 0.095_310_179_804_324_87;
 const AKINETIC_LIMIT: f64 = 0.055;
 /// How far from there it is for odds of e to one.
 const AKINETIC_SCALE: f64 = 0.01;
-/// Reach below which an abnormal subject's hypokinesia is global: all 20 normal subjects reach further, as do
-/// 19 of 20 with infarction and all built-in subjects with a patch, and 15 of 20 dilated ones do not.
+/// [`Feature::UpperRange`] below which an abnormal subject's hypokinesia is global: it is above in all 20 normal subjects, as in
+/// 19 of 20 with infarction and all built-in subjects with a patch, and below in 15 of 20 dilated ones.
 const REGIONAL_REACH: f64 = 0.65;
 /// Most similar subjects that are shown.
 const ALIKE: usize = 3;
@@ -37,7 +37,7 @@ const ALIKE: usize = 3;
 /// 2. The rest is classified by a logistic classifier on [`Feature::MODEL_FEATURES`], standardised, both classes
 ///    weighing alike, trained on the subjects whose label is of class normal or abnormal. The verdict on a labelled
 ///    subject comes from a classifier trained without it, calibrated by the scores of the others. With too few labels
-///    a fixed classifier stands in: the akinetic share of the wall beside 5.5 %.
+///    a default threshold stands in: an akinetic share of the wall of 5.5 %.
 /// 3. An abnormal subject has a patch where thickening found one, unless its [`Feature::UpperRange`] is small: then
 ///    hypokinesia is global.
 ///
@@ -45,7 +45,7 @@ const ALIKE: usize = 3;
 /// On `acdc_walls`: 100 subjects at end-diastole and end-systole; normal: NOR; abnormal: MINF, DCM and HCM; RV takes no
 /// part and is classified by the classifier of the others. Each labelled subject left out in turn; printed by the test `real_verdicts`.
 ///
-/// | 20 hearts each | median PT | no patch | patch | global failure |
+/// | 20 subjects each | median PT | no patch | patch | global hypokinesia |
 /// |---|---|---|---|---|
 /// | HCM | 1.78 | 13 | 7 | 0 |
 /// | NOR | 1.74 | 19 | 1 | 0 |
@@ -58,8 +58,8 @@ const ALIKE: usize = 3;
 /// classifier calls nobody abnormal; always saying abnormal: 60). Fifteen sets of features were tried for the classifier. All with the akinetic share have AUC 0.99 and more for MINF against NOR; compactness,
 /// closeness, ANV and MP (4.4–4.7) alone have 0.88 and call 5 of 20 normal subjects abnormal: with two poses
 /// there is no path to be steady. For regional against global hypokinesia (MINF against DCM) 49 single numbers were tried:
-/// spread of thickening has AUC 0.96, reach 0.95, the akinetic share 0.49, EF 0.88. The spread alone
-/// would call a small patch in a wall that is otherwise well a global hypokinesia; reach does not.
+/// spread of thickening has AUC 0.96, the upper range 0.95, the akinetic share 0.49, EF 0.88. The spread alone
+/// would call a small patch in an otherwise normal wall a global hypokinesia; the upper range does not.
 /// Both choices were made on these subjects, of which 20 make a group: on others expect somewhat less.
 ///
 /// # Errors

@@ -4,13 +4,21 @@ use crate::panes::BeatCommand;
 
 use super::change::{Moment, change};
 use crate::document::document::position_at_phase;
-use crate::document::play::SPEEDS;
+use crate::document::loop_range::LoopRange;
 use crate::document::state::State;
 use crate::document::undo::Gesture;
 use crate::panes::cohort::view::visible_subjects;
 
 /// Applies a command about subjects or time.
 pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
+    if matches!(
+        command,
+        BeatCommand::SelectPose { .. }
+            | BeatCommand::SelectSubject(_)
+            | BeatCommand::StepSubject(_)
+    ) {
+        state.awaited = None;
+    }
     match command {
         BeatCommand::SelectPose {
             subject,
@@ -18,7 +26,7 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
             play,
         } => select_pose(state, moment, subject, frame, play),
         BeatCommand::SelectSubject(subject) => {
-            if subject < state.document.study().subjects.len() {
+            if subject < state.document.study().count() {
                 change(state, moment, None, |d| d.select_subject(subject));
             }
         }
@@ -37,15 +45,22 @@ pub fn apply(state: &mut State, command: BeatCommand, moment: &Moment) {
         BeatCommand::GoToEndSystole => {
             go_to(state, moment, state.phases_of(state.document.subject).1);
         }
-        BeatCommand::StateEndDiastole(frame) => state_phase(state, moment, frame, true),
-        BeatCommand::StateEndSystole(frame) => state_phase(state, moment, frame, false),
         BeatCommand::TogglePlay => toggle_play(state),
-        BeatCommand::SetSpeed(speed) => {
-            if speed.is_finite() {
-                state.play.speed = speed.clamp(*SPEEDS.start(), *SPEEDS.end());
-            }
-        }
+        BeatCommand::SetSpeed(speed) => state.play.set_speed(speed),
         BeatCommand::ToggleLoop => state.play.repeat = !state.play.repeat,
+        BeatCommand::SetLoopRange(frames) => set_loop_range(state, moment, frames),
+        BeatCommand::LoopFromHere | BeatCommand::LoopToHere => {
+            let document = &state.document;
+            let (here, count) = (document.frame(), document.frame_count());
+            let [from, to] = document.loop_frames().unwrap_or([0, count]);
+            let frames = match command {
+                BeatCommand::LoopFromHere => [here, if to > here { to } else { count }],
+                // The first frame is also the end of the cycle.
+                _ if here == 0 => [from, count],
+                _ => [if from < here { from } else { 0 }, here],
+            };
+            set_loop_range(state, moment, Some(frames));
+        }
     }
 }
 
@@ -104,30 +119,16 @@ fn move_to(state: &mut State, moment: &Moment, position: f64) {
     }
 }
 
-fn state_phase(state: &mut State, moment: &Moment, frame: Option<usize>, diastole: bool) {
-    let count = state.document.frame_count();
-    if frame.is_some_and(|frame| frame >= count) {
-        return;
-    }
-    let stated = state.document.selected().map(|s| {
-        if diastole {
-            s.end_diastole
-        } else {
-            s.end_systole
-        }
-    });
-    if stated.is_none_or(|stated| stated == frame) {
-        return;
-    }
-    change(state, moment, None, |document| {
-        document.edit_subject(moment.fresh_revision, |subject| {
-            if diastole {
-                subject.end_diastole = frame;
-            } else {
-                subject.end_systole = frame;
-            }
+/// Frames that make no range of the selected subject change nothing.
+fn set_loop_range(state: &mut State, moment: &Moment, frames: Option<[usize; 2]>) {
+    let range = frames
+        .zip(state.document.selected())
+        .and_then(|(frames, subject)| LoopRange::of_frames(subject, frames));
+    if range.is_some() || frames.is_none() {
+        change(state, moment, Some(Gesture::LoopRange), |document| {
+            document.loop_range = range;
         });
-    });
+    }
 }
 
 fn toggle_play(state: &mut State) {
@@ -136,8 +137,13 @@ fn toggle_play(state: &mut State) {
     };
     let count = subject.sequence.frame_count();
     state.play.playing = !state.play.playing && count > 1;
-    let at_end = state.document.position >= (count - 1) as f64;
+    let last = count.saturating_sub(1);
+    let [from, to] = state.document.loop_frames().unwrap_or([0, last]);
+    let at_end = state.document.position >= to.min(last) as f64;
     if state.play.playing && !state.play.repeat && at_end {
-        state.document.position = position_at_phase(subject, 0.0);
+        state.document.position = match from {
+            0 => position_at_phase(subject, 0.0),
+            frame => frame as f64,
+        };
     }
 }

@@ -14,16 +14,44 @@ pub enum Effect {
     ChooseFiles,
     /// Ask for a folder.
     ChooseFolder,
+    /// Ask for files to add to the study.
+    ChooseFilesToAdd,
+    /// Ask for a folder to add to the study.
+    ChooseFolderToAdd,
+    /// Add the subjects of these to the study.
+    Add(Vec<PathBuf>),
+    /// Write the study as files; asks where if `None`.
+    ExportStudy(Option<PathBuf>),
     /// Ask where a picture goes.
     ChooseFigure(FigureKind),
     /// Ask where tables go.
     ChooseTables,
     /// Read or make a study.
     Open(OpenSource),
+    /// Read a subject of the study that is being read before the others.
+    ReadFirst(String),
+    /// Read the study that was opened last once more, with links that lead out of it.
+    FollowLinks,
     /// Write a picture.
     WriteFigure(FigureKind, PathBuf),
-    /// Read the view that a picture carries.
-    ReadPicture(PathBuf),
+    /// Read the view that a picture carries, and open the study that was named with it.
+    ReadPicture {
+        /// The picture.
+        picture: PathBuf,
+        /// Files and folders of its study; none where only the picture was named.
+        study: Vec<PathBuf>,
+    },
+    /// Complete a path that is typed.
+    CompletePath(String),
+    /// Take a path that was typed.
+    TakePath {
+        /// The path.
+        text: String,
+        /// Whether what lies there is replaced.
+        replace: bool,
+    },
+    /// Give up typing a path.
+    CancelPath,
     /// Write all tables.
     WriteTables(PathBuf),
     /// Stop background work.

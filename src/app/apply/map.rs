@@ -9,6 +9,10 @@ use super::change::{Moment, change};
 
 /// Applies a command about how poses and deformations are compared and mapped.
 pub fn apply(state: &mut State, command: MapCommand, moment: &Moment) {
+    if let MapCommand::ShowEstimate(at) = command {
+        state.estimate_at = at;
+        return;
+    }
     change(state, moment, None, |d| match command {
         MapCommand::SetPoseMap(params) => d.map = params,
         MapCommand::SetMetric(kind) => d.map.distances.metric.kind = kind,
@@ -19,6 +23,9 @@ pub fn apply(state: &mut State, command: MapCommand, moment: &Moment) {
             d.map = PoseMapQuery::default();
             d.deformation_map = DeformationMapParams::default();
         }
+        MapCommand::SetClassesBy(by) => d.chosen_classes = by,
+        // Nothing that undo restores.
+        MapCommand::ShowEstimate(_) => {}
         MapCommand::ToggleClusters => d.shows_clusters = !d.shows_clusters,
     });
 }

@@ -2,6 +2,7 @@
 
 mod beat;
 mod change;
+mod edit;
 mod effect;
 mod map;
 #[cfg(test)]
@@ -22,6 +23,17 @@ use crate::document::state::State;
 
 /// Applies one command; what reaches beyond the state comes back as effects.
 pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> {
+    // An estimated pose is looked at and no more: whatever is asked for concerns the subjects themselves.
+    state.estimate_at = None;
+    let listing = state.document.study.listing;
+    let effects = applied(state, command, moment);
+    if state.document.study.listing != listing {
+        state.leave_listing();
+    }
+    effects
+}
+
+fn applied(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> {
     match command {
         Command::Edit(EditCommand::Undo) => {
             let step = state.history.undo(&state.document);
@@ -31,6 +43,7 @@ pub fn apply(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect
             let step = state.history.redo(&state.document);
             restore(state, step);
         }
+        Command::Edit(command) => return Vec::from_iter(edit::apply(state, command, moment)),
         Command::Beat(command) => beat::apply(state, command, moment),
         Command::View(command) => view::apply(state, command, moment),
         Command::Map(command) => map::apply(state, command, moment),
@@ -47,5 +60,7 @@ fn restore(state: &mut State, step: Option<Document>) {
     if let Some(document) = step {
         state.document = document;
         state.play.playing = false;
+        // Coordinates may count in another unit.
+        state.picked = None;
     }
 }

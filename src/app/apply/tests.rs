@@ -2,12 +2,13 @@
 
 use super::{Effect, Moment, apply};
 use crate::app::export::FigureKind;
-use crate::document::ViewMode;
 use crate::document::state::State;
 use crate::document::testing::{state_of, subject_with_frames};
+use crate::document::{CohortColumn, ViewMode};
 use crate::engine::{PoseMapQuery, Topic};
 use crate::panes::{
-    BeatCommand, Command, EditCommand, FileCommand, ViewCommand, WindowCommand, WorkCommand,
+    BeatCommand, Command, EditCommand, FileCommand, Phase, PhaseFrame, ViewCommand, Whose,
+    WindowCommand, WorkCommand,
 };
 use crate::picture::Quantity;
 use crate::render::Camera;
@@ -67,7 +68,11 @@ fn a_pose_that_does_not_exist_changes_nothing() {
     );
     give(
         &mut state,
-        Command::Beat(BeatCommand::StateEndSystole(Some(99))),
+        Command::Edit(EditCommand::SetPhase(
+            Whose::Selected,
+            Phase::EndSystole,
+            PhaseFrame::Frame(99),
+        )),
     );
     assert_eq!(state.document, before);
     assert!(!state.history.can_undo());
@@ -95,7 +100,9 @@ fn playing_leaves_no_steps_of_undo() {
     give(&mut state, Command::Beat(BeatCommand::TogglePlay));
     let subject = state.document.selected().unwrap().clone();
     for _ in 0..100 {
-        let (position, _) = state.play.advance(&subject, state.document.position, 0.016);
+        let (position, _) = state
+            .play
+            .advance(&subject, state.document.position, None, 0.016);
         state.document.position = position;
     }
     give(&mut state, Command::Beat(BeatCommand::TogglePlay));
@@ -133,7 +140,11 @@ fn a_stated_phase_is_an_edit_that_can_be_taken_back() {
     let before = state.document.study().revision;
     give(
         &mut state,
-        Command::Beat(BeatCommand::StateEndSystole(Some(5))),
+        Command::Edit(EditCommand::SetPhase(
+            Whose::Selected,
+            Phase::EndSystole,
+            PhaseFrame::Frame(5),
+        )),
     );
     assert_eq!(state.phases_of(0).1, Some(5));
     assert_ne!(state.document.study().revision, before);
@@ -154,7 +165,7 @@ fn hundred_changes_of_many_kinds_are_taken_back_one_by_one() {
             0 => Command::View(ViewCommand::ToggleWireframe),
             1 => Command::View(ViewCommand::NextQuantity),
             2 => Command::Beat(BeatCommand::SelectSubject((step / 5 + 1) % 2)),
-            3 => Command::View(ViewCommand::SortCohort(1)),
+            3 => Command::View(ViewCommand::SortCohort(CohortColumn::Subject)),
             _ => Command::View(ViewCommand::SetViewMode(if (step / 5) % 2 == 0 {
                 ViewMode::AllFrames
             } else {
@@ -205,9 +216,12 @@ fn what_reaches_beyond_the_state_comes_back_as_effects() {
     assert_eq!(
         give(
             &mut state,
-            Command::File(FileCommand::Open(vec![picture.clone()]))
+            Command::File(FileCommand::Open(vec!["ward".into(), picture.clone()]))
         ),
-        [Effect::ReadPicture(picture)]
+        [Effect::ReadPicture {
+            picture,
+            study: vec!["ward".into()]
+        }]
     );
     assert_eq!(
         give(&mut state, Command::File(FileCommand::Open(Vec::new()))),
@@ -256,7 +270,10 @@ fn stepping_through_subjects_follows_the_table() {
         subject_with_frames("a", 3),
         subject_with_frames("b", 3),
     ]);
-    give(&mut state, Command::View(ViewCommand::SortCohort(1)));
+    give(
+        &mut state,
+        Command::View(ViewCommand::SortCohort(CohortColumn::Subject)),
+    );
     for expected in [1, 2, 0] {
         give(&mut state, Command::Beat(BeatCommand::StepSubject(1)));
         assert_eq!(state.document.subject, expected);

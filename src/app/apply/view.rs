@@ -1,6 +1,7 @@
 //! Commands that change how the study is looked at: camera, colours, table.
 
 use crate::app::saved_views;
+use crate::document::CohortSort;
 use crate::panes::ViewCommand;
 
 use super::change::{Moment, change};
@@ -50,9 +51,12 @@ pub fn apply(state: &mut State, command: ViewCommand, moment: &Moment) {
             ViewCommand::SetColourLimits(limits) => d.set_limits(limits.filter(is_range)),
             ViewCommand::SetSearch(text) => d.search = text,
             ViewCommand::SortCohort(column) => {
-                let again = d.sorting.column == Some(column);
-                d.sorting.descending = again && !d.sorting.descending;
-                d.sorting.column = Some(column);
+                let ascending = CohortSort {
+                    column,
+                    descending: false,
+                };
+                let descending = d.sorting == Some(ascending);
+                d.sorting = Some(CohortSort { column, descending });
             }
             ViewCommand::RestoreView(_) => {}
         }

@@ -39,7 +39,7 @@ pub fn apply(state: &mut State, command: WallCommand, moment: &Moment) {
 
 /// Whether settings can be computed with.
 pub fn is_usable(settings: &ThickeningSettings) -> bool {
-    settings.medial.check().is_ok() && settings.thickening.check().is_ok()
+    settings.medial.check().is_ok() && settings.patches.check().is_ok()
 }
 
 #[cfg(test)]
@@ -48,7 +48,7 @@ mod tests {
     use crate::analysis::segments::Segment;
     use crate::app::apply::apply;
     use crate::document::testing::{state_of, subject_with_frames};
-    use crate::panes::{BeatCommand, Command, EditCommand};
+    use crate::panes::{BeatCommand, Command, EditCommand, Phase, PhaseFrame, Whose};
     use crate::picture::WallPart;
     use crate::study::Revision;
 
@@ -74,14 +74,14 @@ mod tests {
         let before = state.document.thickening;
         for extent in [0.3, 0.35, 0.5] {
             let mut settings = before;
-            settings.thickening.extent = extent;
+            settings.patches.extent = extent;
             give(
                 &mut state,
                 Command::Wall(WallCommand::SetThickening(settings)),
                 true,
             );
         }
-        assert_eq!(state.document.thickening.thickening.extent, 0.5);
+        assert_eq!(state.document.thickening.patches.extent, 0.5);
         give(&mut state, Command::Edit(EditCommand::Undo), false);
         assert_eq!(state.document.thickening, before);
     }
@@ -91,7 +91,7 @@ mod tests {
         let mut state = state();
         let before = state.document.thickening;
         let mut settings = before;
-        settings.thickening.extent = 0.1;
+        settings.patches.extent = 0.1;
         give(
             &mut state,
             Command::Wall(WallCommand::SetThickening(settings)),
@@ -140,7 +140,11 @@ mod tests {
         );
         give(
             &mut state,
-            Command::Beat(BeatCommand::StateEndDiastole(Some(1))),
+            Command::Edit(EditCommand::SetPhase(
+                Whose::Selected,
+                Phase::EndDiastole,
+                PhaseFrame::Frame(1),
+            )),
             false,
         );
         assert_eq!(state.document.part, None);

@@ -3,8 +3,9 @@
 use std::path::PathBuf;
 
 use crate::app::export::FigureKind;
-use crate::app::saved_views::is_picture;
+use crate::app::saved_views::split_picture;
 use crate::app::settings::remember_recent;
+use crate::document::Leaving;
 use crate::document::state::{Sheets, State};
 use crate::engine::OpenSource;
 use crate::panes::{FileCommand, WindowCommand, WorkCommand};
@@ -18,20 +19,78 @@ pub fn apply_file(state: &mut State, command: FileCommand) -> Option<Effect> {
         FileCommand::ChooseFiles => Some(Effect::ChooseFiles),
         FileCommand::ChooseFolder => Some(Effect::ChooseFolder),
         FileCommand::Open(paths) if paths.is_empty() => None,
-        FileCommand::Open(mut paths) => {
-            if is_picture(&paths) {
-                return paths.pop().map(Effect::ReadPicture);
+        FileCommand::Open(paths) => {
+            let (picture, study) = split_picture(paths.clone());
+            match picture {
+                // It restores a view, of the study on screen if it is the one of the picture.
+                Some(picture) if study.is_empty() => Some(Effect::ReadPicture { picture, study }),
+                _ => leave(state, Leaving::Open(OpenSource::Paths(paths))),
             }
-            remember_recent(&mut state.recent, &paths);
-            Some(Effect::Open(OpenSource::Paths(paths)))
         }
-        FileCommand::OpenBuiltIn => Some(Effect::Open(OpenSource::BuiltIn(state.built_in))),
+        FileCommand::OpenBuiltIn => {
+            let source = OpenSource::BuiltIn(state.built_in);
+            leave(state, Leaving::Open(source))
+        }
+        FileCommand::ChooseFilesToAdd => is_open.then_some(Effect::ChooseFilesToAdd),
+        FileCommand::ChooseFolderToAdd => is_open.then_some(Effect::ChooseFolderToAdd),
+        FileCommand::Add(paths) if !is_open => apply_file(state, FileCommand::Open(paths)),
+        FileCommand::Add(paths) => (!paths.is_empty()).then_some(Effect::Add(paths)),
+        FileCommand::ExportStudy(folder) => is_open.then_some(Effect::ExportStudy(folder)),
+        FileCommand::Leave => {
+            let leaving = state.leaving.take()?;
+            left(state, leaving)
+        }
+        FileCommand::Stay => {
+            state.leaving = None;
+            None
+        }
+        FileCommand::FollowLinks => leave(state, Leaving::FollowLinks),
+        FileCommand::ReadFirst(id) => {
+            state.awaited = Some(id.clone());
+            // It may have been read since it was clicked.
+            state.select_awaited();
+            state.awaited.is_some().then_some(Effect::ReadFirst(id))
+        }
         FileCommand::ExportFigure(path) => figure(FigureKind::View, path, is_open),
         FileCommand::ExportPatchFigure(path) => figure(FigureKind::Patch, path, is_open),
         FileCommand::ExportTables(Some(folder)) => Some(Effect::WriteTables(folder)),
         FileCommand::ExportTables(None) => is_open.then_some(Effect::ChooseTables),
-        FileCommand::Quit => Some(Effect::Quit),
+        FileCommand::SetFigureLook(look) => {
+            state.figure_look = look;
+            None
+        }
+        FileCommand::CompletePath(text) => Some(Effect::CompletePath(text)),
+        FileCommand::TakePath { text, replace } => Some(Effect::TakePath { text, replace }),
+        FileCommand::CancelPath => Some(Effect::CancelPath),
+        FileCommand::Quit => leave(state, Leaving::Quit),
     }
+}
+
+/// Leaves the study on screen, unless it has edits that are not exported: then the person at the screen is asked.
+fn leave(state: &mut State, leaving: Leaving) -> Option<Effect> {
+    if state.is_edited() {
+        state.leaving = Some(leaving);
+        return None;
+    }
+    left(state, leaving)
+}
+
+fn left(state: &mut State, leaving: Leaving) -> Option<Effect> {
+    Some(match leaving {
+        Leaving::Quit => Effect::Quit,
+        Leaving::FollowLinks => Effect::FollowLinks,
+        Leaving::Open(OpenSource::Paths(paths)) => {
+            let (picture, study) = split_picture(paths);
+            match picture {
+                Some(picture) => Effect::ReadPicture { picture, study },
+                None => {
+                    remember_recent(&mut state.recent, &study);
+                    Effect::Open(OpenSource::Paths(study))
+                }
+            }
+        }
+        Leaving::Open(source) => Effect::Open(source),
+    })
 }
 
 fn figure(kind: FigureKind, path: Option<PathBuf>, is_open: bool) -> Option<Effect> {
@@ -76,6 +135,7 @@ pub fn apply_window(state: &mut State, command: WindowCommand) -> Option<Effect>
         WindowCommand::TogglePalette => sheets.palette = !before.palette,
         WindowCommand::ToggleShortcuts => sheets.shortcuts = !before.shortcuts,
         WindowCommand::ToggleLoadReport => sheets.load_report = !before.load_report,
+        WindowCommand::ToggleFigureSheet => sheets.figure = !before.figure,
         WindowCommand::ToggleAbout => sheets.about = !before.about,
     }
     state.sheets = sheets;

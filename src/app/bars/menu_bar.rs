@@ -149,13 +149,18 @@ fn study_line(state: &State) -> String {
         .subjects
         .iter()
         .map(|subject| subject.sequence.frame_count());
-    let (subjects, frames) = (study.subjects.len(), frames.sum());
-    format!(
-        "{} · {} · {}",
-        study.name,
-        counted(subjects, "subject"),
-        counted(frames, "frame")
-    )
+    let mut parts = vec![
+        study.name.clone(),
+        counted(study.subjects.len(), "subject"),
+        counted(frames.sum(), "frame"),
+    ];
+    if !study.excluded.is_empty() {
+        parts.insert(2, format!("{} excluded", study.excluded.len()));
+    }
+    if state.is_edited() {
+        parts.push("edited".to_owned());
+    }
+    parts.join(" · ")
 }
 
 #[cfg(test)]

@@ -37,7 +37,7 @@ pub fn status_bar_view<'a>(
         }
     });
     let (study, report) = (state.document.study(), &state.document.study.report);
-    let notices = study.subjects.iter().flat_map(|subject| &subject.notices);
+    let notices = study.all().flat_map(|subject| &subject.notices);
     let severities = notices.chain(&report.notices).map(|notice| notice.severity);
     let (warnings, notes): (Vec<_>, Vec<_>) =
         severities.partition(|severity| *severity == Severity::Warning);

@@ -21,6 +21,8 @@ pub fn time_bar_view(state: &State) -> TimeBarView {
         playing: state.play.playing,
         speed: state.play.speed,
         looping: state.play.repeat,
+        loop_frames: document.loop_frames(),
+        escape_ends_range: document.loop_range.is_some() && document.search.is_empty(),
         position: document.position,
         axis: CycleAxis::of(subject),
         end_diastole,

@@ -25,7 +25,7 @@ pub fn report_entries(state: &State) -> Vec<ReportSubject> {
         notices: Vec::new(),
         error: Some(error.to_string()),
     }));
-    entries.extend(study.subjects.iter().map(|subject| ReportSubject {
+    entries.extend(study.all().map(|subject| ReportSubject {
         id: subject.id.clone(),
         summary: summary(subject),
         notices: subject.notices.clone(),

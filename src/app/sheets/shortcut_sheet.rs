@@ -11,14 +11,22 @@ use crate::ui::style::{medium, note};
 use crate::ui::theme::{colours, space};
 
 /// Keys that act where the pointer is and therefore are no commands.
-const ELSEWHERE: [(&str, &str); 7] = [
+const ELSEWHERE: [(&str, &str); 9] = [
     ("Rotate the 3D view", "drag"),
     ("Move the 3D view", "right drag, or Shift and drag"),
     ("Zoom", "scroll"),
     ("Fit a map", "double click"),
+    (
+        "Estimated pose of empty ground in the pose map",
+        "Shift, or hold",
+    ),
+    (
+        "Play only a part of the cycle",
+        "Shift and drag on the time bar",
+    ),
     ("Focus the first control", "F6"),
     ("Next control, if one has the focus", "Tab"),
-    ("Remove the focus", "Esc"),
+    ("Leave a field, a filter or the loop", "Esc"),
 ];
 
 /// Draws the window; Esc or its cross closes it.

@@ -3,6 +3,7 @@
 use crate::analysis::classification::{Classes, ClassesParams, classify};
 use crate::analysis::deformations::deformation_distances;
 use crate::engine::queries::deformation_map::{DeformationMapQuery, deformation_words};
+use crate::engine::queries::pose_distances::PoseDistancesQuery;
 use crate::engine::store::{Context, Interrupted, Memory, Query};
 use crate::study::LabelRole;
 use crate::study::checks::Copies;
@@ -18,6 +19,16 @@ pub enum ClassesBy {
     Label,
     /// Normal and abnormal, as the study says of its labels.
     Role,
+}
+
+impl ClassesBy {
+    /// The words on screen.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Label => "by label",
+            Self::Role => "normal and abnormal",
+        }
+    }
 }
 
 /// Settings of the classification.
@@ -58,7 +69,7 @@ impl Query for ClassesQuery {
         let distances = match &map.parts {
             Some(mapped) => &mapped.distances,
             None => {
-                let poses = part.get(&self.deformations.poses.distances)?;
+                let poses = part.get(&PoseDistancesQuery(self.deformations.poses.distances))?;
                 of_curves = deformation_distances(study, &poses, progress)?.distances;
                 &of_curves
             }

@@ -45,6 +45,10 @@ impl Query for ContributionQuery {
         memory.own(size_of_val(&**shares));
     }
 
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.a.subject, &mut self.b.subject]
+    }
+
     fn replaces(&self, other: &Self) -> bool {
         (self.a.subject, self.b.subject, self.distances)
             == (other.a.subject, other.b.subject, other.distances)

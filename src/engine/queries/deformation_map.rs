@@ -4,7 +4,9 @@ use crate::analysis::deformations::{
     Comparison, DeformationMap, DeformationMapParams, PartParams, PartWeights, deformation_map,
     map_of_parts,
 };
-use crate::engine::queries::deformation_parts::{deformation_distance_words, parts_bytes};
+use crate::engine::queries::deformation_parts::{
+    DeformationPartsQuery, deformation_distance_words, parts_bytes,
+};
 use crate::engine::queries::pose_map::{PoseMapQuery, map_words};
 use crate::engine::store::{Context, Interrupted, Memory, Query};
 
@@ -40,7 +42,11 @@ impl Query for DeformationMapQuery {
         let params = self.map.check()?;
         if let Comparison::Parts(weights) = self.map.comparison {
             let comparing = "comparing deformations";
-            let (parts, share) = cx.first(comparing, &self.parts(), DISTANCE_SHARE)?;
+            let (parts, share) = cx.first(
+                comparing,
+                &DeformationPartsQuery(self.parts()),
+                DISTANCE_SHARE,
+            )?;
             cx.progress()
                 .begin_phase("embedding deformations", share, 1.0);
             return Ok(map_of_parts(&parts, weights, &params, cx.progress())?);

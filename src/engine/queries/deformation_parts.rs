@@ -5,13 +5,17 @@ use crate::engine::queries::pose_distances::distance_words;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::Study;
 
-impl Query for PartParams {
+/// Distances of deformations and of shapes of the study, with these settings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DeformationPartsQuery(pub PartParams);
+
+impl Query for DeformationPartsQuery {
     type Answer = PartDistances;
     const TITLE: &'static str = "Deformations and shapes";
     const FAILURE: Option<&'static str> = Some("Deformations could not be compared");
 
     fn parameters(&self) -> String {
-        deformation_distance_words(self)
+        deformation_distance_words(&self.0)
     }
 
     fn depends_on(&self, study: &Study) -> Dependencies {
@@ -21,7 +25,7 @@ impl Query for PartParams {
     fn run(&self, cx: &Context<'_>) -> Result<PartDistances, Interrupted> {
         cx.progress()
             .begin_phase("comparing deformations", 0.0, 1.0);
-        Ok(part_distances(cx.study(), &self.check()?, cx.progress())?)
+        Ok(part_distances(cx.study(), &self.0.check()?, cx.progress())?)
     }
 
     fn memory(parts: &PartDistances, memory: &mut Memory) {

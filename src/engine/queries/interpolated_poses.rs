@@ -100,6 +100,10 @@ impl Query for InterpolatedPosesQuery {
         }
     }
 
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.subject]
+    }
+
     fn replaces(&self, other: &Self) -> bool {
         self.subject == other.subject
     }
@@ -130,6 +134,10 @@ impl Query for IntervalQuery {
 
     fn memory(path: &GeodesicPath, memory: &mut Memory) {
         memory.own(path_bytes(path));
+    }
+
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.subject]
     }
 
     fn replaces(&self, other: &Self) -> bool {

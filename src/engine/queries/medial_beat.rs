@@ -38,6 +38,10 @@ impl Query for MedialSurfacesQuery {
         memory.own(beat_bytes(beat));
     }
 
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.subject]
+    }
+
     fn replaces(&self, other: &Self) -> bool {
         self.subject == other.subject
     }

@@ -46,6 +46,10 @@ impl Query for MotionTransportQuery {
         memory.own(sequence.frame_count() * sequence.vertex_count() * size_of::<Point3>());
     }
 
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.from, &mut self.onto]
+    }
+
     fn replaces(&self, other: &Self) -> bool {
         (self.from, self.onto) == (other.from, other.onto)
     }

@@ -8,12 +8,16 @@ use crate::analysis::transport::Reference;
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::Study;
 
-impl Query for PoseDistanceParams {
+/// Distances of all poses of the study, with these settings.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct PoseDistancesQuery(pub PoseDistanceParams);
+
+impl Query for PoseDistancesQuery {
     type Answer = PoseDistances;
     const TITLE: &'static str = "Pose distances";
 
     fn parameters(&self) -> String {
-        distance_words(self)
+        distance_words(&self.0)
     }
 
     fn depends_on(&self, study: &Study) -> Dependencies {
@@ -22,7 +26,7 @@ impl Query for PoseDistanceParams {
 
     fn run(&self, cx: &Context<'_>) -> Result<PoseDistances, Interrupted> {
         cx.progress().begin_phase("comparing poses", 0.0, 1.0);
-        let checked = self.check()?;
+        let checked = self.0.check()?;
         // After an edit only the distances to poses of the edited subjects are computed.
         let similar = cx.similar(self);
         let similar = similar.and_then(|(state, distances)| Some((state.shape_keys()?, distances)));

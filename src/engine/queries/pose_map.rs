@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::analysis::embedding::{Embedding, MapMethod, embed};
 use crate::analysis::pose_distances::{PoseDistanceParams, PoseDistances};
-use crate::engine::queries::pose_distances::{distance_words, distances_bytes};
+use crate::engine::queries::pose_distances::{PoseDistancesQuery, distance_words, distances_bytes};
 use crate::engine::store::{Context, Dependencies, Interrupted, Memory, Query};
 use crate::study::Study;
 
@@ -47,7 +47,8 @@ impl Query for PoseMapQuery {
 
     fn run(&self, cx: &Context<'_>) -> Result<PoseMap, Interrupted> {
         // Another method of mapping finds the distances known.
-        let (distances, share) = cx.first("comparing poses", &self.distances, DISTANCE_SHARE)?;
+        let distances = PoseDistancesQuery(self.distances);
+        let (distances, share) = cx.first("comparing poses", &distances, DISTANCE_SHARE)?;
         let progress = cx.progress();
         progress.begin_phase("embedding poses", share, 1.0);
         Ok(PoseMap {

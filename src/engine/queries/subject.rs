@@ -14,9 +14,9 @@ pub struct NoSubject {
 
 /// A subject of the study.
 pub(super) fn subject_of(study: &Study, index: usize) -> Result<&Subject, NoSubject> {
-    let subject = study.subjects.get(index).map(|subject| &**subject);
+    let subject = study.subject(index).map(|subject| &**subject);
     subject.ok_or(NoSubject {
         index,
-        count: study.subjects.len(),
+        count: study.count(),
     })
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::*;
 use crate::analysis::classification::ClassesParams;
-use crate::analysis::deformations::{Comparison, DeformationMapParams, PartParams, PartWeights};
+use crate::analysis::deformations::{Comparison, DeformationMapParams, PartWeights};
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::geodesics::GeodesicParams;
 use crate::analysis::metrics::{MetricKind, MetricParams};
@@ -17,6 +17,7 @@ use crate::study::{Revision, Study, Subject};
 use crate::units::Seconds;
 
 mod copies;
+mod estimated;
 mod settings;
 mod stops;
 
@@ -99,7 +100,7 @@ fn the_same_question_brings_the_same_answer_back() {
 fn settings_out_of_range_are_an_answer_in_words() {
     let mut params = PoseDistanceParams::default();
     params.metric.lambda = -1.0;
-    let message = refusal(&store(), &study(), &params);
+    let message = refusal(&store(), &study(), &PoseDistancesQuery(params));
     assert!(message.contains("-1"), "{message}");
 }
 
@@ -210,7 +211,7 @@ fn deformations_are_mapped_from_the_map_of_poses_that_is_there() {
     };
     ask(&store, &study, &heavier);
     let kept = [
-        store.answers::<PoseDistanceParams>(),
+        store.answers::<PoseDistancesQuery>(),
         store.answers::<PoseMapQuery>(),
         store.answers::<DeformationMapQuery>(),
     ];
@@ -228,7 +229,7 @@ fn classes_are_classified_on_the_rows_of_the_deformation_map() {
     let relabelled = edited(&study, 0, |subject| subject.label = None);
     let again = ask(&store, &relabelled, &classes());
     assert_eq!(again.nearest_neighbour.unwrap().of, 9);
-    assert_eq!(store.answers::<PartParams>(), 1);
+    assert_eq!(store.answers::<DeformationPartsQuery>(), 1);
 }
 
 #[test]
@@ -300,7 +301,7 @@ fn a_transported_motion_begins_as_the_heart_that_it_moves() {
 fn shares_of_faces_sum_to_the_squared_distance_of_the_matrix() {
     let (study, store) = (study(), store());
     let params = PoseDistanceParams::default();
-    let distances: Arc<PoseDistances> = ask(&store, &study, &params);
+    let distances: Arc<PoseDistances> = ask(&store, &study, &PoseDistancesQuery(params));
     let [a, b] = [3, 21].map(|row| distances.poses[row]);
     let query = ContributionQuery {
         a,
@@ -325,7 +326,7 @@ fn distances_after_a_transfer_are_another_answer() {
             transport: transfer,
             ..PoseDistanceParams::default()
         };
-        ask(&store, &study, &params)
+        ask(&store, &study, &PoseDistancesQuery(params))
     };
     let straight = CohortTransportParams {
         interpolated_poses: 0,

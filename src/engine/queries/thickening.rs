@@ -27,7 +27,9 @@ pub struct ThickeningSettings {
     /// How medial spheres are fitted.
     pub medial: MedialParams,
     /// What is akinetic, and what is a patch.
-    pub thickening: ThickeningParams,
+    // The name in pictures that were saved.
+    #[serde(rename = "thickening")]
+    pub patches: ThickeningParams,
 }
 
 /// How one subject's wall thickens, and which patches of it do not.
@@ -70,7 +72,7 @@ impl SubjectThickening {
                 size_of_val(patch) + size_of_val(&*patch.atoms) + size_of_val(&*patch.path)
             })
             .sum();
-        let atoms = size_of_val(&*thickening.ed_to_es) + size_of_val(&*thickening.thickening);
+        let atoms = size_of_val(&*thickening.ed_to_es) + size_of_val(&*thickening.averaged);
         steps + patches + atoms + size_of_val(&*self.segments) + size_of_val(&*self.polar)
     }
 }
@@ -90,7 +92,7 @@ impl Query for WallThickeningQuery {
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<SubjectThickening, Interrupted> {
-        let params = self.settings.thickening.check()?;
+        let params = self.settings.patches.check()?;
         let subject = subject_of(cx.study(), self.subject)?;
         let atoms = MedialSurfacesQuery {
             subject: self.subject,
@@ -134,6 +136,10 @@ impl Query for WallThickeningQuery {
         memory.own(wall.own_bytes());
     }
 
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.subject]
+    }
+
     fn replaces(&self, other: &Self) -> bool {
         self.subject == other.subject
     }
@@ -168,7 +174,7 @@ pub fn thickening_words(settings: &ThickeningSettings) -> String {
         smoothing,
         redraws,
         seed,
-    } = settings.thickening;
+    } = settings.patches;
     let tolerance =
         tolerance.map_or_else(|| "estimated from noise".to_owned(), |t| format!("± {t}"));
     let ratio = match ratio {

@@ -69,7 +69,7 @@ pub struct FrameThickness {
 }
 
 /// Thickness of one subject's wall at a frame by all methods.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct PoseThicknessQuery {
     /// Whose wall.
     pub subject: usize,
@@ -77,6 +77,16 @@ pub struct PoseThicknessQuery {
     pub frame: usize,
     /// How it is measured.
     pub settings: ThicknessSettings,
+    /// Frames that are measured before this one, the last of them first: two at a time would disturb each other's times,
+    /// which are shown.
+    pub after: [Option<usize>; 2],
+}
+
+/// In which order frames are measured is no part of the question.
+impl PartialEq for PoseThicknessQuery {
+    fn eq(&self, other: &Self) -> bool {
+        (self.subject, self.frame, self.settings) == (other.subject, other.frame, other.settings)
+    }
 }
 
 impl Query for PoseThicknessQuery {
@@ -101,6 +111,7 @@ impl Query for PoseThicknessQuery {
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<FrameThickness, Interrupted> {
+        self.wait_for_others(cx)?;
         let params = self.settings.methods.check()?;
         let subject = subject_of(cx.study(), self.subject)?;
         let (frame, frames) = (self.frame, subject.sequence.frame_count());
@@ -136,6 +147,10 @@ impl Query for PoseThicknessQuery {
         memory.own(size_of_val(&*thickness.results));
     }
 
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        vec![&mut self.subject]
+    }
+
     fn replaces(&self, other: &Self) -> bool {
         (self.subject, self.frame) == (other.subject, other.frame)
     }
@@ -155,6 +170,22 @@ struct Medial {
 }
 
 impl PoseThicknessQuery {
+    /// Returns once the frames before are measured, whatever came of it.
+    fn wait_for_others(&self, cx: &Context<'_>) -> Result<(), Interrupted> {
+        let [Some(frame), before] = self.after else {
+            return Ok(());
+        };
+        let earlier = Self {
+            frame,
+            after: [before, None],
+            ..*self
+        };
+        match cx.get(&earlier) {
+            Err(Interrupted::Stopped) => Err(Interrupted::Stopped),
+            Ok(_) | Err(Interrupted::Failed(_)) => Ok(()),
+        }
+    }
+
     fn medial(&self, subject: &Subject, cx: &Context<'_>) -> Result<Medial, Interrupted> {
         let params = self.settings.medial;
         let surfaces = MedialSurfacesQuery {

@@ -7,7 +7,7 @@ use std::sync::Arc;
 use crate::engine::activity::Topic;
 use crate::engine::job::{Ending, panic_message};
 use crate::engine::store::dependencies::Dependencies;
-use crate::engine::store::interrupted::{Bug, Interrupted, SharedError};
+use crate::engine::store::interrupted::{Bug, Interrupted, SharedError, StillUnread};
 use crate::engine::store::query::{Context, Query};
 use crate::engine::store::queue::Urgency;
 use crate::engine::store::shelf::{Shelf, SlotOf};
@@ -26,6 +26,9 @@ impl Context<'_> {
     /// # Errors
     /// What interrupted it.
     pub fn get<Q: Query>(&self, query: &Q) -> Answered<Q> {
+        if query.depends_on(self.study).waits_for(self.study) {
+            return Err(StillUnread::of(self.study).into());
+        }
         let slot = self.slot(query);
         loop {
             if self.work.stopped() {

@@ -7,6 +7,8 @@ use crate::units::LengthUnit;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Dependencies {
     revision: Option<Revision>,
+    /// Whether it depends on every subject that there is.
+    cohort: bool,
     /// `None` for a subject that does not exist.
     subjects: Vec<Option<SubjectKey>>,
 }
@@ -35,9 +37,18 @@ impl Dependencies {
 
     /// On everything, labels included: any edit asks for another answer.
     pub fn study(study: &Study) -> Self {
-        let mut all = Self::of(study, 0..study.subjects.len(), Reads::Surfaces);
+        let mut all = Self::of(study, 0..study.count(), Reads::Surfaces);
         all.revision = Some(study.revision);
+        all.cohort = true;
         all
+    }
+
+    /// On everything that is read so far: for what is no result, and is made again when more is read.
+    pub fn study_as_read(study: &Study) -> Self {
+        Self {
+            cohort: false,
+            ..Self::study(study)
+        }
     }
 
     /// On the surfaces of these subjects.
@@ -52,7 +63,25 @@ impl Dependencies {
 
     /// On surfaces and end-diastole of all subjects.
     pub fn all_shapes(study: &Study) -> Self {
-        Self::shapes(study, 0..study.subjects.len())
+        Self {
+            cohort: true,
+            ..Self::shapes(study, 0..study.subjects.len())
+        }
+    }
+
+    /// Whether it depends on subjects that are still to be read.
+    pub(super) fn waits_for(&self, study: &Study) -> bool {
+        self.cohort && !study.unread.is_empty()
+    }
+
+    /// The places in a study of the subjects that it depends on one by one; `None` for those that it lacks.
+    pub(super) fn places(&self, study: &Study) -> Vec<Option<usize>> {
+        let place = |key: &Option<SubjectKey>| {
+            let surfaces = key.as_ref()?.surfaces;
+            let mut subjects = study.subjects.iter();
+            subjects.position(|subject| subject.sequence.id() == surfaces)
+        };
+        self.subjects.iter().map(place).collect()
     }
 
     /// On surfaces, both phases, unit and landmarks of these subjects: all that is read of a wall. Times of frames, labels
@@ -81,7 +110,7 @@ impl Dependencies {
 
     fn of(study: &Study, subjects: impl IntoIterator<Item = usize>, reads: Reads) -> Self {
         let key = |index: usize| {
-            let subject = study.subjects.get(index)?;
+            let subject = study.subject(index)?;
             Some(SubjectKey {
                 surfaces: subject.sequence.id(),
                 shape: (reads >= Reads::Shape).then(|| subject.shape_key()),
@@ -94,6 +123,7 @@ impl Dependencies {
         };
         Self {
             revision: None,
+            cohort: false,
             subjects: subjects.into_iter().map(key).collect(),
         }
     }

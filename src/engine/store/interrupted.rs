@@ -4,6 +4,7 @@ use std::error::Error;
 use std::sync::Arc;
 
 use crate::progress::Stopped;
+use crate::study::Study;
 
 /// An error of whichever analysis; its type and its source chain can still be had.
 pub type SharedError = Arc<dyn Error + Send + Sync>;
@@ -28,6 +29,24 @@ impl<E: Error + Send + Sync + 'static> From<E> for Interrupted {
             cause = error.source();
         }
         Self::Failed(Arc::new(error))
+    }
+}
+
+/// What is asked of the whole cohort waits until it is read.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("{unread} of {count} subjects are still to be read")]
+pub(super) struct StillUnread {
+    unread: usize,
+    count: usize,
+}
+
+impl StillUnread {
+    pub fn of(study: &Study) -> Self {
+        let unread = study.unread.len();
+        Self {
+            unread,
+            count: unread + study.subjects.len(),
+        }
     }
 }
 

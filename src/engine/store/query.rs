@@ -51,6 +51,12 @@ pub trait Query: Clone + PartialEq + Debug + Send + Sync + 'static {
     /// it is about another subject: a number of one must never stand under the name of another.
     fn replaces(&self, other: &Self) -> bool;
 
+    /// The indices of the subjects that it is about, in the order in which it depends on them: another state of the study
+    /// may have these subjects in other places. None where it is about the whole cohort.
+    fn subjects(&mut self) -> Vec<&mut usize> {
+        Vec::new()
+    }
+
     /// Whether `begun`, which is under way, is finished before this one begins: settings that are dragged would
     /// otherwise stop each other's work, and nothing would follow the drag.
     fn lets_finish(&self, _begun: &Self) -> bool {

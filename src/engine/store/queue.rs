@@ -79,8 +79,8 @@ impl Queue {
         Ok(queue)
     }
 
-    /// Queues work; a free thread takes it.
-    pub fn push(&self, urgency: Urgency, work: &Arc<Work>, run: Run) {
+    /// Queues work; a free thread takes it. What the user waits for never waits for a thread that is held up.
+    pub fn push(self: &Arc<Self>, urgency: Urgency, work: &Arc<Work>, run: Run) {
         let mut inner = lock(&self.inner);
         inner.order += 1;
         let order = inner.order;
@@ -90,6 +90,10 @@ impl Queue {
             work: Arc::clone(work),
             run,
         });
+        let held_up = urgency == Urgency::Interactive && inner.waiting.len() > inner.idle;
+        if held_up && inner.threads.len() < MAX_THREADS {
+            self.add_thread(&mut inner).ok();
+        }
         drop(inner);
         // Which thread may take it depends on all that runs, so each looks.
         self.news.notify_all();

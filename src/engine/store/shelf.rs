@@ -12,6 +12,7 @@ use crate::engine::store::query::Query;
 use crate::engine::store::shelves::{AnyShelf, Held};
 use crate::engine::store::slot::{Slot, State};
 use crate::engine::store::work::lock;
+use crate::study::Study;
 
 /// The slot of a question.
 pub(super) type SlotOf<Q> = Arc<Slot<<Q as Query>::Answer>>;
@@ -206,6 +207,18 @@ impl<Q: Query> AnyShelf for Shelf<Q> {
         let entries = self.entries();
         let mut slots = entries.0.iter().map(|entry| entry.slot.peek());
         slots.any(|seen| matches!(seen, State::UnderWay(work) if work.is_asked()))
+    }
+
+    fn follow(&self, study: &Study) {
+        for entry in &mut self.entries().0 {
+            let subjects = entry.query.subjects();
+            if subjects.is_empty() {
+                continue;
+            }
+            for (index, place) in subjects.into_iter().zip(entry.depends_on.places(study)) {
+                *index = place.unwrap_or(*index);
+            }
+        }
     }
 
     fn held(&self, into: &mut Vec<Held>) {

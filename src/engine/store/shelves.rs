@@ -2,7 +2,7 @@
 
 use std::any::{Any, TypeId};
 use std::collections::{HashMap, HashSet};
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use crate::engine::activity::{ActivityLog, Topic};
@@ -11,6 +11,7 @@ use crate::engine::store::interrupted::SharedError;
 use crate::engine::store::memory::Memory;
 use crate::engine::store::queue::Queue;
 use crate::engine::store::work::lock;
+use crate::study::Study;
 
 /// What the store does to all shelves alike.
 pub(super) trait AnyShelf: Send + Sync {
@@ -23,6 +24,8 @@ pub(super) trait AnyShelf: Send + Sync {
     fn retry(&self);
     /// Whether something is under way that a pane asks for.
     fn works(&self) -> bool;
+    /// Has questions mean the same subjects in a state of the study that has them in other places.
+    fn follow(&self, study: &Study);
     /// All answers that it holds.
     fn held(&self, into: &mut Vec<Held>);
     /// Forgets the answers with these numbers.
@@ -59,6 +62,8 @@ pub(super) struct Shelves {
     pub failures: Mutex<Vec<FailedWork>>,
     pub wake: Wake,
     budget: usize,
+    /// Bytes of the study on screen, which count, too.
+    study_bytes: AtomicUsize,
     /// Whether answers came, or left the screen while there were too many.
     crowded: AtomicBool,
     frame: AtomicU64,
@@ -74,6 +79,7 @@ impl Shelves {
             failures: Mutex::default(),
             wake,
             budget,
+            study_bytes: AtomicUsize::new(0),
             crowded: AtomicBool::new(false),
             // Later than "never asked by a pane", which is 0, by more than a frame.
             frame: AtomicU64::new(2),
@@ -116,6 +122,12 @@ impl Shelves {
         }
     }
 
+    /// The study on screen holds so much: at the end of the frame answers may have to go.
+    pub fn hold_study(&self, bytes: usize) {
+        self.study_bytes.store(bytes, Ordering::SeqCst);
+        self.crowded.store(true, Ordering::SeqCst);
+    }
+
     /// Forgets the answers used longest ago, as far as all together hold more than the budget. What is on screen
     /// stays: it was asked for in this frame or the one before.
     pub fn give_memory_back(&self) {
@@ -127,7 +139,8 @@ impl Shelves {
         let frame = self.frame();
         let on_screen = |answer: &Held| answer.frame + 1 >= frame;
         held.sort_by_key(|answer| std::cmp::Reverse((on_screen(answer), answer.used)));
-        let (mut total, mut seen, mut gone) = (0_usize, HashSet::new(), HashSet::new());
+        let study = self.study_bytes.load(Ordering::SeqCst);
+        let (mut total, mut seen, mut gone) = (study, HashSet::new(), HashSet::new());
         for answer in &held {
             let parts = answer.memory.shared_parts().iter();
             let new_parts = parts.filter(|(address, _)| seen.insert(*address));

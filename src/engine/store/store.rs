@@ -1,11 +1,11 @@
 //! The store of one window or one command: what is asked is answered once, and kept while there is room.
 
-use std::sync::{Arc, OnceLock};
+use std::sync::{Arc, Mutex, OnceLock};
 
 use crate::engine::activity::{Activity, Topic};
 use crate::engine::job::{JobWatch, Wake};
 use crate::engine::store::ask::{Answered, compute, known, report, shelf};
-use crate::engine::store::interrupted::{Interrupted, SharedError};
+use crate::engine::store::interrupted::{Interrupted, SharedError, StillUnread};
 use crate::engine::store::memory::default_budget;
 use crate::engine::store::query::Query;
 use crate::engine::store::queue::{Queue, Urgency};
@@ -110,6 +110,8 @@ pub struct Store {
     shelves: Arc<Shelves>,
     /// What is shown of a question that is not begun.
     not_begun: OnceLock<Arc<JobWatch>>,
+    /// The work that reads the study last opened: what is asked of all subjects waits for it.
+    reading: Mutex<Option<Arc<JobWatch>>>,
 }
 
 impl Store {
@@ -122,6 +124,7 @@ impl Store {
         Ok(Self {
             shelves: Arc::new(shelves),
             not_begun: OnceLock::new(),
+            reading: Mutex::default(),
         })
     }
 
@@ -161,6 +164,9 @@ impl Store {
         progress: &Progress,
     ) -> Answered<Q> {
         let (depends_on, now) = (query.depends_on(study), self.shelves.tick());
+        if depends_on.waits_for(study) {
+            return Err(StillUnread::of(study).into());
+        }
         let shelf = shelf::<Q>(&self.shelves);
         let slot = Arc::clone(&shelf.entries().of(query, &depends_on, now).slot);
         // Whoever asks so may well want what a pane was denied; each step below it may be held too.
@@ -221,6 +227,20 @@ impl Store {
         }
     }
 
+    /// The work that reads the study which is shown next.
+    pub fn set_reading(&self, watch: Arc<JobWatch>) {
+        *lock(&self.reading) = Some(watch);
+    }
+
+    /// Another state of the study is on screen, which may have subjects in other places: what is known of each stays
+    /// known. Its surfaces count to the memory.
+    pub fn follow(&self, study: &Study) {
+        for shelf in self.shelves.all() {
+            shelf.follow(study);
+        }
+        self.shelves.hold_study(study.bytes());
+    }
+
     /// Ends a frame: what no pane asked for in it is stopped, and memory past the budget is given back.
     pub fn end_frame(&self) {
         self.shelves.end_frame();
@@ -275,6 +295,13 @@ impl Store {
     fn show<Q: Query>(&self, study: &Arc<Study>, query: &Q, begin: bool) -> Showing<Q::Answer> {
         let (frame, now) = (self.shelves.frame(), self.shelves.tick());
         let depends_on = query.depends_on(study);
+        if depends_on.waits_for(study) {
+            let watch = lock(&self.reading).clone();
+            return Showing::Computing {
+                previous: None,
+                watch: watch.unwrap_or_else(|| self.not_begun()),
+            };
+        }
         let shelf = shelf::<Q>(&self.shelves);
         let mut entries = shelf.entries();
         let entry = entries.of(query, &depends_on, now);
@@ -307,8 +334,12 @@ impl Store {
             State::Idle if begin && first.is_none() => Some(self.begin(study, query, &slot)),
             State::Idle | State::Done(_) => first,
         };
-        let watch = watch.unwrap_or_else(|| Arc::clone(self.not_begun.get_or_init(Arc::default)));
+        let watch = watch.unwrap_or_else(|| self.not_begun());
         Showing::Computing { previous, watch }
+    }
+
+    fn not_begun(&self) -> Arc<JobWatch> {
+        Arc::clone(self.not_begun.get_or_init(Arc::default))
     }
 
     fn begin<Q: Query>(&self, study: &Arc<Study>, query: &Q, slot: &SlotOf<Q>) -> Arc<JobWatch> {

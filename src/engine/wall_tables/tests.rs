@@ -46,14 +46,10 @@ fn rows(path: &Path) -> Vec<csv::StringRecord> {
 fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_rows() {
     let (study, folder) = (study(), tempfile::tempdir().unwrap());
     let settings = VerdictQuery::default();
-    let tables = WallTables::of(
-        &store(),
-        &study,
-        &settings,
-        folder.path(),
-        &Progress::default(),
-    )
-    .unwrap();
+    let mut tables = WallTables::new(&study, folder.path()).unwrap();
+    tables
+        .assess(&store(), &study, &settings, &Progress::default())
+        .unwrap();
     let (files, walls) = tables.files(folder.path());
     assert_eq!(walls.unassessed.len(), 1);
     assert_eq!(walls.unassessed[0].subject, 1);
@@ -98,14 +94,48 @@ fn a_heart_without_a_wall_is_said_to_be_unassessed_and_the_others_have_their_row
 }
 
 #[test]
-fn a_stop_leaves_no_file() {
+fn a_stop_before_the_first_subject_leaves_no_file() {
     let (study, folder) = (study(), tempfile::tempdir().unwrap());
     let progress = Progress::default();
     progress.stop();
-    let settings = VerdictQuery::default();
-    let stopped = WallTables::of(&store(), &study, &settings, folder.path(), &progress);
+    let mut tables = WallTables::new(&study, folder.path()).unwrap();
+    let stopped = tables.assess(&store(), &study, &VerdictQuery::default(), &progress);
     assert!(matches!(stopped, Err(Interrupted::Stopped)));
+    assert!(tables.partial_files(folder.path()).is_empty());
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+}
+
+#[test]
+fn a_stop_leaves_the_rows_of_the_subjects_before_under_names_that_say_so() {
+    let (study, folder) = (study(), tempfile::tempdir().unwrap());
+    let mut tables = WallTables::new(&study, folder.path()).unwrap();
+    let first = Arc::new(Study {
+        subjects: study.subjects[..1].to_vec(),
+        ..Study::clone(&study)
+    });
+    let settings = VerdictQuery::default();
+    let (store, progress) = (store(), Progress::default());
+    // The first subject's answer is known; whatever is asked then is stopped.
+    let wall = WallThickeningQuery {
+        subject: 0,
+        settings: settings.thickening,
+    };
+    let answer = store.answer(&first, &wall, &progress).unwrap();
+    tables.rows.add(&study, 0, Ok(answer)).unwrap();
+    let stopped = tables.rows.add(&study, 1, Err(Interrupted::Stopped));
+    assert!(matches!(stopped, Err(Interrupted::Stopped)));
+    write_files(tables.partial_files(folder.path())).unwrap();
+    let mut names: Vec<String> = std::fs::read_dir(folder.path())
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let expected = ["atoms", "patch_segments", "patches", "segments"];
+    assert_eq!(
+        names,
+        expected.map(|name| format!("{name}_of_1_of_3_subjects.csv"))
+    );
+    assert_eq!(rows(&folder.path().join(&names[3])).len(), 17);
 }
 
 #[test]
@@ -113,13 +143,6 @@ fn a_folder_that_cannot_be_is_named_before_anything_is_computed() {
     let folder = tempfile::tempdir().unwrap();
     let taken = folder.path().join("taken");
     std::fs::write(&taken, "a file").unwrap();
-    let settings = VerdictQuery::default();
-    let store = store();
-    let refused = WallTables::of(&store, &study(), &settings, &taken, &Progress::default());
-    let Err(Interrupted::Failed(error)) = refused else {
-        panic!("{refused:?}");
-    };
-    let words = error.to_string();
+    let words = WallTables::new(&study(), &taken).unwrap_err().to_string();
     assert!(words.starts_with("cannot write: "), "{words}");
-    assert_eq!(store.answers::<WallThickeningQuery>(), 0);
 }

@@ -1,5 +1,7 @@
 //! The meshes of the scene, each where its nodes put it.
 
+use std::collections::HashSet;
+
 use gltf::mesh::Mode;
 use gltf::{Document, Node, Primitive};
 use nalgebra::{Matrix3, Matrix4};
@@ -51,6 +53,9 @@ pub(super) struct SceneMeshes {
     pub(super) points_and_lines: usize,
     pub(super) skinned: usize,
     parts: u64,
+    /// Meshes that were placed, and faces of those placed again.
+    placed: HashSet<usize>,
+    repeated_faces: u64,
     vertices: u64,
     faces: u64,
     moved_vertices: u64,
@@ -120,6 +125,8 @@ impl SceneMeshes {
         let Some(mesh) = node.mesh() else {
             return Ok(());
         };
+        let again = !self.placed.insert(mesh.index());
+        let faces_before = self.faces;
         let mut placed = PlacedMesh {
             node: node.index(),
             parts: Vec::new(),
@@ -157,6 +164,12 @@ impl SceneMeshes {
             }
             placed.targets = targets;
             placed.parts.push(part);
+        }
+        if again {
+            // A heart stands in a scene once, its parts perhaps twice: a small file could fill a large memory so.
+            self.repeated_faces += self.faces - faces_before;
+            let what = "faces of meshes that are placed again";
+            check_count(what, self.repeated_faces, limits.faces / 10)?;
         }
         if !placed.parts.is_empty() {
             self.meshes.push(placed);

@@ -50,6 +50,9 @@ pub(super) struct Candidate {
     places: Vec<usize>,
 }
 
+/// What stands for a word for a phase in [`NameParts::template`].
+pub(super) const PHASE: &str = "@";
+
 /// What a word is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Use {
@@ -167,7 +170,7 @@ impl NameParts {
             .map(|(place, (word, used))| {
                 let numbered = self.numbers.iter().any(|c| c.places.contains(&place));
                 match used {
-                    Use::Phase => "@".to_owned(),
+                    Use::Phase => PHASE.to_owned(),
                     _ if numbered && word.number.is_some() => format!("{}#", word.letters),
                     _ => word.text.clone(),
                 }

@@ -49,7 +49,7 @@ impl<'a> Search<'a> {
         Self {
             limits,
             progress,
-            folders: Folders::new(paths),
+            folders: Folders::new(paths, limits.follow_links),
             seen: HashSet::new(),
             lists: HashMap::new(),
             listed: HashMap::new(),
@@ -232,7 +232,16 @@ impl<'a> Search<'a> {
         }
         self.images += files.iter().filter(|file| is_image(&file.path)).count();
         let mut files = files;
-        let Sheets { sheets, subjects } = self.sheets(folders)?;
+        let Sheets {
+            sheets,
+            mut subjects,
+        } = self.sheets(folders)?;
+        if let Some(frames) = self.frame_folders(&subjects, &files)? {
+            for folder in std::mem::take(&mut subjects) {
+                self.seen.insert(identity(&folder));
+            }
+            files.extend(frames);
+        }
         let mut within: BTreeMap<String, Vec<Loose>> = BTreeMap::new();
         for (sheet, origin) in sheets {
             self.seen.insert(identity(&sheet));

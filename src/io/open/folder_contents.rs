@@ -51,6 +51,8 @@ pub(super) struct Loose {
     /// Why it cannot be read, if that is known already.
     pub(super) unreadable: Option<String>,
     pub(super) origin: Origin,
+    /// The name of its folder, where that says which frame it is.
+    pub(super) frame: Option<String>,
     /// Whether it was named itself, not found in a folder.
     pub(super) asked_for: bool,
 }
@@ -84,6 +86,7 @@ impl Loose {
             path,
             unreadable,
             origin: Origin::default(),
+            frame: None,
             asked_for: false,
         }
     }

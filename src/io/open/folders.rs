@@ -3,7 +3,7 @@
 
 use std::collections::HashMap;
 use std::fs::{self, DirEntry};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 use unicode_normalization::UnicodeNormalization;
@@ -70,8 +70,12 @@ impl Listing {
 
 /// Lists folders, each once.
 pub(super) struct Folders {
-    /// What was asked for, without links: links that lead out of all of them are not followed.
+    /// What was asked for, without links: links that lead out of all of them are not followed …
     roots: Vec<PathBuf>,
+    /// … unless that is asked for, too.
+    follow_links: bool,
+    /// What was asked for, as it was written.
+    stated: Vec<PathBuf>,
     known: HashMap<PathBuf, Arc<Listing>>,
     left: usize,
     left_to_compare: usize,
@@ -79,16 +83,17 @@ pub(super) struct Folders {
 
 impl Folders {
     /// For a study of these paths.
-    pub(super) fn new(paths: &[PathBuf]) -> Self {
-        let root = |path: &PathBuf| {
-            let path = path.canonicalize().ok()?;
-            match path.parent() {
-                Some(folder) if !path.is_dir() => Some(folder.to_owned()),
-                _ => Some(path),
-            }
+    pub(super) fn new(paths: &[PathBuf], follow_links: bool) -> Self {
+        let folder_of = |path: PathBuf| match path.parent() {
+            Some(folder) if !path.is_dir() => folder.to_owned(),
+            _ => path,
         };
+        let real = |path: &PathBuf| path.canonicalize().ok().map(folder_of);
+        let stated = |path: &PathBuf| std::path::absolute(path).ok().map(folder_of);
         Self {
-            roots: paths.iter().filter_map(root).collect(),
+            roots: paths.iter().filter_map(real).collect(),
+            stated: paths.iter().filter_map(stated).collect(),
+            follow_links,
             known: HashMap::new(),
             left: MAX_ENTRIES,
             left_to_compare: MAX_COMPARED,
@@ -104,6 +109,24 @@ impl Folders {
     pub(super) fn compared(&mut self) -> Option<()> {
         self.left_to_compare = self.left_to_compare.checked_sub(1)?;
         Some(())
+    }
+
+    /// Why a file that a manifest or a list names cannot be read, if that is known: it is no file, or a link on the way to it
+    /// leads out of the study. A name that says itself that it lies elsewhere (`/data/a.obj`, `../a.obj`) is meant so.
+    pub(super) fn unusable(&self, path: &Path) -> Option<String> {
+        if fs::metadata(path).is_ok_and(|facts| !facts.is_file() && !facts.is_dir()) {
+            return Some(SPECIAL.to_owned());
+        }
+        let within =
+            |roots: &[PathBuf], path: &Path| roots.iter().any(|root| path.starts_with(root));
+        let seems_inside = std::path::absolute(path).is_ok_and(|path| {
+            let parts = path.components();
+            within(&self.stated, &path)
+                && !parts.into_iter().any(|part| part == Component::ParentDir)
+        });
+        let real = path.canonicalize().ok()?;
+        let out = seems_inside && !self.follow_links && !within(&self.roots, &real);
+        out.then(|| out_of_the_study(&real))
     }
 
     /// What a name stands for, with a link followed within what was asked for.
@@ -172,11 +195,8 @@ impl Folders {
                 ));
             }
         };
-        if !self.roots.iter().any(|root| target.starts_with(root)) {
-            return What::Unusable(format!(
-                "a link out of the study, to {}, is not followed; open that place as well to follow it",
-                target.display()
-            ));
+        if !self.follow_links && !self.roots.iter().any(|root| target.starts_with(root)) {
+            return What::Unusable(out_of_the_study(&target));
         }
         match fs::metadata(&target) {
             Ok(facts) if facts.is_dir() => What::LinkedFolder,
@@ -195,6 +215,13 @@ fn what(entry: &DirEntry) -> What {
         Ok(_) => What::Unusable(SPECIAL.to_owned()),
         Err(error) => What::Unusable(reason(&error)),
     }
+}
+
+fn out_of_the_study(target: &Path) -> String {
+    format!(
+        "a link out of the study, to {}, is not followed unless asked for (--follow-links, or File ▸ Open again, following links)",
+        target.display()
+    )
 }
 
 const SPECIAL: &str = "not a file but a pipe, a socket or a device: not read";
@@ -251,7 +278,7 @@ mod tests {
     use std::os::unix::fs::symlink;
 
     fn whats(root: &Path) -> Vec<(String, What)> {
-        let mut folders = Folders::new(&[root.to_owned()]);
+        let mut folders = Folders::new(&[root.to_owned()], false);
         let listing = folders.list(root, &Progress::default()).unwrap().unwrap();
         let pairs = listing.entries.iter();
         pairs
@@ -284,12 +311,19 @@ mod tests {
             };
             assert!(text.contains(why), "{name}: {text}");
         }
-        let mut both = Folders::new(&[root.path().to_owned(), other.path().to_owned()]);
+        let mut both = Folders::new(&[root.path().to_owned(), other.path().to_owned()], false);
         let listing = both
             .list(root.path(), &Progress::default())
             .unwrap()
             .unwrap();
         assert_eq!(both.followed(listing.named("outside").unwrap()), What::File);
+        let asked = Folders::new(&[root.path().to_owned()], true);
+        assert_eq!(
+            asked.followed(listing.named("outside").unwrap()),
+            What::File
+        );
+        let root_of_all = listing.named("root").unwrap();
+        assert_eq!(asked.followed(root_of_all), What::LinkedFolder);
     }
 
     #[test]
@@ -297,7 +331,7 @@ mod tests {
         let root = tempfile::tempdir().unwrap();
         fs::create_dir(root.path().join("Mu\u{308}ller")).unwrap();
         fs::write(root.path().join("Mu\u{308}ller/a.obj"), "").unwrap();
-        let mut folders = Folders::new(&[root.path().to_owned()]);
+        let mut folders = Folders::new(&[root.path().to_owned()], false);
         let found = existing(
             &mut folders,
             root.path(),

@@ -85,7 +85,7 @@ mod tests {
         for name in ["data/e0.vtp", "my endo.vtp", "50%.vtp", "M\u{fc}.vtp"] {
             fs::write(root.path().join(name), "").unwrap();
         }
-        let mut folders = Folders::new(&[root.path().to_owned()]);
+        let mut folders = Folders::new(&[root.path().to_owned()], false);
         let mut find = |name: &str| {
             let found = listed_file(&mut folders, root.path(), name, &Progress::default());
             let relative = |path: PathBuf| path.strip_prefix(root.path()).unwrap().to_owned();

@@ -71,7 +71,10 @@ impl Search<'_> {
                 folder_surface: origin.surface,
                 folder_structure: origin.structure,
                 path: file.path,
-                stem: file.stem,
+                stem: match found.and_then(|found| found.frame.as_ref()) {
+                    Some(frame) => format!("{} {frame}", file.stem),
+                    None => file.stem,
+                },
                 ..LooseFile::default()
             }
         }));
@@ -235,11 +238,9 @@ fn begins_as_mesh(path: &Path) -> bool {
     rows.filter(|row| !row.is_empty() && !row.starts_with(b"#"))
         .take(2)
         .any(|row| {
-            let cell = row
-                .split(|&b| b == b',')
-                .next()
-                .unwrap_or_default()
-                .trim_ascii();
-            row.len() > cell.len() && matches!(cell, b"v" | b"f")
+            let cell = row.split(|b| b",;\t".contains(b)).next();
+            let cell = cell.unwrap_or_default().trim_ascii();
+            row.len() > cell.len()
+                && matches!(cell, b"v" | b"f" | b"V" | b"F" | b"\"v\"" | b"\"f\"")
         })
 }

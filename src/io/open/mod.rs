@@ -2,7 +2,7 @@
 //!
 //! Paths become a plan (which files make which surface of which subject: [`find_sequences`],
 //! [`study_toml`], [`group_files`]); the plan's files are read in parallel and joined
-//! ([`read_subjects`]); what was assumed and found stands with each subject.
+//! ([`read_subjects`]), subject by subject ([`stages`]); what was assumed and found stands with each subject.
 
 mod copies;
 mod file_name;
@@ -10,6 +10,7 @@ mod find_sequences;
 mod folder_contents;
 mod folders;
 mod frame_facts;
+mod frame_folders;
 mod frame_name;
 mod group_files;
 mod labels;
@@ -26,11 +27,14 @@ mod plausible;
 mod read_file;
 mod read_subjects;
 mod readings;
+mod seams;
 mod series_files;
 mod series_parts;
 mod series_times;
 mod sheet_by_shape;
 mod sheet_folders;
+mod stages;
+mod study_budget;
 mod study_toml;
 mod subject_ids;
 mod toml_fields;
@@ -45,12 +49,13 @@ pub use find_sequences::looks_openable;
 use super::{Limits, Opened};
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{AlignedCohort, Copies, all_of, counted};
-use crate::study::{Notice, Study, Subject};
+use crate::study::{ExcludedSubject, Notice, Study, Subject, UnreadSubject};
 use find_sequences::Search;
 use folder_contents::folder_name;
 use group_files::stem;
 use labels::unite_labels;
-pub use read_file::read_head;
+pub use read_file::{read_head, read_mesh_file};
+pub use stages::OpenListener;
 use subject_ids::make_ids_unique;
 
 /// Opens studies, folders, series and mesh files, together as one study.
@@ -65,6 +70,20 @@ pub fn open_paths(
     paths: &[PathBuf],
     limits: &Limits,
     progress: &Progress,
+) -> Result<Opened, Stopped> {
+    open_paths_in_stages(paths, limits, progress, &())
+}
+
+/// The same, with each subject handed to `listener` as soon as it is read. If that has enough before all are read, what
+/// was read is opened, and a note says how many were not.
+///
+/// # Errors
+/// Only [`Stopped`].
+pub fn open_paths_in_stages(
+    paths: &[PathBuf],
+    limits: &Limits,
+    progress: &Progress,
+    listener: &dyn OpenListener,
 ) -> Result<Opened, Stopped> {
     let mut search = Search::new(paths, limits, progress);
     search.paths(paths)?;
@@ -82,11 +101,45 @@ pub fn open_paths(
         errors: plan.errors,
         notices: plan.notices,
     };
-    for outcome in read_subjects::read_subjects(plan.subjects, limits, progress)? {
+    let unread = plan.subjects.iter().map(|subject| UnreadSubject {
+        id: subject.id.clone(),
+        label: subject.stated.label.clone(),
+        read_before: 0,
+    });
+    let planned = Study {
+        unread: unread.collect(),
+        ..opened.study.clone()
+    };
+    let count = plan.subjects.len();
+    let excluded: Vec<bool> = plan.subjects.iter().map(|s| s.stated.excluded).collect();
+    // Who belongs to the cohort is known of all subjects at once, so such a study is shown when all is read.
+    if !excluded.contains(&true) {
+        listener.planned(planned, stages::bytes_of(&plan.subjects));
+    }
+    let outcomes = stages::read_subjects(&plan.subjects, limits, progress, listener)?;
+    let mut left = 0;
+    for (outcome, excluded) in outcomes.into_iter().zip(excluded) {
+        let study = &mut opened.study;
         match outcome {
-            Ok(subject) => opened.study.subjects.push(Arc::new(subject)),
-            Err(errors) => opened.errors.extend(errors),
+            Some(Ok(subject)) if excluded => study.excluded.push(ExcludedSubject {
+                place: study.count(),
+                subject,
+            }),
+            Some(Ok(subject)) => study.subjects.push(subject),
+            Some(Err(errors)) => opened.errors.extend(errors),
+            None => left += 1,
         }
+    }
+    if opened.study.subjects.is_empty() && !opened.study.excluded.is_empty() {
+        let all = std::mem::take(&mut opened.study.excluded).into_iter();
+        opened.study.subjects = all.map(|excluded| excluded.subject).collect();
+        let text = "study.toml excludes all subjects, which leaves no cohort: none is excluded";
+        opened.notices.push(Notice::warning(text));
+    }
+    if left > 0 {
+        opened.notices.push(Notice::warning(format!(
+            "reading was stopped: {left} of {count} subjects were not read"
+        )));
     }
     opened
         .notices
@@ -124,8 +177,8 @@ fn name_of_paths(paths: &[PathBuf]) -> String {
     }
 }
 
-/// What holds for the cohort: whether its vertices correspond, and whether its units agree.
-fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
+/// What holds for the cohort: whether its vertices correspond, whether its units agree, who is listed twice.
+pub fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
     let mut notices = Vec::new();
     if subjects.len() < 2 {
         return notices;

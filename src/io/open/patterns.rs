@@ -104,6 +104,9 @@ impl Walk<'_> {
         };
         if !has_wildcard(part) {
             let path = existing(self.folders, folder, part, self.progress)?;
+            if let Some(why) = self.folders.unusable(&path) {
+                return Err(Interrupted::Failed(format!("{}: {why}", name_of(&path))));
+            }
             if !rest.is_empty() {
                 return self.collect(&path, rest);
             }
@@ -259,7 +262,7 @@ mod tests {
             fs::write(folder.path().join("n01").join(name), "").unwrap();
         }
         let names = |pattern: &str| -> Vec<String> {
-            let mut folders = Folders::new(&[folder.path().to_owned()]);
+            let mut folders = Folders::new(&[folder.path().to_owned()], false);
             files_of_pattern(&mut folders, folder.path(), pattern, &Progress::default())
                 .unwrap()
                 .unwrap()
@@ -290,7 +293,7 @@ mod tests {
             fs::create_dir(folder.path().join(frame)).unwrap();
             fs::write(folder.path().join(frame).join("wall.obj"), "").unwrap();
         }
-        let mut folders = Folders::new(&[folder.path().to_owned()]);
+        let mut folders = Folders::new(&[folder.path().to_owned()], false);
         let mut files = |pattern: &str| -> Vec<String> {
             files_of_pattern(&mut folders, folder.path(), pattern, &Progress::default())
                 .unwrap()
@@ -315,7 +318,7 @@ mod tests {
     fn patterns_of_one_study_share_one_budget() {
         let folder = tempfile::tempdir().unwrap();
         fs::write(folder.path().join("a.obj"), "").unwrap();
-        let mut folders = Folders::new(&[folder.path().to_owned()]);
+        let mut folders = Folders::new(&[folder.path().to_owned()], false);
         let mut files = |pattern: &str| {
             files_of_pattern(&mut folders, folder.path(), pattern, &Progress::default()).unwrap()
         };

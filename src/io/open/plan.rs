@@ -84,6 +84,7 @@ pub(super) struct Stated {
     pub(super) height_cm: Option<f64>,
     pub(super) weight_kg: Option<f64>,
     pub(super) anatomy: Option<Anatomy>,
+    pub(super) excluded: bool,
 }
 
 /// The unit of length that a manifest states.

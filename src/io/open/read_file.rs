@@ -5,9 +5,11 @@ use std::io::{self, Read};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 
+use super::seams::without_seams;
 use crate::io::text_encoding::{without_mark, xml_text};
 use crate::io::xml::check_xml_size;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError, read_mesh_with_siblings};
+use crate::study::SurfaceKind;
 
 /// The last part of a path as text.
 pub(super) fn name_of(path: &Path) -> String {
@@ -86,6 +88,19 @@ pub(super) fn read_text(path: &Path, limits: &Limits) -> Result<String, String> 
         Ok(decoded.into_owned())
     });
     decoded.map_err(|error| error.to_string())
+}
+
+/// The meshes of one file, with its seams joined as in a study.
+///
+/// # Errors
+/// A sentence without the file's name.
+pub fn read_mesh_file(path: &Path, limits: &Limits) -> Result<MeshFile, String> {
+    let bytes = read_bytes(path, limits)?;
+    let mut file = read_mesh_at(path, &bytes, limits)?;
+    let (frames, joined) = without_seams(SurfaceKind::Other, file.frames);
+    file.frames = frames;
+    file.notices.extend(joined);
+    Ok(file)
 }
 
 /// The meshes of a file whose bytes were read, with the files beside it that it may name.

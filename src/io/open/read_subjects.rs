@@ -1,105 +1,29 @@
-//! From a plan to subjects: files are read in parallel, joined to sequences, and checked.
+//! From a plan and what its files hold to a subject: files are joined to sequences, and checked.
 
-use std::collections::HashMap;
 use std::path::PathBuf;
 use std::sync::Arc;
-
-use rayon::prelude::*;
 
 use super::length_unit::length_unit;
 use super::plan::SeriesTimes;
 use super::plan::{KindPlan, StatedUnit, SubjectPlan, SurfacePlan};
-use super::read_file::{read_bytes, read_mesh_at};
+use super::seams::without_seams;
 use super::series_parts::SAME_TIME;
 use super::series_times::seconds;
 use super::sheet_by_shape::sheet_by_shape;
 use crate::io::{Limits, MeshFile, OpenError, ReadMeshError};
-use crate::mesh::{Point3, TriMesh};
+use crate::mesh::TriMesh;
 use crate::progress::{Progress, Stopped};
 use crate::study::checks::{
-    FaceListing, check_count, check_subject, frames_phrase, sort_warnings_first,
+    FaceListing, LandmarkDoubt, check_subject, frames_phrase, sort_warnings_first,
 };
-use crate::study::{
-    Anatomy, MeshSequence, Notice, SequenceError, Subject, SurfaceKind, SurfaceSequence,
-};
+use crate::study::{MeshSequence, Notice, SequenceError, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::Seconds;
 
 /// A subject, or one error for each of its files that cannot be read.
-pub(super) type SubjectOrErrors = Result<Subject, Vec<OpenError>>;
-
-/// What each file of each surface holds.
-type Contents = Vec<Vec<Result<MeshFile, String>>>;
-
-/// Reads all files of all subjects, each a step, and joins them.
-pub(super) fn read_subjects(
-    plans: Vec<SubjectPlan>,
-    limits: &Limits,
-    progress: &Progress,
-) -> Result<Vec<SubjectOrErrors>, Stopped> {
-    // A file of several subjects or frames is read once.
-    let mut places: HashMap<&PathBuf, usize> = HashMap::new();
-    let mut files: Vec<&PathBuf> = Vec::new();
-    let mut uses: Vec<usize> = Vec::new();
-    for path in plans
-        .iter()
-        .filter(|plan| excess(plan, limits).is_none())
-        .flat_map(files_of)
-    {
-        let place = *places.entry(path).or_insert(files.len());
-        if place == files.len() {
-            files.push(path);
-            uses.push(0);
-        }
-        uses[place] += 1;
-    }
-    let checks: usize = plans.iter().map(|p| check_count(p.surfaces.len())).sum();
-    progress.expect_steps(files.len() + checks);
-    let mut contents: Vec<Option<Result<MeshFile, String>>> = files
-        .par_iter()
-        .map(|path| {
-            progress.step()?;
-            let content =
-                read_bytes(path, limits).and_then(|bytes| read_mesh_at(path, &bytes, limits));
-            Ok(Some(content))
-        })
-        .collect::<Result<_, Stopped>>()?;
-    let mut take = |path: &PathBuf| -> Result<MeshFile, String> {
-        let not_read = || Err("not read".to_owned());
-        let Some(&place) = places.get(path) else {
-            return not_read();
-        };
-        uses[place] -= 1;
-        let content = if uses[place] == 0 {
-            contents[place].take()
-        } else {
-            contents[place].clone()
-        };
-        content.unwrap_or_else(not_read)
-    };
-    let of_plans: Vec<Contents> = plans
-        .iter()
-        .map(|plan| match excess(plan, limits) {
-            Some(_) => Vec::new(),
-            None => {
-                let surfaces = plan.surfaces.iter();
-                surfaces
-                    .map(|surface| surface.files.iter().map(&mut take).collect())
-                    .collect()
-            }
-        })
-        .collect();
-    let work: Vec<(SubjectPlan, Contents)> = plans.into_iter().zip(of_plans).collect();
-    work.into_par_iter()
-        .map(|(plan, contents)| join_subject(plan, contents, limits, progress))
-        .collect()
-}
-
-fn files_of(plan: &SubjectPlan) -> impl Iterator<Item = &PathBuf> {
-    plan.surfaces.iter().flat_map(|surface| &surface.files)
-}
+pub(super) type SubjectOrErrors = Result<Arc<Subject>, Vec<OpenError>>;
 
 /// The number of files of a surface that has more than it may have frames; none of them is read.
-fn excess(plan: &SubjectPlan, limits: &Limits) -> Option<String> {
+pub(super) fn excess(plan: &SubjectPlan, limits: &Limits) -> Option<String> {
     let counts = plan.surfaces.iter().map(|surface| surface.files.len());
     let count = counts.max().filter(|&count| count > limits.frames)?;
     Some(too_many_frames(count, limits))
@@ -114,9 +38,10 @@ fn too_many_frames(count: usize, limits: &Limits) -> String {
     reason.to_string()
 }
 
-fn join_subject(
-    plan: SubjectPlan,
-    contents: Contents,
+/// Joins what the files hold, all files of one surface after those of the other.
+pub(super) fn join_subject(
+    plan: &SubjectPlan,
+    contents: Vec<Result<MeshFile, String>>,
     limits: &Limits,
     progress: &Progress,
 ) -> Result<SubjectOrErrors, Stopped> {
@@ -125,14 +50,15 @@ fn join_subject(
         path: path.clone(),
         reason,
     };
-    if let Some(reason) = excess(&plan, limits) {
+    if let Some(reason) = excess(plan, limits) {
         return Ok(Err(vec![wrong(&plan.place, reason)]));
     }
     let mut errors = Vec::new();
     let mut read = Vec::new();
-    for (surface, contents) in plan.surfaces.iter().zip(contents) {
+    let mut contents = contents.into_iter();
+    for surface in &plan.surfaces {
         let mut files = Vec::new();
-        for (path, content) in surface.files.iter().zip(contents) {
+        for (path, content) in surface.files.iter().zip(&mut contents) {
             match content {
                 Ok(file) => files.push(file),
                 Err(reason) => errors.push(wrong(path, reason)),
@@ -176,7 +102,7 @@ fn join_subject(
     match MeshSequence::new(surfaces) {
         Ok(sequence) => {
             let subject = with_facts(plan, sequence, times, notices);
-            checked(subject, progress).map(Ok)
+            checked(subject, progress).map(|subject| Ok(Arc::new(subject)))
         }
         Err(error) => Ok(Err(vec![wrong(&plan.place, error.to_string())])),
     }
@@ -246,6 +172,8 @@ fn join_surface(
         );
         notices.push(Notice { text, ..notice });
     }
+    let (frames, joined) = without_seams(kind, frames);
+    notices.extend(joined);
     notices.extend(FaceListing::of(&frames).notices(kind));
     let sequence = SurfaceSequence::new(kind, frames).map_err(|error| {
         let path = match &error {
@@ -288,33 +216,32 @@ fn kind_of(plan: KindPlan, frames: &[TriMesh]) -> (SurfaceKind, Option<Notice>) 
 
 /// The subject with all that is stated and assumed about it.
 fn with_facts(
-    plan: SubjectPlan,
+    plan: &SubjectPlan,
     sequence: MeshSequence,
     times_s: Option<Vec<f64>>,
     from_files: Vec<Notice>,
 ) -> Subject {
-    let stated = plan.stated;
-    let mut notices = plan.notices;
+    let stated = plan.stated.clone();
+    let mut notices = plan.notices.clone();
     notices.extend(from_files);
     let mut anatomy = stated.anatomy;
+    let mut scaled_by = 1.0;
     let sequence = match stated.unit {
         Some(StatedUnit::Millimetres(factor)) if factor != 1.0 => {
-            anatomy = anatomy.map(|anatomy| Anatomy {
-                apex: anatomy.apex * factor,
-                base: anatomy.base * factor,
-                ..anatomy
-            });
+            anatomy = anatomy.map(|anatomy| anatomy.scaled(factor));
+            scaled_by = factor;
             notices.push(Notice::info(format!(
                 "coordinates multiplied by {factor} to convert them to mm (unit in study.toml)"
             )));
-            scaled(sequence, factor)
+            sequence.scaled(factor)
         }
         _ => sequence,
     };
     let (unit, notice) = length_unit(stated.unit, &sequence);
     notices.extend(notice);
     let frame_count = sequence.frame_count();
-    let mut subject = Subject::new(plan.id, sequence, unit);
+    let mut subject = Subject::new(plan.id.clone(), sequence, unit);
+    subject.scaled_by = scaled_by;
     subject.label = stated.label;
     subject.end_diastole = stated.end_diastole;
     subject.end_systole = stated.end_systole;
@@ -351,35 +278,16 @@ fn usable_times(
     Some(times)
 }
 
-/// All coordinates times a factor; the connectivity stays shared.
-fn scaled(sequence: MeshSequence, factor: f64) -> MeshSequence {
-    let surfaces: Option<Vec<SurfaceSequence>> = sequence
-        .surfaces()
-        .iter()
-        .map(|surface| {
-            let frames: Option<Vec<TriMesh>> = surface
-                .frames()
-                .iter()
-                .map(|mesh| {
-                    let points: Vec<Point3> = mesh.vertices().iter().map(|p| p * factor).collect();
-                    TriMesh::new(points, Arc::clone(mesh.faces())).ok()
-                })
-                .collect();
-            SurfaceSequence::new(surface.kind(), frames?).ok()
-        })
-        .collect();
-    // Only coordinates near the end of `f64` overflow, and are then no heart's.
-    surfaces
-        .and_then(|surfaces| MeshSequence::new(surfaces).ok())
-        .unwrap_or(sequence)
-}
-
 /// The subject with what the checks find; phases that cannot be are left to the volumes.
 fn checked(mut subject: Subject, progress: &Progress) -> Result<Subject, Stopped> {
     let findings = check_subject(&subject, || progress.step())?;
     let frames = subject.sequence.frame_count();
     subject.end_diastole = subject.end_diastole.filter(|&frame| frame < frames);
     subject.end_systole = subject.end_systole.filter(|&frame| frame < frames);
+    if let Some(doubt) = LandmarkDoubt::of(&subject) {
+        subject.notices.push(doubt.notice());
+        subject.anatomy = None;
+    }
     subject.notices.extend(findings);
     subject.notices.dedup();
     sort_warnings_first(&mut subject.notices);

@@ -5,10 +5,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::file_name::{MeshName, NameParts, PhaseUse, Reading};
+use super::file_name::{MeshName, NameParts, PHASE, PhaseUse, Reading};
 use super::frame_name::{FrameName, FrameNumber};
 use crate::study::Notice;
 
+/// What is said of phases in names beside others that have a number alone.
+const NUMBERED_BESIDE: &str = "ED or ES in some file names is not read as end-diastole or end-systole, because others have a number alone: \
+     the numbers are read as frames";
 const SEVERAL_OF_PHASE: &str = "ED or ES in the file names is not read as end-diastole or end-systole, because several files have it: \
      their numbers are read as frames";
 
@@ -21,9 +24,21 @@ pub(super) fn read_names(stems: &[&str]) -> (Vec<MeshName>, Vec<Notice>) {
     }
     let mut names: Vec<MeshName> = vec![MeshName::default(); parts.len()];
     let mut notices = Vec::new();
-    for members in alike.values() {
-        let of_group: Vec<&NameParts> = members.iter().map(|&index| &parts[index]).collect();
-        let (reading, notice) = reading_of(&of_group);
+    for (template, members) in &alike {
+        let group_of = |members: &[usize]| -> Vec<&NameParts> {
+            members.iter().map(|&index| &parts[index]).collect()
+        };
+        let of_group = group_of(members);
+        let plain: Vec<String> = (template.iter())
+            .filter(|word| *word != PHASE)
+            .cloned()
+            .collect();
+        let beside = alike.get(&plain).filter(|_| plain.len() < template.len());
+        let numbered = beside.and_then(|beside| numbered_beside(&of_group, &group_of(beside)));
+        let (reading, notice) = match numbered {
+            Some(reading) => (reading, Some(NUMBERED_BESIDE)),
+            None => reading_of(&of_group),
+        };
         for &index in members {
             names[index] = parts[index].name(reading);
         }
@@ -83,6 +98,28 @@ fn reading_of(names: &[&NameParts]) -> (Reading, Option<&'static str>) {
         PhaseUse::Left
     };
     (with_number(phase), Some(SEVERAL_OF_PHASE))
+}
+
+/// `endo_0_ED`, `endo_1_ES` beside `endo_2`: the numbers are the frames of all, if each is of one file alone.
+fn numbered_beside(names: &[&NameParts], beside: &[&NameParts]) -> Option<Reading> {
+    let number = varying_number(names)?;
+    let sure = |name: &&NameParts| name.numbers.get(number).is_some_and(|found| found.sure);
+    if !names.iter().all(sure) {
+        return None;
+    }
+    let reading = Reading {
+        phase: PhaseUse::Left,
+        number: Some(number),
+    };
+    let key = |name: MeshName| (name.case, name.surface, name.frame);
+    let of_others = beside
+        .iter()
+        .map(|name| key(name.name(reading_of(beside).0)));
+    let mut seen: BTreeSet<_> = of_others.collect();
+    let all_new = names
+        .iter()
+        .all(|name| seen.insert(key(name.name(reading))));
+    all_new.then_some(reading)
 }
 
 fn value(name: &NameParts, number: Option<usize>) -> Option<FrameNumber> {
@@ -146,6 +183,32 @@ mod tests {
         expect(
             &["diastole_endo_0", "diastole_endo_1", "systole_endo_2"],
             &[("", "0"), ("", "1"), ("", "2")],
+        );
+    }
+
+    #[test]
+    fn numbers_of_some_files_are_frames_of_those_with_a_phase_as_well() {
+        expect(
+            &[
+                "endo_0_ED",
+                "endo_1_ES",
+                "endo_2",
+                "epi_0_ED",
+                "epi_1_ES",
+                "epi_2",
+            ],
+            &[
+                ("", "0"),
+                ("", "1"),
+                ("", "2"),
+                ("", "0"),
+                ("", "1"),
+                ("", "2"),
+            ],
+        );
+        expect(
+            &["endo_3_ED", "endo_3_ES", "endo_4"],
+            &[("3", "ED"), ("3", "ES"), ("", "4")],
         );
     }
 

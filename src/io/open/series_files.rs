@@ -72,6 +72,9 @@ pub(super) fn read_series(
         progress.check()?;
         match listed_file(folders, folder, &name, progress)? {
             Some((file, elsewhere)) => {
+                if let Some(why) = folders.unusable(&file) {
+                    missing = missing.or(Some(format!("line {line}: {name:?}: {why}")));
+                }
                 if elsewhere {
                     moved.push(name);
                 }

@@ -20,6 +20,7 @@
 //! weight_kg = 71.5
 //! # points in the coordinates of frame 0; of the last two only the direction from the axis counts
 //! orientation = { apex = [0, 0, -80], base = [0, 0, 0], septum = [30, 0, 0], anterior = [0, 30, 0] }
+//! excluded = true                  # stays in the study, and no analysis of the cohort counts it
 //! ```
 
 use toml::de::{DeTable, DeValue};
@@ -212,6 +213,7 @@ fn stated(fields: &mut Fields, notices: &mut Vec<Notice>) -> Result<Stated, Stri
         height_cm: fields.positive("height_cm")?,
         weight_kg: fields.positive("weight_kg")?,
         anatomy: anatomy(fields, notices)?,
+        excluded: fields.flag("excluded")?,
     })
 }
 

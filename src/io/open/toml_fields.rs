@@ -93,6 +93,12 @@ impl<'t> Fields<'t> {
         })
     }
 
+    /// False where it is not said.
+    pub(super) fn flag(&mut self, key: &'static str) -> Result<bool, String> {
+        let flag = self.read(key, "true or false", DeValue::as_bool)?;
+        Ok(flag.unwrap_or(false))
+    }
+
     /// A number above zero.
     pub(super) fn positive(&mut self, key: &'static str) -> Result<Option<f64>, String> {
         self.read(key, "a number above zero", |value| {

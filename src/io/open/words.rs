@@ -129,10 +129,11 @@ pub(super) fn structure_of_word(word: &str) -> Option<&'static str> {
 /// The phase that a word means.
 pub(super) fn phase_of_word(word: &str) -> Option<FrameName> {
     match word.to_lowercase().as_str() {
-        "ed" | "enddiastole" | "enddiastolic" | "diastole" | "diastolic" => {
-            Some(FrameName::EndDiastole)
+        "ed" | "enddiastole" | "enddiastolic" | "diastole" | "diastolic" | "diast" | "dias"
+        | "dia" => Some(FrameName::EndDiastole),
+        "es" | "endsystole" | "endsystolic" | "systole" | "systolic" | "syst" | "sys" => {
+            Some(FrameName::EndSystole)
         }
-        "es" | "endsystole" | "endsystolic" | "systole" | "systolic" => Some(FrameName::EndSystole),
         _ => None,
     }
 }

@@ -41,11 +41,13 @@ pub(super) struct Element {
 }
 
 impl Element {
-    /// Index of the first property that has one of these names.
+    /// Index of the first property that has one of these names, in any case.
     pub(super) fn property(&self, names: &[&str]) -> Option<usize> {
-        self.properties
-            .iter()
-            .position(|property| names.contains(&property.name.as_str()))
+        self.properties.iter().position(|property| {
+            names
+                .iter()
+                .any(|name| property.name.eq_ignore_ascii_case(name))
+        })
     }
 
     /// The least bytes that one of these takes in the file.
@@ -73,7 +75,8 @@ pub(super) struct Header<'a> {
 pub(super) fn read_header(bytes: &[u8]) -> Result<Header<'_>, ReadMeshError> {
     let mut lines = TextLines::new(bytes);
     let mut not_empty = lines.by_ref().map(|(_, text)| text.trim_ascii());
-    if not_empty.find(|text| !text.is_empty()) != Some(b"ply") {
+    let first = not_empty.find(|text| !text.is_empty());
+    if !first.is_some_and(|text| text.eq_ignore_ascii_case(b"ply")) {
         return Err(Place::Line(1).error("the first line is not \"ply\""));
     }
     let mut encoding = None;

@@ -2,20 +2,15 @@
 
 use super::body::{BinaryBody, Body, TextBody};
 use super::header::{Element, Encoding, Header, Storage, read_header};
-use crate::io::binary_cursor::{count, vertex_index};
-use crate::io::mesh_draft::MeshDraft;
+use crate::io::binary_cursor::{Scalar, count, vertex_index};
+use crate::io::mesh_draft::{MeshDraft, Place};
 use crate::io::{Limits, MeshFile, ReadMeshError};
 use crate::study::Notice;
 
-/// Reads `vertex` with `x`, `y`, `z` and `face` with `vertex_indices`; other elements and
-/// properties are passed over.
+/// Reads `vertex` with `x`, `y`, `z`, `face` with `vertex_indices`, and `tristrips`; other elements and properties are
+/// passed over.
 pub(crate) fn read_ply(bytes: &[u8], limits: &Limits) -> Result<MeshFile, ReadMeshError> {
     let header = read_header(bytes)?;
-    if let Some(strips) = header.elements.iter().find(|e| e.name == "tristrips") {
-        return Err(strips
-            .place
-            .error("triangle strips are not read; save the mesh with plain faces"));
-    }
     let draft = MeshDraft::new(limits, 0);
     match header.encoding {
         Encoding::Text => read_elements(TextBody::new(header.body.clone()), &header, draft),
@@ -46,6 +41,7 @@ fn read_elements(
                 draft.expect_faces(element.count)?;
                 read_faces(&mut body, element, &mut draft)?;
             }
+            "tristrips" => read_strips(&mut body, element, &mut draft)?,
             _ => pass_over(&mut body, element)?,
         }
     }
@@ -99,30 +95,81 @@ fn read_faces(
     element: &Element,
     draft: &mut MeshDraft,
 ) -> Result<(), ReadMeshError> {
-    let corners_at = element
-        .property(&["vertex_indices", "vertex_index"])
-        .filter(|&at| matches!(element.properties[at].storage, Storage::List { .. }))
-        .ok_or_else(|| element.place.error("faces have no list \"vertex_indices\""))?;
     let mut corners = Vec::new();
+    each_list(body, element, |body, count, item, place| {
+        draft.check_corners(count, place)?;
+        corners.clear();
+        for _ in 0..count {
+            let place = body.place();
+            corners.push(vertex_index(body.number(item)?, place)?);
+        }
+        draft.polygon(&corners, place)
+    })
+}
+
+/// The list of corners: the one of that name, else the only list of whole numbers.
+fn corners_of(element: &Element) -> Result<usize, ReadMeshError> {
+    let lists = || {
+        let properties = element.properties.iter().enumerate();
+        properties.filter_map(|(at, property)| match property.storage {
+            Storage::List { item, .. } => Some((at, item)),
+            Storage::One(_) => None,
+        })
+    };
+    let named = element.property(&["vertex_indices", "vertex_index"]);
+    let named = named.filter(|at| lists().any(|(list, _)| list == *at));
+    let mut whole = lists().filter(|(_, item)| !matches!(item, Scalar::F32 | Scalar::F64));
+    let only = whole.next().filter(|_| whole.next().is_none());
+    named.or(only.map(|(at, _)| at)).ok_or_else(|| {
+        let name = &element.name;
+        element
+            .place
+            .error(format!("{name} without a list \"vertex_indices\""))
+    })
+}
+
+/// Strips of triangles, one after the other in one list or in several, each ended by −1.
+fn read_strips(
+    body: &mut impl Body,
+    element: &Element,
+    draft: &mut MeshDraft,
+) -> Result<(), ReadMeshError> {
+    let mut strip = Vec::new();
+    each_list(body, element, |body, count, item, place| {
+        for _ in 0..count {
+            let place = body.place();
+            match body.number(item)? {
+                -1.0 => draft.strip(&std::mem::take(&mut strip), place)?,
+                corner => strip.push(vertex_index(corner, place)?),
+            }
+        }
+        match strip.is_empty() {
+            true => Ok(()),
+            false => draft.strip(&std::mem::take(&mut strip), place),
+        }
+    })
+}
+
+/// Reads the list of corners of each element: `read` takes its numbers, so many of one kind, at a place.
+fn each_list<B: Body>(
+    body: &mut B,
+    element: &Element,
+    mut read: impl FnMut(&mut B, u64, Scalar, Place) -> Result<(), ReadMeshError>,
+) -> Result<(), ReadMeshError> {
+    let corners_at = corners_of(element)?;
     for index in 0..element.count {
         body.begin(&element.name, index == 0)?;
         let place = body.place();
         for (at, property) in element.properties.iter().enumerate() {
             match property.storage {
                 Storage::List { length, item } if at == corners_at => {
-                    corners.clear();
                     let count = count(body.number(length)?, place)?;
-                    draft.check_corners(count, place)?;
-                    for _ in 0..count {
-                        let place = body.place();
-                        corners.push(vertex_index(body.number(item)?, place)?);
-                    }
+                    read(body, count, item, place)?;
                 }
                 storage => pass_over_property(body, storage)?,
             }
         }
         body.end()?;
-        draft.polygon(&corners, place)?;
     }
     Ok(())
 }

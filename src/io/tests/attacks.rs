@@ -179,7 +179,17 @@ fn three_hundred_thousand_instances_are_refused() {
         "1001 parts of the scene; the limit is 1000"
     );
     let text = gltf(&vec!["{\"mesh\":0}"; 100].join(","), &buffer, "");
-    assert_eq!(read("a.gltf", text).frames[0].triangles().len(), 100);
+    assert_eq!(read("a.gltf", &text).frames[0].triangles().len(), 100);
+    let small = Limits {
+        faces: 500,
+        ..Limits::default()
+    };
+    assert_eq!(
+        read_mesh("a.gltf", text.as_bytes(), &small)
+            .unwrap_err()
+            .to_string(),
+        "51 faces of meshes that are placed again; the limit is 50"
+    );
 }
 
 fn percent(bytes: &[u8]) -> String {

@@ -5,6 +5,7 @@ mod by_hand;
 mod damage;
 mod gltf_by_hand;
 mod no_numbers;
+mod other_habits;
 mod other_programs;
 mod round_trips;
 mod text_habits;

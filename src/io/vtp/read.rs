@@ -174,7 +174,10 @@ fn for_each_cell(
     let place = file.place(node);
     let array = |name: &str| {
         node.children()
-            .find(|child| child.attribute("Name") == Some(name))
+            .find(|child| {
+                let found = child.attribute("Name").unwrap_or_default();
+                found.trim().eq_ignore_ascii_case(name)
+            })
             .ok_or_else(|| place.error(format!("the array \"{name}\" is missing")))
     };
     let max_corners = 3 * limits.faces as u64;

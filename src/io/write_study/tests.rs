@@ -7,7 +7,8 @@ use proptest::prelude::*;
 use super::*;
 use crate::io::{Limits, Opened, open_paths};
 use crate::mesh::{Point3, TriMesh, phantom};
-use crate::study::{LabelRoles, SurfaceSequence};
+use crate::study::checks::LandmarkDoubt;
+use crate::study::{LabelRoles, Revision, SurfaceSequence};
 use crate::units::Seconds;
 
 fn format(extension: &str) -> MeshFormat {
@@ -86,6 +87,10 @@ prop_compose! {
         subject.height_cm = sizes.map(|(height, _)| height);
         subject.weight_kg = sizes.map(|(_, weight)| weight);
         subject.anatomy = anatomy.flatten();
+        // Landmarks that cannot be those of the surfaces are not read back.
+        if LandmarkDoubt::of(&subject).is_some() {
+            subject.anatomy = None;
+        }
         subject
     }
 }
@@ -109,19 +114,23 @@ proptest! {
     fn a_study_reads_back_as_it_was_written(
         name in "[a-z \"\\\\]{0,8}",
         normal in prop::collection::vec("[A-Z]{1,4}", 0..3),
-        subjects in prop::collection::vec(subject(), 1..4),
+        subjects in prop::collection::vec(subject(), 1..5),
+        excluded in prop::collection::vec(any::<bool>(), 3),
         format in prop::sample::select(MeshFormat::all().collect::<Vec<_>>()),
     ) {
         let mut subjects = subjects;
         for (index, subject) in subjects.iter_mut().enumerate() {
             subject.id = format!("{}{index}", subject.id);
         }
-        let study = Study {
+        let mut study = Study {
             name,
             subjects: subjects.into_iter().map(Arc::new).collect(),
             label_roles: LabelRoles { normal, abnormal: vec!["DCM".to_owned()] },
             ..Study::default()
         };
+        for index in (0..excluded.len()).filter(|index| excluded[*index]) {
+            study = study.excluding(index, Revision(1)).unwrap_or(study);
+        }
         let folder = tempfile::tempdir().unwrap();
         write_study(&study, folder.path(), format, &Progress::default()).unwrap();
         let opened = read_back(folder.path());
@@ -129,7 +138,8 @@ proptest! {
         prop_assert_eq!(&opened.study.name, &study.name);
         prop_assert_eq!(&opened.study.label_roles, &study.label_roles);
         prop_assert_eq!(opened.study.subjects.len(), study.subjects.len());
-        for (written, read) in study.subjects.iter().zip(&opened.study.subjects) {
+        prop_assert_eq!(opened.study.in_order(), study.in_order());
+        for (written, read) in study.all().zip(opened.study.all()) {
             assert_same(written, read);
         }
     }
@@ -185,6 +195,25 @@ fn the_series_files_of_a_study_open_by_themselves() {
         assert_eq!(read.sequence, study.subjects[0].sequence);
         assert_eq!(read.timing.frame_times_s, Some(vec![0.0, 0.35]));
     }
+}
+
+#[test]
+fn a_study_that_excludes_all_its_subjects_excludes_none_and_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    write_study(
+        &small_study(&[1.0]),
+        folder.path(),
+        format("obj"),
+        &Progress::default(),
+    )
+    .unwrap();
+    let manifest = folder.path().join("study.toml");
+    let text = fs::read_to_string(&manifest).unwrap() + "excluded = true\n";
+    fs::write(&manifest, text).unwrap();
+    let opened = read_back(folder.path());
+    assert_eq!((opened.study.subjects.len(), opened.study.count()), (1, 1));
+    let mut notices = opened.notices.iter();
+    assert!(notices.any(|notice| notice.text.contains("excludes all subjects")));
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The bull's-eye of the selected subject: laid flat once, coloured at every pose.
+//! The bull's-eye of the selected subject: projected once, coloured at every pose.
 
 use std::sync::Arc;
 
@@ -6,7 +6,6 @@ use crate::document::document::nearest_frame;
 use crate::document::state::State;
 use crate::engine::SubjectThickening;
 use crate::panes::patch::view::wall_state;
-use crate::panes::viewport::overlay_view::moment_name;
 use crate::picture::{
     BullsEyeScale, CohortLimits, PatchStanding, PolarMap, PolarValues, WallPart, part_name, percent,
 };
@@ -67,7 +66,7 @@ impl BullsEyeData {
         }
         self.scale = scale;
         let frame = nearest_frame(document.position, found.beat.frames.len());
-        self.moment = moment_name(state, document.subject, frame);
+        self.moment = state.moment_name(document.subject, frame);
         self.shown = self.flat.values(found, subject, quantity, frame);
         let selected = document.selected_patch();
         let standing = state.patch_standing(state.document.subject);

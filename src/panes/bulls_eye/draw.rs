@@ -1,7 +1,7 @@
 //! The plot itself: colours, rings and sectors, patches, numbers, names, colour bar.
 
 use egui::epaint::Mesh;
-use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2};
+use egui::{Align2, Color32, FontId, Pos2, Rect, Shape, Stroke, Ui, pos2, vec2};
 
 use crate::analysis::segments::{RING_RADII, Segment};
 use crate::panes::bulls_eye::layout::Disc;
@@ -78,9 +78,11 @@ fn patch_mark(ui: &Ui, view: &BullsEyeView, disc: &Disc, patch: &BullsEyePatch) 
         (true, true) => (line::THIN, FAINT),
         (false, true) => (line::MARK, FAINT),
     };
+    let by_segment = view.by_segment && view.flat.oriented;
     let stride = hatch_stride(disc.radius);
     for (number, ends) in &patch.shape.hatch {
-        if number.rem_euclid(stride) == 0 {
+        // The numbers of segments are read; the outline is enough.
+        if !by_segment && number.rem_euclid(stride) == 0 {
             let ends = ends.map(|end| disc.at(end));
             painter.line_segment(ends, Stroke::new(line::THIN, HATCH));
         }
@@ -92,7 +94,7 @@ fn patch_mark(ui: &Ui, view: &BullsEyeView, disc: &Disc, patch: &BullsEyePatch) 
         painter.extend(sides(&points, below));
         painter.extend(sides(&points, Stroke::new(width, colour)));
     }
-    if disc.radius < NUMBERED_RADIUS || (view.by_segment && view.flat.oriented) {
+    if disc.radius < NUMBERED_RADIUS || by_segment {
         return;
     }
     if let Some(middle) = patch.shape.middle {
@@ -166,9 +168,15 @@ fn numbers(ui: &Ui, view: &BullsEyeView, disc: &Disc) {
         let ink = Color32::from_rgb(ink_red, ink_green, ink_blue);
         let at = disc.middle_of(segment);
         let text = view.scale.text(value);
-        let font = FontId::proportional(size);
-        let painter = ui.painter();
-        painter.text(at, Align2::CENTER_CENTER, text, font, ink);
+        let galley = (ui.painter()).layout_no_wrap(text, FontId::proportional(size), ink);
+        let place = Align2::CENTER_CENTER.anchor_size(at, galley.size());
+        if !view.patches.is_empty() {
+            // Over outlines that may run through the middle of a segment.
+            let plate = Color32::from_rgb(red, green, blue);
+            ui.painter()
+                .rect_filled(place.expand2(vec2(2.0, -1.0)), 3.0, plate);
+        }
+        ui.painter().galley(place.min, galley, ink);
     }
 }
 

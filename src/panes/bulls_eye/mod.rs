@@ -14,13 +14,13 @@ pub use values::*;
 use egui::{Role, Sense, Ui, WidgetInfo};
 
 use crate::analysis::segments::Segment;
-use crate::engine::{Topic, WallThickeningQuery};
-use crate::panes::buttons::command_button_ui;
-use crate::panes::commands::{Command, WallCommand, WorkCommand};
+use crate::panes::commands::{Command, WallCommand};
 use crate::panes::work_state::WorkState;
+use crate::panes::work_ui::{WALL_WORK, work_pane_ui};
 use crate::picture::{BullsEyeQuantity, WallPart};
-use crate::ui::controls::{choices_ui, chooser_ui, empty_pane_ui, progress_bar_ui};
+use crate::ui::controls::{choices_ui, chooser_ui, empty_pane_ui};
 use crate::ui::marks::distance_to;
+use crate::ui::named_parts::{named_part, names_are_read};
 use crate::ui::theme::space;
 
 /// Draws the pane.
@@ -44,34 +44,30 @@ pub fn bulls_eye_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command
 fn without_map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     let what = "Wall thickness and thickening by AHA segment are shown here";
     match (&view.state, view.without_axis) {
-        (WorkState::Unanswerable(why), _) => empty_pane_ui(ui, "Not assessed", why, |_| {}),
-        (WorkState::Computing { fraction, .. }, _) => {
-            empty_pane_ui(ui, "Fitting medial spheres", what, |ui| {
-                let width = 180f32.min(ui.available_width());
-                progress_bar_ui(ui, width, *fraction, "Fitting medial spheres");
-            });
-        }
-        (WorkState::Stopped, _) => empty_pane_ui(ui, "The measurement was stopped", what, |ui| {
-            let retry = WorkCommand::Retry(Topic::of::<WallThickeningQuery>());
-            command_button_ui(ui, "Measure wall thickness", retry, commands);
-        }),
         (WorkState::Ready, Some(why)) => {
             empty_pane_ui(ui, "The bull's-eye could not be computed", why, |_| {});
         }
-        _ => empty_pane_ui(ui, "No bull's-eye", what, |_| {}),
+        (state, _) => work_pane_ui(ui, state, &WALL_WORK, ["No bull's-eye", what], commands),
     }
 }
+
+/// Width of the button of segment values with its short name.
+const SHORT_BUTTON: f32 = 64.0;
 
 fn choosers_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
-        chooser_ui(ui, "Bull's-eye", view.scale.quantity.name(), |ui| {
-            let quantities = BullsEyeQuantity::ALL.map(|quantity| (quantity, quantity.name()));
-            let chosen = choices_ui(ui, quantities, view.scale.quantity);
-            commands
-                .extend(chosen.map(|quantity| Command::from(WallCommand::SetBullsEye(quantity))));
-        })
-        .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
+        let room = ui.available_width() - SHORT_BUTTON;
+        ui.scope(|ui| {
+            ui.set_max_width(room.max(50.0));
+            chooser_ui(ui, "Bull's-eye", view.scale.quantity.name(), |ui| {
+                let quantities = BullsEyeQuantity::ALL.map(|quantity| (quantity, quantity.name()));
+                let chosen = choices_ui(ui, quantities, view.scale.quantity);
+                let command = chosen.map(WallCommand::SetBullsEye);
+                commands.extend(command.map(Command::from));
+            })
+            .on_hover_text("PT: thickness ratio to end-diastole (Taimouri, table 4.1)");
+        });
         let narrow = ui.available_width() < 110.0;
         let name = if narrow { "AHA 17" } else { "Segment values" };
         let segments = egui::Button::new(name).selected(view.by_segment);
@@ -100,6 +96,9 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
     draw::plot(ui, view, &disc, hovered);
     draw::names(ui, view, &disc, area);
     draw::colour_bar(ui, view, bar);
+    if view.flat.oriented && names_are_read(&response) {
+        name_segments(ui, view, &disc, &response, commands);
+    }
     if response.clicked()
         && let Some(patch) = border(response.interact_pointer_pos())
     {
@@ -122,6 +121,34 @@ fn map_ui(ui: &mut Ui, view: &BullsEyeView, commands: &mut Vec<Command>) {
             .on_hover_text_at_pointer(&view.patches[patch].name);
     } else if let Some(segment) = hovered {
         response.on_hover_text_at_pointer(hover_text(view, segment));
+    }
+}
+
+/// Names segments and patches for whoever does not see them; asked to click one, it is selected.
+fn name_segments(
+    ui: &Ui,
+    view: &BullsEyeView,
+    disc: &layout::Disc,
+    canvas: &egui::Response,
+    commands: &mut Vec<Command>,
+) {
+    let mut name = |id: egui::Id, at, selected, name: &str, part| {
+        let rect = egui::Rect::from_center_size(at, egui::Vec2::splat(10.0));
+        if named_part(ui, id, rect, selected, name) {
+            commands.push(WallCommand::SelectPart(Some(part)).into());
+        }
+    };
+    for segment in Segment::all() {
+        let (at, words) = (disc.middle_of(segment), hover_text(view, segment));
+        let selected = view.selected == Some(segment);
+        let part = WallPart::Segment(segment);
+        name(canvas.id.with(segment.number()), at, selected, &words, part);
+    }
+    for (index, patch) in view.patches.iter().enumerate() {
+        if let Some(middle) = patch.shape.middle {
+            let (id, at) = (canvas.id.with(("patch", index)), disc.at(middle));
+            name(id, at, patch.selected, &patch.name, WallPart::Patch(index));
+        }
     }
 }
 

@@ -1,49 +1,37 @@
 //! The table of subjects: filter, sort, select.
 
 mod columns;
+mod header;
+mod row_menu;
 pub(crate) mod rows;
 pub(crate) mod spec;
+mod typing;
+mod unread;
+mod values;
 pub(crate) mod view;
 
 use egui::{
-    Align2, Key, Order, Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui,
-    WidgetInfo, pos2, vec2,
+    Rect, Response, RichText, Role, ScrollArea, Sense, TextEdit, Ui, WidgetInfo, pos2, vec2,
 };
 
+use crate::document::CohortColumn;
 use crate::panes::buttons::command_button_ui;
-use crate::panes::cohort::rows::{CohortColumn, CohortRow, CohortSort, CohortVerdict};
-use crate::panes::commands::{BeatCommand, Command, FileCommand, TransportCommand, ViewCommand};
-use crate::panes::normal_ranges::EJECTION_FRACTION;
+use crate::panes::cohort::rows::{CohortRow, CohortVerdict};
+use crate::panes::commands::{BeatCommand, Command, FileCommand, ViewCommand};
 use crate::panes::subject_drag::{DraggedSubject, SubjectTarget, subject_target_ui};
-use crate::ui::controls::{dragged_from_within, empty_pane_ui};
+use crate::ui::controls::{dragged_from_within, empty_pane_ui, escaped};
 use crate::ui::label_marks::label_mark;
 use crate::ui::marks::role_name;
 use crate::ui::style::{note, text_font};
-use crate::ui::text::counted;
-use crate::ui::theme::{colours, space};
+use crate::ui::text::{counted, text_width};
+use crate::ui::theme::{colours, line, space};
 
-use columns::{Columns, VerdictRoom, cell, heading, verdict_cell};
-
-/// What the cohort pane shows.
-#[derive(Clone, Debug)]
-pub struct CohortView<'a> {
-    /// All subjects in the order of the study.
-    pub rows: &'a [CohortRow],
-    /// Those shown, in the order shown: the answer of [`crate::panes::visible_rows`].
-    pub visible: &'a [usize],
-    /// The text in the filter box.
-    pub search: &'a str,
-    /// How the rows are sorted.
-    pub sort: Option<CohortSort>,
-    /// The selected subject.
-    pub selected: Option<usize>,
-    /// The second subject of the side-by-side view.
-    pub compared: Option<usize>,
-    /// Whether ejection fractions are being computed.
-    pub measuring: bool,
-    /// Whether verdicts are being computed.
-    pub classifying: bool,
-}
+use columns::{Columns, cell, excluded_cell, number_cell, verdict_cell};
+use header::header_ui;
+use row_menu::row_menu_ui;
+use typing::typing_ui;
+use unread::{ShownRow, shown_rows, unread_row_ui};
+pub use values::{CohortEdits, CohortView};
 
 /// Draws the filter box and the table.
 pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
@@ -62,9 +50,14 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
     }
     search_ui(ui, view, commands);
     let labelled = view.rows.iter().any(|row| row.label.is_some());
-    let columns = Columns::within(ui.available_rect_before_wrap().x_range(), labelled);
-    header_ui(ui, view, &columns, commands);
-    if view.visible.is_empty() {
+    let longest = view.rows.iter().map(|row| row.id.as_str());
+    let longest = longest.max_by_key(|id| id.chars().count());
+    let names = longest.map_or(0.0, |id| text_width(ui, id, text_font()));
+    let across = ui.available_rect_before_wrap().x_range();
+    let columns = Columns::within(across, labelled, names);
+    header_ui(ui, view.sort, &columns, commands);
+    let shown = shown_rows(view.visible, view.sort, view.unread, view.search);
+    if shown.is_empty() {
         ui.add_space(space::LARGE);
         ui.vertical_centered(|ui| {
             ui.label(note(format!("No subject matches “{}”", view.search)));
@@ -73,7 +66,7 @@ pub fn cohort_table_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Comman
         });
         return;
     }
-    rows_ui(ui, view, &columns, commands);
+    rows_ui(ui, view, &shown, &columns, commands);
 }
 
 fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
@@ -88,103 +81,54 @@ fn search_ui(ui: &mut Ui, view: &CohortView, commands: &mut Vec<Command>) {
             let response = ui.add(edit).accessible_name("Filter subjects");
             if response.changed() {
                 commands.push(ViewCommand::SetSearch(text).into());
-            } else if !view.search.is_empty() && escaped(ui) {
+            } else if !view.search.is_empty() && view.edits.typing.is_none() && escaped(ui) {
                 commands.push(ViewCommand::SetSearch(String::new()).into());
             }
         });
 }
 
-/// Whether Esc was pressed and closes nothing else, in the filter box or elsewhere in the window.
-fn escaped(ui: &Ui) -> bool {
-    let over = |order| matches!(order, Order::Middle | Order::Foreground);
-    let covered = ui.memory(|memory| {
-        let layers = memory.areas().visible_layer_ids();
-        layers.iter().any(|layer| over(layer.order))
-    });
-    !covered && ui.input(|input| input.key_pressed(Key::Escape))
-}
-
-fn header_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
-    let (row, _) = ui.allocate_exact_size(vec2(ui.available_width(), space::ROW), Sense::hover());
-    let verdict = match columns.room {
-        VerdictRoom::Words | VerdictRoom::Share => "Verdict",
-        VerdictRoom::Mark => "",
-    };
-    let names = ["", "Subject", "Label", "EF %", verdict];
-    let readable = ["Role", "Subject", "Label", "EF %", "Verdict"];
-    for (index, column) in CohortColumn::ALL.into_iter().enumerate() {
-        let [left, right] = columns.span(column);
-        if right <= left {
-            continue;
-        }
-        let rect = Rect::from_min_max(pos2(left, row.top()), pos2(right, row.bottom()));
-        let id = ui.scope_id().with(("sort", index));
-        let response = ui.interact(rect, id, Sense::click());
-        response.widget_info(|| {
-            WidgetInfo::labeled(Role::Button, true, format!("Sort by {}", readable[index]))
-        });
-        let sorted = view.sort.filter(|sort| sort.column == column);
-        let colour = if sorted.is_some() || response.hovered() {
-            colours(ui).text
-        } else {
-            colours(ui).muted
-        };
-        let align = if column == CohortColumn::EjectionFraction {
-            Align2::RIGHT_CENTER
-        } else {
-            Align2::LEFT_CENTER
-        };
-        let text = heading(ui, rect, align, names[index], colour);
-        if let Some(sort) = sorted {
-            let arrow = if sort.descending { "▼" } else { "▲" };
-            let (at, anchor) = if column == CohortColumn::EjectionFraction {
-                (text.left_center() - vec2(3.0, 0.0), Align2::RIGHT_CENTER)
-            } else {
-                (text.right_center() + vec2(3.0, 0.0), Align2::LEFT_CENTER)
-            };
-            ui.painter()
-                .text(at, anchor, arrow, egui::FontId::proportional(8.0), colour);
-        }
-        crate::ui::controls::focus_ring(ui, &response);
-        let hint = match column {
-            CohortColumn::Verdict => {
-                "Sort by verdict (predicted probability of abnormal)".to_owned()
-            }
-            _ => format!("Sort by {}", readable[index]),
-        };
-        if response.on_hover_text(hint).clicked() {
-            commands.push(ViewCommand::SortCohort(index).into());
-        }
-    }
-}
-
-fn rows_ui(ui: &mut Ui, view: &CohortView, columns: &Columns, commands: &mut Vec<Command>) {
+fn rows_ui(
+    ui: &mut Ui,
+    view: &CohortView,
+    rows: &[ShownRow],
+    columns: &Columns,
+    commands: &mut Vec<Command>,
+) {
     ui.spacing_mut().item_spacing.y = 0.0;
     let height = ui.available_height();
     let area = ScrollArea::vertical()
         .id_salt("cohort rows")
         .auto_shrink(false);
-    let shown_before = ui.data(|data| data.get_temp::<usize>(ui.scope_id().with("shown")));
-    let moved = view.selected.is_some() && shown_before != view.selected;
-    if moved && let Some(selected) = view.selected {
-        ui.data_mut(|data| data.insert_temp(ui.scope_id().with("shown"), selected));
+    // The row that is typed into is in sight, else the selected one when it is another.
+    let typed = view.edits.typing.map(|typing| typing.subject);
+    let looked_at = typed.or(view.selected);
+    // By its id: subjects that were read since may stand before it.
+    let shown_before = ui.data(|data| data.get_temp::<String>(ui.scope_id().with("shown")));
+    let row = looked_at.and_then(|index| view.rows.get(index));
+    let id = row.map(|row| row.id.clone());
+    let moved = id.is_some() && shown_before != id;
+    if moved && let Some(id) = id {
+        ui.data_mut(|data| data.insert_temp(ui.scope_id().with("shown"), id));
     }
-    let place = view
-        .visible
-        .iter()
-        .position(|row| Some(*row) == view.selected);
+    let chosen = looked_at.map(ShownRow::Read);
+    let place = rows.iter().position(|row| Some(*row) == chosen);
     area.show_viewport(ui, |ui, seen| {
-        ui.set_height(space::ROW * view.visible.len() as f32);
+        ui.set_height(space::ROW * rows.len() as f32);
         let top = ui.max_rect().top();
         let first = (seen.top() / space::ROW).floor().max(0.0) as usize;
-        let last = ((seen.bottom() / space::ROW).ceil() as usize).min(view.visible.len());
-        for place in first..last {
-            let index = view.visible[place];
+        let last = ((seen.bottom() / space::ROW).ceil() as usize).min(rows.len());
+        for (place, row) in rows.iter().enumerate().take(last).skip(first) {
             let rect = Rect::from_min_size(
                 pos2(ui.max_rect().left(), top + place as f32 * space::ROW),
                 vec2(ui.max_rect().width(), space::ROW),
             );
-            row_ui(ui, rect, index, view, columns, commands);
+            match *row {
+                ShownRow::Read(index) => row_ui(ui, rect, index, view, columns, commands),
+                ShownRow::Unread(index) => {
+                    let unread = &view.unread[index];
+                    unread_row_ui(ui, rect, unread, view.awaited, columns, commands);
+                }
+            }
         }
         if let (true, Some(place)) = (moved, place) {
             let y = place as f32 * space::ROW;
@@ -208,11 +152,14 @@ fn row_ui(
     let row = &view.rows[index];
     let colours = colours(ui);
     let selected = view.selected == Some(index);
-    let id = ui.scope_id().with(("row", index));
+    let id = ui.scope_id().with(("row", &row.id));
     let response = ui.interact(rect, id, Sense::click_and_drag());
     response.widget_info(|| {
         let mut info = WidgetInfo::selected(Role::ListBoxOption, true, selected, &row.id);
-        info.current_text_value = row.verdict.as_ref().map(CohortVerdict::text);
+        info.current_text_value = match row.excluded {
+            true => Some("excluded".to_owned()),
+            false => row.verdict.as_ref().map(CohortVerdict::text),
+        };
         info
     });
     if selected {
@@ -227,30 +174,34 @@ fn row_ui(
     }
     let y = rect.center().y;
     label_mark(ui, pos2(columns.mark, y), 4.0, row.mark, true);
-    let id_colour = if selected {
-        colours.strong
-    } else {
-        colours.text
+    let id_colour = match (row.excluded, selected) {
+        (true, _) => colours.muted,
+        (false, true) => colours.strong,
+        (false, false) => colours.text,
     };
-    cell(ui, columns, CohortColumn::Subject, y, &row.id, id_colour);
+    let name = cell(ui, columns, CohortColumn::Subject, y, &row.id, id_colour);
+    if row.excluded {
+        let stroke = (line::THIN, id_colour);
+        ui.painter().hline(name.x_range(), y, stroke);
+    }
     let [left, right] = columns.span(CohortColumn::Label);
     if left < right {
         let label = row.label.as_deref().unwrap_or("–");
         cell(ui, columns, CohortColumn::Label, y, label, colours.muted);
     }
-    let (text, colour) = match row.ejection_fraction {
-        Some(ef) => (format!("{:.0}", 100.0 * ef), id_colour),
-        None if view.measuring => ("…".to_owned(), colours.muted),
-        None => ("–".to_owned(), colours.muted),
-    };
-    ui.painter().text(
-        pos2(columns.ejection_fraction, y),
-        Align2::RIGHT_CENTER,
-        text,
-        text_font(),
-        colour,
+    let ef = row.ejection_fraction_text();
+    number_cell(
+        ui,
+        columns.ejection_fraction,
+        y,
+        ef,
+        id_colour,
+        view.measuring,
     );
-    verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying);
+    match row.excluded {
+        true => excluded_cell(ui, columns, y),
+        false => verdict_cell(ui, columns, y, row.verdict.as_ref(), view.classifying),
+    }
     crate::ui::controls::focus_ring(ui, &response);
     if response.clicked() {
         commands.push(BeatCommand::SelectSubject(index).into());
@@ -269,60 +220,49 @@ fn row_ui(
         correspondence: row.correspondence,
     };
     subject_target_ui(ui, &response, &target, commands);
-    row_menu_ui(&response, index, view, commands);
-    response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
-}
-
-fn row_menu_ui(response: &Response, index: usize, view: &CohortView, commands: &mut Vec<Command>) {
-    response.context_menu(|ui| {
-        let (name, compared) = match view.compared == Some(index) {
-            true => ("Stop comparing", None),
-            false => ("Compare side by side", Some(index)),
-        };
-        command_button_ui(ui, name, BeatCommand::CompareWith(compared), commands);
-        command_button_ui(ui, "Select", BeatCommand::SelectSubject(index), commands);
-        if let Some(selected) = view.selected.filter(|selected| *selected != index) {
-            ui.separator();
-            transport_choices_ui(ui, view, [selected, index], commands);
-        }
-    });
-}
-
-/// Transport of one subject's motion to the other, in both directions.
-fn transport_choices_ui(
-    ui: &mut Ui,
-    view: &CohortView,
-    pair: [usize; 2],
-    commands: &mut Vec<Command>,
-) {
-    let [a, b] = pair.map(|index| &view.rows[index]);
-    let correspond = a.correspondence == b.correspondence;
-    for (from, onto) in [(pair[0], pair[1]), (pair[1], pair[0])] {
-        let name = format!(
-            "Transport motion: {} → {}",
-            view.rows[from].id, view.rows[onto].id
-        );
-        let button = ui
-            .add_enabled(correspond, egui::Button::new(name))
-            .on_disabled_hover_text("No vertex correspondence");
-        if button.clicked() {
-            commands.push(TransportCommand::TransportMotion { from, onto }.into());
-        }
+    let typing = (view.edits.typing).filter(|typing| typing.subject == index);
+    let button = typing.is_none() && menu_button_ui(ui, rect, &response, &row.id);
+    row_menu_ui(ui, &response, button, (index, view), commands);
+    if let Some((typing, study)) = typing.zip(view.edits.study) {
+        let cell = columns.typing_cell(typing.field, rect);
+        typing_ui(ui, cell, study, typing, commands);
+    } else {
+        response.on_hover_ui_at_pointer(|ui| row_hover_ui(ui, row));
     }
+}
+
+/// Three dots at the end of the row under the pointer or with the keyboard, which open its menu.
+fn menu_button_ui(ui: &mut Ui, row: Rect, response: &Response, subject: &str) -> bool {
+    if !response.contains_pointer() && !response.has_focus() {
+        return false;
+    }
+    let rect = Rect::from_min_max(pos2(row.right() - 18.0, row.top()), row.max);
+    let button = ui.interact(rect, response.id.with("menu"), Sense::click());
+    let name = format!("Menu of {subject}");
+    button.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+    let colours = colours(ui);
+    let colour = match button.hovered() {
+        true => colours.strong,
+        false => colours.muted,
+    };
+    for step in [-1.0, 0.0, 1.0] {
+        let at = rect.center() + vec2(0.0, 4.0 * step);
+        ui.painter().circle_filled(at, 1.2, colour);
+    }
+    button.on_hover_text(name).clicked()
 }
 
 fn row_hover_ui(ui: &mut Ui, row: &CohortRow) {
     ui.label(RichText::new(&row.id).strong());
     let label = row.label.as_deref().unwrap_or("none");
     ui.label(format!("Label {label}, class {}", role_name(row.role)));
-    match row.ejection_fraction {
-        Some(ef) => ui.label(format!(
-            "Ejection fraction {:.0} %, {}",
-            100.0 * ef,
-            EJECTION_FRACTION.short
-        )),
-        None => ui.label("Ejection fraction unknown"),
-    };
+    ui.label(match row.ejection_fraction_in_words() {
+        Some(words) => words,
+        None => "Ejection fraction unknown".to_owned(),
+    });
+    if row.excluded {
+        ui.label("Excluded: no analysis of the cohort counts this subject");
+    }
     if let Some(verdict) = &row.verdict {
         ui.label(&verdict.words);
     }

@@ -2,9 +2,13 @@
 
 use std::cmp::Ordering;
 
+use crate::document::{CohortColumn, CohortSort};
+use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::panes::verdict_marks::VerdictMark;
+use crate::report::SubjectRow;
 use crate::study::LabelRole;
 use crate::ui::LabelMark;
+use crate::ui::marks::role_name;
 
 /// The verdict on one subject.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -57,50 +61,102 @@ pub struct CohortRow {
     pub warning_count: usize,
     /// Subjects whose vertices correspond have the same number.
     pub correspondence: usize,
+    /// Whether no analysis of the cohort counts it.
+    pub excluded: bool,
+    /// Its place in the order of the input.
+    pub place: usize,
     /// Whether the filter of the table leaves it out; maps then dim it.
     pub filtered_out: bool,
 }
 
-/// Columns in the order of `ViewCommand::SortCohort`.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum CohortColumn {
-    /// Shape of the label's role.
-    Role,
-    /// Pseudonym.
-    #[default]
-    Subject,
-    /// Free label.
-    Label,
-    /// Ejection fraction.
-    EjectionFraction,
-    /// Verdict; sorted by the probability of being abnormal.
-    Verdict,
+impl CohortRow {
+    /// "56", in percent.
+    pub fn ejection_fraction_text(&self) -> Option<String> {
+        Some(SubjectRow::EF.shown_value(self.ejection_fraction?))
+    }
+
+    /// "Ejection fraction 56 %, normal 52–74 %".
+    pub fn ejection_fraction_in_words(&self) -> Option<String> {
+        let percent = self.ejection_fraction_text()?;
+        let range = EJECTION_FRACTION.short;
+        Some(format!("Ejection fraction {percent} %, {range}"))
+    }
 }
 
-impl CohortColumn {
-    /// All columns from left to right; the index is the argument of `SortCohort`.
-    pub const ALL: [Self; 5] = [
-        Self::Role,
-        Self::Subject,
-        Self::Label,
-        Self::EjectionFraction,
-        Self::Verdict,
-    ];
-}
-
-/// A column to sort by; `None` in a view is the order of the study.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct CohortSort {
+/// What the table knows of a column; `columns.rs` places it and draws its cells.
+pub(super) struct CohortColumnSpec {
     /// Which column.
     pub column: CohortColumn,
-    /// From the greatest down.
-    pub descending: bool,
+    /// What stands above it; its mark alone has no room for words.
+    pub heading: &'static str,
+    /// What its heading does, as a screen reader says it.
+    pub sort_by: &'static str,
+    /// The same for who points at it.
+    pub sort_hint: &'static str,
+    /// What a row says in it, which the filter reads; `None` where there is no value.
+    pub text: fn(&CohortRow) -> Option<String>,
+    sort_key: fn(&CohortRow) -> Option<SortKey<'_>>,
 }
+
+/// What rows are ordered by.
+enum SortKey<'a> {
+    /// Runs of digits count as numbers.
+    Words(&'a str),
+    /// By the first, then by the second.
+    Numbers([f64; 2]),
+}
+
+/// All columns from left to right.
+pub(super) const COLUMNS: [CohortColumnSpec; 5] = [
+    CohortColumnSpec {
+        column: CohortColumn::Role,
+        heading: "",
+        sort_by: "Sort by Role",
+        sort_hint: "Sort by Role",
+        text: |row| Some(role_name(row.role).to_owned()),
+        sort_key: |row| Some(SortKey::Numbers([f64::from(row.role as u8), 0.0])),
+    },
+    CohortColumnSpec {
+        column: CohortColumn::Subject,
+        heading: "Subject",
+        sort_by: "Sort by Subject",
+        sort_hint: "Sort by Subject",
+        text: |row| Some(row.id.clone()),
+        sort_key: |row| Some(SortKey::Words(&row.id)),
+    },
+    CohortColumnSpec {
+        column: CohortColumn::Label,
+        heading: "Label",
+        sort_by: "Sort by Label",
+        sort_hint: "Sort by Label",
+        text: |row| row.label.clone(),
+        sort_key: |row| row.label.as_deref().map(SortKey::Words),
+    },
+    CohortColumnSpec {
+        column: CohortColumn::EjectionFraction,
+        heading: "EF %",
+        sort_by: "Sort by EF %",
+        sort_hint: "Sort by EF %",
+        text: CohortRow::ejection_fraction_text,
+        sort_key: |row| Some(SortKey::Numbers([row.ejection_fraction?, 0.0])),
+    },
+    CohortColumnSpec {
+        column: CohortColumn::Verdict,
+        heading: "Verdict",
+        sort_by: "Sort by Verdict",
+        sort_hint: "Sort by verdict (predicted probability of abnormal)",
+        text: |row| row.verdict.as_ref().map(CohortVerdict::text),
+        sort_key: |row| {
+            let verdict = row.verdict.as_ref()?;
+            let mark = f64::from(verdict.mark as u8);
+            Some(SortKey::Numbers([verdict.probability?, mark]))
+        },
+    },
+];
 
 /// Indices of the rows that match a search, sorted; rows that compare equal keep the study's order.
 ///
-/// Every word of the search must occur in the id, the label, the role's name, the EF in percent or the words of
-/// the verdict's column; letter case does not matter. Missing values come last in either direction.
+/// Every word of the search must occur in what the row says in its columns; letter case does not matter. Missing values come last in either direction.
 pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) -> Vec<usize> {
     let words: Vec<String> = search.split_whitespace().map(str::to_lowercase).collect();
     let mut visible: Vec<usize> = (0..rows.len())
@@ -109,6 +165,7 @@ pub fn visible_rows(rows: &[CohortRow], search: &str, sort: Option<CohortSort>) 
             words.iter().all(|word| text.contains(word.as_str()))
         })
         .collect();
+    visible.sort_by_key(|index| rows[*index].place);
     if let Some(sort) = sort {
         visible.sort_by(|a, b| compare(&rows[*a], &rows[*b], sort));
     }
@@ -124,46 +181,36 @@ pub fn count_text(shown: usize, count: usize) -> String {
 }
 
 fn searchable(row: &CohortRow) -> String {
-    let percent = row
-        .ejection_fraction
-        .map(|ef| format!("{:.0}", 100.0 * ef))
-        .unwrap_or_default();
-    let role = crate::ui::marks::role_name(row.role);
-    let label = row.label.as_deref().unwrap_or_default();
-    let verdict = row.verdict.as_ref().map(CohortVerdict::text);
-    let verdict = verdict.unwrap_or_default();
-    format!("{} {label} {role} {percent} {verdict}", row.id).to_lowercase()
+    let texts = COLUMNS.iter().filter_map(|column| (column.text)(row));
+    let excluded = row.excluded.then(|| "excluded".into());
+    texts
+        .chain(excluded)
+        .collect::<Vec<_>>()
+        .join(" ")
+        .to_lowercase()
 }
 
 fn compare(a: &CohortRow, b: &CohortRow, sort: CohortSort) -> Ordering {
-    let turn = |order: Ordering| {
-        if sort.descending {
-            order.reverse()
-        } else {
-            order
+    let Some(column) = COLUMNS.iter().find(|spec| spec.column == sort.column) else {
+        return Ordering::Equal;
+    };
+    let order = |a: SortKey<'_>, b: SortKey<'_>| {
+        let ascending = match (a, b) {
+            (SortKey::Words(a), SortKey::Words(b)) => natural_order(a, b),
+            (SortKey::Numbers([a, second_a]), SortKey::Numbers([b, second_b])) => {
+                a.total_cmp(&b).then(second_a.total_cmp(&second_b))
+            }
+            // The keys of one column are of one kind.
+            (SortKey::Words(_), SortKey::Numbers(_)) | (SortKey::Numbers(_), SortKey::Words(_)) => {
+                Ordering::Equal
+            }
+        };
+        match sort.descending {
+            true => ascending.reverse(),
+            false => ascending,
         }
     };
-    match sort.column {
-        CohortColumn::Role => turn(a.role.cmp(&b.role)),
-        CohortColumn::Subject => turn(natural_order(&a.id, &b.id)),
-        CohortColumn::Label => missing_last(a.label.as_deref(), b.label.as_deref(), |a, b| {
-            turn(natural_order(a, b))
-        }),
-        CohortColumn::EjectionFraction => {
-            missing_last(a.ejection_fraction, b.ejection_fraction, |a, b| {
-                turn(a.total_cmp(&b))
-            })
-        }
-        CohortColumn::Verdict => missing_last(verdict_order(a), verdict_order(b), |a, b| {
-            turn(a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
-        }),
-    }
-}
-
-/// Verdict and probability; `None` where there is none.
-fn verdict_order(row: &CohortRow) -> Option<(VerdictMark, f64)> {
-    let verdict = row.verdict.as_ref()?;
-    Some((verdict.mark, verdict.probability?))
+    missing_last((column.sort_key)(a), (column.sort_key)(b), order)
 }
 
 fn missing_last<T>(a: Option<T>, b: Option<T>, compare: impl Fn(T, T) -> Ordering) -> Ordering {

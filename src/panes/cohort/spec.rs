@@ -2,8 +2,6 @@
 
 use egui::Ui;
 
-use crate::document::State;
-use crate::engine::Showing;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
@@ -30,8 +28,11 @@ pub const PANE: PaneSpec = PaneSpec {
 };
 
 fn count_ui(ui: &mut Ui, cx: &PaneContext<'_>, _: f32, _: &mut Vec<Command>) {
-    let count = cx.state().document.study().subjects.len();
-    if count > 0 {
+    let study = cx.state().document.study();
+    let (count, unread) = (study.count(), study.unread.len());
+    if unread > 0 {
+        ui.weak(format!("{count} of {} read", count + unread));
+    } else if count > 0 {
         let shown = cohort_data(cx).borrow_mut().shown_count();
         ui.weak(count_text(shown, count));
     }
@@ -39,12 +40,6 @@ fn count_ui(ui: &mut Ui, cx: &PaneContext<'_>, _: f32, _: &mut Vec<Command>) {
 
 fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
     let (state, data) = (cx.state(), cohort_data(cx));
-    let coming = [measuring(state), classifying(state)];
+    let coming = [state.is_measuring(), classifying(state)];
     cohort_table_ui(ui, &data.borrow_mut().view(state, coming), commands);
-}
-
-/// Whether volumes are being computed.
-pub fn measuring(state: &State) -> bool {
-    let measures = state.answers.measures.as_ref();
-    measures.is_some_and(Showing::computing)
 }

@@ -1,7 +1,9 @@
 //! What the table does under pointer and keys.
 
+use super::columns::VerdictRoom;
 use super::*;
 use crate::panes::{BeatCommand, FileCommand, TransportCommand, ViewCommand};
+use egui::Key;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 fn rows(count: usize) -> Vec<CohortRow> {
@@ -38,6 +40,7 @@ fn harness(count: usize, selected: Option<usize>) -> Harness<'static, Vec<Comman
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    ..CohortView::default()
                 };
                 cohort_table_ui(ui, &view, commands);
             },
@@ -59,8 +62,8 @@ fn a_click_selects_a_row_and_a_heading_sorts() {
         harness.into_state(),
         [
             Command::Beat(BeatCommand::SelectSubject(3)),
-            Command::View(ViewCommand::SortCohort(3)),
-            Command::View(ViewCommand::SortCohort(4))
+            Command::View(ViewCommand::SortCohort(CohortColumn::EjectionFraction)),
+            Command::View(ViewCommand::SortCohort(CohortColumn::Verdict))
         ]
     );
 }
@@ -69,16 +72,9 @@ fn a_click_selects_a_row_and_a_heading_sorts() {
 fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
     for width in [150.0, 180.0, 220.0, 250.0, 280.0, 300.0, 340.0, 500.0] {
         for labelled in [true, false] {
-            let columns = Columns::within(egui::Rangef::new(10.0, 10.0 + width), labelled);
-            let order = [
-                CohortColumn::Role,
-                CohortColumn::Subject,
-                CohortColumn::Label,
-                CohortColumn::EjectionFraction,
-                CohortColumn::Verdict,
-            ];
-            let spans: Vec<[f32; 2]> = (order.iter())
-                .map(|column| columns.span(*column))
+            let columns = Columns::within(egui::Rangef::new(10.0, 10.0 + width), labelled, 200.0);
+            let spans: Vec<[f32; 2]> = (rows::COLUMNS.iter())
+                .map(|spec| columns.span(spec.column))
                 .filter(|[left, right]| left < right)
                 .collect();
             for pair in spans.windows(2) {
@@ -93,9 +89,16 @@ fn columns_keep_apart_at_any_width_and_give_up_words_before_names() {
             );
         }
     }
-    let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true).room;
+    let room = |width: f32| Columns::within(egui::Rangef::new(0.0, width), true, 200.0).room;
     assert!(room(300.0) == VerdictRoom::Words && room(264.0) == VerdictRoom::Words);
     assert!(room(236.0) == VerdictRoom::Share && room(190.0) == VerdictRoom::Mark);
+    // Labels take what short names leave.
+    let label = |names: f32| {
+        let columns = Columns::within(egui::Rangef::new(0.0, 300.0), true, names);
+        let [left, right] = columns.span(CohortColumn::Label);
+        right - left
+    };
+    assert!(label(24.0) > label(200.0) + 8.0 && label(24.0) == label(0.0));
 }
 
 #[test]
@@ -233,6 +236,7 @@ fn on_escape(search: &'static str, in_box: bool) -> Vec<Command> {
                     compared: None,
                     measuring: false,
                     classifying: false,
+                    ..CohortView::default()
                 };
                 cohort_table_ui(ui, &view, commands);
             },

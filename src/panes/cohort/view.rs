@@ -1,10 +1,10 @@
 //! The cohort table: rows from subjects and measures, kept until one of them changes.
 
-use super::CohortView;
-use super::rows::{CohortColumn, CohortRow, CohortSort, visible_rows};
+use super::rows::{CohortRow, visible_rows};
+use super::values::{CohortEdits, CohortView};
 use crate::analysis::measures::SubjectMeasures;
 use crate::analysis::verdicts::Verdicts;
-use crate::document::document::Sorting;
+use crate::document::CohortSort;
 use crate::document::state::State;
 use crate::panes::pane_context::{Kept, PaneContext};
 use crate::panes::same::Same;
@@ -31,7 +31,7 @@ pub fn cohort_data(cx: &PaneContext<'_>) -> Kept<CohortData> {
 pub struct CohortData {
     made_from: Option<MadeFrom>,
     rows: Vec<CohortRow>,
-    filtered_by: Option<(String, Sorting)>,
+    filtered_by: Option<(String, Option<CohortSort>)>,
     visible: Vec<usize>,
 }
 
@@ -49,7 +49,7 @@ impl CohortData {
         let document = &state.document;
         let filter = (&document.search, document.sorting);
         if self.filtered_by.as_ref().map(|(s, o)| (s, *o)) != Some(filter) {
-            self.visible = visible_rows(&self.rows, &document.search, sort(document.sorting));
+            self.visible = visible_rows(&self.rows, &document.search, document.sorting);
             for row in &mut self.rows {
                 row.filtered_out = true;
             }
@@ -62,8 +62,14 @@ impl CohortData {
         }
     }
 
-    /// All subjects in the order of the study.
+    /// The subjects of the cohort by their indices: those that maps show.
     pub fn rows(&self) -> &[CohortRow] {
+        let cohort = self.rows.iter().position(|row| row.excluded);
+        &self.rows[..cohort.unwrap_or(self.rows.len())]
+    }
+
+    /// All subjects by their indices, excluded ones last.
+    pub fn all_rows(&self) -> &[CohortRow] {
         &self.rows
     }
 
@@ -83,11 +89,19 @@ impl CohortData {
             rows: &self.rows,
             visible: &self.visible,
             search: &document.search,
-            sort: sort(document.sorting),
+            sort: document.sorting,
             selected: document.selected_index(),
             compared: document.compared_on_screen(),
             measuring,
             classifying,
+            unread: &document.study().unread,
+            awaited: state.awaited.as_deref(),
+            edits: CohortEdits {
+                study: Some(document.study()),
+                typing: state.typing.as_ref(),
+                frame: document.selected().map(|_| document.frame()),
+                picked: state.picked.map(|point| point.subject),
+            },
         }
     }
 }
@@ -95,28 +109,12 @@ impl CohortData {
 /// Indices of the subjects that the table shows, in its order.
 pub fn visible_subjects(state: &State) -> Vec<usize> {
     let document = &state.document;
-    visible_rows(
-        &cohort_rows(state),
-        &document.search,
-        sort(document.sorting),
-    )
-}
-
-fn sort(sorting: Sorting) -> Option<CohortSort> {
-    let column = *CohortColumn::ALL.get(sorting.column?)?;
-    Some(CohortSort {
-        column,
-        descending: sorting.descending,
-    })
+    visible_rows(&cohort_rows(state), &document.search, document.sorting)
 }
 
 /// Shape and colour of the label of every subject.
 pub fn label_marks(study: &Study) -> Vec<LabelMark> {
-    let labels = study.subjects.iter();
-    let labels: Vec<_> = labels
-        .map(|subject| (subject.label.as_deref(), study.role(subject)))
-        .collect();
-    LabelMark::of_study(&labels)
+    LabelMark::of_subjects(study)
 }
 
 fn cohort_rows(state: &State) -> Vec<CohortRow> {
@@ -131,11 +129,14 @@ fn cohort_rows(state: &State) -> Vec<CohortRow> {
             groups.len() - 1
         })
     };
-    study
-        .subjects
-        .iter()
-        .enumerate()
+    let mut places = vec![0; study.count()];
+    for (place, index) in study.in_order().into_iter().enumerate() {
+        places[index] = place;
+    }
+    (study.all().enumerate())
         .map(|(index, subject)| CohortRow {
+            excluded: study.is_excluded(index),
+            place: places[index],
             correspondence: group_of(subject),
             id: subject.id.clone(),
             label: subject.label.clone(),

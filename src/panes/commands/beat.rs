@@ -29,16 +29,18 @@ pub enum BeatCommand {
     GoToEndDiastole,
     /// Jump to end-systole.
     GoToEndSystole,
-    /// Set the end-diastole of the selected subject; `None` takes it from the volume curve.
-    StateEndDiastole(Option<usize>),
-    /// Set the end-systole of the selected subject; `None` takes it from the volume curve.
-    StateEndSystole(Option<usize>),
     /// Play or pause.
     TogglePlay,
     /// Speed relative to the recorded motion: 1 is real time.
     SetSpeed(f32),
     /// Whether playing starts over.
     ToggleLoop,
+    /// Play only from one frame to another; the frame after the last is the end of the cycle. `None` plays all.
+    SetLoopRange(Option<[usize; 2]>),
+    /// The part that plays begins at the frame on screen.
+    LoopFromHere,
+    /// The part that plays ends at the frame on screen.
+    LoopToHere,
 }
 
 /// Those that need no more than a name: one line each, a table is read as a table.
@@ -48,10 +50,11 @@ pub(super) static ACTIONS: &[Row<BeatCommand>] = &[
     row(Menu::Edit, 1, "Previous subject", Some((SHIFT, Key::Tab)), BeatCommand::StepSubject(-1)),
     row(Menu::Analysis, 0, "Play or pause", Some((NONE, Key::Space)), BeatCommand::TogglePlay),
     row(Menu::Analysis, 0, "Loop", None, BeatCommand::ToggleLoop),
+    row(Menu::Analysis, 0, "Loop from this frame", Some((NONE, Key::OpenBracket)), BeatCommand::LoopFromHere),
+    row(Menu::Analysis, 0, "Loop up to this frame", Some((NONE, Key::CloseBracket)), BeatCommand::LoopToHere),
+    row(Menu::Analysis, 0, "Play the whole cycle", None, BeatCommand::SetLoopRange(None)),
     row(Menu::Analysis, 0, "Next frame", Some((NONE, Key::ArrowRight)), BeatCommand::StepFrame(1)),
     row(Menu::Analysis, 0, "Previous frame", Some((NONE, Key::ArrowLeft)), BeatCommand::StepFrame(-1)),
     row(Menu::Analysis, 0, "Go to end-diastole", Some((SHIFT, Key::ArrowLeft)), BeatCommand::GoToEndDiastole),
     row(Menu::Analysis, 0, "Go to end-systole", Some((SHIFT, Key::ArrowRight)), BeatCommand::GoToEndSystole),
-    row(Menu::Analysis, 1, "End-diastole from the volume curve", None, BeatCommand::StateEndDiastole(None)),
-    row(Menu::Analysis, 1, "End-systole from the volume curve", None, BeatCommand::StateEndSystole(None)),
 ];

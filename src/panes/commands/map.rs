@@ -4,7 +4,7 @@ use super::action::{Menu, Row, row};
 use crate::analysis::deformations::{Comparison, DeformationMapParams, PartWeights};
 use crate::analysis::embedding::MapMethod;
 use crate::analysis::metrics::{METRICS, MetricKind};
-use crate::engine::PoseMapQuery;
+use crate::engine::{ClassesBy, PoseMapQuery};
 
 /// Commands about metric and maps.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,6 +21,11 @@ pub enum MapCommand {
     SetComparison(Comparison),
     /// All settings of metric and maps as they were at the start.
     ResetMaps,
+    /// Whether subjects are told apart by their labels or by the classes of these.
+    SetClassesBy(ClassesBy),
+    /// Show the pose that the pose map implies at a place, in the coordinates of its embedding, until another command
+    /// comes; `None` shows what was there before.
+    ShowEstimate(Option<[f64; 2]>),
     /// Show or hide the clusters of the deformation map.
     ToggleClusters,
 }
@@ -33,6 +38,8 @@ pub(super) static ACTIONS: &[Row<MapCommand>] = &[
     row(Menu::Analysis, 3, "Deformation map: deformation + shape", None, MapCommand::SetComparison(Comparison::Parts(PartWeights::BOTH))),
     row(Menu::Analysis, 3, "Deformation map: shape", None, MapCommand::SetComparison(Comparison::Parts(PartWeights::SHAPE))),
     row(Menu::Analysis, 3, "Deformation map: curves of poses", None, MapCommand::SetComparison(Comparison::Poses)),
+    row(Menu::Analysis, 2, "Classify by label", None, MapCommand::SetClassesBy(ClassesBy::Label)),
+    row(Menu::Analysis, 2, "Classify normal and abnormal", None, MapCommand::SetClassesBy(ClassesBy::Role)),
     row(Menu::Analysis, 3, "Pose map: SMACOF", None, MapCommand::SetMapMethod(MapMethod::Smacof)),
     row(Menu::Analysis, 3, "Pose map: classical MDS", None, MapCommand::SetMapMethod(MapMethod::ClassicalMds)),
     row(Menu::Analysis, 3, "Pose map: Isomap", None, MapCommand::SetMapMethod(MapMethod::ISOMAP)),

@@ -32,7 +32,7 @@ pub enum Command {
     Wall(WallCommand),
     /// Transported motions and interpolated poses; applied by `app/apply/transport.rs`.
     Transport(TransportCommand),
-    /// Undo and redo.
+    /// Undo, redo, and edits of the study; applied by `app/apply/edit.rs`.
     Edit(EditCommand),
     /// What is opened and exported; applied by `app/apply/window.rs`.
     File(FileCommand),

@@ -1,7 +1,7 @@
 //! Commands about what is seen, and from where.
 
 use super::action::{Menu, NONE, Row, row};
-use crate::document::ViewMode;
+use crate::document::{CohortColumn, ViewMode};
 use crate::picture::AnatomicalView;
 use crate::picture::Quantity;
 use crate::picture::figure::SavedView;
@@ -46,7 +46,7 @@ pub enum ViewCommand {
     /// Filter the cohort table.
     SetSearch(String),
     /// Sort the cohort table by a column; again turns the order.
-    SortCohort(usize),
+    SortCohort(CohortColumn),
     /// Show what a picture shows.
     RestoreView(Box<SavedView>),
 }

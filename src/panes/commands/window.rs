@@ -22,6 +22,8 @@ pub enum WindowCommand {
     ToggleShortcuts,
     /// Show or hide the load report.
     ToggleLoadReport,
+    /// Show or hide the sheet for the look of figures.
+    ToggleFigureSheet,
     /// Show or hide About.
     ToggleAbout,
     /// Full screen or window.
@@ -31,7 +33,8 @@ pub enum WindowCommand {
 /// Those that need no more than a name: one line each, a table is read as a table.
 #[rustfmt::skip]
 pub(super) static ACTIONS: &[Row<WindowCommand>] = &[
-    row(Menu::File, 1, "Load report", Some((CTRL, Key::L)), WindowCommand::ToggleLoadReport),
+    row(Menu::File, 2, "Load report", Some((CTRL, Key::L)), WindowCommand::ToggleLoadReport),
+    row(Menu::Export, 1, "Figure settings…", Some((CTRL, Key::F2)), WindowCommand::ToggleFigureSheet),
     row(Menu::View, 4, "Theme: system", None, WindowCommand::SetTheme(ThemeChoice::System)),
     row(Menu::View, 4, "Theme: dark", None, WindowCommand::SetTheme(ThemeChoice::Dark)),
     row(Menu::View, 4, "Theme: light", None, WindowCommand::SetTheme(ThemeChoice::Light)),

@@ -3,7 +3,6 @@
 use egui::Ui;
 
 use crate::panes::beat::curves_view;
-use crate::panes::cohort::spec::measuring;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
@@ -34,5 +33,5 @@ fn unit_ui(ui: &mut Ui, cx: &PaneContext<'_>, _: f32, _: &mut Vec<Command>) {
 
 fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
     let state = cx.state();
-    curves_ui(ui, &curves_view(state, measuring(state)), commands);
+    curves_ui(ui, &curves_view(state, state.is_measuring()), commands);
 }

@@ -4,6 +4,9 @@ use egui::{
     Align2, Color32, FontId, Rect, Role, Sense, Ui, UiBuilder, Vec2, WidgetInfo, pos2, vec2,
 };
 
+use crate::engine::ClassesBy;
+use crate::panes::commands::{Command, MapCommand};
+use crate::ui::controls::{choices_ui, chooser_ui};
 use crate::ui::style::{medium_note_font, note, note_font};
 use crate::ui::text::p_text;
 use crate::ui::theme::{colours, line, space};
@@ -56,21 +59,31 @@ pub fn height(pane: Vec2, view: &ClassesView) -> f32 {
 }
 
 /// Draws the card in the height that [`height`] says.
-pub fn classes_ui(ui: &mut Ui, view: &ClassesView, height: f32) {
+///
+/// `by` is what subjects are told apart by, where the study offers both.
+pub fn classes_ui(
+    ui: &mut Ui,
+    view: &ClassesView,
+    by: Option<ClassesBy>,
+    height: f32,
+    commands: &mut Vec<Command>,
+) {
     let (card, _) = ui.allocate_exact_size(vec2(ui.available_width(), height), Sense::hover());
     let thin = (line::THIN, colours(ui).line);
     ui.painter().hline(card.x_range(), card.top(), thin);
     let inner = card.shrink2(vec2(space::LARGE, 0.0));
     let head = Rect::from_min_size(inner.min, vec2(inner.width(), HEAD));
+    let taken = by.map_or(0.0, |by| by_ui(ui, head, by, commands));
+    let rest = head.with_min_x((head.left() + taken).min(head.right()));
     match view {
         ClassesView::Absent => {}
         ClassesView::Computing { fraction } => {
             let text = format!("Training classifiers, {:.0} %", 100.0 * fraction);
-            line_ui(ui, head, &text);
+            line_ui(ui, rest, &text);
         }
-        ClassesView::Unanswerable(why) => line_ui(ui, head, &format!("Classifiers: {why}")),
+        ClassesView::Unanswerable(why) => line_ui(ui, rest, &format!("Classifiers: {why}")),
         ClassesView::Ready(rows) => {
-            head_ui(ui, head);
+            head_ui(ui, head, by.is_none());
             for (index, row) in rows.iter().enumerate() {
                 let top = head.bottom() + ROW * index as f32;
                 let size = vec2(inner.width(), ROW);
@@ -148,16 +161,34 @@ fn columns(line: Rect) -> Vec<(f32, &'static Column)> {
         .collect()
 }
 
-fn head_ui(ui: &mut Ui, head: Rect) {
+/// Chooses what subjects are told apart by; the width that it takes.
+fn by_ui(ui: &mut Ui, head: Rect, by: ClassesBy, commands: &mut Vec<Command>) -> f32 {
+    let layout = egui::Layout::left_to_right(egui::Align::Center);
+    let place = head.with_max_x((head.left() + NAME).min(head.right()));
+    let mut child = ui.new_child(UiBuilder::new().max_rect(place).layout(layout));
+    let choices = [ClassesBy::Label, ClassesBy::Role].map(|by| (by, by.name()));
+    let response = chooser_ui(&mut child, "Classes", by.name(), |ui| {
+        let chosen = choices_ui(ui, choices, by);
+        commands.extend(chosen.map(|by| Command::from(MapCommand::SetClassesBy(by))));
+    });
+    response.on_hover_text("The classes of the classifiers: the labels of the study, or what it calls normal and abnormal",);
+    child.min_rect().width() + space::MEDIUM
+}
+
+/// `named` says what the rows are.
+fn head_ui(ui: &mut Ui, head: Rect, named: bool) {
     let muted = colours(ui).muted;
-    write(
-        ui,
-        head.left_center(),
-        Align2::LEFT_CENTER,
-        "Classifier",
-        note_font(),
-        muted,
-    );
+    if named {
+        let at = head.left_center();
+        write(
+            ui,
+            at,
+            Align2::LEFT_CENTER,
+            "Classifier",
+            note_font(),
+            muted,
+        );
+    }
     for (end, column) in columns(head) {
         let at = pos2(end, head.center().y);
         write(

@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use crate::analysis::deformations::Comparison;
-use crate::engine::{DeformationMapQuery, Topic};
+use crate::engine::{ClassesBy, DeformationMapQuery, Topic};
 use crate::panes::commands::{Command, MapCommand};
 use crate::panes::scatter_map::{MapWords, ScatterView, play, scatter_map_ui};
 use crate::ui::controls::{choices_ui, chooser_ui};
@@ -26,6 +26,8 @@ pub struct DeformationMapView<'a> {
     pub time_weight: Option<f64>,
     /// How well classifiers find the labels.
     pub classes: ClassesView<'a>,
+    /// What subjects are told apart by, where the study offers labels and classes.
+    pub classes_by: Option<ClassesBy>,
 }
 
 /// The words of the map.
@@ -46,7 +48,7 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &DeformationMapView, commands: &mut
     let card = classes::height(ui.available_size(), &view.classes);
     scatter_map_ui(ui, &view.map, card, commands);
     if card > 0.0 && !view.map.points.is_empty() {
-        classes::classes_ui(ui, &view.classes, card);
+        classes::classes_ui(ui, &view.classes, view.classes_by, card, commands);
     }
 }
 

@@ -4,8 +4,9 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 use crate::analysis::deformations::Comparison;
+use crate::engine::ClassesBy;
 use crate::panes::cohort::rows::CohortRow;
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{BeatCommand, Command, MapCommand};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
 
 fn harness(
@@ -47,6 +48,7 @@ fn harness(
                     } else {
                         ClassesView::Ready(&rows)
                     },
+                    classes_by: Some(ClassesBy::Label),
                 };
                 deformation_header_ui(ui, &view, 0.0, commands);
                 deformation_map_ui(ui, &view, commands);
@@ -89,4 +91,20 @@ fn accuracies_stand_beside_the_permutation_mean() {
 fn too_few_labels_are_reported() {
     harness(Vec::new(), ClassesView::Unanswerable("not enough labels"))
         .get_by_label("Classifiers: not enough labels");
+}
+
+#[test]
+fn subjects_are_told_apart_by_label_or_by_class_whatever_came_of_the_classification() {
+    for absent in [
+        ClassesView::Unanswerable("not enough labels"),
+        ClassesView::Computing { fraction: 0.5 },
+    ] {
+        let mut harness = harness(Vec::new(), absent);
+        harness.get_by_label("Classes: by label").click();
+        harness.run();
+        harness.get_by_label("normal and abnormal").click();
+        harness.run();
+        let chosen = Command::Map(MapCommand::SetClassesBy(ClassesBy::Role));
+        assert_eq!(*harness.state(), [chosen]);
+    }
 }

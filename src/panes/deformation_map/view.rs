@@ -5,7 +5,7 @@ use std::sync::Arc;
 use egui::Ui;
 
 use crate::analysis::classification::{Accuracy, Classes};
-use crate::analysis::deformations::DeformationMap;
+use crate::analysis::deformations::{DeformationMap, DeformationMapError, FEWEST_DEFORMATIONS};
 use crate::document::state::State;
 use crate::engine::{DeformationMapQuery, PoseMapQuery, Showing, Topic};
 use crate::panes::cohort::view::cohort_data;
@@ -15,12 +15,10 @@ use crate::panes::same::Same;
 use crate::panes::scatter_map::from_state::{MapPoints, left_out, plane};
 use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
 use crate::panes::work_state::WorkState;
+use crate::picture::sentence;
 use crate::study::Study;
 
 use super::{ClassesView, ClassifierView, DEFORMATION_MAP, DeformationMapView};
-
-/// Fewer deformations have no neighbourhoods.
-pub const FEWEST_DEFORMATIONS: usize = 4;
 
 /// How many of the subjects with the most similar motion are named.
 const NAMED_NEIGHBOURS: usize = 3;
@@ -63,6 +61,8 @@ pub fn with_view(
         reconstruction_error: embedding.and_then(|embedding| embedding.reconstruction_error),
         time_weight: map.and_then(|map| map.time_weight),
         classes: classes_view(state, &rows),
+        classes_by: (state.document.study().has_other_classes_than_labels())
+            .then(|| state.document.classes_by()),
     };
     draw(ui, &view);
 }
@@ -90,20 +90,26 @@ fn deformation_state(state: &State) -> (WorkState, Topic) {
     if poses != WorkState::Ready {
         return (poses, Topic::of::<PoseMapQuery>());
     }
-    let own = if enough_subjects(state) {
+    let deformations = mapped_subjects(state);
+    let own = if deformations >= FEWEST_DEFORMATIONS {
         WorkState::of(state.answers.deformations.as_ref())
     } else {
-        let why = format!("Fewer than {FEWEST_DEFORMATIONS} subjects: no deformation map");
-        WorkState::Unanswerable(why)
+        let why = DeformationMapError::TooFew { deformations };
+        WorkState::Unanswerable(sentence(&why.to_string()))
     };
     (own, Topic::of::<DeformationMapQuery>())
 }
 
 /// Whether the pose map holds so many subjects that their deformations can be mapped.
 pub fn enough_subjects(state: &State) -> bool {
-    state.map().is_some_and(|map| {
+    mapped_subjects(state) >= FEWEST_DEFORMATIONS
+}
+
+/// How many subjects the pose map holds.
+fn mapped_subjects(state: &State) -> usize {
+    state.map().map_or(0, |map| {
         let poses = &map.distances.poses;
-        poses.chunk_by(|a, b| a.subject == b.subject).count() >= FEWEST_DEFORMATIONS
+        poses.chunk_by(|a, b| a.subject == b.subject).count()
     })
 }
 

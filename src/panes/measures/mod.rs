@@ -6,11 +6,11 @@ use egui::text::{LayoutJob, TextFormat};
 use egui::{Align, RichText, Ui};
 
 use crate::panes::buttons::command_button_ui;
-use crate::panes::commands::{BeatCommand, Command};
+use crate::panes::commands::{Command, EditCommand, Phase, PhaseFrame, Whose};
 use crate::panes::normal_ranges::{EJECTION_FRACTION, NO_VOLUME_RANGE, ejection_fraction_words};
 use crate::report::{Column, Digits, NO_VALUE, SubjectRow};
 use crate::ui::controls::{chooser_ui, no_subject_ui};
-use crate::ui::style::{medium, note, note_font, text_font, title_font};
+use crate::ui::style::{medium, medium_font, note, note_font, text_font, title_font};
 use crate::ui::text::text_width;
 use crate::ui::theme::{colours, space};
 use crate::units::LengthUnit;
@@ -46,7 +46,15 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
                 let heading = volumes.each_ref().map(|column| column.heading).join(" · ");
                 let [edv, esv, sv] = volume_texts(row);
                 let unit = row.unit.volume_symbol();
-                value_ui(ui, &heading, &format!("{edv} · {esv}"), unit);
+                let both = format!("{edv} · {esv}");
+                let width =
+                    text_width(ui, &both, medium_font()) + text_width(ui, unit, text_font());
+                if width + space::SMALL <= ui.available_width() {
+                    value_ui(ui, &heading, &both, unit);
+                } else {
+                    value_ui(ui, SubjectRow::EDV.heading, &edv, unit);
+                    value_ui(ui, SubjectRow::ESV.heading, &esv, unit);
+                }
                 value_ui(ui, SubjectRow::SV.heading, &sv, unit);
                 // A mass needs a volume in ml.
                 if row.unit == LengthUnit::Millimetre {
@@ -88,7 +96,7 @@ fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
     } else {
         ui.label(line).on_hover_text(EJECTION_FRACTION.source);
-        ui.add(egui::Label::new(note(words)).truncate());
+        ui.add(egui::Label::new(note(words)).wrap());
     }
 }
 
@@ -135,7 +143,7 @@ fn value_ui(ui: &mut Ui, name: &str, value: &str, unit: &str) {
     })
     .response
     .on_hover_text(NO_VOLUME_RANGE);
-    ui.add_space(6.0);
+    ui.add_space(3.0);
 }
 
 fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
@@ -152,20 +160,18 @@ fn phases_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Command>) {
     let shown = frames.join(" · ") + source;
     chooser_ui(ui, "Frames of end-diastole and end-systole", shown, |ui| {
         let here = view.current_frame;
-        let name = format!("Set end-diastole to frame {here}");
-        command_button_ui(
-            ui,
-            name,
-            BeatCommand::StateEndDiastole(Some(here)),
-            commands,
-        );
-        let name = format!("Set end-systole to frame {here}");
-        command_button_ui(ui, name, BeatCommand::StateEndSystole(Some(here)), commands);
+        let phases = [Phase::EndDiastole, Phase::EndSystole];
+        for phase in phases {
+            let name = format!("Set {} to frame {here}", phase.name());
+            let set = EditCommand::SetPhase(Whose::Selected, phase, PhaseFrame::Frame(here));
+            command_button_ui(ui, name, set, commands);
+        }
         ui.separator();
-        let name = "End-diastole from the volume curve";
-        command_button_ui(ui, name, BeatCommand::StateEndDiastole(None), commands);
-        let name = "End-systole from the volume curve";
-        command_button_ui(ui, name, BeatCommand::StateEndSystole(None), commands);
+        for phase in phases {
+            let name = crate::picture::sentence(&format!("{} from the volume curve", phase.name()));
+            let found = EditCommand::SetPhase(Whose::Selected, phase, PhaseFrame::Found);
+            command_button_ui(ui, name, found, commands);
+        }
     });
 }
 
@@ -229,7 +235,11 @@ mod tests {
         harness.run();
         assert_eq!(
             harness.into_state(),
-            [Command::Beat(BeatCommand::StateEndSystole(Some(4)))]
+            [Command::Edit(EditCommand::SetPhase(
+                Whose::Selected,
+                Phase::EndSystole,
+                PhaseFrame::Frame(4)
+            ))]
         );
     }
 }

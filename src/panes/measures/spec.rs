@@ -3,7 +3,6 @@
 use egui::Ui;
 
 use crate::panes::beat::measures_view;
-use crate::panes::cohort::spec::measuring;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
@@ -28,5 +27,5 @@ pub const PANE: PaneSpec = PaneSpec {
 
 fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
     let state = cx.state();
-    measures_card_ui(ui, &measures_view(state, measuring(state)), commands);
+    measures_card_ui(ui, &measures_view(state, state.is_measuring()), commands);
 }

@@ -16,7 +16,7 @@ use crate::panes::work_state::WorkState;
 use super::{MEDIAL_MAP, medial_facts, medial_map_note};
 
 /// What the pane asks the store.
-pub fn medial_map_query(state: &State) -> MedialMapQuery {
+fn medial_map_query(state: &State) -> MedialMapQuery {
     MedialMapQuery {
         thickening: state.document.thickening,
         method: state.document.map.method,

@@ -5,12 +5,13 @@ use egui::Ui;
 use crate::analysis::deformations::{Comparison, DeformationMapParams};
 use crate::panes::metric::{MetricPanelView, choice_row_ui};
 use crate::ui::controls::choices_ui;
-use crate::ui::number_field::{Setting, number_text, whole};
+use crate::ui::number_field::{ABOVE_ZERO, Setting, number_text, whole};
 
 const NEIGHBOURS: Setting<DeformationMapParams> = Setting {
     name: "Neighbours",
     unit: "subjects",
     what: "Neighbours from which LLE reconstructs each subject; empty: a tenth of the cohort, 8 to 12 (half of it where curves of poses are compared)",
+    range: [1.0, u16::MAX as f64],
     get: |map| map.neighbours.map(f64::from),
     set: |map, neighbours| {
         let count = neighbours.map(|count| whole(count, u32::from(u16::MAX)));
@@ -23,6 +24,7 @@ const SMOOTHING: Setting<DeformationMapParams> = Setting {
     name: "Smoothing",
     unit: "√area",
     what: "Poses are smoothed below this radius before deformations are compared; 0: no smoothing",
+    range: [0.0, 1.0],
     get: |map| Some(map.smoothing),
     set: |map, smoothing| {
         map.smoothing = smoothing.unwrap_or_default();
@@ -35,6 +37,7 @@ const SHAPE_WEIGHT: Setting<DeformationMapParams> = Setting {
     unit: "",
     what: "How much the squared distance of end-diastolic shapes counts beside that of deformations, each over its \
            median; 0: deformations alone",
+    range: [0.0, f64::INFINITY],
     get: |map| match map.comparison {
         Comparison::Parts(weights) => Some(weights.shape),
         Comparison::Poses => None,
@@ -50,7 +53,8 @@ const SHAPE_WEIGHT: Setting<DeformationMapParams> = Setting {
 const REGULARISATION: Setting<DeformationMapParams> = Setting {
     name: "Regularisation",
     unit: "",
-    what: "Limits the reconstruction weights of LLE; relative to the trace of the neighbours' Gram matrix, no unit",
+    what: "Limits the reconstruction weights of LLE; relative to the trace of the neighbours' Gram matrix",
+    range: [ABOVE_ZERO, 1.0],
     get: |map| Some(map.regularisation),
     set: |map, regularisation| {
         map.regularisation = regularisation.unwrap_or_default();
@@ -63,6 +67,7 @@ const TIME_WEIGHT: Setting<DeformationMapParams> = Setting {
     unit: "/ cycle",
     what: "Distance between start and end of the cycle, in units of the pose map; empty: the spread \
            of the poses; 0: time is ignored",
+    range: [0.0, f64::INFINITY],
     get: |map| map.time_weight,
     set: |map, time_weight| {
         map.time_weight = time_weight;
@@ -72,8 +77,9 @@ const TIME_WEIGHT: Setting<DeformationMapParams> = Setting {
 
 const SAMPLES: Setting<DeformationMapParams> = Setting {
     name: "Points per curve",
-    unit: "",
+    unit: "points",
     what: "Number of points at which motions are compared, evenly spaced along each curve",
+    range: [2.0, 1024.0],
     get: |map| Some(f64::from(map.samples)),
     set: |map, samples| {
         map.samples = whole(samples.unwrap_or_default(), u32::from(u16::MAX))? as u16;
@@ -117,5 +123,26 @@ pub fn deformation_map_ui(ui: &mut Ui, view: &MetricPanelView, wanted: &mut Defo
             Ok(_) => Ok(()),
             Err(error) => Err(error.to_string()),
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::number_field::assert_takes_its_range;
+
+    #[test]
+    fn each_number_takes_what_its_range_says_and_no_more() {
+        let takes = |params: &DeformationMapParams| params.check().is_ok();
+        for setting in [
+            SHAPE_WEIGHT,
+            SMOOTHING,
+            NEIGHBOURS,
+            REGULARISATION,
+            TIME_WEIGHT,
+            SAMPLES,
+        ] {
+            assert_takes_its_range(&setting, takes);
+        }
     }
 }

@@ -41,7 +41,8 @@ pub fn metric_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
 const MU: Setting<PoseMapQuery> = Setting {
     name: "Curvature, μ",
     unit: "",
-    what: "Weight of a change of curvature relative to a change of angles; no unit",
+    what: "Weight of a change of curvature relative to a change of angles",
+    range: [0.0, f64::INFINITY],
     get: |poses| Some(poses.distances.metric.mu),
     set: |poses, mu| {
         poses.distances.metric.mu = mu.unwrap_or_default();
@@ -53,6 +54,7 @@ const RINGS: Setting<PoseMapQuery> = Setting {
     name: "Averaging",
     unit: "rings",
     what: "Rings of neighbours over which curvature is averaged, to reduce noise",
+    range: [0.0, 100.0],
     get: |poses| Some(f64::from(poses.distances.metric.curvature_rings)),
     set: |poses, rings| {
         poses.distances.metric.curvature_rings = whole(rings.unwrap_or_default(), u32::MAX)?;
@@ -64,7 +66,8 @@ const LAMBDA: Setting<PoseMapQuery> = Setting {
     name: "Displacement, λ",
     unit: "",
     what: "Weight of displacement itself, relative to the radius of the heart; keeps every form \
-           positive; no unit",
+           positive",
+    range: [0.0, f64::INFINITY],
     get: |poses| Some(poses.distances.metric.lambda),
     set: |poses, lambda| {
         poses.distances.metric.lambda = lambda.unwrap_or_default();
@@ -77,6 +80,7 @@ const SMOOTHING: Setting<PoseMapQuery> = Setting {
     unit: "√area",
     what: "Poses are smoothed below this radius before they are compared, so that mesh noise has \
            little effect on distances; 0: no smoothing",
+    range: [0.0, 1.0],
     get: |poses| Some(poses.distances.smoothing),
     set: |poses, smoothing| {
         poses.distances.smoothing = smoothing.unwrap_or_default();
@@ -114,4 +118,18 @@ pub fn weights_ui(ui: &mut Ui, wanted: &mut PoseMapQuery) {
         let chosen = choices_ui(ui, regularisers, metric.regulariser);
         wanted.distances.metric.regulariser = chosen.unwrap_or(metric.regulariser);
     });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::number_field::assert_takes_its_range;
+
+    #[test]
+    fn each_number_takes_what_its_range_says_and_no_more() {
+        let takes = |params: &PoseMapQuery| params.distances.check().is_ok();
+        for setting in [MU, RINGS, LAMBDA, SMOOTHING] {
+            assert_takes_its_range(&setting, takes);
+        }
+    }
 }

@@ -88,6 +88,7 @@ const NEIGHBOURS: Setting<PoseMapQuery> = Setting {
     name: "Neighbours",
     unit: "poses",
     what: "Number of nearest poses to which each pose is connected",
+    range: [1.0, 10_000.0],
     get: |poses| match poses.method {
         MapMethod::Isomap { neighbours } => Some(f64::from(neighbours)),
         MapMethod::ClassicalMds | MapMethod::Smacof => None,

@@ -32,7 +32,8 @@ fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
         poses: document.map,
         deformations: document.deformation_map,
         subjects: cohort.rows(),
-        selected: document.selected_index(),
+        // An excluded subject is no reference.
+        selected: (document.selected_index()).filter(|&index| index < cohort.rows().len()),
         neighbours: map.and_then(|map| map.embedding.neighbours),
         time_weight: map.and_then(|map| map.time_weight),
     };

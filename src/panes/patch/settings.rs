@@ -8,6 +8,7 @@ use crate::analysis::thickening::ThickeningParams;
 use crate::engine::ThickeningSettings;
 use crate::panes::commands::{Command, WallCommand};
 use crate::panes::patch::PatchPanelView;
+use crate::ui::number_field::number_words;
 use crate::ui::style::{medium, note};
 use crate::ui::theme::space;
 
@@ -19,7 +20,7 @@ const TOLERANCES: RangeInclusive<f64> = 1.0..=50.0;
 /// Draws the sliders; every change is one command, and a drag one step of undo.
 pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec<Command>) {
     ui.label(medium("Thresholds"));
-    let now = view.settings.thickening;
+    let now = view.settings.patches;
     let mut wanted = now;
     let mut extent = 100.0 * now.extent;
     let what = "Thickening relative to remote myocardium below which tissue belongs to a patch; its core is \
@@ -39,7 +40,7 @@ pub(super) fn settings_ui(ui: &mut Ui, view: &PatchPanelView, commands: &mut Vec
     ui.add(egui::Label::new(note(tolerance_note(view, now.tolerance))).wrap());
     if wanted != now {
         let settings = ThickeningSettings {
-            thickening: wanted,
+            patches: wanted,
             ..view.settings
         };
         commands.push(WallCommand::SetThickening(settings).into());
@@ -75,12 +76,14 @@ fn slider_ui(
     let before = value.round();
     let mut shown = before;
     ui.spacing_mut().slider_width = (ui.available_width() - 64.0).clamp(60.0, 240.0);
+    let ends = [*range.start(), *range.end()];
     let slider = Slider::new(&mut shown, range)
         .logarithmic(true)
         .smart_aim(false)
         .fixed_decimals(0)
         .suffix(" %");
-    ui.add(slider).labelled_by(label.id).on_hover_text(what);
+    let (what, label) = (number_words(what, ends, "%"), label.id);
+    ui.add(slider).labelled_by(label).on_hover_text(what);
     let changed = shown != before;
     if changed {
         *value = shown;

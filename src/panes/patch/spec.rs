@@ -5,7 +5,7 @@ use egui::Ui;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
-use crate::panes::viewport::hearts::Viewport;
+use crate::panes::viewport::viewport::Viewport;
 
 use super::patch_panel_ui;
 use super::view::patch_view;

@@ -130,7 +130,13 @@ fn row_ui(
         },
     );
     for (column, right) in COLUMNS.iter().zip(ends(area)) {
-        let (at, text) = (pos2(right, middle), column.shown(&row.row));
+        let at = pos2(right, middle);
+        // Short headings hold no percent sign.
+        let is_bare = area.width() <= WIDE && !column.short_heading.contains(['%', '²']);
+        let text = match is_bare {
+            true => column.shown_with_unit(&row.row, LengthUnit::default()),
+            false => column.shown(&row.row),
+        };
         painter.text(at, Align2::RIGHT_CENTER, text, text_font(), colours.text);
     }
     let at = pos2(area.left() + space::SMALL + 14.0, area.top() + LINE);

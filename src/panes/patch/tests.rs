@@ -3,8 +3,8 @@
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
-use crate::engine::ThickeningSettings;
-use crate::panes::{WallCommand, WorkCommand};
+use crate::engine::{ThickeningSettings, Topic, WallThickeningQuery};
+use crate::panes::{WallCommand, WorkCommand, WorkState};
 use crate::picture::WallPart;
 use crate::render::Camera;
 use crate::report::PatchRow;
@@ -142,8 +142,8 @@ fn the_border_moves_by_keyboard_and_takes_its_core_along() {
     let Some(Command::Wall(WallCommand::SetThickening(settings))) = commands.first() else {
         panic!("{commands:?}");
     };
-    let (core, extent) = (settings.thickening.core, settings.thickening.extent);
+    let (core, extent) = (settings.patches.core, settings.patches.extent);
     assert!(extent > 0.4, "{extent}");
     assert!((core / extent - 0.5).abs() < 1e-9);
-    assert!(settings.thickening.check().is_ok());
+    assert!(settings.patches.check().is_ok());
 }

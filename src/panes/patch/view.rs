@@ -73,7 +73,7 @@ pub fn wall_state(state: &State) -> WorkState {
         _ if state.document.selected().is_none() => WorkState::Empty,
         Some((Ok(_), true)) => WorkState::Ready,
         Some((Err(why), true)) => WorkState::Unanswerable(why.clone()),
-        // Only a failure has a reason, and it is told above: the work itself was stopped.
+        // Only a failure has a reason, and it is said above: the work itself was stopped.
         _ => match state.answers.wall(subject).map(|wall| &wall.showing) {
             Some(Showing::Interrupted { .. }) => WorkState::Stopped,
             Some(computing @ Showing::Computing { .. }) => WorkState::of(Some(computing)),

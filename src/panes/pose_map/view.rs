@@ -2,14 +2,17 @@
 
 use egui::Ui;
 
+use crate::analysis::pose_distances::PoseId;
 use crate::document::document::cycle_share;
 use crate::document::state::State;
 use crate::engine::PoseMap;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::pane_context::{Kept, PaneContext};
 use crate::panes::scatter_map::from_state::{MapPoints, left_out, plane};
-use crate::panes::scatter_map::{PosePhase, ScatterPoint, ScatterView};
+use crate::panes::scatter_map::{EstimateView, PosePhase, ScatterPoint, ScatterView};
+use crate::panes::viewport::overlay_view::{estimated_words, source_words};
 use crate::panes::work_state::WorkState;
+use crate::picture::sentence;
 
 use super::{POSE_MAP, pose_map_note};
 
@@ -41,8 +44,36 @@ pub fn view<'a>(
     ScatterView {
         note,
         explanation,
+        ground: points.turn(),
+        estimate: estimate(points.points(), state),
         ..points.view(state, &POSE_MAP, work, subjects)
     }
+}
+
+/// What is estimated at the place that is looked at.
+fn estimate(points: &[ScatterPoint], state: &State) -> Option<EstimateView> {
+    let at = state.estimate_at?;
+    let lines = match (state.estimate(), state.without_estimate()) {
+        (Some(pose), _) => {
+            let title = sentence(&estimated_words(pose));
+            std::iter::once(title)
+                .chain(source_words(state, pose))
+                .collect()
+        }
+        (None, Some(why)) => vec![sentence(&why.to_string())],
+        (None, None) => Vec::new(),
+    };
+    let sources = state.estimate().map_or(&[][..], |pose| &pose.sources);
+    let source = |(pose, weight): &(PoseId, f64)| {
+        let key = (pose.subject, None, Some(pose.frame));
+        let place = points.iter().position(|point| point.key() == key)?;
+        Some((place, *weight))
+    };
+    Some(EstimateView {
+        at,
+        sources: sources.iter().filter_map(source).collect(),
+        lines,
+    })
 }
 
 /// One point per pose.

@@ -4,12 +4,13 @@
 use super::morph::Morph;
 use super::orientation::Turn;
 use super::point::ScatterPoint;
+use crate::study::Revision;
 
 /// Points of a map with what they were made from: the map `M` and further details `D`, such as classes.
 #[derive(Debug)]
 pub struct ScatterData<M, D> {
-    /// The opening of the study, its map and the details.
-    made_from: Option<(u64, M, D)>,
+    /// The list of subjects, the map and the details.
+    made_from: Option<(Revision, M, D)>,
     /// Where points belong.
     targets: Vec<ScatterPoint>,
     /// Where they are now: on their way, or there.
@@ -31,26 +32,26 @@ impl<M, D> Default for ScatterData<M, D> {
 }
 
 impl<M: PartialEq, D: PartialEq> ScatterData<M, D> {
-    /// Makes points again where the opening of the study, the map or a detail changed; whether one
-    /// did. Points of another map of the same opening move there, or without `motion` are there at
+    /// Makes points again where the list of subjects, the map or a detail changed; whether one
+    /// did. Points of another map of the same list move there, or without `motion` are there at
     /// once.
     pub fn refresh(
         &mut self,
-        (opening, map, details): (u64, M, D),
+        (listing, map, details): (Revision, M, D),
         now_s: f64,
         motion: bool,
         make: impl FnOnce() -> Vec<ScatterPoint>,
     ) -> bool {
         let made = self.made_from.as_ref();
-        let same_opening = made.is_some_and(|made| made.0 == opening);
-        let same_map = same_opening && made.is_some_and(|made| made.1 == map);
+        let same_listing = made.is_some_and(|made| made.0 == listing);
+        let same_map = same_listing && made.is_some_and(|made| made.1 == map);
         if same_map && made.is_some_and(|made| made.2 == details) {
             return false;
         }
         let mut targets = make();
         if !same_map {
-            // Subjects' indices mean the same within one opening only.
-            self.turn = if same_opening {
+            // Subjects' indices mean the same within one list only.
+            self.turn = if same_listing {
                 Turn::towards(&targets, &self.targets)
             } else {
                 Turn::default()
@@ -60,7 +61,7 @@ impl<M: PartialEq, D: PartialEq> ScatterData<M, D> {
             target.at = self.turn.apply(target.at);
         }
         if !same_map {
-            self.morph = if motion && same_opening {
+            self.morph = if motion && same_listing {
                 Morph::between(&self.points, &targets, now_s)
             } else {
                 Morph::default()
@@ -68,7 +69,7 @@ impl<M: PartialEq, D: PartialEq> ScatterData<M, D> {
         }
         self.points.clone_from(&targets);
         self.targets = targets;
-        self.made_from = Some((opening, map, details));
+        self.made_from = Some((listing, map, details));
         self.place(now_s);
         true
     }
@@ -81,6 +82,11 @@ impl<M: PartialEq, D: PartialEq> ScatterData<M, D> {
             self.place(now_s);
         }
         moves
+    }
+
+    /// How the map is turned onto the screen; `None` while points are on their way.
+    pub fn turn(&self) -> Option<Turn> {
+        (!self.morph.is_under_way()).then_some(self.turn)
     }
 
     /// All points, where they are now.
@@ -116,11 +122,11 @@ mod tests {
     #[test]
     fn points_set_out_from_the_previous_map_and_end_exactly_at_their_new_places() {
         let mut data = ScatterData::default();
-        let made = data.refresh((1, "first", 0), 1.0, true, || points(SHAPE));
+        let made = data.refresh((Revision(1), "first", 0), 1.0, true, || points(SHAPE));
         assert!(made && !data.advance(1.0), "the first map is there at once");
         assert_eq!(data.points(), points(SHAPE));
         let other = [SHAPE[0], SHAPE[1], SHAPE[2], [-3.0, 4.0]];
-        data.refresh((1, "second", 0), 2.0, true, || points(other));
+        data.refresh((Revision(1), "second", 0), 2.0, true, || points(other));
         assert!(data.advance(2.0));
         let target = data.targets[3].at;
         let apart = |at: [f64; 2]| (at[0] - target[0]).hypot(at[1] - target[1]);
@@ -131,7 +137,7 @@ mod tests {
         assert!(0.0 < middle && middle < begin);
         assert!(!data.advance(2.0 + 1.01 * MORPH_S));
         assert_eq!(data.points(), data.targets);
-        data.refresh((1, "third", 0), 3.0, false, || points(SHAPE));
+        data.refresh((Revision(1), "third", 0), 3.0, false, || points(SHAPE));
         assert!(!data.advance(3.0), "no motion where none is wanted");
         assert_eq!(data.points(), data.targets);
     }
@@ -139,18 +145,20 @@ mod tests {
     #[test]
     fn a_turned_map_stays_as_it_was_and_keeps_its_turn_when_a_detail_changes() {
         let mut data = ScatterData::default();
-        data.refresh((1, "first", 0), 0.0, true, || points(SHAPE));
+        data.refresh((Revision(1), "first", 0), 0.0, true, || points(SHAPE));
         let turned = SHAPE.map(|[x, y]| [5.0 - y, x]);
         for details in [0, 1] {
-            let made = data.refresh((1, "second", details), 1.0, false, || points(turned));
+            let made = data.refresh((Revision(1), "second", details), 1.0, false, || {
+                points(turned)
+            });
             assert!(made);
             for (point, at) in data.points().iter().zip(SHAPE) {
                 assert!((point.at[0] - at[0]).hypot(point.at[1] - at[1]) < 1e-12);
             }
         }
-        let again = data.refresh((1, "second", 1), 1.0, false, Vec::new);
+        let again = data.refresh((Revision(1), "second", 1), 1.0, false, Vec::new);
         assert!(!again, "nothing changed");
-        data.refresh((2, "second", 1), 2.0, true, || points(turned));
+        data.refresh((Revision(2), "second", 1), 2.0, true, || points(turned));
         assert_eq!(data.points(), points(turned), "another study lies as it is");
     }
 }

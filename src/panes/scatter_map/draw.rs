@@ -86,6 +86,9 @@ pub fn draw_points(
     canvas.pointed(pointed);
 }
 
+/// Strength of marks that are not selected: each label stands out from the pane by a contrast of 3.
+const RESTING: f32 = 0.85;
+
 /// Strength of subjects that the filter leaves out: seen as where the others lie, and no more.
 const FILTERED_OUT: f32 = 0.16;
 
@@ -175,19 +178,10 @@ impl<P: Projection> Canvas<'_, P> {
                 pieces.push((run.depth, run.shape(line::THIN, colour)));
             }
         }
-        let strength = if self.view.selected.is_some() {
-            0.72
-        } else {
-            0.95
-        };
         for index in others().flatten() {
             let point = &self.view.points[index];
             let (at, depth) = self.seen[index];
-            let strength = match point.phase {
-                PosePhase::Between => 0.55 * strength,
-                PosePhase::EndDiastole | PosePhase::EndSystole | PosePhase::WholeMotion => strength,
-            };
-            let colour = self.resting_colour(point.subject, strength, depth);
+            let colour = self.resting_colour(point.subject, RESTING, depth);
             let (radius, _, filled) = mark(point.phase);
             if self.projection.rect().expand(8.0).contains(at) {
                 let label = self.view.mark(point.subject);
@@ -301,6 +295,26 @@ impl<P: Projection> Canvas<'_, P> {
                 PosePhase::EndDiastole | PosePhase::EndSystole | PosePhase::Between => 9.0,
             };
             self.painter.circle_stroke(at, radius, ring);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::ui::LabelMark;
+    use crate::ui::theme::{DARK, LIGHT, contrast};
+
+    #[test]
+    fn marks_that_are_not_selected_are_seen_in_both_themes() {
+        let labels = (0..8).map(LabelMark::Label);
+        let marks = labels.chain([LabelMark::Normal, LabelMark::Unlabelled]);
+        for mark in marks {
+            for theme in [DARK, LIGHT] {
+                let resting = theme.pane.lerp_to_gamma(mark.colour(&theme), RESTING);
+                let found = contrast(resting, theme.pane);
+                assert!(found >= 3.0, "{mark:?}: {found:.2}");
+            }
         }
     }
 }

@@ -10,7 +10,9 @@ use crate::document::state::State;
 use crate::panes::cohort::rows::CohortRow;
 use crate::panes::pane_context::motion;
 use crate::panes::same::Same;
-use crate::panes::scatter_map::{MapWords, ScatterData, ScatterPoint, ScatterView, places_between};
+use crate::panes::scatter_map::{
+    MapWords, ScatterData, ScatterPoint, ScatterView, Turn, places_between,
+};
 use crate::panes::work_state::WorkState;
 use crate::study::{Revision, Study};
 
@@ -47,7 +49,7 @@ impl<M, D: PartialEq> MapPoints<M, D> {
         let (now_s, moves) = motion(ui);
         let document = &state.document;
         let details = (document.study().revision, Same::of(state.measures()));
-        let sources = (document.study.opening, Same::of(map), (details, detail));
+        let sources = (document.study.listing, Same::of(map), (details, detail));
         self.data.refresh(sources, now_s, moves, || {
             let (points, left_out) = map.map_or_else(Default::default, |map| make(map));
             self.left_out = left_out;
@@ -56,6 +58,16 @@ impl<M, D: PartialEq> MapPoints<M, D> {
         if self.data.advance(now_s) {
             ui.ctx().request_repaint();
         }
+    }
+
+    /// All points, where they are now.
+    pub fn points(&self) -> &[ScatterPoint] {
+        self.data.points()
+    }
+
+    /// How the map is turned onto the screen; `None` while points are on their way.
+    pub fn turn(&self) -> Option<Turn> {
+        self.data.turn()
     }
 
     /// Who is not on the map, and why.

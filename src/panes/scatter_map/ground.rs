@@ -45,7 +45,7 @@ pub fn ground_ui(ui: &mut Ui, view: &ScatterView, below: f32) -> Ground {
     if clicked_twice(&response) {
         ui.data_mut(|data| data.remove::<Moved>(id));
         lens = fitted;
-    } else if turn_lens(ui, &response, rect, &mut lens) {
+    } else if turn_lens(ui, view, &response, rect, &mut lens) {
         let moved = Moved::between(&fitted, &lens);
         ui.data_mut(|data| data.insert_temp(id, moved));
     }
@@ -97,10 +97,22 @@ impl Ground {
     }
 }
 
+/// Whether the pointer looks at the ground in place of moving the map.
+fn looks_at_ground(ui: &Ui, view: &ScatterView) -> bool {
+    let shift = ui.input(|input| input.modifiers.shift_only());
+    view.ground.is_some() && (shift || view.estimate.is_some())
+}
+
 /// Dragging moves, scrolling and pinching zoom, and so do the keys while the map has the keyboard.
-fn turn_lens(ui: &Ui, response: &Response, rect: Rect, lens: &mut Lens) -> bool {
+fn turn_lens(
+    ui: &Ui,
+    view: &ScatterView,
+    response: &Response,
+    rect: Rect,
+    lens: &mut Lens,
+) -> bool {
     let before = *lens;
-    if dragged_from_within(ui, response) {
+    if dragged_from_within(ui, response) && !looks_at_ground(ui, view) {
         lens.drag(response.drag_delta());
     }
     if let Some(pointer) = response.hover_pos() {

@@ -2,7 +2,6 @@
 
 use egui::{CursorIcon, Response, RichText, Ui};
 
-use crate::panes::normal_ranges::EJECTION_FRACTION;
 use crate::ui::marks::role_name;
 use crate::ui::style::note;
 
@@ -10,12 +9,24 @@ use super::clusters::cluster_name;
 use super::point::ScatterPoint;
 use super::view::ScatterView;
 
+/// What the pointer does on empty ground.
+const GROUND_HINT: &str =
+    "Hold Shift, or press and hold, to see the pose that the map implies here (estimated)";
+
 /// Shows a hand and, beside it, the card of the point under the pointer.
 pub fn hover_ui(response: Response, view: &ScatterView, pointed: Option<usize>) {
+    if view.estimate.is_some() {
+        // What is estimated here is said in its place.
+        return;
+    }
     if let Some(point) = pointed.and_then(|index| view.points.get(index)) {
         response
             .on_hover_cursor(CursorIcon::PointingHand)
             .on_hover_ui_at_pointer(|ui| card_ui(ui, view, point));
+    } else if view.ground.is_some() {
+        response.on_hover_ui_at_pointer(|ui| {
+            ui.label(note(GROUND_HINT));
+        });
     }
 }
 
@@ -24,9 +35,8 @@ fn card_ui(ui: &mut Ui, view: &ScatterView, point: &ScatterPoint) {
     if let Some(subject) = view.subjects.get(point.subject) {
         let label = subject.label.as_deref().unwrap_or("no label");
         ui.label(format!("{label}, class {}", role_name(subject.role)));
-        if let Some(ef) = subject.ejection_fraction {
-            let range = EJECTION_FRACTION.short;
-            ui.label(format!("Ejection fraction {:.0} %, {range}", 100.0 * ef));
+        if let Some(words) = subject.ejection_fraction_in_words() {
+            ui.label(words);
         }
     }
     for fact in &point.facts {

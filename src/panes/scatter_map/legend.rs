@@ -39,7 +39,18 @@ pub fn legend_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
         sides.shrink_right().truncate().show(
             &mut row,
             |ui| label_counts_ui(ui, view, room),
-            |ui| note_ui(ui, view, &trust_text(view)),
+            |ui| {
+                let (whole, short) = (trust_text(view), view.note.as_str());
+                let cut = text_width(ui, &whole, note_font()) > ui.available_width();
+                // That axes have no unit is also said on hover.
+                let unsaid = view.left_out.is_empty() && filter_text(view).is_none();
+                let text = if cut && unsaid && !short.is_empty() {
+                    short
+                } else {
+                    &whole
+                };
+                note_ui(ui, view, text);
+            },
         );
     } else {
         let wide = inner.width() > 240.0 + 34.0 * clusters.len() as f32;
@@ -96,12 +107,8 @@ fn entries(view: &ScatterView) -> Vec<Entry> {
 }
 
 fn name_of(view: &ScatterView, subject: usize, mark: LabelMark) -> String {
-    let label = view.subjects.get(subject).and_then(|row| row.label.clone());
-    match (mark, label) {
-        (LabelMark::Normal, _) => "normal".to_owned(),
-        (LabelMark::Label(_), Some(label)) => label,
-        (LabelMark::Label(_) | LabelMark::Unlabelled, _) => "no label".to_owned(),
-    }
+    let row = view.subjects.get(subject);
+    mark.name(row.and_then(|row| row.label.as_deref()))
 }
 
 /// Draws the entries; names are left to the hover where there is little room, and entries past the end to a last one.

@@ -48,6 +48,15 @@ impl Lens {
         pos2(rect.center().x + x as f32, rect.center().y - y as f32)
     }
 
+    /// The place of the map at a point of the screen: the inverse of [`Self::on_screen`].
+    pub fn place_at(&self, rect: Rect, at: Pos2) -> [f64; 2] {
+        let offset = at - rect.center();
+        [
+            self.centre[0] + f64::from(offset.x) / self.points_per_unit,
+            self.centre[1] - f64::from(offset.y) / self.points_per_unit,
+        ]
+    }
+
     /// Moves what is seen along with the pointer.
     pub fn drag(&mut self, delta: Vec2) {
         self.centre[0] -= f64::from(delta.x) / self.points_per_unit;

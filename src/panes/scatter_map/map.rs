@@ -7,6 +7,7 @@ use crate::ui::theme::colours;
 
 use super::clusters::draw_clusters;
 use super::draw::{Projection, draw_points};
+use super::estimate::estimate_ui;
 use super::ground::{Ground, ground_ui};
 use super::keys;
 use super::legend::{LEGEND, legend_ui};
@@ -50,6 +51,7 @@ pub fn scatter_map_ui(ui: &mut Ui, view: &ScatterView, below: f32, commands: &mu
         .collect();
     let pointed = pointed_at(ui, view, &response, hovered.or(on_key));
     draw_points(ui, view, &ground, &current, pointed);
+    estimate_ui(ui, view, &ground, &response, commands);
     let clicked = response.clicked().then(|| response.interact_pointer_pos());
     let clicked = clicked.and_then(|place| ground.nearest(view, place));
     respond_ui(ui, view, &ground, response, hovered, clicked, commands);

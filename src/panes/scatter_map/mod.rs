@@ -5,6 +5,7 @@ mod brush;
 mod clusters;
 mod data;
 mod draw;
+mod estimate;
 pub(crate) mod from_state;
 mod ground;
 mod hover;
@@ -25,8 +26,9 @@ mod state;
 mod tests;
 mod view;
 
-pub use {data::*, draw::*, input::*, map::*, method::*, path::*, point::*, respond::*, view::*};
+pub use {data::*, draw::*, input::*, map::*, method::*, orientation::*, path::*, point::*};
 pub use {lens::bounds, state::without_map_ui};
+pub use {respond::*, view::*};
 
 /// Forgets where on a map the eye, the pointer and the keyboard are: another study has other points there.
 pub fn leave_study(ctx: &egui::Context) {

@@ -77,6 +77,16 @@ impl Turn {
         }
     }
 
+    /// The place of the map that is shown at a place: the inverse of [`Self::apply`].
+    pub fn undo(&self, at: [f64; 2]) -> [f64; 2] {
+        let (sin, cos) = self.sin_cos;
+        let (x, y) = (at[0] - self.to[0], at[1] - self.to[1]);
+        [
+            self.from[0] + cos * x + sin * y,
+            self.from[1] + self.mirror * (cos * y - sin * x),
+        ]
+    }
+
     /// Where a place of the new map is shown.
     pub fn apply(&self, at: [f64; 2]) -> [f64; 2] {
         let (sin, cos) = self.sin_cos;
@@ -113,6 +123,8 @@ mod tests {
                 [7.0 + cos * x - sin * y, -3.0 + sin * x + cos * y]
             });
             let turn = Turn::towards(&map(&moved), &map(&shown));
+            let back = turn.undo(turn.apply([2.0, -7.5]));
+            assert!((back[0] - 2.0).hypot(back[1] + 7.5) < 1e-12, "{back:?}");
             for (got, want) in moved
                 .map(|at| turn.apply(at))
                 .concat()

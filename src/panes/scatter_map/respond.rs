@@ -5,6 +5,7 @@ use egui::{Rect, Response, Role, Sense, Ui, WidgetInfo, vec2};
 
 use crate::panes::commands::Command;
 use crate::ui::marks::role_name;
+use crate::ui::named_parts::{named_part, names_are_read};
 
 use super::brush::brush;
 use super::draw::{Pointed, Projection};
@@ -42,8 +43,43 @@ pub fn respond_ui(
         commands.push((view.words.command)(point));
     }
     name_paths(ui, view, projection, &response);
+    if names_are_read(&response) {
+        name_points(ui, view, projection, &response, commands);
+    }
     over_map_ui(ui, view, projection.rect(), commands);
     hover_ui(response, view, hovered);
+}
+
+/// With more points than these, only those of the chosen subjects have names of their own: nobody listens to a thousand
+/// names, and a frame would wait for them.
+const NAMED_POINTS: usize = 1000;
+
+/// Names points for whoever does not see them; asked to click one, it does what a click does.
+fn name_points(
+    ui: &Ui,
+    view: &ScatterView,
+    projection: &impl Projection,
+    canvas: &Response,
+    commands: &mut Vec<Command>,
+) {
+    let many = view.points.len() > NAMED_POINTS;
+    for point in view
+        .points
+        .iter()
+        .filter(|point| !many || view.is_chosen(point.subject))
+    {
+        // A path of one point has the name of the path.
+        if point.frames.is_none() {
+            continue;
+        }
+        let (place, _) = projection.see(point.at, point.share);
+        let rect = Rect::from_center_size(place, vec2(8.0, 8.0));
+        let id = canvas.id.with(("point", point.key()));
+        let chosen = view.selected == Some(point.subject);
+        if named_part(ui, id, rect, chosen, &view.title(point)) {
+            commands.push((view.words.command)(point));
+        }
+    }
 }
 
 /// Names paths for whoever does not see them, each in the middle of its cycle.

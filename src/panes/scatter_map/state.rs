@@ -2,63 +2,32 @@
 
 use egui::{Rect, Ui, vec2};
 
-use crate::engine::Topic;
 use crate::panes::buttons::command_button_ui;
 use crate::panes::commands::{Command, WorkCommand};
 use crate::panes::work_state::WorkState;
-use crate::ui::controls::{empty_pane_ui, progress_bar_ui};
+use crate::panes::work_ui::{WorkWords, cancel_button_ui, work_pane_ui, work_progress_ui};
 use crate::ui::style::note;
-use crate::ui::text::progress_text;
 use crate::ui::theme::{colours, space};
 
 use super::view::ScatterView;
 
+fn work_words(view: &ScatterView) -> WorkWords {
+    WorkWords {
+        topic: view.job,
+        computing: "Computing the map",
+        meanwhile: "Other panes remain usable.",
+        stopped: "Map computation stopped",
+        begin: "Compute the map",
+        failed: view.words.none,
+        unanswerable: view.words.none,
+        cancel: "Cancel",
+    }
+}
+
 /// Draws a pane that has no map to show.
 pub fn without_map_ui(ui: &mut Ui, view: &ScatterView, commands: &mut Vec<Command>) {
-    let (words, job) = (view.words, view.job);
-    let retry = WorkCommand::Retry(job);
-    match &view.state {
-        WorkState::Empty | WorkState::Waiting | WorkState::Ready => {
-            empty_pane_ui(ui, words.empty, words.what, |_| {});
-        }
-        computing @ WorkState::Computing { .. } => {
-            let what = "Other panes remain usable.";
-            empty_pane_ui(ui, "Computing the map", what, |ui| {
-                let width = 200f32.min(ui.available_width());
-                progress_ui(ui, computing, width);
-                cancel_ui(ui, "Cancel", job, commands);
-            });
-        }
-        WorkState::Stopped => empty_pane_ui(ui, "Map computation stopped", words.what, |ui| {
-            command_button_ui(ui, "Compute the map", retry, commands);
-        }),
-        WorkState::Failed(why) => empty_pane_ui(ui, words.none, why, |ui| {
-            command_button_ui(ui, "Retry", retry, commands);
-        }),
-        WorkState::Unanswerable(why) => empty_pane_ui(ui, words.none, why, |_| {}),
-    }
-}
-
-fn progress_ui(ui: &mut Ui, state: &WorkState, width: f32) {
-    if let WorkState::Computing {
-        fraction,
-        seconds_left,
-        ..
-    } = state
-    {
-        progress_bar_ui(ui, width, *fraction, "Computing the map");
-        ui.label(note(progress_text(*fraction, *seconds_left)));
-    }
-}
-
-fn cancel_ui(
-    ui: &mut Ui,
-    name: impl Into<egui::WidgetText>,
-    job: Topic,
-    commands: &mut Vec<Command>,
-) {
-    command_button_ui(ui, name, WorkCommand::Cancel(job), commands)
-        .on_hover_text("Stop computing the map");
+    let empty = [view.words.empty, view.words.what];
+    work_pane_ui(ui, &view.state, &work_words(view), empty, commands);
 }
 
 /// Draws a card over a map that is not that of the settings: the previous map is shown below.
@@ -77,8 +46,9 @@ pub fn over_map_ui(ui: &mut Ui, view: &ScatterView, rect: Rect, commands: &mut V
         ui.set_width(width - 20.0);
         ui.horizontal(|ui| match &view.state {
             WorkState::Computing { .. } => {
-                progress_ui(ui, &view.state, (width - 190.0).max(30.0));
-                cancel_ui(ui, note("Cancel"), view.job, commands);
+                let words = work_words(view);
+                work_progress_ui(ui, &view.state, &words, (width - 190.0).max(30.0));
+                cancel_button_ui(ui, note("Cancel"), &words, commands);
             }
             WorkState::Failed(why) => {
                 let colour = colours(ui).error;

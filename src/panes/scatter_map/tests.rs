@@ -235,7 +235,8 @@ fn the_hover_card_has_name_class_numbers_and_hints() {
         "Fact of 0",
         "Click to play",
     ] {
-        harness.get_by_label(line);
+        // The point itself has the name that the card begins with.
+        assert!(harness.query_all_by_label(line).next().is_some(), "{line}");
     }
     harness.get_by_label_contains("Ejection fraction 50 %");
 }
@@ -367,4 +368,21 @@ fn zooming_keeps_what_is_under_the_pointer() {
     lens.zoom_about(before - rect.center(), 3.0);
     assert!((lens.on_screen(rect, points[3].at) - before).length() < 1e-3);
     assert!((lens.points_per_unit - 3.0 * fitted.points_per_unit).abs() < 1e-9);
+}
+
+#[test]
+fn points_have_names_and_in_a_large_map_those_of_the_chosen_subject_still_do() {
+    let small = harness(1, |_, _| {});
+    for name in ["P0 · frame 1,", "P1 · frame 0,"] {
+        small.get_by_label_contains(name);
+    }
+    let large = harness(1, |map, _| {
+        let last = map.points[4].clone();
+        map.points.extend((1..1000).map(|frame| ScatterPoint {
+            frames: Some([frame, frame]),
+            ..last.clone()
+        }));
+    });
+    large.get_by_label_contains("P0 · frame 1,");
+    assert!(large.query_by_label_contains("P2 · frame").is_none());
 }

@@ -7,6 +7,7 @@ use crate::panes::work_state::WorkState;
 use crate::picture::share_words;
 use crate::ui::LabelMark;
 
+use super::orientation::Turn;
 use super::path::paths;
 use super::point::{PosePhase, ScatterPoint};
 
@@ -61,6 +62,10 @@ pub struct ScatterView<'a> {
     pub compared: Option<usize>,
     /// Where the position between frames lies on each path of the selected subject.
     pub current: Vec<[f64; 2]>,
+    /// How the map is turned onto the screen, where a pose is estimated on empty ground.
+    pub ground: Option<Turn>,
+    /// What is estimated at the place that is looked at.
+    pub estimate: Option<EstimateView>,
     /// Whether clusters are drawn, where points have any.
     pub shows_clusters: bool,
     /// How well the map fits, in a few words; may be empty.
@@ -69,6 +74,17 @@ pub struct ScatterView<'a> {
     pub explanation: String,
     /// Who is not on the map, and why.
     pub left_out: &'a [String],
+}
+
+/// What is estimated at a place of the map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EstimateView {
+    /// The place, in the coordinates of the embedding.
+    pub at: [f64; 2],
+    /// Points that it is estimated from, by their place in the list, with their weights.
+    pub sources: Vec<(usize, f64)>,
+    /// What it is estimated from, or why it cannot be; empty while it is computed.
+    pub lines: Vec<String>,
 }
 
 impl<'a> ScatterView<'a> {
@@ -87,6 +103,8 @@ impl<'a> ScatterView<'a> {
             selected: None,
             compared: None,
             current: Vec::new(),
+            ground: None,
+            estimate: None,
             shows_clusters: false,
             note: String::new(),
             explanation: String::new(),

@@ -47,7 +47,7 @@ impl Turn {
 const HALF_HEIGHT: f32 = 0.8;
 
 /// How far the eye is from the middle of the box, in half widths: far enough that parallels stay
-/// nearly parallel, near enough that the front is told from the back.
+/// nearly parallel, near enough to distinguish front from back.
 const DISTANCE: f32 = 7.0;
 
 /// Places on screen for one frame.

@@ -12,10 +12,10 @@ pub use values::*;
 use egui::{Label, Margin, Ui};
 
 use crate::engine::{PoseThicknessQuery, Topic};
-use crate::panes::buttons::command_button_ui;
-use crate::panes::commands::{Command, WorkCommand};
+use crate::panes::commands::Command;
 use crate::panes::work_state::WorkState;
-use crate::ui::controls::{no_subject_ui, progress_bar_ui, scrolled_ui};
+use crate::panes::work_ui::{WorkWords, work_lines_ui};
+use crate::ui::controls::{no_subject_ui, scrolled_ui};
 use crate::ui::style::note;
 use crate::ui::theme::space;
 
@@ -27,7 +27,8 @@ pub fn thickness_panel_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut
     }
     let margin = Margin::symmetric(space::LARGE as i8, space::SMALL as i8);
     scrolled_ui(ui, "thickness panel", margin, |ui| {
-        state_ui(ui, view, commands);
+        let before = measured_now(view);
+        work_lines_ui(ui, &view.state, &WORK, before.as_deref(), commands);
         if view.rows.iter().any(|row| !row.strips.is_empty()) {
             strips::axis_ui(ui, view);
         }
@@ -40,6 +41,16 @@ pub fn thickness_panel_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut
     });
 }
 
+/// What is said while further poses are measured.
+fn measured_now(view: &ThicknessPanelView) -> Option<String> {
+    match &view.state {
+        WorkState::Computing { phase, .. } if !view.rows.is_empty() => {
+            Some(format!("Measuring {phase}"))
+        }
+        _ => None,
+    }
+}
+
 fn footnote(view: &ThicknessPanelView) -> String {
     format!(
         "Median (5–95 % of vertices) in {}; right: mean difference from medial spheres ± standard \
@@ -48,28 +59,13 @@ fn footnote(view: &ThicknessPanelView) -> String {
     )
 }
 
-fn state_ui(ui: &mut Ui, view: &ThicknessPanelView, commands: &mut Vec<Command>) {
-    let topic = Topic::of::<PoseThicknessQuery>();
-    match &view.state {
-        WorkState::Computing {
-            fraction, phase, ..
-        } => {
-            ui.horizontal(|ui| {
-                let width = (ui.available_width() - 130.0).clamp(30.0, 120.0);
-                progress_bar_ui(ui, width, *fraction, "Measuring wall thickness");
-                ui.label(note(format!("{phase}, {:.0} %", 100.0 * fraction)));
-                command_button_ui(ui, note("Cancel"), WorkCommand::Cancel(topic), commands);
-            });
-        }
-        WorkState::Stopped => {
-            ui.horizontal(|ui| {
-                ui.label(note("Stopped"));
-                command_button_ui(ui, note("Measure"), WorkCommand::Retry(topic), commands);
-            });
-        }
-        WorkState::Failed(why) => {
-            ui.add(Label::new(note(why)).wrap());
-        }
-        _ => {}
-    }
-}
+static WORK: WorkWords = WorkWords {
+    topic: Topic::of::<PoseThicknessQuery>(),
+    computing: "Measuring wall thickness",
+    meanwhile: "By five methods, one pose after the other",
+    stopped: "The measurement was stopped",
+    begin: "Measure",
+    failed: "Wall thickness could not be measured",
+    unanswerable: "Not measured",
+    cancel: "Cancel",
+};

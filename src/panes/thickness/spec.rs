@@ -3,7 +3,7 @@
 use egui::Ui;
 
 use super::thickness_panel_ui;
-use super::view::thickness_view;
+use super::view::{ask_thickness, thickness_view};
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;
@@ -25,5 +25,6 @@ pub const PANE: PaneSpec = PaneSpec {
 };
 
 fn ui(ui: &mut Ui, cx: &PaneContext<'_>, commands: &mut Vec<Command>) {
-    thickness_panel_ui(ui, &thickness_view(cx.state()), commands);
+    let poses = ask_thickness(cx);
+    thickness_panel_ui(ui, &thickness_view(cx.state(), &poses), commands);
 }

@@ -89,7 +89,8 @@ fn measuring_can_be_cancelled_and_begun_again() {
     };
     let mut shown = harness(computing, Some("P05"));
     shown.run();
-    shown.get_by_label("ES, 40 %");
+    shown.get_by_label("Measuring ES");
+    shown.get_by_label("40 %");
     shown.get_by_label("Cancel").click();
     shown.run();
     assert_eq!(

@@ -4,24 +4,66 @@ use std::sync::Arc;
 
 use crate::analysis::thickness_methods::{ThicknessMethod, ThicknessSpread};
 use crate::document::state::State;
-use crate::engine::{ComparedMethod, FrameThickness, MethodResult, Showing};
+use crate::engine::{
+    ComparedMethod, FrameThickness, MethodResult, PoseThicknessQuery, Showing, ThicknessSettings,
+};
+use crate::panes::pane_context::PaneContext;
 use crate::panes::work_state::WorkState;
 use crate::picture::{nice_ceiling, sentence};
 
-use crate::panes::viewport::overlay_view::moment_name;
-
 use super::values::*;
 
+/// Thickness at a frame, as far as it is known.
+pub type PoseThickness = (usize, Showing<FrameThickness>);
+
+/// Asks for the thickness at the poses that the pane shows.
+pub fn ask_thickness(cx: &PaneContext<'_>) -> Vec<PoseThickness> {
+    let document = &cx.state().document;
+    let mut after = [None; 2];
+    let poses = shown_poses(cx.state()).into_iter().map(|frame| {
+        let query = PoseThicknessQuery {
+            subject: document.subject,
+            frame,
+            settings: ThicknessSettings {
+                medial: document.thickening.medial,
+                ..ThicknessSettings::default()
+            },
+            after,
+        };
+        after = [Some(frame), after[0]];
+        (frame, cx.ask(&query))
+    });
+    poses.collect()
+}
+
+/// End-diastole, end-systole, and the pose on screen; while the motion plays only the first two, for the third is gone
+/// before it is measured. None while the phases are not known.
+fn shown_poses(state: &State) -> Vec<usize> {
+    let document = &state.document;
+    if document.selected().is_none() || state.measures_of(document.subject).is_none() {
+        return Vec::new();
+    }
+    let (end_diastole, end_systole) = state.phases_of(document.subject);
+    let on_screen = (!state.play.playing).then(|| document.frame());
+    let mut frames: Vec<usize> = Vec::new();
+    for frame in [end_diastole, end_systole, on_screen].into_iter().flatten() {
+        if !frames.contains(&frame) {
+            frames.push(frame);
+        }
+    }
+    frames
+}
+
 /// What is known of the selected subject.
-pub fn thickness_view(state: &State) -> ThicknessPanelView<'_> {
+pub fn thickness_view<'a>(state: &'a State, poses: &[PoseThickness]) -> ThicknessPanelView<'a> {
     let Some(subject) = state.document.selected() else {
         return ThicknessPanelView::default();
     };
-    let known: Vec<(usize, &Arc<FrameThickness>)> = (state.answers.thickness.iter())
+    let known: Vec<(usize, &Arc<FrameThickness>)> = (poses.iter())
         .filter_map(|(frame, showing)| Some((*frame, showing.ready()?)))
         .collect();
     let on_screen = state.document.frame();
-    // While the motion plays, what differs is told of end-systole, or of what there is.
+    // While the motion plays, differences are those at end-systole, or at the last pose measured.
     let told = (known.iter().find(|(frame, _)| *frame == on_screen)).or(known.last());
     let rows: Vec<ThicknessRow> = methods()
         .filter(|_| !known.is_empty())
@@ -31,7 +73,7 @@ pub fn thickness_view(state: &State) -> ThicknessPanelView<'_> {
     let greatest = strips.map(|strip| strip.quantiles[4]).fold(0.0, f64::max);
     ThicknessPanelView {
         subject: Some(&subject.id),
-        state: standing(state),
+        state: standing(state, poses),
         moment: told.map_or_else(String::new, |(frame, _)| moment(state, *frame)),
         unit: subject.unit.length_symbol(),
         rows,
@@ -45,12 +87,11 @@ fn methods() -> impl Iterator<Item = ComparedMethod> {
 }
 
 fn moment(state: &State, frame: usize) -> String {
-    moment_name(state, state.document.subject, frame)
+    state.moment_name(state.document.subject, frame)
 }
 
-/// How the first pose stands that is not measured; what cannot be measured is told once the others are there.
-fn standing(state: &State) -> WorkState {
-    let poses = &state.answers.thickness;
+/// How the first pose stands that is not measured; what cannot be measured is said once the others are there.
+fn standing(state: &State, poses: &[PoseThickness]) -> WorkState {
     let waiting = |showing: &Showing<FrameThickness>| {
         showing.ready().is_none() && showing.failure().is_none()
     };

@@ -123,7 +123,7 @@ pub fn evidence(study: &Study, verdicts: &Verdicts, own: &Features) -> Vec<Evide
         .collect()
 }
 
-/// The least and the greatest of what is told.
+/// The least and the greatest of the values.
 fn range(values: impl Iterator<Item = Option<f64>>) -> Option<[f64; 2]> {
     values.flatten().fold(None, |range, value| match range {
         None => Some([value; 2]),

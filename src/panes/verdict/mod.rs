@@ -14,16 +14,13 @@ pub(crate) mod view;
 use pair::pair_ui;
 pub use values::*;
 
-use egui::{Label, Margin, RichText, Ui};
+use egui::{Margin, Ui};
 
 use crate::engine::{Topic, VerdictQuery};
-use crate::panes::buttons::command_button_ui;
-use crate::panes::commands::{Command, WorkCommand};
-use crate::panes::work_state::WorkState;
-use crate::ui::controls::{no_subject_ui, progress_bar_ui, scrolled_ui};
-use crate::ui::style::{medium, note};
-use crate::ui::text::progress_text;
-use crate::ui::theme::{colours, space};
+use crate::panes::commands::Command;
+use crate::panes::work_ui::{PREVIOUS_THRESHOLDS, WorkWords, work_lines_ui};
+use crate::ui::controls::{no_subject_ui, scrolled_ui};
+use crate::ui::theme::space;
 
 /// Draws the pane.
 pub fn verdict_panel_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>) {
@@ -35,7 +32,8 @@ pub fn verdict_panel_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec
         if let Some(report) = &view.verdict {
             found::verdict_ui(ui, report);
         }
-        state_ui(ui, view, commands);
+        let before = view.verdict.as_ref().map(|_| PREVIOUS_THRESHOLDS);
+        work_lines_ui(ui, &view.state, &WORK, before, commands);
         if let Some(report) = &view.verdict {
             evidence::evidence_ui(ui, &report.evidence);
             classifier::similar_ui(ui, &report.similar, commands);
@@ -46,50 +44,13 @@ pub fn verdict_panel_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec
     });
 }
 
-/// State of the work, with Cancel or Retry.
-fn state_ui(ui: &mut Ui, view: &VerdictPanelView, commands: &mut Vec<Command>) {
-    let first = view.verdict.is_none();
-    let lines = |ui: &mut Ui, heading: &str, what: &str| {
-        if first {
-            ui.label(medium(heading));
-        }
-        ui.add(Label::new(note(what)).wrap());
-    };
-    let retry = WorkCommand::Retry(Topic::of::<VerdictQuery>());
-    match &view.state {
-        WorkState::Empty | WorkState::Ready | WorkState::Unanswerable(_) => return,
-        WorkState::Waiting => lines(ui, "Not classified yet", "Starts after the maps"),
-        WorkState::Computing {
-            fraction,
-            phase,
-            seconds_left,
-        } => {
-            let what = match first {
-                true => {
-                    "Wall thickness of all subjects is measured, then a classifier is trained on the labels"
-                }
-                false => "Results of the previous thresholds",
-            };
-            lines(ui, "Classifying the subjects", what);
-            let width = ui.available_width().min(180.0);
-            progress_bar_ui(ui, width, *fraction, "Classifying the subjects");
-            let text = progress_text(*fraction, *seconds_left);
-            ui.label(note(text)).on_hover_text(phase);
-            let cancel = WorkCommand::Cancel(Topic::of::<VerdictQuery>());
-            command_button_ui(ui, "Cancel", cancel, commands).widget_info(|| {
-                egui::WidgetInfo::labeled(egui::Role::Button, true, "Cancel classification")
-            });
-        }
-        WorkState::Stopped => {
-            lines(ui, "Not classified", "The classification was stopped");
-            command_button_ui(ui, "Classify the subjects", retry, commands);
-        }
-        WorkState::Failed(why) => {
-            let colour = colours(ui).error;
-            ui.label(medium("The subjects could not be classified").color(colour));
-            ui.add(Label::new(RichText::new(why).weak()).wrap());
-            command_button_ui(ui, "Retry", retry, commands);
-        }
-    }
-    ui.add_space(space::MEDIUM);
-}
+static WORK: WorkWords = WorkWords {
+    topic: Topic::of::<VerdictQuery>(),
+    computing: "Classifying the subjects",
+    meanwhile: "Wall thickness of all subjects is measured, then a classifier is trained on the labels",
+    stopped: "The classification was stopped",
+    begin: "Classify the subjects",
+    failed: "The subjects could not be classified",
+    unanswerable: "Not classified",
+    cancel: "Cancel classification",
+};

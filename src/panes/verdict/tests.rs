@@ -4,7 +4,7 @@ use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::*;
 use crate::panes::verdict_marks::VerdictMark;
-use crate::panes::{BeatCommand, WorkCommand};
+use crate::panes::{BeatCommand, WorkCommand, WorkState};
 
 fn report() -> VerdictReport {
     let subject = |subject: usize, id: &str| SimilarSubject {

@@ -50,7 +50,7 @@ fn verdict_state(state: &State) -> WorkState {
 
 /// The verdict on the selected subject. A wall that cannot be assessed says so before all others are classified.
 fn report(state: &State) -> Option<VerdictReport> {
-    let subject = state.document.subject;
+    let subject = state.document.selected_index()?;
     let not_assessed = |why: String| VerdictReport {
         mark: VerdictMark::NotAssessed,
         heading: "Not assessed".to_owned(),
@@ -63,6 +63,9 @@ fn report(state: &State) -> Option<VerdictReport> {
             Some(report_of(state, verdicts, verdict))
         }
         (Some(Err(reason)), _) => Some(not_assessed(reason.to_string())),
+        _ if state.document.study().is_excluded(subject) => {
+            Some(not_assessed("excluded from the cohort".to_owned()))
+        }
         (None, Some((Err(why), true))) => Some(not_assessed(why.clone())),
         (None, _) => None,
     }

@@ -2,6 +2,7 @@
 
 use egui::{Button, RichText, Stroke, StrokeKind, Ui};
 
+use crate::engine::mesh_format_names;
 use crate::panes::commands::{Command, FileCommand};
 use crate::ui::style::{heading_font, note};
 use crate::ui::theme::{colours, line, radius, space};
@@ -34,9 +35,16 @@ pub fn empty_state_ui(ui: &mut Ui, view: &EmptyStateView, commands: &mut Vec<Com
             (false, true) => "Opening…",
             (false, false) => "Open a study",
         };
-        ui.label(RichText::new(heading).font(heading_font()).color(colours.strong));
+        ui.label(
+            RichText::new(heading)
+                .font(heading_font())
+                .color(colours.strong),
+        );
         ui.add_space(space::SMALL);
-        let what = "Mesh sequences of left ventricles (OBJ, PLY, STL, VTK, VTP, glTF, CSV), a folder of them, or a study.toml";
+        let what = format!(
+            "Mesh sequences of left ventricles ({}), a folder of them, or a study.toml",
+            mesh_format_names().join(", ")
+        );
         ui.scope(|ui| {
             ui.set_max_width(420f32.min(ui.available_width() - 2.0 * space::HUGE));
             ui.add(egui::Label::new(RichText::new(what).weak()).wrap());
@@ -83,6 +91,8 @@ mod tests {
                 Vec::new(),
             );
         harness.run();
+        let formats = format!("({})", mesh_format_names().join(", "));
+        harness.get_by_label_contains(&formats);
         for name in ["Open files…", "Open folder…", "Open the built-in cohort"] {
             harness.get_by_label(name).click();
             harness.run();

@@ -8,7 +8,7 @@ use crate::document::ViewMode;
 use crate::render::Camera;
 
 use crate::document::viewpoint::Viewpoint;
-use crate::panes::viewport::pictures::PlacedSubject;
+use crate::panes::viewport::queries::PlacedSubject;
 
 /// Room left and right, above and below a fitted subject, in points: name and scale stand there.
 const ROOM: [f32; 2] = [24.0, 46.0];

@@ -1,5 +1,8 @@
 //! What lies over a subject in the 3D view: its name, colour bar, scale bar and orientation cube.
 
+use std::borrow::Cow;
+
+use crate::analysis::pose_distances::PoseId;
 use crate::document::ViewMode;
 use crate::document::VisiblePose;
 use crate::document::differences::hindrance;
@@ -7,6 +10,7 @@ use crate::document::document::{TransportedMotion, nearest_frame};
 use crate::document::interpolated_poses::between_words;
 use crate::document::state::State;
 use crate::document::transported::{TransportState, transported_title};
+use crate::engine::EstimatedPose;
 use crate::panes::beat::between_words_of;
 use crate::panes::cohort::view::label_marks;
 use crate::panes::commands::TransportCommand;
@@ -21,6 +25,7 @@ use crate::picture::{
 use crate::render::Camera;
 use crate::study::Subject;
 use crate::ui::LabelMark;
+use crate::ui::text::counted;
 
 /// Names a subject; in the grid of all frames, its whole motion.
 pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
@@ -37,7 +42,7 @@ pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
     let caption = SubjectCaption {
         title: subject.id.clone(),
         mark: mark_of(state, tile.subject),
-        badge: missing_colours(state, tile),
+        badge: missing_colours(state, tile).map(Cow::Borrowed),
         patch: patch_note(state, tile.subject),
         ..SubjectCaption::default()
     };
@@ -53,7 +58,7 @@ pub fn caption(state: &State, tile: &VisiblePose) -> SubjectCaption {
     let moment = moment_words(state, tile.subject, tile.position, count);
     SubjectCaption {
         subtitle: words.chain(moment).collect::<Vec<_>>().join(" · "),
-        badge: caption.badge.or(between.badge),
+        badge: caption.badge.or(between.badge.map(Cow::Borrowed)),
         badge_note: between.note,
         ..caption
     }
@@ -68,7 +73,7 @@ fn moment_words(
     count: usize,
 ) -> impl Iterator<Item = String> {
     let frame = (!is_between(position)).then(|| nearest_frame(position, count));
-    let phase = frame.and_then(|frame| phase_name(state.phases_of(subject), frame));
+    let phase = frame.and_then(|frame| state.phase_name(subject, frame));
     std::iter::once(position_words(position, count)).chain(phase.map(str::to_owned))
 }
 
@@ -113,11 +118,45 @@ fn beside_its_origin(
         title,
         subtitle: words.join(" · "),
         mark: mark_of(state, tile.subject),
-        badge: between.badge,
+        badge: between.badge.map(Cow::Borrowed),
         badge_note: between.note,
         leave: Some(leave),
         patch: None,
     }
+}
+
+/// Names a pose that is estimated at a place of the pose map, with what it is estimated from.
+pub fn estimated_caption(state: &State, pose: &EstimatedPose) -> SubjectCaption {
+    let words = source_words(state, pose);
+    SubjectCaption {
+        title: pose.subject.id.clone(),
+        subtitle: words.join(" · "),
+        badge: Some(estimated_words(pose).into()),
+        badge_note: format!(
+            "The pose that the map implies at this place: the mean of the nearest poses, aligned, weighted by their \
+             distance on the map. Nothing is measured on it.\n\n{}",
+            words.join("\n")
+        ),
+        ..SubjectCaption::default()
+    }
+}
+
+/// "estimated from 4 poses".
+pub fn estimated_words(pose: &EstimatedPose) -> String {
+    format!("estimated from {}", counted(pose.sources.len(), "pose"))
+}
+
+/// "P05 frame 3: 42 %", for each pose that another one is estimated from.
+pub fn source_words(state: &State, pose: &EstimatedPose) -> Vec<String> {
+    let words = |(source, weight): &(PoseId, f64)| {
+        let id = &state.subject(source.subject)?.id;
+        Some(format!(
+            "{id} frame {}: {:.0} %",
+            source.frame,
+            100.0 * weight
+        ))
+    };
+    pose.sources.iter().filter_map(words).collect()
 }
 
 /// Shape and colour of a subject's label.
@@ -154,26 +193,6 @@ fn missing_colours(state: &State, tile: &VisiblePose) -> Option<&'static str> {
     }
     let wanted = document.quantity == Quantity::Contribution && tile.subject == document.subject;
     wanted.then(|| hindrance(document)).flatten()
-}
-
-/// "ED", "ES", "frame 3": a frame of a subject.
-pub fn moment_name(state: &State, subject: usize, frame: usize) -> String {
-    let phase = phase_name(state.phases_of(subject), frame);
-    phase.map_or_else(|| format!("frame {frame}"), str::to_owned)
-}
-
-/// ED and ES by their usual short names.
-pub fn phase_name(
-    (end_diastole, end_systole): (Option<usize>, Option<usize>),
-    frame: usize,
-) -> Option<&'static str> {
-    if end_diastole == Some(frame) {
-        Some("ED")
-    } else if end_systole == Some(frame) {
-        Some("ES")
-    } else {
-        None
-    }
 }
 
 fn colour_bar(legend: &ColourLegend) -> ColourBarView<'_> {

@@ -5,8 +5,11 @@ use std::sync::Arc;
 use egui::{Pos2, Rect, Ui};
 use glam::Vec2;
 
+use crate::document::PickedPoint;
+use crate::mesh::Point3;
 use crate::picture::{
-    PreparedSubject, Quantity, SceneSettings, SurfaceRole, SurfaceScalars, subject_scene,
+    PictureOrigin, PreparedSubject, Quantity, SceneSettings, SurfaceRole, SurfaceScalars,
+    subject_scene,
 };
 use crate::render::{GeometryPose, VertexScalars, pick};
 use crate::study::Subject;
@@ -58,6 +61,19 @@ impl Picked {
     /// Whether the vertex is one of a subject.
     pub fn belongs_to(&self, subject: &Arc<Subject>) -> bool {
         Arc::ptr_eq(&self.subject, subject)
+    }
+
+    /// Where the vertex is in the first frame of its subject; `None` on what was transported there.
+    pub fn point(&self, tiles: &[Tile]) -> Option<PickedPoint> {
+        let mut on_screen = tiles.iter().filter(|tile| self.is_on(tile));
+        let shown = on_screen.find(|tile| !tile.shown.transported)?.shown;
+        let surface = shown.placed.prepared.surface(self.role)?;
+        let at = surface.geometry.positions.first()?.get(self.vertex)?;
+        let at = Point3::from(at.map(f64::from));
+        Some(PickedPoint {
+            subject: shown.index,
+            at: PictureOrigin::of(&self.subject).in_subject(at),
+        })
     }
 
     /// The atom of the medial surface that belongs to the vertex.

@@ -1,8 +1,11 @@
-//! Where the subjects of the 3D view lie on the screen.
+//! Where the subjects of the 3D view lie on the screen, and the labels of a grid.
 
-use egui::{Rect, pos2, vec2};
+use egui::{Rect, Stroke, Ui, pos2, vec2};
 
 use crate::document::ViewMode;
+use crate::document::state::State;
+use crate::panes::viewport::shown_subject::Tile;
+use crate::ui::theme::{colours, line, radius, type_size};
 
 /// Room between cells, in points.
 const GAP: f32 = 1.0;
@@ -59,6 +62,35 @@ fn grid(area: Rect, columns: usize, count: usize) -> Vec<Rect> {
             Rect::from_min_size(corner, size)
         })
         .collect()
+}
+
+/// The number of a frame over its subject in the grid of all phases; the one that the time bar
+/// stands on is marked.
+pub fn frame_label(ui: &Ui, state: &State, tile: &Tile) {
+    let frame = tile.shown.position as usize;
+    let phase = state.phase_name(tile.shown.index, frame);
+    let text = match phase {
+        Some(phase) => format!("{frame} · {phase}"),
+        None => frame.to_string(),
+    };
+    let colours = colours(ui);
+    let here = state.document.subject == tile.shown.index && state.document.frame() == frame;
+    let colour = if here {
+        colours.selection
+    } else {
+        colours.muted
+    };
+    let at = tile.rect.left_top() + vec2(10.0, 4.0);
+    let font = egui::FontId::proportional(type_size::NOTE);
+    ui.painter()
+        .text(at, egui::Align2::LEFT_TOP, text, font, colour);
+    if here {
+        let rect = tile.rect.shrink(2.0);
+        let stroke = Stroke::new(line::THIN, colours.selection);
+        let radius = f32::from(radius::CONTROL);
+        ui.painter()
+            .rect_stroke(rect, radius, stroke, egui::StrokeKind::Inside);
+    }
 }
 
 #[cfg(test)]

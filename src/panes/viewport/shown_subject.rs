@@ -10,14 +10,15 @@ use crate::picture::{
     SubjectMedial, SurfaceScalars,
 };
 use crate::render::Camera;
-use crate::study::Subject;
+use crate::study::{Study, Subject};
 
 use crate::document::VisiblePose;
 use crate::document::state::State;
+use crate::engine::{ESTIMATED_FRAME, EstimatedPose};
 use crate::panes::same::Same;
 use crate::panes::viewport::overlay::SubjectCaption;
-use crate::panes::viewport::overlay_view::caption;
-use crate::panes::viewport::pictures::{Pictures, PlacedSubject, ShownMedial};
+use crate::panes::viewport::overlay_view::{caption, estimated_caption};
+use crate::panes::viewport::queries::{Pictures, PlacedSubject, ShownMedial};
 
 /// A subject on screen: it stays until the next one is ready.
 #[derive(Clone)]
@@ -26,6 +27,8 @@ pub struct ShownSubject {
     pub index: usize,
     /// Whose it is; with a transported motion, a subject of its own.
     pub subject: Arc<Subject>,
+    /// Whether it plays a transported motion.
+    pub transported: bool,
     /// Place in its cycle.
     pub position: f64,
     /// Its geometry.
@@ -34,6 +37,8 @@ pub struct ShownSubject {
     pub numbers: Option<Arc<SurfaceScalars>>,
     /// The middle of its wall.
     pub medial: Option<ShownMedial>,
+    /// Whether it is no pose of any subject: no number is drawn on it.
+    pub estimated: bool,
     /// How the borders of its patches look.
     pub patch_look: PatchLook,
     /// What is said over it.
@@ -41,9 +46,20 @@ pub struct ShownSubject {
 }
 
 impl ShownSubject {
+    /// Whichever place it has in the study now.
+    pub fn follow(&mut self, study: &Study) {
+        let id = self.subject.sequence.id();
+        let place = study.all().position(|subject| subject.sequence.id() == id);
+        self.index = place.unwrap_or(self.index);
+    }
+
     /// How it is drawn, where subjects are drawn so.
     pub fn settings(&self, settings: &SceneSettings) -> SceneSettings {
         SceneSettings {
+            quantity: match self.estimated {
+                true => Quantity::Tissue,
+                false => settings.quantity,
+            },
             medial: MedialSettings {
                 patch_look: self.patch_look,
                 ..settings.medial
@@ -109,12 +125,34 @@ pub fn shown_subject(
     Some(ShownSubject {
         index: place.subject,
         subject: Arc::clone(subject),
+        transported: place.transported,
         position: place.position,
         numbers: numbers.of(state, place, &placed, medial.as_ref()),
         medial,
         placed,
+        estimated: false,
         patch_look: state.patch_look(place.subject),
         caption: caption(state, place),
+    })
+}
+
+/// A pose that is estimated, in place of the subjects, once it is ready.
+pub fn shown_estimate(
+    state: &State,
+    pictures: Pictures<'_>,
+    pose: &EstimatedPose,
+) -> Option<ShownSubject> {
+    Some(ShownSubject {
+        index: state.document.subject,
+        subject: Arc::clone(&pose.subject),
+        transported: false,
+        position: ESTIMATED_FRAME as f64,
+        placed: pictures.placed(&pose.subject, 0)?,
+        numbers: None,
+        medial: None,
+        estimated: true,
+        patch_look: PatchLook::default(),
+        caption: estimated_caption(state, pose),
     })
 }
 

@@ -4,7 +4,7 @@ use egui::Ui;
 
 use super::empty_state::{EmptyStateView, empty_state_ui};
 use super::header::viewport_header_ui;
-use super::hearts::Viewport;
+use super::viewport::Viewport;
 use crate::panes::commands::{Command, Pane};
 use crate::panes::pane::{Header, PaneSpec, Place};
 use crate::panes::pane_context::PaneContext;

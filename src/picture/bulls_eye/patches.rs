@@ -4,6 +4,8 @@
 //! The border of a patch on the wall may run through atoms that the flat map leaves out, such as those that fold over
 //! the rim of the base: drawn as it is, it crosses the disc. Outlines here go around faces of the flat map alone.
 
+use std::collections::BTreeMap;
+
 use crate::mesh::Faces;
 use crate::picture::medial::rounded;
 
@@ -20,7 +22,8 @@ type HatchLine = (i32, [[f64; 2]; 2]);
 pub struct PolarPatch {
     /// Closed outlines; more than one where the patch has holes or parts that the map leaves apart.
     pub borders: Vec<Vec<[f64; 2]>>,
-    /// Parallel lines over the inside, one piece a face: number of the line, counted from the middle of the disc, and ends.
+    /// Parallel lines over the inside, in pieces from edge to edge: number of the line, counted from the middle of the
+    /// disc, and ends.
     pub hatch: Vec<(i32, [[f64; 2]; 2])>,
     /// The place inside that is farthest from the outlines; `None` where no face of the map is in the patch.
     pub middle: Option<[f64; 2]>,
@@ -46,10 +49,10 @@ pub fn polar_patch(points: &[[f64; 2]], faces: &[[u32; 3]], atoms: &[u32]) -> Po
         border.iter().map(|&atom| points[atom as usize]).collect()
     };
     let outlines: Vec<Vec<[f64; 2]>> = loops.iter().map(on_plot).collect();
-    let large =
-        |outline: &&Vec<[f64; 2]>| enclosed_area(outline) >= MIN_OUTLINE * std::f64::consts::PI;
-    let mut borders: Vec<Vec<[f64; 2]>> = (outlines.iter().filter(large))
-        .map(|outline| rounded(outline))
+    let smooth: Vec<Vec<[f64; 2]>> = outlines.iter().map(|outline| rounded(outline)).collect();
+    let mut borders: Vec<Vec<[f64; 2]>> = (outlines.iter().zip(&smooth))
+        .filter(|(outline, _)| enclosed_area(outline) >= MIN_OUTLINE * std::f64::consts::PI)
+        .map(|(_, smooth)| smooth.clone())
         .collect();
     if borders.is_empty() {
         let largest = outlines
@@ -59,7 +62,7 @@ pub fn polar_patch(points: &[[f64; 2]], faces: &[[u32; 3]], atoms: &[u32]) -> Po
     }
     PolarPatch {
         middle: middle(faces.iter().map(corners), &outlines),
-        hatch: faces.iter().map(corners).flat_map(hatch).collect(),
+        hatch: hatch(&smooth),
         borders,
     }
 }
@@ -89,31 +92,36 @@ fn middle(
     widest.map(|(_, at)| at)
 }
 
-/// The pieces of the hatch within one face: lines up to the right, `HATCH_STEP` from each other.
-fn hatch(face: [[f64; 2]; 3]) -> Vec<HatchLine> {
+/// Lines up to the right, `HATCH_STEP` from each other, over what closed outlines enclose; holes are left out.
+fn hatch(outlines: &[Vec<[f64; 2]>]) -> Vec<HatchLine> {
     let across = |at: [f64; 2]| (at[1] - at[0]) * std::f64::consts::FRAC_1_SQRT_2 / HATCH_STEP;
-    let depths = face.map(across);
-    let least = depths.into_iter().fold(f64::INFINITY, f64::min);
-    let most = depths.into_iter().fold(f64::NEG_INFINITY, f64::max);
-    if !(least.is_finite() && most.is_finite()) {
-        return Vec::new();
+    let along = |at: [f64; 2]| at[0] + at[1];
+    let mut crossings: BTreeMap<i32, Vec<[f64; 2]>> = BTreeMap::new();
+    for outline in outlines {
+        for (from, to) in outline.iter().zip(outline.iter().cycle().skip(1)) {
+            let (a, b) = (across(*from), across(*to));
+            if !(a.is_finite() && b.is_finite()) {
+                return Vec::new();
+            }
+            // Half open: a line through a corner meets one of its two sides.
+            for line in a.min(b).ceil() as i32..=a.max(b).floor() as i32 {
+                let depth = f64::from(line);
+                if (a <= depth) != (b <= depth) {
+                    let share = (depth - a) / (b - a);
+                    let at = [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis]));
+                    crossings.entry(line).or_default().push(at);
+                }
+            }
+        }
     }
-    let cut = |line: i32| {
-        let depth = f64::from(line);
-        let mut ends = (0..3).filter_map(|side| {
-            let (from, to) = (side, (side + 1) % 3);
-            let (a, b) = (depths[from], depths[to]);
-            // Half open: a line through a corner meets two of the three sides.
-            ((a <= depth) != (b <= depth)).then(|| {
-                let share = (depth - a) / (b - a);
-                [0, 1].map(|axis| face[from][axis] + share * (face[to][axis] - face[from][axis]))
-            })
-        });
-        Some((line, [ends.next()?, ends.next()?]))
-    };
-    (least.ceil() as i32..=most.floor() as i32)
-        .filter_map(cut)
-        .collect()
+    let pieces = crossings.into_iter().flat_map(|(line, mut crossings)| {
+        crossings.sort_by(|a, b| along(*a).total_cmp(&along(*b)));
+        let pairs = crossings.chunks_exact(2);
+        pairs
+            .map(|ends| (line, [ends[0], ends[1]]))
+            .collect::<Vec<_>>()
+    });
+    pieces.collect()
 }
 
 #[cfg(test)]
@@ -176,6 +184,8 @@ mod tests {
         let lines: std::collections::HashSet<i32> =
             patch.hatch.iter().map(|(line, _)| *line).collect();
         assert!(lines.len() > 8, "{lines:?}");
+        // A line leaves this patch once or twice; it crosses many more faces.
+        assert!(patch.hatch.len() <= 3 * lines.len(), "{:?}", patch.hatch);
         assert!(
             patch
                 .hatch

@@ -95,8 +95,8 @@ impl PolarMap {
                 }
             }
             BullsEyeQuantity::Thickening => PolarValues {
-                values: taking_part(thickening.thickening.iter().map(|ln| ln.exp()).collect()),
-                segments: means(&thickening.thickening).map(|mean| mean.map(f64::exp)),
+                values: taking_part(thickening.averaged.iter().map(|ln| ln.exp()).collect()),
+                segments: means(&thickening.averaged).map(|mean| mean.map(f64::exp)),
             },
             BullsEyeQuantity::Displacement => {
                 let places = |frame| self.template_places(wall, subject, frame);

@@ -3,6 +3,7 @@
 mod content;
 mod cube;
 mod layout;
+mod look;
 mod make;
 mod patch;
 mod pen;
@@ -10,6 +11,7 @@ mod plan;
 mod saved_view;
 
 pub use content::{FigureContent, FigureSubject};
+pub use look::{FigureBackground, FigureLook, FigureSizeError, FigureTheme, check_figure_size};
 pub use make::{Figure, FigureOrder, FigureView, rendered_figure};
 pub use patch::{PatchOrder, rendered_patch_figure};
 pub(in crate::picture) use pen::Pen;

@@ -119,7 +119,8 @@ pub enum SavedViewError {
     NotFinite,
     /// The heart is not open.
     #[error(
-        "the picture shows {id} of the study “{study}” ({frames} frames of {vertices} vertices): open that study first"
+        "the picture shows {id} of the study “{study}” ({frames} frames of {vertices} vertices): open that study, and the \
+         view is restored"
     )]
     NotOpen {
         /// Pseudonym.
@@ -259,7 +260,10 @@ impl SavedView {
         let wanted = &self.subject;
         let found = study.index_of(&wanted.id);
         found
-            .filter(|&index| SavedSubject::of(&study.subjects[index]) == *wanted)
+            .filter(|&index| {
+                let subject = study.subject(index);
+                subject.is_some_and(|subject| SavedSubject::of(subject) == *wanted)
+            })
             .ok_or_else(|| SavedViewError::NotOpen {
                 id: wanted.id.clone(),
                 study: self.study.clone(),
@@ -303,7 +307,7 @@ mod tests {
     #[test]
     fn a_view_comes_back_from_its_text() {
         let mut view = view();
-        view.thickening.thickening.extent = 0.55;
+        view.thickening.patches.extent = 0.55;
         assert_eq!(SavedView::read(&view.text()).unwrap(), view);
         assert_eq!(view.part(), Some(WallPart::Patch(1)));
     }

@@ -9,6 +9,7 @@ mod pdf;
 mod png_file;
 mod raster;
 mod runs;
+mod setting_in_file;
 mod svg;
 mod weight;
 

@@ -1,19 +1,23 @@
-//! The maps of the study: a mark for every heart, shape and colour by its label.
+//! The maps of the study: a mark for every heart, shape and colour by its label, as in the window.
+
+use std::collections::BTreeMap;
 
 use crate::picture::figure::Pen;
+use crate::picture::label_marks::{LabelMark, MarkShape};
 use crate::picture::page::{Anchor, FigureFonts, Page};
 use crate::picture::report::map_names::{Name, placed};
 use crate::picture::report::order::ReportOrder;
 use crate::picture::report::sheet::{LINE, MARGIN, SIZE, TEXT, THEME, pen, sheet};
-use crate::picture::tokens::srgb;
-use crate::study::LabelRole;
+use crate::study::Study;
 
 /// Side of a plot.
 const SIDE: f32 = 640.0;
 /// Half the size of a mark.
 const MARK: f32 = 6.0;
-/// Widths of marks and of paths.
-const STROKES: [f32; 2] = [2.4, 1.0];
+/// Width of the arms of a mark, in radii.
+const ARM: f32 = 0.4;
+/// Width of paths.
+const PATH: f32 = 1.0;
 /// Size of names relative to running text.
 const NAME: f32 = 0.7;
 /// Widest name.
@@ -37,14 +41,15 @@ pub(super) fn map_page(order: &ReportOrder<'_>, fonts: &FigureFonts) -> Option<P
     if plots.is_empty() {
         return None;
     }
+    let marks = LabelMark::of_subjects(order.study);
     let mut page = sheet();
     let mut pen = pen(&mut page, fonts);
     let mut top = MARGIN;
     for plot in &plots {
-        draw(&mut pen, order, plot, top);
+        draw(&mut pen, order, plot, &marks, top);
         top += SIDE + 4.0 * LINE;
     }
-    legend(&mut pen, SIZE[1] - MARGIN - 1.2 * LINE);
+    legend(&mut pen, order.study, &marks, top + 0.3 * LINE);
     Some(page)
 }
 
@@ -89,7 +94,7 @@ fn deformation_plot(order: &ReportOrder<'_>) -> Option<Plot> {
     })
 }
 
-fn draw(pen: &mut Pen<'_>, order: &ReportOrder<'_>, plot: &Plot, top: f32) {
+fn draw(pen: &mut Pen<'_>, order: &ReportOrder<'_>, plot: &Plot, marks: &[LabelMark], top: f32) {
     let heading = pen.strong(THEME.text, 1.2 * TEXT);
     pen.write(plot.title, heading, Anchor::Start, [MARGIN, top + TEXT]);
     let muted = pen.regular(THEME.muted);
@@ -124,17 +129,17 @@ fn draw(pen: &mut Pen<'_>, order: &ReportOrder<'_>, plot: &Plot, top: f32) {
         [middle[0] + from[0] as f32, middle[1] - from[1] as f32]
     };
     for (subject, path) in &plot.paths {
-        let colour = role_colour(role_of(order, *subject));
+        let colour = mark_of(marks, *subject).on_paper();
         let line: Vec<[f32; 2]> = path.iter().map(place).collect();
         let pale = colour.map(|channel| 1.0 - PALE * (1.0 - channel));
-        pen.page.line(&line, false, STROKES[1], pale);
+        pen.page.line(&line, false, PATH, pale);
     }
     write_names(pen, order, plot, place, frame);
     for (subject, path) in &plot.paths {
-        let role = role_of(order, *subject);
+        let label = mark_of(marks, *subject);
         for (step, point) in path.iter().enumerate() {
             let size = if step == 0 { MARK } else { 0.5 * MARK };
-            mark(pen.page, role, place(point), size);
+            mark(pen.page, label, place(point), size);
         }
     }
 }
@@ -186,50 +191,142 @@ fn write_names(
     }
 }
 
-fn role_of(order: &ReportOrder<'_>, subject: usize) -> LabelRole {
-    let subject = order.study.subjects.get(subject);
-    subject.map_or(LabelRole::Unknown, |subject| order.study.role(subject))
+fn mark_of(marks: &[LabelMark], subject: usize) -> LabelMark {
+    marks.get(subject).copied().unwrap_or_default()
 }
 
-fn role_colour(role: LabelRole) -> [f32; 3] {
-    match role {
-        LabelRole::Normal => srgb(0x1f_6fb5),
-        LabelRole::Abnormal => srgb(0xc2_571f),
-        LabelRole::Unknown => THEME.muted,
-    }
-}
-
-/// A disc, a cross or a square, as in the window.
-fn mark(page: &mut Page, role: LabelRole, [x, y]: [f32; 2], size: f32) {
-    let colour = role_colour(role);
-    match role {
-        LabelRole::Normal => {
-            // A line without length has round ends: a disc.
-            page.line(&[[x, y], [x + 0.01, y]], false, 2.0 * size, colour);
-        }
-        LabelRole::Abnormal => {
-            for turn in [1.0, -1.0] {
-                let ends = [[x - size, y - turn * size], [x + size, y + turn * size]];
-                page.line(&ends, false, STROKES[0], colour);
+/// The shape of a label in its colour.
+fn mark(page: &mut Page, label: LabelMark, [x, y]: [f32; 2], size: f32) {
+    let colour = label.on_paper();
+    let at = |[right, down]: [f32; 2]| [x + size * right, y + size * down];
+    match label.shape() {
+        // A line without length has round ends: a disc.
+        MarkShape::Disc => page.line(&[[x, y], [x + 0.01, y]], false, 2.0 * size, colour),
+        MarkShape::Square(side) => page.rectangle(at([-side; 2]), at([side; 2]), colour),
+        MarkShape::Arms(arms) => {
+            for ends in arms {
+                page.line(&ends.map(at), false, ARM * size, colour);
             }
         }
-        LabelRole::Unknown => {
-            let side = 0.9 * size;
-            page.rectangle([x - side, y - side], [x + side, y + side], colour);
+        MarkShape::Polygons(polygons) => {
+            for corners in polygons {
+                let corners: Vec<[f32; 2]> = corners.into_iter().map(at).collect();
+                page.fill(&corners, colour);
+            }
         }
     }
 }
 
-fn legend(pen: &mut Pen<'_>, base: f32) {
-    let mut x = MARGIN + MARK;
-    for (role, name) in [
-        (LabelRole::Normal, "normal"),
-        (LabelRole::Abnormal, "abnormal"),
-        (LabelRole::Unknown, "other or no label"),
-    ] {
-        mark(pen.page, role, [x, base - 0.35 * TEXT], MARK);
-        let set = pen.regular(THEME.muted);
+/// What the marks mean, with the number of subjects: normal first, without a label last; from the line at `base` on as many
+/// lines as there is room for.
+fn legend(pen: &mut Pen<'_>, study: &Study, marks: &[LabelMark], base: f32) {
+    let mut entries: BTreeMap<LabelMark, (String, usize)> = BTreeMap::new();
+    for (subject, label) in study.subjects.iter().zip(marks) {
+        let name = || (label.name(subject.label.as_deref()), 0);
+        entries.entry(*label).or_insert_with(name).1 += 1;
+    }
+    let set = pen.regular(THEME.muted);
+    let (mut x, mut base) = (MARGIN + MARK, base);
+    let last = SIZE[1] - MARGIN - LINE;
+    let all = entries.len();
+    for (place, (label, (name, count))) in entries.into_iter().enumerate() {
+        let words = format!("{name} {count}");
+        let words = pen
+            .fonts
+            .shortened(&words, set.weight, set.size, NAME_WIDTH);
+        let width = pen.fonts.width(&words, set.weight, set.size);
+        // The end of the last line is for the number of those that have no room.
+        let end = if base + LINE > last {
+            2.0 * MARGIN
+        } else {
+            MARGIN
+        };
+        if x + 2.0 * MARK + width > SIZE[0] - end {
+            if base + LINE > last {
+                let more = format!("and {} more", all - place);
+                pen.write(&more, set, Anchor::Start, [x, base]);
+                return;
+            }
+            (x, base) = (MARGIN + MARK, base + LINE);
+        }
+        mark(pen.page, label, [x, base - 0.35 * TEXT], MARK);
         x += 2.0 * MARK;
-        x += pen.write(name, set, Anchor::Start, [x, base]) + 4.0 * MARK;
+        x += pen.write(&words, set, Anchor::Start, [x, base]) + 4.0 * MARK;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use super::*;
+    use crate::mesh::phantom;
+    use crate::picture::page::Mark;
+    use crate::study::{MeshSequence, Subject, SurfaceKind, SurfaceSequence};
+    use crate::units::LengthUnit;
+
+    fn study(labels: &[Option<&str>]) -> Study {
+        let subject = |label: &Option<&str>| {
+            let meshes = vec![phantom::sphere(1, 20.0)];
+            let surface = SurfaceSequence::new(SurfaceKind::Cavity, meshes).unwrap();
+            let sequence = MeshSequence::new(vec![surface]).unwrap();
+            let mut subject = Subject::new("P", sequence, LengthUnit::Millimetre);
+            subject.label = label.map(str::to_owned);
+            Arc::new(subject)
+        };
+        Study {
+            subjects: labels.iter().map(subject).collect(),
+            ..Study::default()
+        }
+    }
+
+    #[test]
+    fn the_legend_has_a_shape_and_a_colour_for_every_label_with_its_count() {
+        let labels = ["MINF", "DCM", "normal", "MINF"].map(Some);
+        let study = study(&[&labels[..], &[None]].concat());
+        let marks = LabelMark::of_subjects(&study);
+        let fonts = FigureFonts::load().unwrap();
+        let mut page = sheet();
+        legend(&mut pen(&mut page, &fonts), &study, &marks, 100.0);
+        let words = page.marks.iter().filter_map(|mark| match mark {
+            Mark::Text { words, .. } => Some(words.as_str()),
+            _ => None,
+        });
+        let words: Vec<&str> = words.collect();
+        assert_eq!(words, ["normal 1", "DCM 1", "MINF 2", "no label 1"]);
+        // A disc, two arms of a cross, a triangle, a square.
+        let colours = page.marks.iter().filter_map(|mark| match mark {
+            Mark::Line { colour, .. } | Mark::Fill { colour, .. } => Some(*colour),
+            _ => None,
+        });
+        let [dcm, minf] = [0, 1].map(|place| LabelMark::Label(place).on_paper());
+        let [normal, none] = [LabelMark::Normal, LabelMark::Unlabelled].map(LabelMark::on_paper);
+        assert_eq!(colours.collect::<Vec<_>>(), [normal, dcm, dcm, minf, none]);
+    }
+
+    #[test]
+    fn many_labels_stand_on_several_lines_within_the_margins() {
+        let names: Vec<String> = (0..20)
+            .map(|place| format!("diagnosis {place:02}"))
+            .collect();
+        let labels: Vec<Option<&str>> = names.iter().map(|name| Some(name.as_str())).collect();
+        let study = study(&labels);
+        let fonts = FigureFonts::load().unwrap();
+        let mut page = sheet();
+        let marks = LabelMark::of_subjects(&study);
+        let base = SIZE[1] - MARGIN - 3.5 * LINE;
+        legend(&mut pen(&mut page, &fonts), &study, &marks, base);
+        let mut lines = std::collections::BTreeSet::new();
+        let mut last = String::new();
+        for mark in &page.marks {
+            if let Mark::Text { at, words, .. } = mark {
+                assert!((MARGIN..SIZE[0] - MARGIN).contains(&at[0]));
+                assert!(at[1] < SIZE[1] - MARGIN);
+                lines.insert(at[1] as i32);
+                last.clone_from(words);
+            }
+        }
+        assert_eq!(lines.len(), 3, "{lines:?}");
+        assert!(last.ends_with(" more"), "{last}");
     }
 }

@@ -19,6 +19,9 @@ use crate::study::{
 };
 use crate::units::{LengthUnit, Seconds};
 
+/// What the built-in study is called.
+pub const BUILT_IN_NAME: &str = "Built-in cohort";
+
 /// The built-in study and, apart from it, what is true of its subjects.
 #[derive(Clone, Debug)]
 pub struct BuiltInCohort {
@@ -41,7 +44,7 @@ pub fn cohort(params: &BuiltInParams) -> Result<BuiltInCohort, BuiltInError> {
     let (subjects, truths): (Vec<_>, Vec<_>) = hearts.into_iter().unzip();
     Ok(BuiltInCohort {
         study: Study {
-            name: "Built-in cohort".to_owned(),
+            name: BUILT_IN_NAME.to_owned(),
             subjects: subjects.into_iter().map(Arc::new).collect(),
             ..Study::default()
         },

@@ -18,6 +18,6 @@ mod tests;
 mod timing;
 mod truth;
 
-pub use cohort::{BuiltInCohort, cohort};
+pub use cohort::{BUILT_IN_NAME, BuiltInCohort, cohort};
 pub use params::{BuiltInError, BuiltInParams, FRAMES, MAX_VERTICES};
 pub use truth::{Abnormality, GroundTruth, SurfaceTruth};

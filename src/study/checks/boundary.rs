@@ -29,11 +29,7 @@ impl Boundary {
         let loops = faces.boundary_loops();
         let mut loop_sizes: Vec<usize> = loops.iter().map(Vec::len).collect();
         loop_sizes.sort_unstable_by(|a, b| b.cmp(a));
-        let boundary_edges = faces
-            .edge_valences()
-            .iter()
-            .filter(|(_, n)| *n == 1)
-            .count();
+        let boundary_edges = faces.borders().rims.len();
         let on_loops: usize = loop_sizes.iter().sum();
         let vertices = surface.frames()[0].vertices();
         Self {

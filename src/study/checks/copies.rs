@@ -1,15 +1,21 @@
 //! Is one subject listed under several ids?
 
-use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use super::words::counted;
 use crate::mesh::{Point3, Vector3};
-use crate::study::{CorrespondenceKey, Notice, Subject};
+use crate::study::{CorrespondenceKey, Notice, SequenceId, Subject, plain_label};
 
 /// Distances from the mean vertex agree within this share of their root mean square: files with two digits after the
 /// point round a heart in millimetres by 2·10⁻⁴ of it. Two frames of one heart differ by more than 10⁻².
 const EQUAL: f64 = 3e-4;
+
+/// Subjects with one pose in common that each further one is compared with; all with the same poses count as one.
+const COMPARED: usize = 64;
+
+/// What was found last, and of which surfaces: the load report, classifiers and verdicts ask one after the other.
+static LAST: Mutex<Option<(Vec<SequenceId>, Arc<Copies>)>> = Mutex::new(None);
 
 /// Groups, pairs and ids that the load report lists.
 const LISTED: usize = 4;
@@ -38,8 +44,25 @@ impl Copies {
     /// Compares the poses of all subjects whose vertices correspond.
     ///
     /// Two subjects are copies if every pose of the one with fewer frames is a pose of the other: the distances of its
-    /// vertices from their mean, which no rigid motion changes, are equal.
-    pub fn of(subjects: &[Arc<Subject>]) -> Self {
+    /// vertices from their mean, which no rigid motion changes, are equal. Asked again for the same surfaces, the answer is
+    /// that of before.
+    pub fn of(subjects: &[Arc<Subject>]) -> Arc<Self> {
+        let ids: Vec<SequenceId> = subjects
+            .iter()
+            .map(|subject| subject.sequence.id())
+            .collect();
+        let last = || LAST.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((known, copies)) = &*last()
+            && *known == ids
+        {
+            return Arc::clone(copies);
+        }
+        let copies = Arc::new(Self::compared(subjects));
+        *last() = Some((ids, Arc::clone(&copies)));
+        copies
+    }
+
+    fn compared(subjects: &[Arc<Subject>]) -> Self {
         let mut groups: BTreeMap<CorrespondenceKey, Vec<Pose<'_>>> = BTreeMap::new();
         for (index, subject) in subjects.iter().enumerate() {
             let poses = groups.entry(subject.sequence.correspondence()).or_default();
@@ -49,23 +72,30 @@ impl Copies {
         }
         let mut first: Vec<usize> = (0..subjects.len()).collect();
         let mut overlapping = Vec::new();
-        for ((earlier, later), shared) in groups.into_values().flat_map(shared_frames) {
-            let frames = |index: usize| subjects[index].sequence.frame_count();
-            let seen = |side: fn(&(usize, usize)) -> usize| {
-                let mut seen: Vec<usize> = shared.iter().map(side).collect();
-                seen.sort_unstable();
-                seen.dedup();
-                seen.len()
-            };
-            let seen_of_later = seen(|pair| pair.1);
-            if seen(|pair| pair.0) == frames(earlier) || seen_of_later == frames(later) {
-                first[later] = first[later].min(first[earlier]);
-            } else {
-                overlapping.push((earlier, later, seen_of_later));
+        for poses in groups.into_values() {
+            let shapes = shapes_of(poses);
+            // Subjects with the same shapes are copies, however many they are; the first of them is compared on.
+            let mut firsts: BTreeMap<&BTreeSet<usize>, usize> = BTreeMap::new();
+            for (&subject, own) in &shapes {
+                first[subject] = *firsts.entry(own).or_insert(subject);
             }
+            for (earlier, later) in sharing(&firsts) {
+                let [own, other] = [&shapes[&later], &shapes[&earlier]];
+                if own.is_subset(other) || other.is_subset(own) {
+                    first[later] = first[later].min(first[earlier]);
+                } else {
+                    let frames = own.intersection(other).count();
+                    overlapping.push((earlier, later, frames));
+                }
+            }
+        }
+        // A copy of a copy is a copy of the first.
+        for subject in 0..first.len() {
+            first[subject] = first[first[subject]];
         }
         // Of copies the first stands for all.
         overlapping.retain(|&(a, b, _)| first[a] == a && first[b] == b);
+        overlapping.sort_unstable();
         Self { first, overlapping }
     }
 
@@ -101,7 +131,7 @@ impl Copies {
         for group in self.groups() {
             let mut known = group.iter().filter_map(|&member| labels[member]);
             let label = known.next();
-            let agreed = label.filter(|label| known.all(|other| other == *label));
+            let agreed = label.filter(|label| known.all(|other| same_label(other, label)));
             for &member in &group {
                 labels[member] = None;
             }
@@ -154,8 +184,8 @@ impl Copies {
 fn differing_labels(groups: &[Vec<usize>], subjects: &[Arc<Subject>]) -> &'static str {
     let differ = |group: &Vec<usize>| {
         let mut labels = (group.iter()).filter_map(|&s| subjects[s].label.as_deref());
-        let first = labels.next();
-        labels.any(|label| Some(label) != first)
+        let first = labels.next().unwrap_or_default();
+        labels.any(|label| !same_label(label, first))
     };
     if groups.iter().any(differ) {
         "; copies with different labels take no part"
@@ -164,29 +194,51 @@ fn differing_labels(groups: &[Vec<usize>], subjects: &[Arc<Subject>]) -> &'stati
     }
 }
 
-/// Which frames of which two subjects are the same pose.
-type Shared = Vec<((usize, usize), Vec<(usize, usize)>)>;
+/// Labels are equal as everywhere: letter case and blanks do not matter.
+fn same_label(a: &str, b: &str) -> bool {
+    plain_label(a) == plain_label(b)
+}
 
-fn shared_frames(mut poses: Vec<Pose<'_>>) -> Shared {
+/// The shapes of each subject: poses that are equal have the number of one shape. A pose is compared with the first of
+/// each shape alone, so that many copies of one subject cost no more than as many different ones.
+fn shapes_of(mut poses: Vec<Pose<'_>>) -> BTreeMap<usize, BTreeSet<usize>> {
     poses.sort_by(|a, b| a.size.total_cmp(&b.size).then(a.subject.cmp(&b.subject)));
-    let mut shared: BTreeMap<(usize, usize), Vec<(usize, usize)>> = BTreeMap::new();
-    for (place, pose) in poses.iter().enumerate() {
+    let mut shapes: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
+    let mut first_poses: Vec<&Pose<'_>> = Vec::new();
+    for pose in &poses {
         // Equal poses have equal sizes, so they lie side by side.
-        let near = (poses[place + 1..].iter())
-            .take_while(|other| other.size - pose.size <= EQUAL * pose.size);
-        for other in near.filter(|other| other.subject != pose.subject && pose.equals(other)) {
-            let (a, b) = if pose.subject < other.subject {
-                (pose, other)
-            } else {
-                (other, pose)
-            };
-            shared
-                .entry((a.subject, b.subject))
-                .or_default()
-                .push((a.frame, b.frame));
+        let near = (first_poses.iter().enumerate().rev())
+            .take_while(|(_, other)| pose.size - other.size <= EQUAL * pose.size);
+        let known = near
+            .filter(|(_, other)| pose.equals(other))
+            .map(|(shape, _)| shape)
+            .last();
+        let shape = known.unwrap_or(first_poses.len());
+        if shape == first_poses.len() {
+            first_poses.push(pose);
+        }
+        shapes.entry(pose.subject).or_default().insert(shape);
+    }
+    shapes
+}
+
+/// Pairs of subjects that have a shape in common, the earlier first, each once.
+fn sharing(subjects: &BTreeMap<&BTreeSet<usize>, usize>) -> BTreeSet<(usize, usize)> {
+    let mut with_shape: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+    for (shapes, &subject) in subjects {
+        for &shape in *shapes {
+            with_shape.entry(shape).or_default().push(subject);
         }
     }
-    shared.into_iter().collect()
+    let mut pairs = BTreeSet::new();
+    for mut subjects in with_shape.into_values() {
+        subjects.sort_unstable();
+        for (place, &later) in subjects.iter().enumerate() {
+            let earlier = subjects[..place].iter().take(COMPARED);
+            pairs.extend(earlier.map(|&earlier| (earlier, later)));
+        }
+    }
+    pairs
 }
 
 impl<'a> Pose<'a> {
@@ -226,111 +278,4 @@ impl<'a> Pose<'a> {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::mesh::{TriMesh, phantom};
-    use crate::study::{MeshSequence, SurfaceKind, SurfaceSequence};
-    use crate::units::LengthUnit;
-
-    /// A heart of its own shape, moved as asked.
-    fn heart(
-        id: &str,
-        shape: f64,
-        frames: usize,
-        place: impl Fn(Point3) -> Point3,
-    ) -> Arc<Subject> {
-        let ball = phantom::sphere(2, 30.0);
-        let meshes = (0..frames)
-            .map(|frame| {
-                let beat = 1.0 - 0.05 * frame as f64;
-                let points: Vec<Point3> = (ball.vertices().iter())
-                    .map(|p| place(Point3::new(p.x * beat, p.y * (1.0 + shape), p.z * beat)))
-                    .collect();
-                TriMesh::new(points, ball.faces().clone()).unwrap()
-            })
-            .collect();
-        let surface = SurfaceSequence::new(SurfaceKind::Cavity, meshes).unwrap();
-        let sequence = MeshSequence::new(vec![surface]).unwrap();
-        Arc::new(Subject::new(id, sequence, LengthUnit::Millimetre))
-    }
-
-    fn labelled(mut subject: Arc<Subject>, label: &str) -> Arc<Subject> {
-        Arc::make_mut(&mut subject).label = Some(label.to_owned());
-        subject
-    }
-
-    #[test]
-    fn copies_are_found_moved_turned_rounded_or_cut_short() {
-        let motion = nalgebra::Isometry3::new(
-            Vector3::new(120.0, -40.0, 1e5),
-            Vector3::new(0.3, -1.2, 0.7),
-        );
-        let rounded = |p: Point3| p.map(|x| (x * 100.0).round() / 100.0);
-        let subjects = [
-            heart("a", 0.1, 4, |p| p),
-            heart("b", 0.2, 4, |p| p),
-            heart("a again", 0.1, 4, |p| p),
-            heart("a elsewhere", 0.1, 4, |p| motion * p),
-            heart("b in two digits", 0.2, 4, rounded),
-            heart("a at two frames", 0.1, 2, |p| p),
-            heart("c", 0.11, 4, |p| p),
-        ];
-        let copies = Copies::of(&subjects);
-        assert_eq!(copies.groups(), [vec![0, 2, 3, 5], vec![1, 4]]);
-        assert!(copies.are_copies(3, 5) && !copies.are_copies(0, 6));
-        assert_eq!(copies.first_of(6), 6);
-        let text = &copies.notices(&subjects)[0].text;
-        assert!(
-            text.contains("same meshes") && text.contains("b = b in two digits"),
-            "{text}"
-        );
-        assert_eq!(Copies::of(&subjects[..2]).notices(&subjects), []);
-        assert_eq!(Copies::of(&[]), Copies::default());
-    }
-
-    #[test]
-    fn subjects_that_share_some_frames_are_told_and_are_no_copies() {
-        let cavity = |id: &str, radii: &[f64]| {
-            let meshes = radii.iter().map(|&radius| phantom::sphere(1, radius));
-            let surface = SurfaceSequence::new(SurfaceKind::Cavity, meshes.collect()).unwrap();
-            let sequence = MeshSequence::new(vec![surface]).unwrap();
-            Arc::new(Subject::new(id, sequence, LengthUnit::Millimetre))
-        };
-        let subjects = [
-            cavity("a", &[30.0, 20.0, 25.0]),
-            cavity("b", &[30.0, 20.0, 27.0]),
-            cavity("b again", &[30.0, 20.0, 27.0]),
-            cavity("c", &[33.0, 22.0]),
-        ];
-        let copies = Copies::of(&subjects);
-        assert_eq!(copies.groups(), [vec![1, 2]]);
-        let told = copies.notices(&subjects);
-        assert_eq!(told.len(), 2);
-        assert!(
-            told[1].text.ends_with("two ids: a and b (2 frames)"),
-            "{told:?}"
-        );
-    }
-
-    #[test]
-    fn a_label_counts_once_and_labels_that_differ_do_not_count() {
-        let subjects = [
-            labelled(heart("a", 0.1, 2, |p| p), "ill"),
-            labelled(heart("a2", 0.1, 2, |p| p), "ill"),
-            labelled(heart("b", 0.2, 2, |p| p), "ill"),
-            labelled(heart("b2", 0.2, 2, |p| p), "normal"),
-            heart("c", 0.3, 2, |p| p),
-            labelled(heart("c2", 0.3, 2, |p| p), "normal"),
-        ];
-        let copies = Copies::of(&subjects);
-        assert_eq!(
-            copies.labels_once(&subjects),
-            [Some("ill"), None, None, None, Some("normal"), None]
-        );
-        assert!(
-            copies.notices(&subjects)[0]
-                .text
-                .contains("different labels")
-        );
-    }
-}
+mod tests;

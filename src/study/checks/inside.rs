@@ -10,10 +10,17 @@ const RAY: [f64; 3] = [0.537_712_9, 0.276_104_7, 0.796_632_1];
 pub(super) struct Inside {
     origin: Point3,
     axes: [Vector3; 3],
-    shadows: Vec<Shadow>,
+    /// Triangles by the strips that their shadows reach into: most points ask a few of them.
+    strips: Vec<Vec<Shadow>>,
+    from: f64,
+    strips_per_length: f64,
 }
 
+/// Strips across the surface: with some thousands of triangles, a strip has fewer than a hundred.
+const STRIPS: usize = 128;
+
 /// A triangle in the axes of the ray: its corners, and the rectangle around its shadow.
+#[derive(Clone, Copy)]
 struct Shadow {
     corners: [Vector3; 3],
     low: [f64; 2],
@@ -46,21 +53,36 @@ impl Inside {
                 (ring.iter().zip(next)).map(|(&a, &b)| Shadow::new([at(a), at(b), centre])),
             );
         }
-        Self {
+        let from = shadows.iter().map(|s| s.low[0]).fold(f64::MAX, f64::min);
+        let to = shadows.iter().map(|s| s.high[0]).fold(f64::MIN, f64::max);
+        let mut inside = Self {
             origin,
             axes,
-            shadows,
+            strips: vec![Vec::new(); STRIPS],
+            from,
+            strips_per_length: STRIPS as f64 / (to - from),
+        };
+        for shadow in shadows {
+            let reach = inside.strip(shadow.low[0])..=inside.strip(shadow.high[0]);
+            for strip in &mut inside.strips[reach] {
+                strip.push(shadow);
+            }
         }
+        inside
+    }
+
+    /// The strip of a place; it never falls where the place rises.
+    fn strip(&self, u: f64) -> usize {
+        // Below zero, and where all is flat, this is the first one.
+        (((u - self.from) * self.strips_per_length) as usize).min(STRIPS - 1)
     }
 
     /// Whether the ray from a point leaves the surface once more than it enters it; whichever way faces wind.
     pub fn holds(&self, point: Point3) -> bool {
         let offset = point - self.origin;
         let [u, v, w] = [0, 1, 2].map(|axis| self.axes[axis].dot(&offset));
-        let crossings = self
-            .shadows
-            .iter()
-            .filter(|shadow| shadow.is_above(u, v, w));
+        let shadows = self.strips[self.strip(u)].iter();
+        let crossings = shadows.filter(|shadow| shadow.is_above(u, v, w));
         crossings.count() % 2 == 1
     }
 }

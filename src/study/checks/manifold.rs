@@ -1,7 +1,5 @@
 //! Does a surface branch, or touch itself at single vertices?
 
-use std::collections::HashMap;
-
 use super::words::counted;
 use crate::study::{Notice, SurfaceSequence};
 
@@ -20,29 +18,11 @@ pub struct NonManifold {
 impl NonManifold {
     /// Counts both.
     pub fn of(surface: &SurfaceSequence) -> Self {
-        let faces = surface.faces();
-        let mut on_branching_edge = vec![false; faces.vertex_count()];
-        let mut edges = 0;
-        for (edge, valence) in faces.edge_valences() {
-            if valence > 2 {
-                edges += 1;
-                for vertex in edge {
-                    on_branching_edge[vertex as usize] = true;
-                }
-            }
+        let borders = surface.faces().borders();
+        Self {
+            edges: borders.branching.len(),
+            vertices: borders.pinched,
         }
-        let mut sides_around: Vec<Vec<[u32; 2]>> = vec![Vec::new(); faces.vertex_count()];
-        for &[a, b, c] in faces.triangles() {
-            sides_around[a as usize].push([b, c]);
-            sides_around[b as usize].push([c, a]);
-            sides_around[c as usize].push([a, b]);
-        }
-        let vertices = sides_around
-            .iter()
-            .zip(on_branching_edge)
-            .filter(|(sides, branching)| !branching && fans(sides) > 1)
-            .count();
-        Self { edges, vertices }
     }
 
     /// What the load report says, if there is any.
@@ -70,29 +50,6 @@ impl NonManifold {
             parts.join(", ")
         )))
     }
-}
-
-/// Groups of faces around a vertex that are connected by edges; `sides` lie opposite the vertex.
-fn fans(sides: &[[u32; 2]]) -> usize {
-    fn root(parents: &mut [usize], mut side: usize) -> usize {
-        while parents[side] != side {
-            parents[side] = parents[parents[side]];
-            side = parents[side];
-        }
-        side
-    }
-    let mut parents: Vec<usize> = (0..sides.len()).collect();
-    let mut first_with: HashMap<u32, usize> = HashMap::with_capacity(sides.len());
-    for (side, ends) in sides.iter().enumerate() {
-        for &end in ends {
-            let other = *first_with.entry(end).or_insert(side);
-            let (a, b) = (root(&mut parents, other), root(&mut parents, side));
-            parents[b] = a;
-        }
-    }
-    (0..sides.len())
-        .filter(|&side| parents[side] == side)
-        .count()
 }
 
 #[cfg(test)]

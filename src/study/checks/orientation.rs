@@ -16,22 +16,9 @@ pub struct InconsistentWinding {
 impl InconsistentWinding {
     /// Counts such edges; edges of three and more faces are left to the manifold check.
     pub fn of(surface: &SurfaceSequence) -> Self {
-        let faces = surface.faces();
-        let mut directed: Vec<[u32; 2]> = faces.directed_edges().collect();
-        directed.sort_unstable();
-        let mut valences = faces.edge_valences();
-        valences.retain(|&(_, faces)| faces == 2);
-        let edges = directed
-            .chunk_by(|a, b| a == b)
-            .filter(|run| run.len() == 2)
-            .filter(|run| {
-                let [a, b] = run[0];
-                valences
-                    .binary_search_by_key(&[a.min(b), a.max(b)], |&(edge, _)| edge)
-                    .is_ok()
-            })
-            .count();
-        Self { edges }
+        Self {
+            edges: surface.faces().borders().turned,
+        }
     }
 
     /// What the load report says, if there is any.

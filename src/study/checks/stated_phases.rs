@@ -66,13 +66,17 @@ impl StatedPhases {
             .into_iter()
             .chain(beyond("end-systole", self.end_systole_beyond))
             .chain(swapped)
-            .chain(self.both_at.map(|frame| {
-                Notice::warning(format!(
-                    "end-diastole and end-systole are both set to frame {frame}: there is no ejection fraction"
-                ))
-            }))
+            .chain(
+                self.both_at
+                    .map(|frame| Notice::warning(both_phases_at(frame))),
+            )
             .collect()
     }
+}
+
+/// What is said of a subject of which one frame is end-diastole and end-systole, whoever says so.
+pub fn both_phases_at(frame: usize) -> String {
+    format!("end-diastole and end-systole are both frame {frame}: no ejection fraction")
 }
 
 #[cfg(test)]
@@ -106,10 +110,6 @@ mod tests {
     fn swapped_phases_are_told() {
         assert!(stated(0, 1).is_empty());
         assert!(stated(1, 0)[0].text.ends_with("are the two swapped?"));
-        assert!(
-            stated(1, 1)[0]
-                .text
-                .ends_with("there is no ejection fraction")
-        );
+        assert!(stated(1, 1)[0].text.ends_with(": no ejection fraction"));
     }
 }

@@ -211,3 +211,57 @@ fn ctrl_c_ends_an_analysis_with_code_three_before_its_figures_are_drawn() {
     );
     assert!(!out.exists(), "a stopped analysis writes nothing");
 }
+
+#[test]
+fn background_and_theme_are_chosen_and_transparent_has_a_short_name() {
+    let folder = tempfile::tempdir().unwrap();
+    let corner = |options: &[&str]| {
+        let out = folder.path().join("figure.png");
+        let usual = ["figure", text(demo()), "--size", "400x300"];
+        let output = cardiomorph(&[&usual[..], options, &["--out", text(&out)]].concat());
+        if without_adapter(&output) {
+            return None;
+        }
+        assert_eq!(code(&output), 0, "{}", said(&output));
+        Some(Png::read(&out).at(0, 0))
+    };
+    for (options, expected) in [
+        (&["--background", "black"][..], [0, 0, 0, 255]),
+        (&["--background", "white", "--theme", "dark"], [255; 4]),
+        (&["--theme", "dark"], [0x1a, 0x1e, 0x24, 255]),
+        (&["--background", "transparent"], [0; 4]),
+        (&["--transparent"], [0; 4]),
+    ] {
+        let Some(found) = corner(options) else {
+            return;
+        };
+        assert_eq!(found, expected, "{options:?}");
+    }
+    let both = [
+        "figure",
+        "--transparent",
+        "--background",
+        "black",
+        "--out",
+        "a.png",
+    ];
+    assert_eq!(code(&cardiomorph(&both)), 2);
+}
+
+#[test]
+fn an_excluded_subject_has_a_figure() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = folder.path().join("study");
+    let output = cardiomorph(&["demo", "--out", text(&study), "--vertices", "200"]);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let manifest = study.join("study.toml");
+    let toml = fs::read_to_string(&manifest).unwrap();
+    let excluded = toml.replacen("id = \"N02\"", "id = \"N02\"\nexcluded = true", 1);
+    assert_ne!(toml, excluded);
+    fs::write(&manifest, excluded).unwrap();
+    let png = folder.path().join("N02.png");
+    let options = ["figure", text(&study), "--subject", "N02", "--frame", "1"];
+    let output = cardiomorph(&[&options[..], &["--out", text(&png)]].concat());
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    assert!(png.exists());
+}

@@ -213,6 +213,56 @@ fn a_run_that_fails_leaves_what_it_did_says_what_is_missing_and_nothing_of_the_r
     );
 }
 
+#[cfg(unix)]
+#[test]
+fn a_run_that_is_stopped_says_so_and_stands_beside_nothing_of_the_run_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let (whole, out) = (demo(), folder.path().join("out"));
+    // A run may end before it is stopped; then another is begun.
+    for _ in 0..5 {
+        let output = analyze(whole, &out, &["--figures", "off"]);
+        assert_eq!(code(&output), 0, "{}", said(&output));
+        let arguments = ["analyze", "--figures", "off", "--threads", "1", "--out"];
+        let mut second = Command::new(env!("CARGO_BIN_EXE_cardiomorph"))
+            .args(arguments)
+            .args([&out, whole])
+            .stderr(Stdio::null())
+            .stdout(Stdio::null())
+            .spawn()
+            .unwrap();
+        let begun = || {
+            let text = fs::read_to_string(out.join("summary.json")).unwrap_or_default();
+            text.contains("\"complete\": false")
+        };
+        while !begun() && second.try_wait().unwrap().is_none() {
+            std::thread::sleep(std::time::Duration::from_millis(5));
+        }
+        let pid = second.id().to_string();
+        Command::new("kill").args(["-INT", &pid]).status().unwrap();
+        let ended = second.wait().unwrap();
+        if ended.code() == Some(0) {
+            continue;
+        }
+        assert_eq!(ended.code(), Some(3));
+        let said = summary(&out);
+        assert_eq!(said["complete"], false);
+        let files = said["files"].as_array().unwrap();
+        let mut listed: Vec<&str> = files.iter().map(|name| name.as_str().unwrap()).collect();
+        listed.push("summary.json");
+        let mut there: Vec<String> = fs::read_dir(&out)
+            .unwrap()
+            .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+            .collect();
+        listed.sort_unstable();
+        there.sort();
+        assert_eq!(there, listed, "what stands there is of this run");
+        let missing = said["missing"].to_string();
+        assert!(missing.contains("verdicts.csv"), "{missing}");
+        return;
+    }
+    panic!("five runs ended before they could be stopped");
+}
+
 #[test]
 fn distances_are_left_out_or_written_for_numpy() {
     let folder = tempfile::tempdir().unwrap();
@@ -297,4 +347,23 @@ fn a_success_without_a_session_says_nothing_of_it() {
         "{}",
         said(&output)
     );
+}
+
+#[test]
+fn measure_into_the_folder_of_an_analysis_leaves_no_summary_of_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let study = study_of(folder.path(), &[("A", "x"), ("B", "y")]);
+    let out = folder.path().join("out");
+    assert_eq!(code(&analyze(&study, &out, &["--figures", "off"])), 0);
+    fs::write(out.join("notes.csv"), "mine").unwrap();
+    assert!(out.join("summary.json").exists() && out.join("verdicts.csv").exists());
+    let output = cardiomorph(&["measure", text(&study), "--out", text(&out)]);
+    assert_eq!(code(&output), 0, "{}", said(&output));
+    let entries = fs::read_dir(&out).unwrap();
+    let mut names: Vec<String> = entries
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    let expected = ["columns.md", "frames.csv", "notes.csv", "subjects.csv"];
+    assert_eq!(names, expected);
 }

@@ -229,3 +229,48 @@ fn a_unit_that_the_study_does_not_give_can_be_stated() {
     assert_eq!((ml.0.as_str(), cubic.0.as_str()), ("ml", "units³"));
     assert!((cubic.1 / ml.1 - 1000.0).abs() < 1e-6);
 }
+
+/// A mesh file in which each face has corners of its own.
+fn face_by_face(mesh: &str) -> String {
+    let points: Vec<&str> = mesh.lines().filter(|line| line.starts_with("v ")).collect();
+    let faces = mesh.lines().filter_map(|line| line.strip_prefix("f "));
+    let corners: Vec<usize> = faces
+        .flat_map(|face| face.split(' ').map(|corner| corner.parse().unwrap()))
+        .collect();
+    let mut text: String = (corners.iter())
+        .map(|&corner: &usize| format!("{}\n", points[corner - 1]))
+        .collect();
+    for first in (1..=corners.len()).step_by(3) {
+        text += &format!("f {first} {} {}\n", first + 1, first + 2);
+    }
+    text
+}
+
+#[test]
+fn a_heart_written_face_by_face_has_the_measures_of_the_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    let (demo, cut) = (folder.path().join("demo"), folder.path().join("cut/P01"));
+    printed(&[
+        "demo",
+        "--vertices",
+        "200",
+        "--format",
+        "obj",
+        "--out",
+        text(&demo),
+    ]);
+    std::fs::create_dir_all(&cut).unwrap();
+    for entry in std::fs::read_dir(demo.join("P01")).unwrap() {
+        let path = entry.unwrap().path();
+        let mesh = std::fs::read_to_string(&path).unwrap();
+        std::fs::write(cut.join(path.file_name().unwrap()), face_by_face(&mesh)).unwrap();
+    }
+    let measured = |study: &Path| {
+        let out = folder.path().join("out");
+        printed(&["measure", text(study), "--out", text(&out)]);
+        rows(&out.join("subjects.csv"))
+    };
+    assert_eq!(measured(&cut), measured(&demo.join("P01")));
+    let notices = printed(&["info", text(&cut)]);
+    assert!(notices.contains("along seams joined"), "{notices}");
+}

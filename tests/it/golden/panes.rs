@@ -5,19 +5,23 @@ use cardiomorph::app::App;
 use cardiomorph::document::{ThemeChoice, ViewMode};
 use cardiomorph::engine::MedialMapQuery;
 use cardiomorph::panes::{
-    BeatCommand, Command, PANES, Pane, TransportCommand, ViewCommand, WallCommand, WindowCommand,
+    BeatCommand, Command, EditCommand, PANES, Pane, TransportCommand, ViewCommand, WallCommand,
+    Whose, WindowCommand,
 };
 use cardiomorph::picture::{BullsEyeQuantity, Quantity, WallPart};
 use cardiomorph::ui::theme::space;
 use egui::{Rect, pos2, vec2};
+use egui_kittest::{Harness, kittest::Queryable as _};
 
 use super::{FRAME, SUBJECT, compare_part, on_reference_driver, window_after};
 
-pub const NAMES: [&str; 16] = [
+pub const NAMES: [&str; 18] = [
     "atoms",
     "bulls_eye",
     "bulls_eye_segments",
     "cohort",
+    "cohort_excluded",
+    "cohort_menu",
     "deformations",
     "difference",
     "measures",
@@ -39,7 +43,7 @@ const BARS: [f32; 2] = [34.0, 72.0 + 36.0];
 fn compare_pane(
     name: &str,
     pane: Pane,
-    [width, height]: [f32; 2],
+    size: [f32; 2],
     theme: ThemeChoice,
     commands: &[Command],
     ready: impl Fn(&App) -> bool,
@@ -47,6 +51,18 @@ fn compare_pane(
     if !on_reference_driver() {
         return;
     }
+    let (mut harness, place) = pane_alone(pane, size, theme, commands, ready);
+    compare_part(&harness.render().unwrap(), place, &format!("panes/{name}"));
+}
+
+/// A window with a pane of this size alone, after these commands, and where the pane is.
+fn pane_alone(
+    pane: Pane,
+    [width, height]: [f32; 2],
+    theme: ThemeChoice,
+    commands: &[Command],
+    ready: impl Fn(&App) -> bool,
+) -> (Harness<'static, App>, Rect) {
     let [above, below] = BARS;
     let gap = space::PANE_GAP;
     let window = [width + 2.0 * gap, above + height + 2.0 * gap + below];
@@ -55,9 +71,8 @@ fn compare_pane(
     let mut all: Vec<Command> = toggles.map(Command::Window).collect();
     all.push(Command::Window(WindowCommand::ShowPane(pane)));
     all.extend_from_slice(commands);
-    let mut harness = window_after(window, theme, all, ready);
     let place = Rect::from_min_size(pos2(gap, above + gap), vec2(width, height));
-    compare_part(&harness.render().unwrap(), place, &format!("panes/{name}"));
+    (window_after(window, theme, all, ready), place)
 }
 
 fn wall_is_known(app: &App) -> bool {
@@ -76,6 +91,29 @@ fn the_cohort_looks_as_it_did() {
     compare_pane("cohort", Pane::COHORT, [300.0, 360.0], LIGHT, &[], |app| {
         verdict_is_known(app)
     });
+}
+
+#[test]
+fn a_cohort_with_an_excluded_subject_looks_as_it_did() {
+    let exclude = [Command::Edit(EditCommand::Exclude(Whose::Subject(13)))];
+    let (name, size) = ("cohort_excluded", [300.0, 360.0]);
+    compare_pane(name, Pane::COHORT, size, DARK, &exclude, |app| {
+        verdict_is_known(app)
+    });
+}
+
+#[test]
+fn the_menu_of_a_row_looks_as_it_did() {
+    if !on_reference_driver() {
+        return;
+    }
+    let size = [460.0, 420.0];
+    let (mut harness, place) = pane_alone(Pane::COHORT, size, LIGHT, &[], verdict_is_known);
+    harness.get_by_label("P01").click_secondary();
+    harness.run();
+    harness.remove_cursor();
+    harness.run();
+    compare_part(&harness.render().unwrap(), place, "panes/cohort_menu");
 }
 
 #[test]

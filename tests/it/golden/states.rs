@@ -120,7 +120,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
             scatter_map_ui(ui, &view, 0.0, commands);
         }
         "deformations_few" => {
-            let too_few = "Fewer than 4 subjects: no deformation map";
+            let too_few = "A deformation map needs at least 4 subjects, and there are 3";
             let mut view = example.deformation_map(WorkState::Unanswerable(too_few.to_owned()));
             view.map.points = &[];
             pane_header_ui(
@@ -196,6 +196,7 @@ fn state_ui(ui: &mut Ui, name: &str, example: &Example, commands: &mut Vec<Comma
                 compared: None,
                 measuring: true,
                 classifying: true,
+                ..CohortView::default()
             };
             cohort_table_ui(ui, &view, commands);
         }

@@ -54,6 +54,8 @@ impl Example {
                     frame_count: 8,
                     warning_count: usize::from(subject == 5),
                     correspondence: 0,
+                    excluded: false,
+                    place: 0,
                     filtered_out: false,
                 });
                 for frame in 0..8 {
@@ -128,6 +130,7 @@ impl Example {
             reconstruction_error: Some(0.0123),
             time_weight: Some(1.42),
             classes: ClassesView::Ready(&self.classifiers),
+            classes_by: None,
         }
     }
 

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use cardiomorph::app::*;
+use cardiomorph::document::{CohortColumn, CohortSort};
 use cardiomorph::panes::*;
 use cardiomorph::report::SubjectRow;
 use cardiomorph::ui::LabelMark;
@@ -57,6 +58,7 @@ pub fn cohort(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         compared: None,
         measuring: false,
         classifying: false,
+        ..CohortView::default()
     };
     cohort_table_ui(ui, &view, commands);
 }
@@ -81,7 +83,7 @@ pub fn viewport(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         title: example.rows[9].id.clone(),
         subtitle: "MINF · frame 3 of 8".to_owned(),
         mark: LabelMark::Label(0),
-        badge: Some("interpolated"),
+        badge: Some("interpolated".into()),
         badge_note: "3 poses between these frames".to_owned(),
         ..SubjectCaption::default()
     };
@@ -178,6 +180,8 @@ pub fn time(ui: &mut Ui, example: &Example, commands: &mut Vec<Command>) {
         playing: false,
         speed: 1.0,
         looping: true,
+        loop_frames: Some([1, 5]),
+        escape_ends_range: true,
         position: 2.4,
         axis: example.axis(),
         end_diastole: Some(0),

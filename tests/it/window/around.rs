@@ -1,7 +1,9 @@
 //! What lies around a heart: errors, stated frames, views, panes, sheets, tables.
 
 use super::*;
-use cardiomorph::panes::{BeatCommand, EditCommand, FileCommand, ViewCommand, WindowCommand};
+use cardiomorph::panes::{
+    EditCommand, FileCommand, Phase, PhaseFrame, ViewCommand, Whose, WindowCommand,
+};
 
 #[test]
 fn a_broken_file_let_go_over_the_window_gives_its_error_and_leaves_the_study_open() {
@@ -34,7 +36,11 @@ fn a_frame_stated_as_end_systole_is_measured_again_and_taken_back() {
     let stated = (before.end_systole.unwrap() + 2) % 8;
     give(
         &mut harness,
-        Command::Beat(BeatCommand::StateEndSystole(Some(stated))),
+        Command::Edit(EditCommand::SetPhase(
+            Whose::Selected,
+            Phase::EndSystole,
+            PhaseFrame::Frame(stated),
+        )),
     );
     wait(&mut harness, "new measures", |app| {
         app.state().measures_of(0).unwrap().end_systole == Some(stated)

@@ -240,7 +240,7 @@ fn three_hearts_have_no_deformation_map_and_are_told_so() {
     });
     assert_eq!(harness.state().state().document.study().subjects.len(), 3);
     shown(&mut harness, Pane::DEFORMATION_MAP);
-    harness.get_by_label("Fewer than 4 subjects: no deformation map");
+    harness.get_by_label("A deformation map needs at least 4 subjects, and there are 3");
     assert!(harness.state().state().errors.is_empty());
 }
 

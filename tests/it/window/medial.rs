@@ -135,7 +135,7 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
         &mut harness,
         Command::Window(WindowCommand::ShowPane(Pane::THICKNESS)),
     );
-    wait(&mut harness, "three poses", |app| !app.busy());
+    wait_for_row(&mut harness, "Laplace field lines, ED ", ", frame 1 ");
     for way in [
         "Medial spheres, ED ",
         "Nearest distance, ED ",
@@ -153,10 +153,24 @@ fn the_ways_of_measuring_thickness_are_told_for_the_phases_and_the_pose_on_scree
     }
     // The next frame is measured, too; what was known stays.
     give(&mut harness, Command::Beat(BeatCommand::StepFrame(1)));
-    wait(&mut harness, "another pose", |app| !app.busy());
-    let row = harness.get_by_label_contains("Laplace field lines, ED ");
-    let said = row.accesskit_node().label().unwrap_or_default();
-    assert!(said.contains(", frame 2 "), "{said}");
+    wait_for_row(&mut harness, "Laplace field lines, ED ", ", frame 2 ");
+}
+
+/// Waits until a row of the thickness pane tells a pose: poses are measured one after the other, and between one and the
+/// next nothing runs.
+fn wait_for_row(harness: &mut Harness<'_, App>, way: &str, pose: &str) {
+    let begin = Instant::now();
+    loop {
+        let row = harness.query_by_label_contains(way);
+        let said = row.and_then(|row| row.accesskit_node().label());
+        if said.is_some_and(|said| said.contains(pose)) {
+            break;
+        }
+        assert!(begin.elapsed() < Duration::from_secs(30), "{way}{pose}");
+        harness.step();
+        std::thread::sleep(Duration::from_millis(3));
+    }
+    wait(harness, "all ways", |app| !app.busy());
 }
 
 #[test]

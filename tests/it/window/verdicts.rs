@@ -7,9 +7,9 @@ use cardiomorph::panes::{
 };
 
 use cardiomorph::analysis::verdicts::{Finding, Verdict};
+use cardiomorph::document::{CohortColumn, CohortSort};
 use cardiomorph::io::{MeshFormat, write_study};
 use cardiomorph::mesh::TriMesh;
-use cardiomorph::panes::CohortColumn;
 use cardiomorph::picture::PatchStanding;
 use cardiomorph::progress::Progress;
 use cardiomorph::study::built_in::cohort;
@@ -104,9 +104,9 @@ fn a_normal_heart_has_no_abnormal_patch_whatever_thickens_little() {
         .unwrap();
     // Thresholds that take much of any wall for a patch.
     let mut settings = harness.state().state().document.thickening;
-    settings.thickening.extent = 0.9;
-    settings.thickening.core = 0.85;
-    settings.thickening.akinetic = 1.0;
+    settings.patches.extent = 0.9;
+    settings.patches.core = 0.85;
+    settings.patches.akinetic = 1.0;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),
@@ -172,14 +172,10 @@ fn the_table_is_sorted_and_searched_by_verdict() {
     harness.get_by_label("Sort by Verdict").click();
     harness.run_steps(2);
     let sorting = harness.state().state().document.sorting;
-    let column = CohortColumn::ALL
-        .iter()
-        .position(|c| *c == CohortColumn::Verdict);
-    assert_eq!((sorting.column, sorting.descending), (column, false));
-    give(
-        &mut harness,
-        Command::View(ViewCommand::SortCohort(column.unwrap())),
-    );
+    let column = CohortColumn::Verdict;
+    let descending = false;
+    assert_eq!(sorting, Some(CohortSort { column, descending }));
+    give(&mut harness, Command::View(ViewCommand::SortCohort(column)));
     harness.run_steps(2);
     // From the surest patch down: the first row is above all others.
     let rows: Vec<(f32, String)> = (harness.get_all_by_role(egui::accesskit::Role::ListBoxOption))
@@ -261,8 +257,8 @@ fn other_thresholds_ask_for_other_verdicts_while_those_before_stay() {
     select(&mut harness, PATCHED);
     let before = Arc::clone(harness.state().state().verdicts().unwrap().0);
     let mut settings = harness.state().state().document.thickening;
-    settings.thickening.extent = 0.6;
-    settings.thickening.core = 0.3;
+    settings.patches.extent = 0.6;
+    settings.patches.core = 0.3;
     give(
         &mut harness,
         Command::Wall(WallCommand::SetThickening(settings)),

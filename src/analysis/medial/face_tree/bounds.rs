@@ -1,4 +1,4 @@
-//! What lies around some faces, told from what lies around their parts.
+//! Bounds of sets of faces, from those of their parts.
 
 use super::faces::FacesOfPose;
 use crate::mesh::{Point3, Vector3};

@@ -2,7 +2,7 @@
 
 use crate::mesh::{Point3, Vector3};
 
-/// Faces of a pose, as a tree is laid around them.
+/// Faces of a pose, in the order of the tree around them.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::analysis::medial) struct FacesOfPose<'a> {
     pub points: &'a [Point3],

@@ -1,4 +1,4 @@
-//! Carries slopes along curvature, areas and lengths back to the vertices.
+//! From derivatives along curvatures, areas and lengths to the gradient along the vertices.
 
 use crate::numeric::{Arithmetic, Lanes, both, three};
 
@@ -7,7 +7,7 @@ use super::rows::onto_poses;
 use super::state::{Gradients, PathState, Plan};
 use crate::analysis::metrics::corner::{angle_gradient, minus};
 
-/// Turns all slopes into those along the coordinates of the poses, added to those of `gradients`.
+/// Turns all derivatives into those along the coordinates of the poses, added to those of `gradients`.
 #[inline(always)]
 pub(super) fn backpropagate(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
     if plan.needs_curvature() {
@@ -26,8 +26,8 @@ pub(super) fn backpropagate(plan: &Plan, state: &PathState, gradients: &mut Grad
 
 /// From curvature to the angles and areas around vertices.
 ///
-/// With K = T / a · A / 4π of gathered turns T and areas a, the slopes along T and a are those along K times
-/// A / (4π a) and −K / a. Gathering is symmetric, so gathering them takes them back.
+/// With K = T / a · A / 4π of gathered turns T and areas a, the derivatives along T and a are those along K times
+/// A / (4π a) and −K / a. Gathering is symmetric: its adjoint is gathering again.
 #[inline(always)]
 fn curvature(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
     let (mesh, blocks) = (&plan.mesh, plan.blocks);
@@ -106,7 +106,7 @@ fn faces<const ANGLES: bool>(plan: &Plan, state: &PathState, gradients: &mut Gra
 /// From squared lengths and stretches to vertices.
 ///
 /// With r = ⟨w, d_A⟩ and r' = ⟨w, d_B⟩, w = d_B − d_A, stretches are s = r / |d_A|² and s' = r' / |d_B|².
-/// So with g = ∂E/∂s / |d_A|² and g' likewise: the slope along d_A is −2 g (1 + s) d_A + (g − g') d_B, along d_B
+/// So with g = ∂E/∂s / |d_A|² and g' likewise: the derivative along d_A is −2 g (1 + s) d_A + (g − g') d_B, along d_B
 /// 2 g' (1 − s') d_B + (g − g') d_A.
 #[inline(always)]
 fn edges(plan: &Plan, state: &PathState, gradients: &mut Gradients) {

@@ -62,7 +62,7 @@ fn faces<const ANGLES: bool>(plan: &Plan, state: &mut PathState) {
             let area = Lanes::splat(0.5) * shape.0;
             total += area;
             state.face_area.set(f, b, area);
-            // Kept: the slopes of area and of angles need the same numbers on the way back.
+            // Kept: the derivatives of area and of angles need the same numbers on the way back.
             state.cotangents[f * plan.blocks + b] = cotangents(shape);
             let angles = if ANGLES {
                 angles_rad(shape)

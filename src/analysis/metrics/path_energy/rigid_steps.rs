@@ -1,4 +1,4 @@
-//! The rigid metric along a path: what no rigid motion explains of each step, and its slopes.
+//! The rigid metric along a path: what no rigid motion explains of each step, and its gradient.
 
 use crate::mesh::{Point3, Vector3};
 use crate::numeric::LANES;
@@ -7,9 +7,9 @@ use crate::analysis::metrics::rigid::rigid_part;
 
 use super::state::{Gradients, PathState, Plan, RigidScratch};
 
-/// Adds energies and slopes along vertices and their areas.
+/// Adds energies and their derivatives along vertices and areas of vertices.
 ///
-/// The energy Σ w |X − k₁ − k₂ × p|² is least over k₁ and k₂, so its slopes are those at fixed k: with X' what is
+/// The energy Σ w |X − k₁ − k₂ × p|² is least over k₁ and k₂, so its derivatives are those at fixed k: with X' what is
 /// left of X, 2 w X' along X, −2 w X' × k₂ along p and |X'|² along w.
 pub(in crate::analysis::metrics) fn add_energies(
     plan: &Plan,
@@ -41,7 +41,7 @@ fn add_side(
     };
     let by_area = plan.params.area_weights;
     let total = state.total_area.at(0, pose);
-    // Without area weights the area has no slope either.
+    // Without area weights the derivative along the area is 0.
     let scale = if by_area && total > 0.0 {
         1.0 / total
     } else {

@@ -64,12 +64,12 @@ impl Rows {
     }
 }
 
-/// A step adds to the energy of the pose where it begins and the one where it ends: what both mean to the poses of
+/// A step adds to the gradient of the pose where it begins and of the one where it ends: the sum of both at the poses of
 /// its block. `carry` brings the first pose of the block behind, which must be done before.
 #[inline(always)]
 pub(super) fn onto_poses(both: [Lanes; 2], carry: &mut f64) -> Lanes {
     let [begins, ends] = both;
-    // A pose has the slopes of the step that ends there and of the one that begins there.
+    // A pose has the derivatives of the step that ends there and of the one that begins there.
     let onto = ends + begins.earlier(*carry);
     *carry = begins.0[0];
     onto

@@ -1,4 +1,4 @@
-//! What a path is made of, and the slopes of its energy: all memory that an evaluation uses.
+//! Measures of the poses of a path, and the gradient of its energy: all memory that an evaluation uses.
 
 use crate::mesh::{Point3, Vector3};
 use crate::numeric::{LANES, Lanes};

@@ -12,7 +12,7 @@ use super::measure::points;
 use super::rows::onto_poses;
 use super::state::{Gradients, PathState, Plan};
 
-/// Adds the energies of all steps to `state`, and their slopes along what they are made of to `gradients`.
+/// Adds the energies of all steps to `state`, and their derivatives along lengths, areas and curvatures to `gradients`.
 #[inline(always)]
 pub(super) fn add_step_energies(plan: &Plan, state: &mut PathState, gradients: &mut Gradients) {
     gradients.stretch.fill([Lanes::default(); 2]);
@@ -80,14 +80,14 @@ fn lambda(plan: &Plan, state: &PathState, block: usize) -> [Lanes; 2] {
 }
 
 /// Weights are areas over the whole area, and the unit of the regulariser may be that area too: the
-/// slope of an energy along the whole area is that energy over −area, once for each.
+/// derivative of an energy along the whole area is that energy over −area, once for each.
 #[inline(always)]
 fn total_area_gradients(plan: &Plan, state: &PathState, gradients: &mut Gradients) {
     let once = |does: bool| Lanes::splat(if does { 1.0 } else { 0.0 });
     let own = once(plan.params.area_weights);
     let by_area = plan.regulariser_by_area();
     let own_unit = plan.shared_regulariser_factor.is_none();
-    // The factor itself is per area then, and has a slope of its own.
+    // The factor itself is per area then, and has a derivative of its own.
     let relative = by_area && own_unit && plan.params.corners == Corners::ScaleFree;
     let rest = once(by_area) + once(relative);
     let mut points_before = 0.0;

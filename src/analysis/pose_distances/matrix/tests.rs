@@ -206,3 +206,28 @@ fn a_stopped_matrix_says_so() {
         Err(PoseDistanceError::Stopped(Stopped))
     );
 }
+
+#[test]
+fn in_bands_of_a_few_poses_distances_have_the_same_bits_and_leave_out_the_same() {
+    let huge = beat(1e300, 0.2, 5);
+    let hearts = study(vec![
+        subject("a", beat(30.0, 0.3, 9)),
+        subject("huge", huge),
+        subject("b", beat(25.0, 0.4, 11)),
+        subject("c", beat(28.0, 0.1, 8)),
+    ]);
+    let params = PoseDistanceParams::default().check().unwrap();
+    let within = |bytes| {
+        computed(
+            &hearts,
+            &params,
+            (None, &|_, _| true),
+            bytes,
+            &Progress::default(),
+        )
+        .unwrap()
+    };
+    let whole = within(usize::MAX);
+    assert!(whole.distances.poses.len() > 2 * 8, "more than two bands");
+    assert_eq!(within(1), whole);
+}

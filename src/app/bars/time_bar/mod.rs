@@ -1,5 +1,6 @@
 //! The time bar: play, drag through the cardiac cycle, jump to end-diastole and end-systole.
 
+mod range;
 mod readout;
 mod values;
 
@@ -17,7 +18,7 @@ use crate::ui::marks::{Icon, icon};
 use crate::ui::text::note_at;
 use crate::ui::theme::{colours, line, space};
 
-use readout::{readout_ui, readout_width};
+use readout::{readout_text, readout_ui, readout_width};
 
 /// Speeds on offer, relative to the recorded motion.
 pub const SPEEDS: [f32; 8] = [0.1, 0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0];
@@ -103,7 +104,8 @@ fn speed_ui(ui: &mut Ui, speed: f32, commands: &mut Vec<Command>) {
         let speeds = SPEEDS.map(|choice| (choice, speed_text(choice)));
         let chosen = choices_ui(ui, speeds, now.unwrap_or(speed));
         commands.extend(chosen.map(|choice| Command::from(BeatCommand::SetSpeed(choice))));
-    });
+    })
+    .on_hover_text("Times the recorded motion: 1 is real time; range: 0.1 to 4");
 }
 
 fn speed_text(speed: f32) -> String {
@@ -119,17 +121,24 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
     let (rect, response) = ui.allocate_exact_size(vec2(width, 40.0), Sense::click_and_drag());
     let count = view.axis.frame_count();
     response.widget_info(|| {
-        WidgetInfo::slider(count > 1, view.position, "Position in the cardiac cycle")
+        let mut info =
+            WidgetInfo::slider(count > 1, view.position, "Position in the cardiac cycle");
+        info.current_text_value = Some(readout_text(view));
+        info
     });
     let rail = Rect::from_center_size(rect.center() - vec2(0.0, 3.0), vec2(width - 16.0, 3.0));
     let x_at = |share: f64| egui::lerp(rail.x_range(), share as f32);
     draw_rail(ui, view, rail, x_at);
+    range::escape(ui, view, commands);
     if count == 0 {
         return;
     }
     let knob = pos2(x_at(view.axis.share_at(view.position)), rail.center().y);
     draw_knob(ui, knob, &response);
-    if let Some(pointer) = response.interact_pointer_pos() {
+    range::ends_ui(ui, view, rail, commands);
+    if range::swept(ui, view, rail, &response, commands) {
+        // The position stays while a range is drawn.
+    } else if let Some(pointer) = response.interact_pointer_pos() {
         let share = f64::from(egui::remap_clamp(pointer.x, rail.x_range(), 0.0..=1.0));
         let position = match (response.clicked(), response.dragged()) {
             (true, _) => Some(snapped(view, share, rail.width())),
@@ -141,6 +150,9 @@ fn line_ui(ui: &mut Ui, view: &TimeBarView, width: f32, commands: &mut Vec<Comma
     keys(ui, &response, commands);
     response.on_hover_ui_at_pointer(|ui| {
         ui.label("Drag to move through the cardiac cycle, click near a mark to show its pose");
+        ui.label(
+            "Shift and drag, or the keys [ and ], to play only a part of it; Esc plays all again",
+        );
         if !view.note.is_empty() {
             ui.label(crate::ui::style::note(&view.note));
         }
@@ -198,6 +210,7 @@ fn draw_rail(ui: &Ui, view: &TimeBarView, rail: Rect, x_at: impl Fn(f64) -> f32)
     let mut done = rail;
     done.set_right(x_at(here));
     painter.rect_filled(done, 1.5, colours.accent);
+    range::draw_band(ui, view, rail);
     let shade = |share: f64| {
         if share <= here {
             colours.accent
@@ -235,7 +248,8 @@ fn draw_phase_names(ui: &Ui, view: &TimeBarView, rail: Rect, x_at: impl Fn(f64) 
         }
     }
     for (x, name) in marks {
-        let at = pos2(x, rail.center().y + 6.0);
+        // Below the knob, which may stand on the frame.
+        let at = pos2(x, rail.center().y + 9.0);
         note_at(ui, at, Align2::CENTER_TOP, name);
     }
 }

@@ -63,7 +63,14 @@ pub(super) fn readout_ui(ui: &mut Ui, view: &TimeBarView, commands: &mut Vec<Com
     let response = ui
         .add(label.sense(Sense::click()))
         .on_hover_cursor(CursorIcon::Text)
-        .on_hover_text(format!("Click to type a time: {}", example(view)));
+        .on_hover_text(format!(
+            "Click to type a time: {}; range: {}",
+            example(view),
+            match view.cycle_ms {
+                Some(cycle) => format!("0 to {cycle:.0} ms or 0 to 100 %"),
+                None => "0 to 100 %".to_owned(),
+            }
+        ));
     if response.clicked() {
         ui.data_mut(|data| data.insert_temp(id, Typed::default()));
     }

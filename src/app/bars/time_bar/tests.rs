@@ -6,12 +6,18 @@ use crate::panes::cycle_axis::CycleAxis;
 use egui_kittest::{Harness, kittest::Queryable as _};
 
 fn harness() -> Harness<'static, Vec<Command>> {
+    harness_with(None)
+}
+
+fn harness_with(loop_frames: Option<[usize; 2]>) -> Harness<'static, Vec<Command>> {
     Harness::builder()
         .with_size([1000.0, 60.0])
         .with_context_setup(|ctx| crate::ui::style::apply(ctx, true))
         .build_ui_state(
-            |ui, commands: &mut Vec<Command>| {
+            move |ui, commands: &mut Vec<Command>| {
                 let view = TimeBarView {
+                    loop_frames,
+                    escape_ends_range: loop_frames.is_some(),
                     playing: false,
                     speed: 1.0,
                     looping: true,
@@ -115,7 +121,7 @@ fn without_times_the_share_is_one_of_the_cycle_by_frames() {
         },
         ..TimeBarView::default()
     };
-    assert_eq!(readout::readout_text(&view), "50 % of the cycle by frames");
+    assert_eq!(readout_text(&view), "50 % of the cycle by frames");
 }
 
 #[test]
@@ -179,4 +185,71 @@ fn the_motion_plays_up_to_four_times_as_fast() {
         harness.into_state(),
         [Command::Beat(BeatCommand::SetSpeed(4.0))]
     );
+}
+
+/// The rail, and where the frames and the end of the cycle lie on it.
+fn place_of_frame(harness: &Harness<'_, Vec<Command>>, frame: usize) -> egui::Pos2 {
+    let name = "Position in the cardiac cycle";
+    let rail = harness.get_by_label(name).rect().shrink2(vec2(8.0, 0.0));
+    let x = egui::lerp(rail.x_range(), 0.25 * frame as f32);
+    pos2(x, rail.center().y - 3.0)
+}
+
+fn drag(harness: &mut Harness<'_, Vec<Command>>, from: egui::Pos2, to: egui::Pos2) {
+    harness.hover_at(from);
+    harness.step();
+    harness.drag_at(from);
+    harness.step();
+    harness.hover_at(from.lerp(to, 0.5));
+    harness.step();
+    harness.hover_at(to);
+    harness.step();
+    harness.drop_at(to);
+    harness.run();
+}
+
+fn range(frames: [usize; 2]) -> Command {
+    Command::Beat(BeatCommand::SetLoopRange(Some(frames)))
+}
+
+#[test]
+fn shift_and_a_drag_choose_the_part_that_plays_and_leave_the_position_alone() {
+    let mut harness = harness();
+    harness.run();
+    let [from, to] = [3, 1].map(|frame| place_of_frame(&harness, frame));
+    harness.event(egui::Event::ModifiersChanged(egui::Modifiers::SHIFT));
+    drag(&mut harness, from, to);
+    harness.event(egui::Event::ModifiersChanged(egui::Modifiers::NONE));
+    let commands = harness.state();
+    assert_eq!(commands.last(), Some(&range([1, 3])), "{commands:?}");
+    let moves = |command: &Command| matches!(command, Command::Beat(BeatCommand::SetPosition(_)));
+    assert!(!commands.iter().any(moves), "{commands:?}");
+}
+
+#[test]
+fn the_ends_of_the_part_that_plays_are_dragged_from_frame_to_frame() {
+    let mut harness = harness_with(Some([1, 3]));
+    harness.run();
+    let end = harness.get_by_label("End of the loop").rect().center();
+    let to = pos2(place_of_frame(&harness, 4).x + 30.0, end.y);
+    drag(&mut harness, end, to);
+    assert_eq!(harness.state().last(), Some(&range([1, 4])));
+    let start = harness.get_by_label("Start of the loop").rect().center();
+    let past = pos2(place_of_frame(&harness, 3).x, start.y);
+    harness.state_mut().clear();
+    drag(&mut harness, start, past);
+    let commands = harness.state();
+    assert!(!commands.contains(&range([3, 3])), "{commands:?}");
+}
+
+#[test]
+fn esc_plays_all_again() {
+    for (loop_frames, wanted) in [(Some([1, 3]), 1), (None, 0)] {
+        let mut harness = harness_with(loop_frames);
+        harness.run();
+        harness.key_press(Key::Escape);
+        harness.run();
+        let cleared = Command::Beat(BeatCommand::SetLoopRange(None));
+        assert_eq!(harness.into_state(), vec![cleared; wanted]);
+    }
 }

@@ -11,6 +11,10 @@ pub struct TimeBarView {
     pub speed: f32,
     /// Whether playing starts over.
     pub looping: bool,
+    /// First and last frame of the part that plays, where not all of the cycle does.
+    pub loop_frames: Option<[usize; 2]>,
+    /// Whether Esc ends that part: a filter of the cohort goes first.
+    pub escape_ends_range: bool,
     /// Position in frames, in `0..frame_count`.
     pub position: f64,
     /// Times of the frames within the cycle.

@@ -25,7 +25,7 @@ fn study() -> Arc<Study> {
 
 fn settings() -> ThickeningSettings {
     let mut settings = ThickeningSettings::default();
-    settings.thickening.redraws = 3;
+    settings.patches.redraws = 3;
     settings
 }
 

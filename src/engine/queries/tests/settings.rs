@@ -106,9 +106,9 @@ fn another_weight_of_a_part_maps_anew_what_was_compared_once() {
     let [alone, both] = [alone, both].map(|map| map.parts.clone().unwrap());
     assert!(Arc::ptr_eq(&alone.parts, &both.parts));
     assert_ne!(alone.distances, both.distances);
-    assert_eq!(store.answers::<PartParams>(), 1);
+    assert_eq!(store.answers::<DeformationPartsQuery>(), 1);
     assert_eq!(
-        store.answers::<PoseDistanceParams>(),
+        store.answers::<PoseDistancesQuery>(),
         0,
         "poses are not asked for"
     );
@@ -128,7 +128,7 @@ fn classes_are_classified_with_their_own_distances_settings_and_labels() {
     };
     let found = ask(&store, &study, &settings);
     let map = ask(&store, &study, &settings.deformations);
-    let poses = ask(&store, &study, &other_distances());
+    let poses = ask(&store, &study, &PoseDistancesQuery(other_distances()));
     let whole = deformation_distances(&study, &poses, &progress).unwrap();
     assert_eq!(whole.subjects, (1..11).collect::<Vec<_>>());
     let labels: Vec<Option<&str>> = (study.subjects[1..].iter())
@@ -173,7 +173,7 @@ fn shares_of_faces_are_those_of_the_metric_and_of_both_hearts_as_they_are() {
         ..contribution()
     };
     let shares = ask(&store, &study, &query);
-    let poses = ask(&store, &study, &distances);
+    let poses = ask(&store, &study, &PoseDistancesQuery(distances));
     let [i, j] =
         [query.a, query.b].map(|id| poses.poses.iter().position(|pose| *pose == id).unwrap());
     let squared = poses.distances.get(i, j).powi(2);

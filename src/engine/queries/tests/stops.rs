@@ -25,7 +25,7 @@ fn no_question_is_answered_once_stopped_and_nothing_is_kept() {
     assert!(is_stopped(&store, &study, &interval(0)));
     assert!(is_stopped(&store, &study, &transfer()));
     assert!(is_stopped(&store, &study, &contribution()));
-    assert_eq!(store.answers::<PoseDistanceParams>(), 0);
+    assert_eq!(store.answers::<PoseDistancesQuery>(), 0);
 }
 
 #[test]

@@ -39,7 +39,23 @@ fn query(frame: usize) -> PoseThicknessQuery {
         subject: 0,
         frame,
         settings: ThicknessSettings::default(),
+        after: [None; 2],
     }
+}
+
+#[test]
+fn a_frame_is_measured_after_those_that_it_waits_for() {
+    let (study, store) = (study(&BOTH), store());
+    let last = PoseThicknessQuery {
+        after: [Some(0), None],
+        ..query(1)
+    };
+    ask(&store, &study, &last);
+    assert_eq!(store.answers::<PoseThicknessQuery>(), 2);
+    // The order is no part of the question: both are known.
+    ask(&store, &study, &query(0));
+    ask(&store, &study, &query(1));
+    assert_eq!(store.answers::<PoseThicknessQuery>(), 2);
 }
 
 #[test]

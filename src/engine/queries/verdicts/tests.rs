@@ -10,7 +10,7 @@ use crate::study::built_in::{BuiltInParams, cohort};
 
 fn settings() -> VerdictQuery {
     let mut settings = VerdictQuery::default();
-    settings.thickening.thickening.redraws = 3;
+    settings.thickening.patches.redraws = 3;
     settings.verdicts.permutations = 19;
     settings
 }

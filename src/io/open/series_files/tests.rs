@@ -13,7 +13,7 @@ fn read(list: &str, text: &str, files: &[&str]) -> Result<Series, SeriesFault> {
         fs::create_dir_all(path.parent().unwrap()).unwrap();
         fs::write(path, "").unwrap();
     }
-    let mut folders = Folders::new(&[folder.path().to_owned()]);
+    let mut folders = Folders::new(&[folder.path().to_owned()], false);
     let path = folder.path().join(list);
     let series = read_series(&path, text, &mut folders, &Progress::default()).unwrap();
     let strip = |path: &PathBuf| path.strip_prefix(folder.path()).unwrap().to_owned();

@@ -41,7 +41,7 @@ fn put_csv(folder: &Path, frame: usize) {
 
 #[test]
 fn a_table_among_frames_that_cannot_be_read_costs_its_subject_and_is_named() {
-    for damage in ["nan", "empty", "semicolons", "words"] {
+    for damage in ["nan", "empty", "bars", "words"] {
         let root = tempfile::tempdir().unwrap();
         (0..4).for_each(|frame| put_csv(root.path(), frame));
         let path = root.path().join("endo_2.csv");
@@ -49,7 +49,7 @@ fn a_table_among_frames_that_cannot_be_read_costs_its_subject_and_is_named() {
         let damaged = match damage {
             "nan" => text.replacen("v,", "v,nan,", 1),
             "empty" => String::new(),
-            "semicolons" => text.replace(',', ";"),
+            "bars" => text.replace(',', "|"),
             _ => "<html>not found</html>".to_owned(),
         };
         fs::write(&path, damaged).unwrap();
@@ -318,4 +318,47 @@ fn patients_and_folders_named_as_surfaces_or_chambers_are_told_apart() {
     let opened = open(&[root.path().join("turned")]);
     assert_eq!(ids(&opened), ["a", "b"]);
     assert_eq!(opened.study.subjects[0].sequence.surfaces().len(), 2);
+}
+
+#[test]
+fn folders_named_by_frames_hold_the_frames_of_one_subject() {
+    for names in [
+        ["ED", "ES"],
+        ["frame_0", "frame_1"],
+        ["0.0", "0.1"],
+        ["0ms", "40ms"],
+        ["phase 1", "phase 2"],
+    ] {
+        let root = tempfile::tempdir().unwrap();
+        for (frame, name) in names.iter().enumerate() {
+            for (surface, radius) in [("endo", 20.0), ("epi", 30.0)] {
+                let mesh = ball(radius - frame as f64);
+                put(root.path(), &format!("p1/{name}/{surface}.obj"), &mesh);
+                put(root.path(), &format!("p2/{name}/{surface}.obj"), &mesh);
+            }
+        }
+        let opened = open(&[root.path().to_owned()]);
+        assert_eq!(ids(&opened), ["p1", "p2"], "{names:?}: {:?}", opened.errors);
+        let subject = &opened.study.subjects[0];
+        assert_eq!(
+            (
+                subject.sequence.frame_count(),
+                subject.sequence.surfaces().len()
+            ),
+            (2, 2)
+        );
+        let first = subject.sequence.surfaces()[0].frames()[0].vertices()[0]
+            .coords
+            .norm();
+        let second = subject.sequence.surfaces()[0].frames()[1].vertices()[0]
+            .coords
+            .norm();
+        assert!(first > second, "{names:?}");
+    }
+    // Numbers alone may be patients.
+    let root = tempfile::tempdir().unwrap();
+    for patient in ["1", "2"] {
+        put(root.path(), &format!("{patient}/endo.obj"), &ball(20.0));
+    }
+    assert_eq!(ids(&open(&[root.path().to_owned()])), ["1", "2"]);
 }

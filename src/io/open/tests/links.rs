@@ -54,7 +54,7 @@ fn links_out_of_a_study_and_pipes_are_told_and_not_followed() {
     let opened = open(&[root.path().to_owned()]);
     assert!(told(
         &opened,
-        "everything: a link out of the study, to /, is not followed"
+        "everything: a link out of the study, to /, is not followed unless asked for"
     ));
     assert!(told(&opened, "b: a link out of the study"));
     if made.is_ok_and(|status| status.success()) {
@@ -70,5 +70,71 @@ fn links_out_of_a_study_and_pipes_are_told_and_not_followed() {
         asked.study.subjects.len(),
         1,
         "a link that is named is followed"
+    );
+}
+
+#[test]
+fn links_out_of_a_study_are_followed_where_that_is_asked_for() {
+    let (root, store) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    for frame in 0..2 {
+        put(
+            store.path(),
+            &format!("endo_{frame}.obj"),
+            &ball(21.0 - f64::from(frame)),
+        );
+    }
+    symlink(store.path(), root.path().join("b")).unwrap();
+    symlink(root.path(), root.path().join("again")).unwrap();
+    let asked = Limits {
+        follow_links: true,
+        ..Limits::default()
+    };
+    let opened = open_paths(&[root.path().to_owned()], &asked, &Progress::default()).unwrap();
+    assert_eq!(ids(&opened), ["b"], "{:?}", opened.errors);
+    assert_eq!(opened.study.subjects[0].sequence.frame_count(), 2);
+}
+
+#[test]
+fn a_manifest_and_a_list_follow_links_out_of_the_study_no_more_than_a_folder() {
+    let (root, store) = (tempfile::tempdir().unwrap(), tempfile::tempdir().unwrap());
+    put(store.path(), "endo_0.obj", &ball(21.0));
+    symlink(store.path(), root.path().join("b")).unwrap();
+    let elsewhere = store.path().join("endo_0.obj").display().to_string();
+    for (named, follow_links, read) in [
+        ("b/endo_0.obj", false, false),
+        ("b/endo_*.obj", false, false),
+        ("b/endo_0.obj", true, true),
+        (elsewhere.as_str(), false, true),
+    ] {
+        let toml = format!("[[subject]]\nid = \"a\"\nendo = {named:?}\n");
+        fs::write(root.path().join("study.toml"), toml).unwrap();
+        let limits = Limits {
+            follow_links,
+            ..Limits::default()
+        };
+        let opened = open_paths(&[root.path().to_owned()], &limits, &Progress::default()).unwrap();
+        assert_eq!(opened.study.subjects.len(), usize::from(read), "{named}");
+        let told = |text: &str| {
+            opened
+                .errors
+                .iter()
+                .any(|error| error.reason.contains(text))
+        };
+        assert_eq!(
+            told("a link out of the study"),
+            !read,
+            "{named}: {:?}",
+            opened.errors
+        );
+    }
+    fs::remove_file(root.path().join("study.toml")).unwrap();
+    let list =
+        "{\"file-series-version\":\"1.0\",\"files\":[{\"name\":\"b/endo_0.obj\",\"time\":0}]}";
+    fs::write(root.path().join("endo.obj.series"), list).unwrap();
+    let opened = open(&[root.path().to_owned()]);
+    assert!(
+        opened.errors[0].reason.contains("a link out of the study"),
+        "{:?}",
+        opened.errors
     );
 }

@@ -4,6 +4,7 @@ mod faults;
 mod habits;
 #[cfg(unix)]
 mod links;
+mod stages;
 
 use std::fs;
 

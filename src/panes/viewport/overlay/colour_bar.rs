@@ -12,7 +12,7 @@ use crate::panes::commands::{Command, ViewCommand};
 use crate::picture::Tick;
 use crate::ui::marks::colour_strip;
 use crate::ui::number_field::without_zeros;
-use crate::ui::style::note;
+use crate::ui::style::{note, note_font};
 use crate::ui::text::note_at;
 use crate::ui::theme::{colours, line, space};
 
@@ -84,10 +84,8 @@ fn plain_bar_ui(ui: &Ui, inner: Rect, view: &ColourBarView) -> Rect {
 fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
     let width = bar.width() + 2.0 * CAP;
     let text_width = (inner.width() * 0.46).clamp(width, 380.0);
-    let mut text = view.title.to_owned();
-    if !view.unit.is_empty() {
-        text = format!("{text}, {}", view.unit);
-    }
+    let fits = |text: &str| crate::ui::text::text_width(ui, text, note_font()) <= text_width;
+    let text = title_with_unit(view.title, view.unit, fits);
     let below = Rect::from_min_size(
         pos2(inner.left(), bar.bottom() + 18.0),
         vec2(text_width, 18.0),
@@ -107,7 +105,26 @@ fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
             ui.add(egui::Label::new(note(format!("· {}", view.note))).truncate());
         }
     });
-    inner.left() + text_width
+    inner.left() + text_width + space::LARGE
+}
+
+/// Name and unit of a quantity. A number without its unit says nothing: where not all fits, the name is cut.
+fn title_with_unit(title: &str, unit: &str, fits: impl Fn(&str) -> bool) -> String {
+    let unit = match unit {
+        "" => String::new(),
+        unit => format!(", {unit}"),
+    };
+    let letters: Vec<char> = title.chars().collect();
+    let cut = |count: &usize| {
+        let kept: String = letters[..*count].iter().collect();
+        format!("{}…{unit}", kept.trim_end())
+    };
+    let whole = format!("{title}{unit}");
+    if fits(&whole) {
+        return whole;
+    }
+    let count = (1..letters.len()).rev().find(|count| fits(&cut(count)));
+    cut(&count.unwrap_or(0))
 }
 
 fn rgb([r, g, b]: [u8; 3]) -> Color32 {
@@ -184,7 +201,18 @@ fn limits_ui(ui: &mut Ui, bar: Rect, view: &ColourBarView, commands: &mut Vec<Co
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{name}: {text}"))
         });
-        let response = response.on_hover_text("Set the colour limits");
+        let unit = if view.unit.is_empty() {
+            ""
+        } else {
+            &format!(" {}", view.unit)
+        };
+        let range = if view.logarithmic {
+            "any number above 0"
+        } else {
+            "any number"
+        };
+        let hint = format!("{name}: {text}{unit}\n\nClick to type another one; range: {range}");
+        let response = response.on_hover_text(hint);
         Popup::menu(&response)
             .close_behavior(egui::PopupCloseBehavior::CloseOnClickOutside)
             .show(|ui| limits_form_ui(ui, view, index, commands));
@@ -273,6 +301,16 @@ fn parse_limits(typed: &[String; 2], logarithmic: bool) -> Result<[f64; 2], &'st
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_unit_stays_where_the_name_of_a_quantity_is_cut() {
+        let fits = |most: usize| move |text: &str| text.chars().count() <= most;
+        let shown = |most| title_with_unit("Difference from own motion", "mm", fits(most));
+        assert_eq!(shown(40), "Difference from own motion, mm");
+        assert_eq!(shown(20), "Difference from…, mm");
+        assert_eq!(shown(3), "…, mm");
+        assert_eq!(title_with_unit("Area ratio", "", fits(5)), "Area…");
+    }
 
     #[test]
     fn typed_limits_must_be_numbers_in_order() {

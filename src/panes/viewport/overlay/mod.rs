@@ -10,6 +10,8 @@ pub use cube::CubeView;
 pub use patch_note::PatchNote;
 pub use scale_bar::ScaleBarView;
 
+use std::borrow::Cow;
+
 use egui::{Align2, Rect, RichText, Role, Ui, UiBuilder, WidgetInfo, vec2};
 
 use crate::panes::buttons::command_button_ui;
@@ -29,7 +31,7 @@ pub struct SubjectCaption {
     /// Shape beside the title.
     pub mark: LabelMark,
     /// Whether the picture is between two poses, or estimated, and how: `interpolated`.
-    pub badge: Option<&'static str>,
+    pub badge: Option<Cow<'static, str>>,
     /// More about the badge, for whoever points at it; may be empty.
     pub badge_note: String,
     /// What ends the special state that the title names: words of the button and its command.
@@ -118,7 +120,7 @@ fn title_ui(ui: &mut Ui, inner: Rect, caption: &SubjectCaption, commands: &mut V
         corner.add_space(space::SMALL);
         command_button_ui(&mut corner, note(*words), command.clone(), commands);
     }
-    if let Some(badge) = caption.badge {
+    if let Some(badge) = &caption.badge {
         badge_ui(ui, inner, badge, caption);
     }
 }
@@ -127,6 +129,8 @@ fn title_ui(ui: &mut Ui, inner: Rect, caption: &SubjectCaption, commands: &mut V
 fn badge_ui(ui: &mut Ui, inner: Rect, badge: &str, caption: &SubjectCaption) {
     let colours = colours(ui);
     let title_width = text_width(ui, &caption.title, title_font()) + 10.0 + space::MEDIUM;
+    // The badge reaches down to the words below the title.
+    let title_width = title_width.max(text_width(ui, &caption.subtitle, note_font()));
     let galley = ui
         .painter()
         .layout_no_wrap(badge.to_owned(), note_font(), colours.muted);

@@ -45,7 +45,8 @@ pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
         top += size.y + 1.0;
     };
     draw(heading, heading_colour);
-    if inner.width() > 380.0 {
+    // In a low picture they would lie over the heart.
+    if inner.width() > 380.0 && inner.height() > 460.0 {
         for line in &note.lines {
             let mut job = egui::text::LayoutJob::simple(
                 line.clone(),
@@ -64,4 +65,7 @@ pub fn patch_note_ui(ui: &Ui, inner: Rect, down: f32, note: &PatchNote) {
     let words = format!("{}. {}", note.heading, note.lines.join(". "));
     let response = ui.interact(area, ui.scope_id().with("patch note"), Sense::hover());
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, words.clone()));
+    if !note.lines.is_empty() {
+        response.on_hover_text(note.lines.join("\n"));
+    }
 }

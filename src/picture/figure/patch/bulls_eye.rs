@@ -7,12 +7,16 @@ use crate::picture::bulls_eye::{BullsEyeScale, PolarMap, PolarValues, ink_on, se
 use crate::picture::figure::patch::content::PatchContent;
 use crate::picture::figure::pen::Pen;
 use crate::picture::legend::{ColourLegend, Tick};
-use crate::picture::page::{Anchor, Weight};
+use crate::picture::page::{Anchor, Mark, Page, Weight};
 use crate::picture::patch_words::{PatchStanding, sentence};
 use crate::render::Picture;
 
 /// Lines between segments, and below borders of patches.
 const BETWEEN: [f32; 3] = [0.09, 0.10, 0.12];
+/// Of the lines of a hatch, through which the colours are still read.
+const HATCH_OPACITY: f32 = 0.6;
+/// Points along a line of a hatch at which it is looked for behind numbers.
+const HATCH_STEPS: i32 = 40;
 /// What has no value.
 const NO_VALUE: [u8; 3] = [0x80, 0x85, 0x8c];
 /// Borders of patches: seen on pale and on deep colours, above a dark line.
@@ -76,7 +80,10 @@ pub(super) fn draw_bulls_eye(
     };
     let line = pen.line_height();
     let legend = legend(&content.scale, shown);
-    let bar_height = 2.4 * line + 0.9 * pen.text;
+    // Wide enough wherever the bar begins.
+    let heading_width = 0.6 * (high[0] - low[0]);
+    let heading = (pen.fonts).wrapped(&title(content), Weight::Regular, pen.text, heading_width);
+    let bar_height = (1.4 + heading.len() as f32) * line + 0.9 * pen.text;
     let names = pen.fonts.width("inferolateral", Weight::Regular, pen.text);
     let across = 0.5 * (high[0] - low[0]) - 0.72 * names;
     let down = 0.5 * (high[1] - bar_height - low[1]) - 1.4 * line;
@@ -107,20 +114,24 @@ pub(super) fn draw_bulls_eye(
         PatchStanding::LowThickening => FAINT,
         PatchStanding::NoVerdict | PatchStanding::Abnormal => BORDER,
     };
+    hatch(pen.page, flat, &disc, width);
     for border in flat.patches.iter().flat_map(|patch| &patch.borders) {
         let points: Vec<[f32; 2]> = border.iter().map(|&point| disc.at(point)).collect();
         pen.page.line(&points, true, 4.5 * width, BETWEEN);
         pen.page.line(&points, true, 2.6 * width, colour);
     }
     if flat.oriented {
-        let borders: Vec<[f32; 2]> = (flat
-            .patches
-            .iter()
-            .flat_map(|patch| &patch.borders)
-            .flatten())
-        .map(|&point| disc.at(point))
-        .collect();
-        numbers(pen, &content.scale, shown, &disc, &borders);
+        let borders = flat.patches.iter().flat_map(|patch| &patch.borders);
+        let hatched = flat.patches.iter().flat_map(|patch| &patch.hatch);
+        let hatched = hatched.flat_map(|(_, [from, to])| {
+            let steps = (0..=HATCH_STEPS).map(|step| f64::from(step) / f64::from(HATCH_STEPS));
+            steps.map(|share| [0, 1].map(|axis| from[axis] + share * (to[axis] - from[axis])))
+        });
+        let lines: Vec<[f32; 2]> = (borders.flatten().copied())
+            .chain(hatched)
+            .map(|point| disc.at(point))
+            .collect();
+        numbers(pen, &content.scale, shown, &disc, &lines);
         names_of_walls(pen, &disc);
     } else {
         let set = pen.regular(pen.theme.muted);
@@ -134,13 +145,30 @@ pub(super) fn draw_bulls_eye(
     }
     let bar = (1.5 * disc.radius).min(high[0] - low[0]);
     let left = disc.centre[0] - 0.5 * bar;
-    let heading = [title(content)];
     pen.colour_bar(&legend, &heading, [left, high[1]], bar);
+}
+
+/// Thin dark lines over the inside of patches: which side of an outline is the patch.
+fn hatch(page: &mut Page, flat: &PolarMap, disc: &Disc, width: f32) {
+    for (_, ends) in flat.patches.iter().flat_map(|patch| &patch.hatch) {
+        page.marks.push(Mark::Line {
+            points: ends.map(|end| disc.at(end)).to_vec(),
+            closed: false,
+            width: 0.8 * width,
+            colour: BETWEEN,
+            opacity: HATCH_OPACITY,
+        });
+    }
 }
 
 fn title(content: &PatchContent) -> String {
     let title = sentence(&content.scale.title(&content.heart.moment));
-    format!("{title} (grey: no value)")
+    let patches = (content.flat.as_ref()).is_some_and(|(flat, _)| !flat.patches.is_empty());
+    if !patches {
+        return format!("{title} (grey: no value)");
+    }
+    let part = content.standing.part().to_lowercase();
+    format!("{title} (grey: no value; hatched: {part})")
 }
 
 /// The colours with numbers.
@@ -163,13 +191,14 @@ fn legend(scale: &BullsEyeScale, shown: &PolarValues) -> ColourLegend {
     }
 }
 
-/// Number of each segment, and its mean below. Where a border runs through, it is broken there, as contours are at their heights.
+/// Number of each segment, and its mean below. Where lines run through, they are broken there, as contours are at their
+/// heights.
 fn numbers(
     pen: &mut Pen<'_>,
     scale: &BullsEyeScale,
     shown: &PolarValues,
     disc: &Disc,
-    borders: &[[f32; 2]],
+    lines: &[[f32; 2]],
 ) {
     let size = (0.082 * disc.radius).min(1.2 * pen.text);
     for segment in Segment::all() {
@@ -191,7 +220,7 @@ fn numbers(
             1.25 * size,
         ];
         let is_under = |point: &[f32; 2]| (0..2).all(|k| (point[k] - middle[k]).abs() < half[k]);
-        if borders.iter().any(is_under) {
+        if lines.iter().any(is_under) {
             let around = (0_u8..32).map(|step| {
                 let (sin, cos) = (f32::from(step) * std::f32::consts::TAU / 32.0).sin_cos();
                 [middle[0] + half[0] * cos, middle[1] + half[1] * sin]

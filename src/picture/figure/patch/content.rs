@@ -38,7 +38,11 @@ impl VerdictLines {
         match classified {
             _ if wall.not_assessed.is_some() => Self::not_assessed(wall.not_assessed.as_ref()),
             None => Self {
-                heading: "Not yet assessed".to_owned(),
+                // Whom verdicts on a cohort leave out is excluded from it.
+                heading: match verdicts {
+                    Some(_) => "Not assessed: excluded from the cohort".to_owned(),
+                    None => "Not yet assessed".to_owned(),
+                },
                 abnormal: false,
                 evidence: extent_words(&wall.thickening),
             },

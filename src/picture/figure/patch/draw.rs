@@ -81,7 +81,7 @@ fn header(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
     base += 1.5 * line;
     if !verdict.heading.is_empty() {
         let colour = if verdict.abnormal {
-            theme.selection
+            theme.emphasis
         } else {
             theme.text
         };
@@ -159,7 +159,7 @@ fn table(pen: &mut Pen<'_>, frame: &PatchFrame, content: &PatchContent) {
     for (index, (row, segments)) in content.rows.iter().zip(&frame.segments).enumerate() {
         let colour = match content.standing {
             PatchStanding::LowThickening => theme.muted,
-            PatchStanding::NoVerdict | PatchStanding::Abnormal => theme.selection,
+            PatchStanding::NoVerdict | PatchStanding::Abnormal => theme.emphasis,
         };
         let number = pen.strong(colour, pen.text);
         let name = (index + 1).to_string();

@@ -1,4 +1,6 @@
-//! Subjects and walls made ready for drawing: questions to the store, like every analysis.
+//! What the 3D view asks the store: subjects and medial surfaces made ready for drawing, and colour ranges.
+//!
+//! These queries stand here and not in `engine/queries/`, for what they make is of the room `picture`, above `engine`.
 
 use std::sync::Arc;
 
@@ -128,7 +130,7 @@ impl Query for ColourRangesQuery {
     const LISTED: bool = false;
 
     fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::study(study)
+        Dependencies::study_as_read(study)
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<CohortLimits, Interrupted> {

@@ -7,7 +7,7 @@ use egui::{Rect, Response, Role, Sense, Stroke, Ui, UiBuilder, WidgetInfo};
 
 use crate::document::ViewMode;
 use crate::panes::{
-    BeatCommand, Command, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
+    BeatCommand, Command, EditCommand, SubjectTarget, ViewCommand, WallCommand, dragged_subject,
     subject_target_ui, viewport_overlay_ui,
 };
 use crate::picture::{
@@ -15,8 +15,9 @@ use crate::picture::{
     WallPart, scene_with_extras,
 };
 use crate::render::{Camera, ViewId};
+use crate::study::Revision;
 use crate::ui::controls::clicked_twice;
-use crate::ui::theme::{colours, line, radius, type_size};
+use crate::ui::theme::{colours, line};
 
 use crate::document::document::Document;
 use crate::document::play::pose_in;
@@ -24,20 +25,22 @@ use crate::document::state::State;
 use crate::document::visible_poses;
 use crate::panes::viewport::camera_drag::camera_command;
 use crate::panes::viewport::fits::Fits;
-use crate::panes::viewport::overlay_view::{overlay_view, phase_name};
+use crate::panes::viewport::overlay_view::overlay_view;
 use crate::panes::viewport::paint::{ScenePaint, pixels};
 use crate::panes::viewport::pick_label::{Picked, picked, picked_ui};
-use crate::panes::viewport::pictures::{Pictures, PlacedSubject};
-use crate::panes::viewport::places::places;
-use crate::panes::viewport::shown_subject::{ScalarCache, ShownSubject, Tile, shown_subject};
+use crate::panes::viewport::places::{frame_label, places};
+use crate::panes::viewport::queries::{Pictures, PlacedSubject};
+use crate::panes::viewport::shown_subject::{
+    ScalarCache, ShownSubject, Tile, shown_estimate, shown_subject,
+};
 
 /// The subjects on screen and what was worked out for them.
 #[derive(Default)]
 pub struct Viewport {
     shown: Vec<ShownSubject>,
     mode: ViewMode,
-    /// Which opening of a study the subjects on screen are of.
-    opening: u64,
+    /// Which opening of a study and which list the subjects on screen are of.
+    of: (u64, Revision),
     limits: CohortLimits,
     fits: Fits,
     numbers: ScalarCache,
@@ -56,20 +59,29 @@ impl Viewport {
 
     /// Asks for the subjects of the state; shows them together once all are ready.
     pub fn prepare(&mut self, state: &State, pictures: Pictures<'_>, reference_frames: &[usize]) {
+        let open = &state.document.study;
         let study = state.document.study();
-        let mut ready = Vec::new();
-        let mut complete = true;
-        for place in visible_poses(state) {
-            let numbers = &mut self.numbers;
-            match shown_subject(state, pictures, numbers, reference_frames, &place) {
-                Some(shown) => ready.push(shown),
-                None => complete = false,
+        let numbers = &mut self.numbers;
+        let (mode, ready): (ViewMode, Option<Vec<ShownSubject>>) = match state.estimate() {
+            Some(pose) => {
+                let shown = shown_estimate(state, pictures, pose);
+                (ViewMode::Single, shown.map(|shown| vec![shown]))
             }
-        }
-        if complete {
+            None => {
+                let places = visible_poses(state).into_iter();
+                // All are asked for, also after one that is not ready.
+                let shown: Vec<_> = places
+                    .map(|place| shown_subject(state, pictures, numbers, reference_frames, &place))
+                    .collect();
+                (state.document.view_mode, shown.into_iter().collect())
+            }
+        };
+        if let Some(ready) = ready {
             self.shown = ready;
-            self.mode = state.document.view_mode;
-            self.opening = state.document.study.opening;
+            self.mode = mode;
+            self.of = (open.opening, open.listing);
+        } else if self.of == (open.opening, open.listing) {
+            (self.shown.iter_mut()).for_each(|shown| shown.follow(study));
         }
         // A label that a click left belongs to its subject.
         let pinned = self.pinned.take();
@@ -77,7 +89,7 @@ impl Viewport {
             let mut shown = self.shown.iter();
             shown.any(|shown| picked.belongs_to(&shown.subject))
         });
-        if !study.subjects.is_empty()
+        if !open.study.subjects.is_empty()
             && let Some(limits) = pictures.cohort_limits(reference_frames)
         {
             self.limits = limits;
@@ -99,7 +111,7 @@ impl Viewport {
 
     /// The opening of the study whose subjects are on screen.
     pub fn shown_opening(&self) -> Option<u64> {
-        (!self.shown.is_empty()).then_some(self.opening)
+        (!self.shown.is_empty()).then_some(self.of.0)
     }
 
     /// The camera of a subject on screen, as last drawn; fitted to a square where it never was.
@@ -173,8 +185,8 @@ impl Viewport {
             })
             .collect();
         commands.extend(camera_command(ui, &response, state, &tiles));
-        // Until the first subject of another study is ready, indices of the subjects on screen mean other ones.
-        let is_of_study = self.opening == state.document.study.opening;
+        // Until the first subject of another list is ready, indices of the subjects on screen mean other ones.
+        let is_of_study = self.of.1 == state.document.study.listing;
         if is_of_study {
             commands.extend(self.click_command(&response, &tiles));
         }
@@ -188,6 +200,8 @@ impl Viewport {
         let quantity = state.document.bar_quantity();
         if let Some(now) = clicked.as_ref().filter(|_| is_of_study) {
             commands.extend(part_command(state, &tiles, now.as_ref()));
+            let point = now.as_ref().and_then(|picked| picked.point(&tiles));
+            commands.push(EditCommand::Pick(point).into());
         }
         let pinned = match clicked {
             Some(now) => now,
@@ -365,33 +379,4 @@ fn part_command(state: &State, tiles: &[Tile], clicked: Option<&Picked>) -> Opti
         });
     let part = on_patch.map(WallPart::Patch);
     (part != document.part).then_some(Command::Wall(WallCommand::SelectPart(part)))
-}
-
-/// The number of a frame over its subject in the grid of all phases; the one that the time bar
-/// stands on is marked.
-fn frame_label(ui: &Ui, state: &State, tile: &Tile) {
-    let frame = tile.shown.position as usize;
-    let phase = phase_name(state.phases_of(tile.shown.index), frame);
-    let text = match phase {
-        Some(phase) => format!("{frame} · {phase}"),
-        None => frame.to_string(),
-    };
-    let colours = colours(ui);
-    let here = state.document.subject == tile.shown.index && state.document.frame() == frame;
-    let colour = if here {
-        colours.selection
-    } else {
-        colours.muted
-    };
-    let at = tile.rect.left_top() + egui::vec2(10.0, 4.0);
-    let font = egui::FontId::proportional(type_size::NOTE);
-    ui.painter()
-        .text(at, egui::Align2::LEFT_TOP, text, font, colour);
-    if here {
-        let rect = tile.rect.shrink(2.0);
-        let stroke = Stroke::new(line::THIN, colours.selection);
-        let radius = f32::from(radius::CONTROL);
-        ui.painter()
-            .rect_stroke(rect, radius, stroke, egui::StrokeKind::Inside);
-    }
 }
