@@ -25,6 +25,8 @@ mod patches;
 #[cfg(test)]
 mod real_data;
 #[cfg(test)]
+mod real_deformations;
+#[cfg(test)]
 mod real_measures;
 #[cfg(test)]
 mod real_mesh_files;

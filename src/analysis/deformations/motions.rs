@@ -25,11 +25,13 @@ use super::beats::{Beat, beats};
 /// If stopped, or the reference cannot be computed with.
 pub(super) fn motion_distances(
     study: &Study,
-    cohort: &TransportedCohort,
+    cohort: TransportedCohort,
     metric: &CheckedMetricParams,
     progress: &Progress,
 ) -> Result<DistanceMatrix, PoseDistanceError> {
-    let members = &cohort.members;
+    let TransportedCohort {
+        reference, members, ..
+    } = cohort;
     let faces = (members.first())
         .and_then(|member| study.subjects.get(member.subject))
         .map(|subject| subject.sequence.joined_faces());
@@ -37,9 +39,7 @@ pub(super) fn motion_distances(
         return Ok(DistanceMatrix::empty());
     };
     let metric = Metric::new(&faces, *metric);
-    let at = metric
-        .prepare(&cohort.reference)
-        .map_err(TransportError::Metric)?;
+    let at = metric.prepare(&reference).map_err(TransportError::Metric)?;
     let poses: Vec<PoseId> = (members.iter())
         .flat_map(|member| {
             let subject = member.subject;
@@ -47,17 +47,19 @@ pub(super) fn motion_distances(
         })
         .collect();
     let beats = beats(study, &poses);
-    let frames: Vec<&[Point3]> = (members.iter().flat_map(|member| &member.poses))
-        .map(Vec::as_slice)
+    let count = members.len();
+    let frames: Vec<Vec<Point3>> = members
+        .into_iter()
+        .flat_map(|member| member.poses)
         .collect();
-    let fields: Vec<Vec<Vector3>> = (frames.par_iter())
+    // A pose goes when its displacement is there: those of a large cohort would not both fit into memory.
+    let fields: Vec<Vec<Vector3>> = (frames.into_par_iter())
         .map(|pose| {
             progress.check()?;
-            Ok(displacement(pose, &cohort.reference))
+            Ok(displacement(&pose, &reference))
         })
         .collect::<Result<_, Stopped>>()?;
     let phases = beats.iter().map(|beat| beat.rows.len()).max().unwrap_or(0);
-    let count = members.len();
     progress.expect_steps(phases);
     let mut squares: Vec<Vec<f64>> = (0..count).map(|i| vec![0.0; count - i - 1]).collect();
     // One phase after the other, so that no more than the coordinates of one are held.

@@ -197,14 +197,14 @@ pub fn part_distances(
     cohort
         .members
         .retain(|member| row_of.contains_key(&member.subject));
-    let deformation = motion_distances(&smooth, &cohort, metric, &comparing)?;
     let subjects: Vec<usize> = cohort.members.iter().map(|member| member.subject).collect();
-    let rows: Vec<usize> = subjects.iter().map(|subject| row_of[subject]).collect();
-    let shape = DistanceMatrix::of_pairs(rows.len(), |i, j| shapes.distances.get(rows[i], rows[j]));
     let mut left_out = shapes.left_out;
-    left_out.extend(cohort.left_out);
+    left_out.append(&mut cohort.left_out);
     left_out.sort_by_key(|left| left.subject);
     left_out.dedup_by_key(|left| left.subject);
+    let deformation = motion_distances(&smooth, cohort, metric, &comparing)?;
+    let rows: Vec<usize> = subjects.iter().map(|subject| row_of[subject]).collect();
+    let shape = DistanceMatrix::of_pairs(rows.len(), |i, j| shapes.distances.get(rows[i], rows[j]));
     let parts = [deformation, shape.unwrap_or_else(DistanceMatrix::empty)];
     Ok(PartDistances::new(subjects, parts, left_out))
 }

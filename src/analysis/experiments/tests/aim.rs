@@ -9,10 +9,9 @@ use rand_chacha::ChaCha8Rng;
 
 use super::*;
 use crate::analysis::classification::{k_means, tau};
-use crate::analysis::deformations::{
-    Comparison, DeformationMapParams, PartWeights, map_of_distances,
-};
+use crate::analysis::deformations::{DeformationMapParams, map_of_distances};
 use crate::analysis::embedding::classical_mds;
+use crate::analysis::pose_distances::DistanceMatrix;
 use crate::mesh::{Point3, TriMesh, phantom};
 use crate::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
 use crate::units::LengthUnit;
@@ -106,62 +105,58 @@ fn study() -> Study {
     }
 }
 
-/// Share of beats in the cluster of their motion, on the map of a method.
-fn motions_told(study: &Study, method: &Method) -> f64 {
+/// Share of beats in the cluster of their motion, on the map of these distances.
+fn motions_told(distances: &DistanceMatrix) -> f64 {
     let progress = Progress::default();
     let plane = DeformationMapParams::default().check().unwrap();
-    let whole = method.whole(study, &progress).unwrap();
-    let map = map_of_distances(&whole.distances, &plane, &progress).unwrap();
+    let map = map_of_distances(distances, &plane, &progress).unwrap();
     let clusters = k_means(&map.coordinates, map.dimensions, KINDS, 50, 1, &progress).unwrap();
-    let kinds: Vec<Option<usize>> = (0..study.subjects.len()).map(|i| Some(i % KINDS)).collect();
+    let kinds: Vec<Option<usize>> = (0..map.len()).map(|i| Some(i % KINDS)).collect();
     tau(&clusters.clusters, &kinds).correct as f64 / kinds.len() as f64
 }
 
-/// Share of beats in the cluster of their heart, by the distances of a method.
-fn hearts_told(study: &Study, method: &Method) -> f64 {
+/// Share of beats in the cluster of their heart, by these distances.
+fn hearts_told(distances: &DistanceMatrix) -> f64 {
     let progress = Progress::default();
-    let whole = method.whole(study, &progress).unwrap();
-    let map = classical_mds(&whole.distances, 10, &progress).unwrap();
+    let map = classical_mds(distances, 10, &progress).unwrap();
     let clusters = k_means(&map.coordinates, map.dimensions, HEARTS, 50, 1, &progress).unwrap();
-    let hearts: Vec<Option<usize>> = (0..study.subjects.len()).map(|i| Some(i / KINDS)).collect();
+    let hearts: Vec<Option<usize>> = (0..map.len()).map(|i| Some(i / KINDS)).collect();
     tau(&clusters.clusters, &hearts).correct as f64 / hearts.len() as f64
 }
 
 #[test]
 fn clusters_of_deformations_are_the_motions_and_those_of_shapes_the_hearts() {
     let clean = study();
-    let noisy = noisy_study(
-        &clean,
-        &Noise {
-            family: NoiseFamily::Gaussian,
-            percent: 5.0,
-            reference: NoiseReference::Displacement,
-            seed: SEED,
-        },
-    )
-    .unwrap();
-    let shape = Method {
-        comparison: Comparison::Parts(PartWeights::SHAPE),
-        ..Method::deformation()
+    let noise = Noise {
+        family: NoiseFamily::Gaussian,
+        percent: 5.0,
+        reference: NoiseReference::Displacement,
+        seed: SEED,
     };
-    for (study, least) in [(&clean, 0.98), (&noisy, 0.95)] {
+    let noisy = noisy_study(&clean, &noise).unwrap();
+    let progress = Progress::default();
+    for (study, percent, least) in [(&clean, 0, 0.98), (&noisy, 5, 0.95)] {
+        let parts = Method::deformation().parts(study, &progress).unwrap();
+        let both = [&parts.deformation, &parts.shape];
+        let [motions, crossed] = both.map(motions_told);
+        let [other_crossed, hearts] = both.map(hearts_told);
         let others = [
             Method::printed(),
             Method::default_metric(),
             Method::displacement(),
         ]
-        .map(|method| (method.name, motions_told(study, &method)));
-        let motions = motions_told(study, &Method::deformation());
-        let hearts = hearts_told(study, &shape);
-        // Each part is blind to what the other tells.
-        let crossed = [
-            motions_told(study, &shape),
-            hearts_told(study, &Method::deformation()),
-        ];
-        let table = format!("motions {motions:.3}, hearts {hearts:.3}, {crossed:?}, {others:?}");
+        .map(|method| {
+            let whole = method.whole(study, &progress).unwrap();
+            (method.name, motions_told(&whole.distances))
+        });
+        let table = format!(
+            "{percent} % noise: τ of motions {motions:.3} by deformation, {crossed:.3} by shape, {others:.3?}; \
+             of hearts {hearts:.3} by shape, {other_crossed:.3} by deformation"
+        );
+        println!("{table}");
         assert!(motions >= least && hearts >= least, "{table}");
-        assert!(crossed.iter().all(|share| *share < 0.5), "{table}");
-        // Curves of poses are curves of hearts.
+        // Each part is blind to what the other tells, and curves of poses are curves of hearts.
+        assert!(crossed < 0.5 && other_crossed < 0.5, "{table}");
         assert!(others[..2].iter().all(|(_, share)| *share < 0.7), "{table}");
     }
 }

@@ -3,7 +3,7 @@
 use super::*;
 use crate::analysis::classification::classify;
 use crate::analysis::deformations::{
-    deformation_distances, deformation_map, map_of_parts, part_distances,
+    PartParams, deformation_distances, deformation_map, map_of_parts, part_distances,
 };
 use crate::analysis::embedding::embed;
 use crate::analysis::pose_distances::pose_distances_knowing;
