@@ -19,7 +19,7 @@ impl Query for DeformationPartsQuery {
     }
 
     fn depends_on(&self, study: &Study) -> Dependencies {
-        Dependencies::all_shapes(study)
+        Dependencies::all_motions(study)
     }
 
     fn run(&self, cx: &Context<'_>) -> Result<PartDistances, Interrupted> {
