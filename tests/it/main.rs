@@ -13,6 +13,8 @@ mod golden;
 #[cfg(test)]
 mod medial_noise;
 #[cfg(test)]
+mod motions_and_shapes;
+#[cfg(test)]
 mod obj_by_tobj;
 #[cfg(test)]
 mod opening;

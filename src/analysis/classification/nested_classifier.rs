@@ -7,7 +7,7 @@ const STEP: usize = 5;
 /// Parts of the cases; the number of coordinates for the cases of one is chosen by those of the others.
 const FOLDS: usize = 5;
 /// Cases of a choice that are left out in turn, at most: more would tell the same at a higher price.
-const MOST_TESTED: usize = 200;
+const MAX_TESTED: usize = 200;
 
 /// Leave-one-out with a choice inside. The number of coordinates for the cases of each fifth is the one by which most of
 /// the other four fifths are right, each left out in turn; of equals the smallest. With it each case of the fifth is then
@@ -83,7 +83,7 @@ impl Fold {
     /// Which number of coordinates does best without the cases that are told.
     fn choice(&self, classes: &[usize], scratch: &mut Scratch) -> usize {
         let own: Vec<usize> = self.others.iter().map(|case| classes[*case]).collect();
-        let step = own.len().div_ceil(MOST_TESTED).max(1);
+        let step = own.len().div_ceil(MAX_TESTED).max(1);
         let mut best = (0, 0);
         for (index, classifier) in self.choosers.iter().enumerate() {
             let right = classifier.right_cases(&own, step, scratch);

@@ -62,7 +62,7 @@ impl From<EmbeddingError> for DeformationMapError {
 }
 
 /// Axes of the space that neighbourhoods are looked up in; what further ones hold is noise.
-const MOST_AXES: usize = 64;
+const MAX_AXES: usize = 64;
 
 /// The map of distances of whole deformations: one point per row, by locally linear embedding ([`lle()`]) of the space in
 /// which the distances are Euclidean (classical scaling of all axes that are not zero, at most 64).
@@ -78,7 +78,7 @@ pub fn map_of_distances(
 ) -> Result<Embedding, DeformationMapError> {
     let count = distances.size();
     refuse_too_few(count)?;
-    let space = classical_mds(distances, MOST_AXES.min(count - 1), progress)?;
+    let space = classical_mds(distances, MAX_AXES.min(count - 1), progress)?;
     let settings = embedding_params(params, count, default_neighbours).check()?;
     Ok(lle(&space.coordinates, count, &settings, progress)?)
 }

@@ -228,7 +228,7 @@ fn leave_out_overflowing(cohort: &mut TransportedCohort) {
 
 /// The study with the end-diastolic pose of each subject alone.
 fn end_diastoles(study: &Study) -> Study {
-    let at_rest = |subject: &Arc<Subject>| {
+    let at_end_diastole = |subject: &Arc<Subject>| {
         let frame = subject.end_diastole.unwrap_or(0);
         let surfaces = subject.sequence.surfaces().iter().map(|surface| {
             let mesh = surface.frames().get(frame)?.clone();
@@ -244,7 +244,7 @@ fn end_diastoles(study: &Study) -> Study {
     Study {
         // A subject without that frame is refused where its motion is, with the reason.
         subjects: (study.subjects.iter())
-            .map(|subject| at_rest(subject).unwrap_or_else(|| Arc::clone(subject)))
+            .map(|subject| at_end_diastole(subject).unwrap_or_else(|| Arc::clone(subject)))
             .collect(),
         ..study.clone()
     }

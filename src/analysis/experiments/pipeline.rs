@@ -81,11 +81,7 @@ impl Method {
     }
 
     /// Both parts, of which [`Method::whole`] takes what is compared.
-    pub(super) fn parts(
-        &self,
-        study: &Study,
-        progress: &Progress,
-    ) -> Result<PartDistances, ExperimentError> {
+    fn parts(&self, study: &Study, progress: &Progress) -> Result<PartDistances, ExperimentError> {
         let params = PartParams::like(&self.distances, self.deformation_smoothing);
         Ok(part_distances(study, &params.check()?, progress)?)
     }

@@ -3,7 +3,6 @@
 use super::*;
 use crate::progress::Progress;
 
-mod aim;
 mod known;
 
 #[test]

@@ -7,14 +7,18 @@ use std::sync::Arc;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::*;
-use crate::analysis::classification::{k_means, tau};
-use crate::analysis::deformations::{DeformationMapParams, map_of_distances};
-use crate::analysis::embedding::classical_mds;
-use crate::analysis::pose_distances::DistanceMatrix;
-use crate::mesh::{Point3, TriMesh, phantom};
-use crate::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
-use crate::units::LengthUnit;
+use cardiomorph::analysis::classification::{k_means, tau};
+use cardiomorph::analysis::deformations::{
+    Comparison, DeformationMapParams, PartDistances, PartParams, distances_at_equal_phases,
+    map_of_distances, part_distances,
+};
+use cardiomorph::analysis::embedding::classical_mds;
+use cardiomorph::analysis::experiments::{Method, Noise, NoiseFamily, NoiseReference, noisy_study};
+use cardiomorph::analysis::pose_distances::DistanceMatrix;
+use cardiomorph::mesh::{Point3, TriMesh, phantom};
+use cardiomorph::progress::Progress;
+use cardiomorph::study::{MeshSequence, Study, Subject, SurfaceKind, SurfaceSequence};
+use cardiomorph::units::LengthUnit;
 
 const HEARTS: usize = 40;
 const KINDS: usize = 4;
@@ -124,6 +128,22 @@ fn hearts_told(distances: &DistanceMatrix) -> f64 {
     tau(&clusters.clusters, &hearts).correct as f64 / hearts.len() as f64
 }
 
+/// Both parts, as a method compares them.
+fn parts_of(study: &Study, method: &Method) -> PartDistances {
+    let params = PartParams::like(&method.distances, method.deformation_smoothing);
+    part_distances(study, &params.check().unwrap(), &Progress::default()).unwrap()
+}
+
+/// τ of the motions by another method.
+fn told_by(study: &Study, method: &Method) -> f64 {
+    if method.comparison != Comparison::Poses {
+        return motions_told(&parts_of(study, method).deformation);
+    }
+    let poses = method.distances.check().unwrap();
+    let whole = distances_at_equal_phases(study, &poses, &Progress::default()).unwrap();
+    motions_told(&whole.distances)
+}
+
 #[test]
 fn clusters_of_deformations_are_the_motions_and_those_of_shapes_the_hearts() {
     let clean = study();
@@ -134,9 +154,8 @@ fn clusters_of_deformations_are_the_motions_and_those_of_shapes_the_hearts() {
         seed: SEED,
     };
     let noisy = noisy_study(&clean, &noise).unwrap();
-    let progress = Progress::default();
     for (study, percent, least) in [(&clean, 0, 0.98), (&noisy, 5, 0.95)] {
-        let parts = Method::deformation().parts(study, &progress).unwrap();
+        let parts = parts_of(study, &Method::deformation());
         let both = [&parts.deformation, &parts.shape];
         let [motions, crossed] = both.map(motions_told);
         let [other_crossed, hearts] = both.map(hearts_told);
@@ -145,10 +164,7 @@ fn clusters_of_deformations_are_the_motions_and_those_of_shapes_the_hearts() {
             Method::default_metric(),
             Method::displacement(),
         ]
-        .map(|method| {
-            let whole = method.whole(study, &progress).unwrap();
-            (method.name, motions_told(&whole.distances))
-        });
+        .map(|method| (method.name, told_by(study, &method)));
         let table = format!(
             "{percent} % noise: τ of motions {motions:.3} by deformation, {crossed:.3} by shape, {others:.3?}; \
              of hearts {hearts:.3} by shape, {other_crossed:.3} by deformation"
