@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::engine::{Engine, OpenSource, Stage, StoreOptions, Wake};
-use crate::io::{Opened, cohort_notices};
+use crate::io::{Opened, renew_cohort_notices};
 use crate::picture::reference_frame;
 use crate::study::{Notice, Revision, Study};
 use crate::ui::text::counted;
@@ -169,11 +169,7 @@ fn take_added(state: &mut State, added: Opened, added_to: u64, moment: &Moment) 
     }
     let study = (state.document.study()).adding(&added.study, moment.fresh_revision);
     let mut report = OpeningReport::clone(&state.document.study.report);
-    // What holds for the cohort may hold no more, and copies may have come.
-    let [before, now] =
-        [state.document.study(), &study].map(|study| cohort_notices(&study.subjects));
-    report.notices.retain(|notice| !before.contains(notice));
-    report.notices.extend(now);
+    renew_cohort_notices(&mut report.notices, [state.document.study(), &study]);
     report
         .notices
         .extend(added.notices.into_iter().map(|notice| Notice {

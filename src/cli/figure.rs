@@ -305,6 +305,7 @@ impl<'a> Studio<'a> {
 
 /// A subject prepared for its picture.
 struct Stage {
+    subject: Arc<Subject>,
     prepared: PreparedSubject,
     medial: Option<PreparedMedial>,
     numbers: Option<SurfaceScalars>,
@@ -323,6 +324,7 @@ impl Stage {
         let medial =
             wall.map(|wall| PreparedMedial::new(subject, &wall.beat, wall.thickening.end_diastole));
         Ok(Self {
+            subject: Arc::clone(subject),
             numbers: medial.as_ref().and_then(|medial| medial.numbers(&prepared)),
             medial,
             prepared,
@@ -341,7 +343,7 @@ impl Stage {
             study: &study.name,
             verdict: "",
             shown: FigureSubject {
-                subject: &study.subjects[shot.index],
+                subject: &self.subject,
                 measures: measures.get(shot.index),
                 frame: shot.frame,
             },

@@ -30,8 +30,8 @@ pub use limits::{
 pub use mesh_file::{MeshFile, ReadMeshError};
 pub use obj::write_obj;
 pub use open::{
-    OpenListener, cohort_notices, looks_openable, open_paths, open_paths_in_stages, read_head,
-    read_mesh_file,
+    OpenListener, looks_openable, open_paths, open_paths_in_stages, read_head, read_mesh_file,
+    renew_cohort_notices,
 };
 pub use opened::{OpenError, Opened};
 pub use ply::write_ply;

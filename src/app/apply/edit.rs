@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use crate::analysis::segments::long_axis;
+use crate::io::renew_cohort_notices;
 use crate::panes::cohort::view::visible_subjects;
 use crate::panes::{EditCommand, Pane, Phase, PhaseFrame, Whose};
 use crate::study::{CoordinateUnit, EditError, LabelRole, Landmark, Revision, Study, Subject};
@@ -10,6 +11,7 @@ use crate::study::{CoordinateUnit, EditError, LabelRole, Landmark, Revision, Stu
 use super::change::{Moment, change};
 use super::effect::Effect;
 use crate::app::errors::push_card;
+use crate::document::document::OpeningReport;
 use crate::document::{PickedPoint, State, Typing};
 
 /// Applies an edit of the study.
@@ -142,8 +144,10 @@ fn relist(
     let id = id.unwrap_or_default();
     match edit(state.document.study(), index, moment.fresh_revision) {
         Ok(study) => {
+            let report = report_after(state, &study);
             change(state, moment, None, |document| {
                 document.show_relisted(study);
+                document.study.report = report;
             });
             state.play.playing = false;
             state.message = format!("{done} {id}");
@@ -153,6 +157,13 @@ fn relist(
             push_card(&mut state.errors, title, why.to_string());
         }
     }
+}
+
+/// The load report, with what holds for the cohort as it is after an edit.
+fn report_after(state: &State, edited: &Study) -> Arc<OpeningReport> {
+    let mut report = OpeningReport::clone(&state.document.study.report);
+    renew_cohort_notices(&mut report.notices, [state.document.study(), edited]);
+    Arc::new(report)
 }
 
 /// Opens the row of a subject for typing, and has it in sight.
@@ -205,8 +216,11 @@ fn set_unit(state: &mut State, moment: &Moment, whose: Whose, unit: CoordinateUn
         return;
     }
     let count = others.len();
-    edit(state, moment, |study, revision| {
-        study.with_subjects(others, revision)
+    let edited = study.with_subjects(others, moment.fresh_revision);
+    let report = report_after(state, &edited);
+    change(state, moment, None, |document| {
+        document.show_edited(edited);
+        document.study.report = report;
     });
     // It counts in the unit before.
     state.picked = None;

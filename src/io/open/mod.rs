@@ -178,7 +178,7 @@ fn name_of_paths(paths: &[PathBuf]) -> String {
 }
 
 /// What holds for the cohort: whether its vertices correspond, whether its units agree, who is listed twice.
-pub fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
+fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
     let mut notices = Vec::new();
     if subjects.len() < 2 {
         return notices;
@@ -216,6 +216,13 @@ pub fn cohort_notices(subjects: &[Arc<Subject>]) -> Vec<Notice> {
         ));
     }
     notices
+}
+
+/// Replaces what held for the cohort of the first study by what holds for that of the second.
+pub fn renew_cohort_notices(notices: &mut Vec<Notice>, [before, now]: [&Study; 2]) {
+    let before = cohort_notices(&before.subjects);
+    notices.retain(|notice| !before.contains(notice));
+    notices.extend(cohort_notices(&now.subjects));
 }
 
 #[cfg(test)]

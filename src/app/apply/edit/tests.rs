@@ -105,6 +105,34 @@ fn an_excluded_subject_stays_selected_and_can_be_included_again() {
 }
 
 #[test]
+fn what_holds_for_the_cohort_is_said_anew_after_an_edit_and_after_undo() {
+    let mut edited = Edited::new();
+    let says = |edited: &Edited, words: &str| {
+        let notices = &edited.state.document.study.report.notices;
+        notices
+            .iter()
+            .filter(|notice| notice.text.contains(words))
+            .count()
+    };
+    let units = "some subjects are in mm and some in file units";
+    for (unit, count) in [
+        (CoordinateUnit::Millimetre, 1),
+        (CoordinateUnit::Unknown, 0),
+    ] {
+        edited.give(EditCommand::SetUnit(Whose::Subject(0), unit));
+        assert_eq!(says(&edited, units), count);
+    }
+    edited.give(EditCommand::Undo);
+    assert_eq!(says(&edited, units), 1);
+    edited.give(EditCommand::Exclude(Whose::Subject(0)));
+    assert_eq!(says(&edited, units), 0);
+    assert_eq!(says(&edited, "3 subjects have the same faces"), 1);
+    edited.give(EditCommand::Include(Whose::Subject(3)));
+    assert_eq!(says(&edited, units), 1);
+    assert_eq!(says(&edited, "have the same faces"), 1);
+}
+
+#[test]
 fn a_deleted_subject_leaves_the_next_one_selected_and_undo_brings_it_back() {
     let mut edited = Edited::new();
     edited.select(1);

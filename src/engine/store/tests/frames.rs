@@ -196,15 +196,18 @@ impl Query for Urgent {
 #[test]
 fn of_what_waits_for_a_thread_the_most_urgent_begins_first() {
     let (store, study) = (store(), study());
-    let [held, waiting] = [Desk::default(), Desk::default()];
-    // All four threads are taken, and none of them is given back.
+    let [held, last, waiting] = [Desk::default(), Desk::default(), Desk::default()];
+    // All four threads are taken, and the one that only what the user waits for begins on; that one alone is given back.
     for i in 0..4 {
         store.ask(&study, &Urgent(gated(&held, i)));
     }
     until(|| held.runs() == 4);
+    store.ask(&study, &Urgent(gated(&last, 4)));
+    until(|| last.runs() == 1);
     store.ask(&study, &number(&waiting, 60));
     store.ask(&study, &Urgent(number(&waiting, 95)));
-    // What the user waits for has a thread of its own, and that one takes what is less urgent after it.
+    last.open();
+    // It takes what is less urgent after that.
     until(|| waiting.runs() == 2);
     assert_eq!(waiting.order(), [95, 60]);
     held.open();

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, Button, Color32, Key, Popup, Rect, RichText, Shape, Stroke, TextEdit, Ui, UiBuilder,
-    pos2, vec2,
+    Align2, Button, Color32, Key, Popup, Rect, RichText, Role, Shape, Stroke, TextEdit, Ui,
+    UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use crate::panes::commands::{Command, ViewCommand};
@@ -85,7 +85,7 @@ fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
     let width = bar.width() + 2.0 * CAP;
     let text_width = (inner.width() * 0.46).clamp(width, 380.0);
     let fits = |text: &str| crate::ui::text::text_width(ui, text, note_font()) <= text_width;
-    let text = title_with_unit(view.title, view.unit, fits);
+    let (whole, text) = title_with_unit(view.title, view.unit, fits);
     let below = Rect::from_min_size(
         pos2(inner.left(), bar.bottom() + 18.0),
         vec2(text_width, 18.0),
@@ -93,7 +93,12 @@ fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
     let mut line_ui = ui.new_child(UiBuilder::new().max_rect(below));
     line_ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = space::SMALL;
-        ui.add(egui::Label::new(RichText::new(text).small()).truncate());
+        let title = ui.add(egui::Label::new(RichText::new(&text).small()).truncate());
+        if text != whole {
+            // Readers of the screen hear it whole, and so does who points at it.
+            title.widget_info(|| WidgetInfo::labeled(Role::Label, true, &whole));
+            title.on_hover_text(whole);
+        }
         if view.typed {
             let accent = colours(ui).selection;
             ui.label(
@@ -108,23 +113,27 @@ fn title_ui(ui: &mut Ui, inner: Rect, bar: Rect, view: &ColourBarView) -> f32 {
     inner.left() + text_width + space::LARGE
 }
 
-/// Name and unit of a quantity. A number without its unit says nothing: where not all fits, the name is cut.
-fn title_with_unit(title: &str, unit: &str, fits: impl Fn(&str) -> bool) -> String {
+/// Name and unit of a quantity, whole and as they are shown. A number without its unit says nothing: where not all fits,
+/// the name is cut.
+fn title_with_unit(title: &str, unit: &str, fits: impl Fn(&str) -> bool) -> (String, String) {
     let unit = match unit {
         "" => String::new(),
         unit => format!(", {unit}"),
     };
     let letters: Vec<char> = title.chars().collect();
-    let cut = |count: &usize| {
-        let kept: String = letters[..*count].iter().collect();
+    let cut = |count: usize| {
+        let kept: String = letters[..count].iter().collect();
         format!("{}…{unit}", kept.trim_end())
     };
     let whole = format!("{title}{unit}");
-    if fits(&whole) {
-        return whole;
-    }
-    let count = (1..letters.len()).rev().find(|count| fits(&cut(count)));
-    cut(&count.unwrap_or(0))
+    let shown = match fits(&whole) {
+        true => whole.clone(),
+        false => {
+            let count = (1..letters.len()).rev().find(|&count| fits(&cut(count)));
+            cut(count.unwrap_or(0))
+        }
+    };
+    (whole, shown)
 }
 
 fn rgb([r, g, b]: [u8; 3]) -> Color32 {
@@ -305,11 +314,12 @@ mod tests {
     #[test]
     fn the_unit_stays_where_the_name_of_a_quantity_is_cut() {
         let fits = |most: usize| move |text: &str| text.chars().count() <= most;
-        let shown = |most| title_with_unit("Difference from own motion", "mm", fits(most));
+        let shown = |most| title_with_unit("Difference from own motion", "mm", fits(most)).1;
         assert_eq!(shown(40), "Difference from own motion, mm");
         assert_eq!(shown(20), "Difference from…, mm");
         assert_eq!(shown(3), "…, mm");
-        assert_eq!(title_with_unit("Area ratio", "", fits(5)), "Area…");
+        let (whole, cut) = title_with_unit("Area ratio", "", fits(5));
+        assert_eq!((&*whole, &*cut), ("Area ratio", "Area…"));
     }
 
     #[test]
