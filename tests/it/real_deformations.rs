@@ -111,12 +111,7 @@ impl Cases {
         };
         let params = params.check().unwrap();
         let classes = classify(distances, &plane, &labels, &params, &progress).unwrap();
-        let right = |accuracy: Option<_>| {
-            accuracy.map_or(
-                0,
-                |accuracy: cardiomorph::analysis::classification::Accuracy| accuracy.correct,
-            )
-        };
+        let right = |accuracy: Option<_>| accuracy.map_or(0, |accuracy: Accuracy| accuracy.correct);
         let [linear, in_plane, tau] = [
             classes.linear_classifier,
             classes.plane_classifier,
