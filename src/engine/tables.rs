@@ -14,7 +14,7 @@ use crate::analysis::verdicts::{CheckedRule, Verdicts, verdicts, verdicts_by_rul
 use crate::engine::export::{ExportFile, FileBytes, PassingFile};
 use crate::engine::queries::{
     ClassesBy, ClassesQuery, DeformationMapQuery, MeasuresQuery, PoseMap, PoseMapQuery,
-    VerdictQuery, distance_words,
+    VerdictQuery, deformation_words, distance_words,
 };
 use crate::engine::result_folder::{complete, name_in};
 use crate::engine::store::{Interrupted, Store};
@@ -196,6 +196,7 @@ impl AnalysisTables {
             measures: &measures,
             distances: &maps[0].1.distances,
             metric: &distance_words(&deformations.poses.distances),
+            comparison: &deformation_words(deformations),
             maps: (maps.iter())
                 .map(|(word, map)| (*word, &map.embedding))
                 .collect(),
