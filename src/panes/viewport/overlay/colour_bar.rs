@@ -207,9 +207,7 @@ fn limits_ui(ui: &mut Ui, bar: Rect, view: &ColourBarView, commands: &mut Vec<Co
         child.spacing_mut().interact_size = vec2(0.0, 0.0);
         let button = Button::new(RichText::new(text.clone()).small()).frame_when_inactive(false);
         let response = child.add(button);
-        response.widget_info(|| {
-            egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{name}: {text}"))
-        });
+        response.widget_info(|| WidgetInfo::labeled(Role::Button, true, format!("{name}: {text}")));
         let unit = if view.unit.is_empty() {
             ""
         } else {
