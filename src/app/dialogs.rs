@@ -1,6 +1,7 @@
 //! File dialogs of the operating system, asked off the window's thread; where it shows none, the window asks itself.
 
-use std::path::PathBuf;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -19,8 +20,9 @@ fn readable() -> Vec<&'static str> {
     extensions
 }
 
-/// An empty answer that comes sooner was not given by a person: no dialog could be shown.
-const MIN_ANSWER_TIME: Duration = Duration::from_millis(150);
+/// An empty answer that comes sooner was not given by a person: no dialog could be shown. A person who did cancel so
+/// quickly is asked for the path by the window, and cancels once more.
+const MIN_ANSWER_TIME: Duration = Duration::from_millis(700);
 
 /// The system shows no file dialog: it has neither zenity nor a desktop portal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
@@ -79,7 +81,13 @@ impl Dialogs {
         let outcome = self.open.as_mut()?.0.poll()?;
         let (_, question, then) = self.open.take()?;
         match outcome {
-            Ok(paths) => then(state, engine, paths.filter(|paths| !paths.is_empty())?),
+            Ok(paths) => {
+                let Some(paths) = paths.filter(|paths| !paths.is_empty()) else {
+                    state.message = "Cancelled: no file was chosen".to_owned();
+                    return None;
+                };
+                then(state, engine, paths)
+            }
             Err(_) => {
                 self.typed.ask(state, question, then);
                 None
@@ -88,9 +96,25 @@ impl Dialogs {
     }
 }
 
-/// The dialogs of the operating system.
+/// Whether the system can show a dialog at all: a desktop portal is reached by the bus of the session, zenity is a program.
+fn can_show(variable: impl Fn(&str) -> Option<OsString>, is_there: impl Fn(&Path) -> bool) -> bool {
+    if cfg!(not(all(unix, not(target_os = "macos"))))
+        || variable("DBUS_SESSION_BUS_ADDRESS").is_some()
+    {
+        return true;
+    }
+    let bus = variable("XDG_RUNTIME_DIR").map(|folder| Path::new(&folder).join("bus"));
+    let programs = variable("PATH").unwrap_or_default();
+    bus.is_some_and(|bus| is_there(&bus))
+        || std::env::split_paths(&programs).any(|folder| is_there(&folder.join("zenity")))
+}
+
+/// The dialogs of the operating system; `None` at once where it has none.
 pub fn system_dialogs() -> AskPaths {
     Arc::new(|question| {
+        if !can_show(|name| std::env::var_os(name), Path::exists) {
+            return None;
+        }
         let dialog = rfd::FileDialog::new().set_title(question.title());
         let one = |path: Option<PathBuf>| path.map(|path| vec![path]);
         match question {
@@ -108,4 +132,30 @@ pub fn system_dialogs() -> AskPaths {
             PathQuestion::SaveStudy | PathQuestion::SaveTables => one(dialog.pick_folder()),
         }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_a_bus_and_without_zenity_there_is_no_dialog() {
+        let shown = |variables: &[(&str, &str)], there: &str| {
+            let variable = |name: &str| {
+                let found = variables.iter().find(|(known, _)| *known == name);
+                found.map(|(_, value)| OsString::from(value))
+            };
+            can_show(variable, |path| path == Path::new(there))
+        };
+        if cfg!(all(unix, not(target_os = "macos"))) {
+            assert!(!shown(&[], ""));
+            assert!(!shown(
+                &[("XDG_RUNTIME_DIR", "/run/1"), ("PATH", "/a:/b")],
+                ""
+            ));
+        }
+        assert!(shown(&[("DBUS_SESSION_BUS_ADDRESS", "unix:path=/x")], ""));
+        assert!(shown(&[("XDG_RUNTIME_DIR", "/run/1")], "/run/1/bus"));
+        assert!(shown(&[("PATH", "/a:/b")], "/b/zenity"));
+    }
 }

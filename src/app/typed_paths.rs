@@ -40,7 +40,7 @@ impl TypedPaths {
     pub fn ask(&mut self, state: &mut State, question: PathQuestion, then: Then) {
         let folder = self.folder.clone();
         let folder = folder.or_else(|| std::env::current_dir().ok());
-        let start = folder.unwrap_or_default().join(question.suggested());
+        let start = free_place(&question, &folder.unwrap_or_default());
         self.revision += 1;
         state.path_entry = Some(PathEntry {
             title: question.title().to_owned(),
@@ -101,6 +101,20 @@ impl TypedPaths {
         }
         None
     }
+}
+
+/// Most names that are tried.
+const MOST_NAMES: u32 = 1000;
+
+/// The place that is proposed; for a study, which is written into an empty folder alone, the first name that is free.
+fn free_place(question: &PathQuestion, folder: &Path) -> PathBuf {
+    let first = folder.join(question.suggested());
+    if *question != PathQuestion::SaveStudy || !first.exists() {
+        return first;
+    }
+    let others = (2..MOST_NAMES).map(|n| folder.join(format!("{}-{n}", question.suggested())));
+    let mut free = others.filter(|place| !place.exists());
+    free.next().unwrap_or(first)
 }
 
 /// Whether a path answers a question, in words where it does not.
@@ -217,5 +231,22 @@ mod tests {
         let new = PathBuf::from(format!("{at}tables/new"));
         let taken = checked(&tables, &format!("{at}tables/new"), false).unwrap();
         assert_eq!(taken, Reply::Taken(vec![new]));
+    }
+
+    #[test]
+    fn a_study_is_proposed_where_nothing_lies() {
+        let study = PathQuestion::SaveStudy;
+        let proposed = |taken: &[&str]| {
+            let folder = tempfile::tempdir().unwrap();
+            for name in taken {
+                std::fs::create_dir(folder.path().join(name)).unwrap();
+            }
+            let place = free_place(&study, folder.path());
+            place.file_name().unwrap().to_owned()
+        };
+        assert_eq!(proposed(&[]), "cardiomorph-study");
+        assert_eq!(proposed(&["cardiomorph-study"]), "cardiomorph-study-2");
+        let taken = ["cardiomorph-study", "cardiomorph-study-2"];
+        assert_eq!(proposed(&taken), "cardiomorph-study-3");
     }
 }

@@ -43,7 +43,8 @@ const ON_PAPER: [[f32; 3]; 8] = [
 
 impl LabelMark {
     /// The mark of every subject of a study. Labels other than normal are counted in alphabetical order whatever their
-    /// case, so that the order of subjects changes no mark.
+    /// case, so that the order of subjects changes no mark: those of abnormal subjects first, and from the second mark on
+    /// those of neither, for the first is the cross of what is ill.
     pub fn of_subjects(study: &Study) -> Vec<Self> {
         let read = study.all().map(|subject| &subject.label);
         // Shapes go by all labels of the study: they stay the same while it is read.
@@ -59,17 +60,17 @@ impl LabelMark {
     /// The same of labels with their roles.
     pub fn of_study<'a>(labels: &[(Option<&'a str>, LabelRole)]) -> Vec<Self> {
         let other = |&(label, role): &(Option<&'a str>, LabelRole)| {
-            label
-                .filter(|_| role != LabelRole::Normal)
-                .map(str::to_lowercase)
+            let label = label.filter(|_| role != LabelRole::Normal)?;
+            Some((role != LabelRole::Abnormal, label.to_lowercase()))
         };
-        let mut known: Vec<String> = labels.iter().filter_map(other).collect();
+        let mut known: Vec<(bool, String)> = labels.iter().filter_map(other).collect();
         known.sort();
         known.dedup();
+        let first = usize::from(known.first().is_some_and(|(neither, _)| *neither));
         let mark = |subject: &(Option<&'a str>, LabelRole)| match (subject.1, other(subject)) {
             (LabelRole::Normal, _) => Self::Normal,
             (_, Some(label)) => {
-                let place = known.binary_search(&label).unwrap_or_default();
+                let place = first + known.binary_search(&label).unwrap_or_default();
                 Self::Label(u8::try_from(place).unwrap_or(u8::MAX))
             }
             (_, None) => Self::Unlabelled,
@@ -164,6 +165,15 @@ mod tests {
         let mut again = LabelMark::of_study(&turned);
         again.reverse();
         assert_eq!(again, marks);
+    }
+
+    #[test]
+    fn the_cross_is_that_of_the_ill_whatever_other_labels_are_called() {
+        let abnormal = (Some("abnormal"), LabelRole::Abnormal);
+        let other = (Some("a follow-up"), LabelRole::Unknown);
+        let crossed = LabelMark::Label(0);
+        assert_eq!(LabelMark::of_study(&[abnormal, other])[0], crossed);
+        assert_ne!(LabelMark::of_study(&[other])[0], crossed);
     }
 
     #[test]

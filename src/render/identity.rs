@@ -1,10 +1,11 @@
-//! Whether two scenes draw the same: large arrays are compared by who they are, not by what they hold.
+//! Whether two scenes draw the same: arrays of meshes are compared by who they are, not by what they hold.
 
 use std::sync::Arc;
 
 use super::{Lines, Points, Scene, Surface, SurfaceColour};
 
-/// Whether two scenes certainly give the same picture. Costs nothing in the size of the meshes.
+/// Whether two scenes certainly give the same picture. Costs nothing in the size of the meshes; marks, which are few and
+/// made anew for each picture, are compared by their contents.
 pub(super) fn same_scene(a: &Scene, b: &Scene) -> bool {
     a.background == b.background
         && same_lists(&a.surfaces, &b.surfaces, same_surface)
@@ -56,11 +57,15 @@ fn same_colour(a: &SurfaceColour, b: &SurfaceColour) -> bool {
 }
 
 fn same_lines(a: &Lines, b: &Lines) -> bool {
-    Arc::ptr_eq(&a.strips, &b.strips) && a.colour == b.colour && a.width == b.width
+    same_marks(&a.strips, &b.strips) && a.colour == b.colour && a.width == b.width
 }
 
 fn same_points(a: &Points, b: &Points) -> bool {
-    Arc::ptr_eq(&a.positions, &b.positions)
-        && Arc::ptr_eq(&a.colours, &b.colours)
+    same_marks(&a.positions, &b.positions)
+        && same_marks(&a.colours, &b.colours)
         && a.diameter == b.diameter
+}
+
+fn same_marks<T: PartialEq>(a: &Arc<Vec<T>>, b: &Arc<Vec<T>>) -> bool {
+    Arc::ptr_eq(a, b) || a == b
 }

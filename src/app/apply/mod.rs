@@ -37,11 +37,11 @@ fn applied(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> 
     match command {
         Command::Edit(EditCommand::Undo) => {
             let step = state.history.undo(&state.document);
-            restore(state, step);
+            restore(state, step, "Undone");
         }
         Command::Edit(EditCommand::Redo) => {
             let step = state.history.redo(&state.document);
-            restore(state, step);
+            restore(state, step, "Done again");
         }
         Command::Edit(command) => return Vec::from_iter(edit::apply(state, command, moment)),
         Command::Beat(command) => beat::apply(state, command, moment),
@@ -56,8 +56,10 @@ fn applied(state: &mut State, command: Command, moment: &Moment) -> Vec<Effect> 
     Vec::new()
 }
 
-fn restore(state: &mut State, step: Option<Document>) {
+fn restore(state: &mut State, step: Option<Document>, done: &str) {
     if let Some(document) = step {
+        // What the last command said holds no more.
+        state.message = done.to_owned();
         state.document = document;
         state.play.playing = false;
         // Coordinates may count in another unit.

@@ -26,7 +26,7 @@ const THREADS: usize = 4;
 /// Visible and background work that runs at a time; inner loops use all cores anyway.
 const VISIBLE_AT_A_TIME: usize = 2;
 /// Threads at most. Each step of a chain of questions may hold one that waits; chains have some five steps.
-const MAX_THREADS: usize = 16;
+pub(super) const MAX_THREADS: usize = 16;
 
 type Run = Box<dyn FnOnce() + Send>;
 

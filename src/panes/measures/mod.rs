@@ -72,7 +72,10 @@ pub fn measures_card_ui(ui: &mut Ui, view: &MeasuresView, commands: &mut Vec<Com
 }
 
 fn ejection_fraction_ui(ui: &mut Ui, view: &MeasuresView) {
-    ui.add(egui::Label::new(note("Ejection fraction")).truncate());
+    // Whose numbers they are: the heart on screen may still be the one before.
+    let whose = view.subject.unwrap_or_default();
+    let title = egui::Label::new(note(format!("{whose} · Ejection fraction")));
+    ui.add(title.truncate());
     let row = &view.measures;
     let text = match row.ef {
         None if view.computing => "…".to_owned(),

@@ -1,10 +1,11 @@
-//! The 3D view while no study is open.
+//! The 3D view while no study is open, or the selected subject is not ready.
 
-use egui::{Button, RichText, Stroke, StrokeKind, Ui};
+use egui::{Align2, Button, Rect, RichText, Stroke, StrokeKind, Ui};
 
 use crate::engine::mesh_format_names;
 use crate::panes::commands::{Command, FileCommand};
 use crate::ui::style::{heading_font, note};
+use crate::ui::text::note_at;
 use crate::ui::theme::{colours, line, radius, space};
 
 /// What the empty window shows.
@@ -73,6 +74,28 @@ fn buttons_ui(ui: &mut Ui, opening: bool, commands: &mut Vec<Command>) {
             ui.add_space(space::SMALL);
         }
     });
+}
+
+/// Seconds in which a picture fades that is no longer the one asked for: most are replaced before that is seen.
+const FADES_S: f32 = 0.4;
+
+/// Dims the picture of another subject than the selected one, and says which one is being made ready.
+pub(super) fn loading_ui(ui: &Ui, area: Rect, awaited: Option<&str>) {
+    let fades = ui.scope_id().with("fades");
+    let dim = (ui.ctx()).animate_bool_with_time(fades, awaited.is_some(), FADES_S);
+    let Some(id) = awaited else {
+        return;
+    };
+    let ground = ui.visuals().panel_fill.gamma_multiply(0.75 * dim);
+    ui.painter().rect_filled(area, 0.0, ground);
+    if dim > 0.5 {
+        note_at(
+            ui,
+            area.center(),
+            Align2::CENTER_CENTER,
+            format!("loading {id}…"),
+        );
+    }
 }
 
 #[cfg(test)]

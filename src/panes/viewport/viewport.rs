@@ -24,6 +24,7 @@ use crate::document::play::pose_in;
 use crate::document::state::State;
 use crate::document::visible_poses;
 use crate::panes::viewport::camera_drag::camera_command;
+use crate::panes::viewport::empty_state::loading_ui;
 use crate::panes::viewport::fits::Fits;
 use crate::panes::viewport::overlay_view::overlay_view;
 use crate::panes::viewport::paint::{ScenePaint, pixels};
@@ -193,7 +194,8 @@ impl Viewport {
         let settings = self.settings(&state.document, ui.visuals().dark_mode);
         let (hovered, clicked) = pointed(&response, state, &tiles, &settings);
         let legends = self.draw(ui, &settings, &tiles, meter);
-        self.overlays_ui(ui, state, &tiles, (area, legends.as_ref()), commands);
+        self.overlays_ui(ui, state, &tiles, (area, &legends), commands);
+        loading_ui(ui, area, self.awaited(state));
         if is_of_study {
             targets_ui(ui, &response, state, &tiles, commands);
         }
@@ -232,23 +234,33 @@ impl Viewport {
         }))
     }
 
-    /// Hands the subjects to our renderer; returns what the colours mean, and at which subject it stands.
+    /// The selected subject, while another one is still on screen.
+    fn awaited<'a>(&self, state: &'a State) -> Option<&'a str> {
+        let selected = state.document.selected()?;
+        let mut shown = self.shown.iter();
+        let is_shown = shown.any(|shown| Arc::ptr_eq(&shown.subject, selected));
+        (!is_shown).then_some(&*selected.id)
+    }
+
+    /// Hands the subjects to our renderer; returns what the colours mean at each subject where they mean something else
+    /// than at those before it.
     fn draw(
         &self,
         ui: &Ui,
         settings: &SceneSettings,
         tiles: &[Tile],
         meter: &Arc<AtomicU64>,
-    ) -> Option<(usize, SubjectScene)> {
-        let mut legends = None;
+    ) -> Vec<(usize, SubjectScene)> {
+        let mut legends: Vec<(usize, SubjectScene)> = Vec::new();
         for (place, tile) in tiles.iter().enumerate() {
             let prepared = &tile.shown.placed.prepared;
             let pose = pose_in(prepared, tile.shown.position);
             let settings = tile.shown.settings(settings);
             let mut picture = scene_with_extras(prepared, tile.shown.extras(), &settings, pose);
             let scene = std::mem::take(&mut picture.scene);
-            if legends.is_none() && picture.legend.is_some() {
-                legends = Some((place, picture));
+            let same = |(_, told): &(usize, SubjectScene)| told.legend == picture.legend;
+            if picture.legend.is_some() && !legends.iter().any(same) {
+                legends.push((place, picture));
             }
             if !self.has_device {
                 continue;
@@ -273,7 +285,7 @@ impl Viewport {
         ui: &mut Ui,
         state: &State,
         tiles: &[Tile],
-        (area, legends): (Rect, Option<&(usize, SubjectScene)>),
+        (area, legends): (Rect, &[(usize, SubjectScene)]),
         commands: &mut Vec<Command>,
     ) {
         let whole_beat = self.mode == ViewMode::AllFrames;
@@ -285,8 +297,8 @@ impl Viewport {
         for (place, tile) in shown.iter().enumerate() {
             let rect = if whole_beat { area } else { tile.rect };
             let last = place + 1 == shown.len();
-            let legends = legends.filter(|(at, _)| *at == place || whole_beat);
-            let legends = legends.map(|(_, legends)| legends);
+            let mut legends = legends.iter().filter(|(at, _)| *at == place || whole_beat);
+            let legends = legends.next().map(|(_, legends)| legends);
             let view = overlay_view(
                 legends,
                 &tile.shown.placed.prepared,

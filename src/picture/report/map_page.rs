@@ -294,14 +294,14 @@ mod tests {
         });
         let words: Vec<&str> = words.collect();
         assert_eq!(words, ["normal 1", "DCM 1", "MINF 2", "no label 1"]);
-        // A disc, two arms of a cross, a triangle, a square.
+        // A disc, a triangle, two lines, a square: a cross would say that they are ill.
         let colours = page.marks.iter().filter_map(|mark| match mark {
             Mark::Line { colour, .. } | Mark::Fill { colour, .. } => Some(*colour),
             _ => None,
         });
-        let [dcm, minf] = [0, 1].map(|place| LabelMark::Label(place).on_paper());
+        let [dcm, minf] = [1, 2].map(|place| LabelMark::Label(place).on_paper());
         let [normal, none] = [LabelMark::Normal, LabelMark::Unlabelled].map(LabelMark::on_paper);
-        assert_eq!(colours.collect::<Vec<_>>(), [normal, dcm, dcm, minf, none]);
+        assert_eq!(colours.collect::<Vec<_>>(), [normal, dcm, minf, minf, none]);
     }
 
     #[test]

@@ -63,6 +63,31 @@ fn the_same_scene_is_neither_sent_nor_drawn_again() {
 }
 
 #[test]
+fn marks_that_are_made_anew_are_drawn_again_only_where_they_differ() {
+    let Some((mut renderer, gpu)) = renderer() else {
+        return;
+    };
+    let mut scene = two_poses();
+    scene.lines.push(Lines {
+        strips: Arc::new(vec![vec![[0.0; 3], [0.5; 3]]]),
+        colour: [1.0; 4],
+        width: 2.0,
+    });
+    assert!(prepare(&mut renderer, &gpu, 0, &scene, &parallel()));
+    let mut anew = scene.clone();
+    anew.lines[0].strips = Arc::new(anew.lines[0].strips.to_vec());
+    for points in &mut anew.points {
+        points.positions = Arc::new(points.positions.to_vec());
+        points.colours = Arc::new(points.colours.to_vec());
+    }
+    assert!(!prepare(&mut renderer, &gpu, 0, &anew, &parallel()));
+    let mut strips = anew.lines[0].strips.to_vec();
+    strips[0][0][0] += 0.1;
+    anew.lines[0].strips = Arc::new(strips);
+    assert!(prepare(&mut renderer, &gpu, 0, &anew, &parallel()));
+}
+
+#[test]
 fn playing_and_turning_draw_but_send_nothing() {
     let Some((mut renderer, gpu)) = renderer() else {
         return;

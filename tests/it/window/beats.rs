@@ -5,7 +5,9 @@ use cardiomorph::engine::{InterpolatedPosesQuery, MotionTransportQuery, PoseMapQ
 use cardiomorph::picture::Quantity;
 
 use super::*;
-use cardiomorph::panes::{BeatCommand, EditCommand, TransportCommand, ViewCommand, WorkCommand};
+use cardiomorph::panes::{
+    BeatCommand, EditCommand, TransportCommand, ViewCommand, WallCommand, WorkCommand,
+};
 
 /// Takes what is at `from` and lets it go at `onto`, as a person does: in several steps.
 fn drag(harness: &mut Harness<'_, App>, from: egui::Pos2, onto: egui::Pos2) {
@@ -216,6 +218,13 @@ fn a_subject_dragged_onto_another_plays_its_beat_there() {
         Quantity::MotionDifference
     );
     assert!(shows(&harness, "Difference from own motion, mm"));
+    // Atoms of both have a bar of their own, and this one stays.
+    give(&mut harness, Command::Wall(WallCommand::ToggleAtoms));
+    wait(&mut harness, "the atoms", |app| !app.busy());
+    harness.run();
+    assert!(shows(&harness, "Difference from own motion, mm"));
+    give(&mut harness, Command::Edit(EditCommand::Undo));
+    harness.run();
     // Without colours the bar goes; undo brings them, and then the view before, back.
     give(
         &mut harness,

@@ -116,8 +116,8 @@ fn what_holds_for_the_cohort_is_said_anew_after_an_edit_and_after_undo() {
     };
     let units = "some subjects are in mm and some in file units";
     for (unit, count) in [
-        (CoordinateUnit::Millimetre, 1),
-        (CoordinateUnit::Unknown, 0),
+        (CoordinateUnit::Unknown, 1),
+        (CoordinateUnit::Millimetre, 0),
     ] {
         edited.give(EditCommand::SetUnit(Whose::Subject(0), unit));
         assert_eq!(says(&edited, units), count);

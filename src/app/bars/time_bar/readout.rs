@@ -127,15 +127,18 @@ fn field_ui(ui: &mut Ui, view: &TimeBarView, mut typed: Typed, commands: &mut Ve
 fn example(view: &TimeBarView) -> &'static str {
     match view.cycle_ms {
         Some(_) => "412 ms or 53 %",
-        None => "53 % R-R",
+        None => "53 % of the cycle",
     }
 }
 
-/// The position at a typed time: "412 ms", "53 %", "53 % R-R". A number alone is in ms where times are known, else in
+/// The position at a typed time: "412 ms", "53 %", "53 % R-R", "53 % of the cycle". A number alone is in ms where times are known, else in
 /// percent. `None` for what is no time within the cycle.
 pub(super) fn typed_position(view: &TimeBarView, text: &str) -> Option<f64> {
     let text = text.trim().to_lowercase().replace(',', ".");
-    let text = text.trim_end_matches("r-r").trim_end();
+    let text = text
+        .trim_end_matches("r-r")
+        .trim_end_matches("of the cycle");
+    let text = text.trim_end();
     let (number, in_percent) = if let Some(number) = text.strip_suffix('%') {
         (number, true)
     } else if let Some(number) = text.strip_suffix("ms") {

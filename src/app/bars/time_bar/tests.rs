@@ -137,6 +137,7 @@ fn a_time_is_typed_in_milliseconds_or_percent() {
         ("400 ms", Some(2.0)),
         ("300", Some(1.5)),
         ("37,5 % R-R", Some(1.5)),
+        ("50 % of the cycle", Some(2.0)),
         ("100 %", Some(0.0)),
         ("900 ms", None),
         ("-1 %", None),
