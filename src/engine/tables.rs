@@ -263,7 +263,7 @@ pub fn tables_of_study(
 
 /// `frames.csv`, `subjects.csv` and its older name.
 fn measure_files(study: &Study, measures: &[SubjectMeasures], folder: &Path) -> Vec<ExportFile> {
-    let mut files = tables_of(&FrameRow::of_study(study, measures), folder);
+    let mut files = tables_of(&FrameRow::of_frames(study, measures), folder);
     files.extend(tables_of(&SubjectRow::of_study(study, measures), folder));
     files
 }
