@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use rayon::prelude::*;
 
 use crate::analysis::measures::{FrameMeasures, SubjectMeasures, measure_subject, wall_sides};
-use crate::analysis::segments::{long_axis, vertex_areas};
-use crate::mesh::{Point3, Vector3};
+use crate::analysis::segments::long_axis;
+use crate::mesh::{Point3, Vector3, vertex_areas};
 use crate::study::checks::WallDoubt;
 use crate::study::{Study, Subject};
 use crate::units::LengthUnit;
